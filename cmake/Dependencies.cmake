@@ -1,0 +1,45 @@
+# The libraries, from the system where it has them, else fetched.
+include(FetchContent)
+
+find_package(Threads REQUIRED)
+
+# Catch2: version 3, or version 2 as older systems package it. course_catch says where it is;
+# tests/support/catch.hpp hides the difference.
+add_library(course_catch INTERFACE)
+find_package(Catch2 3 QUIET)
+if(NOT Catch2_FOUND)
+  find_package(Catch2 2 QUIET)
+endif()
+if(NOT Catch2_FOUND)
+  message(STATUS "Catch2 is not installed: fetching it")
+  FetchContent_Declare(Catch2 GIT_REPOSITORY https://github.com/catchorg/Catch2.git
+                              GIT_TAG v3.5.4 GIT_SHALLOW ON)
+  FetchContent_MakeAvailable(Catch2)
+  set(Catch2_VERSION 3)
+endif()
+if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
+  target_link_libraries(course_catch INTERFACE Catch2::Catch2WithMain)
+else()
+  target_link_libraries(course_catch INTERFACE Catch2::Catch2)
+endif()
+
+find_package(CLI11 QUIET)
+if(NOT CLI11_FOUND)
+  message(STATUS "CLI11 is not installed: fetching it")
+  FetchContent_Declare(CLI11 GIT_REPOSITORY https://github.com/CLIUtils/CLI11.git
+                             GIT_TAG v2.4.2 GIT_SHALLOW ON)
+  FetchContent_MakeAvailable(CLI11)
+endif()
+
+# stb's image headers: course_stb says where they are.
+add_library(course_stb INTERFACE)
+find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb)
+if(NOT STB_INCLUDE_DIR)
+  message(STATUS "stb is not installed: fetching it")
+  FetchContent_Declare(stb GIT_REPOSITORY https://github.com/nothings/stb.git GIT_TAG master
+                           GIT_SHALLOW ON)
+  FetchContent_MakeAvailable(stb)
+  set(STB_INCLUDE_DIR ${stb_SOURCE_DIR})
+endif()
+# As system headers: their warnings are not ours.
+target_include_directories(course_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})

@@ -1,0 +1,29 @@
+# How all code of the course is compiled: link to course_flags.
+add_library(course_flags INTERFACE)
+target_compile_options(course_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow
+  # Rounding stays as the source has it: the same picture from every compiler, machine and inlining.
+  -ffp-contract=off)
+if(RT_WERROR)
+  target_compile_options(course_flags INTERFACE -Werror)
+endif()
+if(RT_NATIVE)
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag(-march=native RT_HAS_NATIVE)
+  if(RT_HAS_NATIVE)
+    target_compile_options(course_flags INTERFACE -march=native)
+  endif()
+endif()
+if(RT_SANITIZE)
+  set(sanitize -fsanitize=${RT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_compile_options(course_flags INTERFACE ${sanitize})
+  target_link_options(course_flags INTERFACE ${sanitize})
+endif()
+
+# The two precisions: course_double is the default, course_float everything with rt::Real as float.
+add_library(course_double INTERFACE)
+target_link_libraries(course_double INTERFACE course_flags)
+add_library(course_float INTERFACE)
+target_link_libraries(course_float INTERFACE course_flags)
+target_compile_definitions(course_float INTERFACE RT_REAL=float)
+target_compile_options(course_float INTERFACE -Wdouble-promotion)

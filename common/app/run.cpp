@@ -1,0 +1,191 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <app/run.hpp>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <rt/image_file.hpp>
+#include <rt/todo.hpp>
+#include <study/report.hpp>
+#include <system_error>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int max_side = 65'536;
+constexpr std::int64_t max_pixels = 67'108'864;  // 2^26: 1.5 GiB of colours in double
+
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Refuses what is not a whole number within the range, and says what would be right.
+CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
+    return {[=](const std::string& text) -> std::string {
+                std::uint64_t value = 0;
+                const char* const end = text.data() + text.size();
+                const auto [stop, error] = std::from_chars(text.data(), end, value);
+                if (error == std::errc{} && stop == end && low <= value && value <= high) return {};
+                return '\'' + text + "' is not a whole number from " + std::to_string(low) +
+                       " to " + std::to_string(high);
+            },
+            "", "whole number"};
+}
+
+// Checks before the work starts that the image can be written, so that none is lost at its end.
+void check_output(const fs::path& path) {
+    if (path.empty()) throw UsageError("--out: needs a file name that ends in .png or .ppm");
+    const auto status = fs::status(path);
+    if (fs::is_directory(status))
+        throw UsageError("--out: " + path.string() + " is a folder; name a file in it");
+    const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
+    const std::string extension = path.extension().string();
+    if (extension != ".png" && extension != ".ppm" && !is_device)
+        throw UsageError("--out: " + path.string() +
+                         " has no extension that is known; use .png or .ppm");
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path{"."};
+    if (!fs::is_directory(folder))
+        throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
+                                "--out: the folder " + folder.string() + " is not there");
+    if (!is_device && ::access(folder.c_str(), W_OK) != 0)
+        throw std::system_error(errno, std::generic_category(),
+                                "--out: the folder " + folder.string() + " cannot be written to");
+}
+
+std::string count(double number, const char* unit) {
+    const char* const prefixes[] = {"", " thousand", " million", " billion"};
+    int i = 0;
+    for (; number >= 1000 && i < 3; ++i) number /= 1000;
+    char text[64];
+    std::snprintf(text, sizeof text, "%.3g%s %s", number, prefixes[i], unit);
+    return text;
+}
+
+void draw_picture(const Program& program, const Settings& settings, const fs::path& path,
+                  bool quiet) {
+    check_output(path);
+    const auto start = std::chrono::steady_clock::now();
+    Picture picture;
+    {
+        Progress progress{!quiet && ::isatty(STDERR_FILENO)};
+        picture = program.render(settings, progress);
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+
+    const bool as_png = path.extension() == ".png";
+    const auto encode_ppm = program.encode_ppm ? program.encode_ppm : rt::encode_ppm;
+    rt::replace_file(path, as_png ? rt::encode_png(picture.image) : encode_ppm(picture.image));
+    if (quiet) return;
+    const auto rays = static_cast<double>(picture.rays);
+    // The report must not end up in an image that goes to the standard output.
+    std::FILE* const out = fs::is_regular_file(path) ? stdout : stderr;
+    std::fprintf(out, "%s: %dx%d pixels in %.3f s", path.string().c_str(), picture.image.width(),
+                 picture.image.height(), seconds.count());
+    if (picture.rays)
+        std::fprintf(out, ", %s, %s", count(rays, "rays").c_str(),
+                     count(rays / seconds.count(), "rays/s").c_str());
+    std::fputc('\n', out);
+}
+
+void run_study(const Program& program, const fs::path& folder, bool quiet) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw std::system_error(error, "--study: " + folder.string());
+    study::Report report{program.name};
+    program.study(report);
+    report.write_csv(folder);
+    if (!quiet) report.print_table(stdout);
+}
+
+int run_or_throw(int argc, const char* const* argv, const Program& program) {
+    Settings settings = program.defaults;
+    std::string out = program.name + ".png", study_folder;
+    std::uint64_t seed = settings.seed.value_or(0);
+    bool quiet = false;
+
+    CLI::App options{program.name + ": " + program.about};
+    options.set_help_flag("--help", "Show this text and stop");
+    options.add_option("--out", out, "The image file, .png or .ppm")->capture_default_str();
+    const auto add = [&](const char* name, int& value, const char* what, int high) {
+        if (value == 0) return;  // this program has no such setting
+        options.add_option(name, value, what)
+            ->check(whole_number(1, static_cast<std::uint64_t>(high)))
+            ->capture_default_str();
+    };
+    add("--width", settings.width, "Width in pixels", max_side);
+    add("--height", settings.height, "Height in pixels", max_side);
+    add("--spp", settings.spp, "Samples per pixel", 1'000'000);
+    add("--depth", settings.depth, "The most bounces of a path", 1'000'000);
+    add("--threads", settings.threads, "Threads that render", 1024);
+    if (settings.seed)
+        options.add_option("--seed", seed, "Seed of everything random")
+            ->check(whole_number(0, UINT64_MAX))
+            ->capture_default_str();
+    options.add_flag("--quiet", quiet, "Print nothing but errors");
+    if (program.study)
+        options.add_option("--study", study_folder,
+                           "Measure accuracy against time instead; tables go to this folder");
+    try {
+        options.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::fputs(options.help().c_str(), stdout);
+        return done;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(std::string(error.what()) + "; --help lists what there is");
+    }
+    if (settings.seed) settings.seed = seed;
+    if (std::int64_t{settings.width} * settings.height > max_pixels)
+        throw UsageError("--width " + std::to_string(settings.width) + " times --height " +
+                         std::to_string(settings.height) + " is more than " +
+                         std::to_string(max_pixels) + " pixels");
+
+    if (study_folder.empty())
+        draw_picture(program, settings, out, quiet);
+    else
+        run_study(program, study_folder, quiet);
+    return done;
+}
+
+}  // namespace
+
+Progress::~Progress() {
+    if (visible_ && steps_ > 0) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::start(int steps) {
+    done_ = 0;
+    steps_ = steps;
+}
+
+void Progress::step() {
+    const int done_now = ++done_;
+    if (!visible_) return;
+    constexpr int bar_length = 40;
+    const auto filled_at = [&](int n) { return n * bar_length / std::max(steps_.load(), 1); };
+    const int filled = filled_at(done_now);
+    if (filled == filled_at(done_now - 1)) return;
+    const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
+                            std::string(static_cast<std::size_t>(bar_length - filled), '.');
+    std::fprintf(stderr, "\r[%s] %3d %%", bar.c_str(), filled * 100 / bar_length);
+}
+
+int run(int argc, const char* const* argv, const Program& program) {
+    const auto fail = [&](const std::string& what, ExitCode code) {
+        std::fprintf(stderr, "%s: %s\n", program.name.c_str(), what.c_str());
+        return code;
+    };
+    try {
+        return run_or_throw(argc, argv, program);
+    } catch (const UsageError& error) {
+        return fail(error.what(), bad_input);
+    } catch (const rt::NotImplemented& error) {
+        return fail(error.what(), still_to_write);
+    } catch (const std::exception& error) {
+        return fail(error.what(), could_not);
+    }
+}
+
+}  // namespace app

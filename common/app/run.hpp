@@ -1,0 +1,84 @@
+#pragma once
+// What every chapter's program shares: reading the command line, a progress bar, writing the image,
+// saying how long it took, and ending with the right exit code.
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <rt/image.hpp>
+#include <string>
+
+namespace study {
+class Report;
+}
+
+namespace app {
+
+// Exit codes of all programs of the course.
+enum ExitCode {
+    done = 0,
+    could_not = 1,      // the disk is full, a permission is missing, ...
+    bad_input = 2,      // the command line or an input file is wrong
+    still_to_write = 3  // the program needs an exercise that is not written yet
+};
+
+// What the person asked for. A program that sets a default to 0 has no such option, so
+// the samples of a program without randomness cannot be asked for.
+struct Settings {
+    int width = 960;   // pixels
+    int height = 540;  // pixels
+    int spp = 0;       // samples per pixel
+    int depth = 0;     // the most bounces of a path
+    int threads = 0;
+    std::optional<std::uint64_t> seed;  // of everything random
+};
+
+// Counts the work that is done, for the progress bar. May be called from several threads.
+class Progress {
+  public:
+    explicit Progress(bool visible) : visible_{visible} {}
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    // Says how many steps (rows, tiles) there are; the bar starts at zero.
+    void start(int steps);
+    void step();
+
+  private:
+    bool visible_;
+    std::atomic<int> steps_ = 0, done_ = 0;
+};
+
+// What a program drew, and how many rays it followed for it.
+struct Picture {
+    rt::Image image;
+    std::uint64_t rays = 0;
+};
+
+// A chapter's program.
+struct Program {
+    std::string name;   // such as "03_sphere"
+    std::string about;  // one sentence: what the picture shows
+    Settings defaults;
+    Picture (*render)(const Settings&, Progress&);
+    void (*study)(study::Report&);
+    // How a .ppm file is encoded, where the chapter brings its own way.
+    std::string (*encode_ppm)(const rt::Image&) = nullptr;
+};
+
+// Runs the program as main() should. Every error is one line on stderr.
+int run(int argc, const char* const* argv, const Program& program);
+
+// The same image drawn row by row: calls shade(x, y) for each pixel, and steps the progress.
+template <class Shade>
+rt::Image draw(const Settings& settings, Progress& progress, Shade shade) {
+    progress.start(settings.height);
+    return rt::make_image(settings.width, settings.height, [&](int x, int y) {
+        if (x == settings.width - 1) progress.step();
+        return shade(x, y);
+    });
+}
+
+}  // namespace app

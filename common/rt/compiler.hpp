@@ -1,0 +1,7 @@
+#pragma once
+// The one header that may hold compiler-specific code.
+
+// The file and line of the caller, when used as default arguments. They stand in for
+// std::source_location, which clang 14 lacks; g++, clang++ and MSVC all have these two.
+#define RT_CALLER_FILE __builtin_FILE()
+#define RT_CALLER_LINE __builtin_LINE()

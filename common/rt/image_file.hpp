@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+#include <rt/image.hpp>
+#include <string>
+
+namespace rt {
+
+// The bytes of an image file in sRGB, 8 bits a channel. Light above 1 is stored as full.
+// Throws std::logic_error, which is a bug to be found, when a colour is not finite.
+std::string encode_png(const Image& image);
+std::string encode_ppm(const Image& image);  // the binary form, P6
+
+// Replaces the file as a whole: the bytes go to a new file beside it, which then takes its name, so
+// that a reader sees the old file or the new one, never a part. A path that is no regular file (a
+// device, a pipe) is written to directly.
+// Throws std::system_error when it cannot; then an older file is as it was and no new one is left.
+void replace_file(const std::filesystem::path& path, const std::string& bytes);
+
+}  // namespace rt

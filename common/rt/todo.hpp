@@ -1,0 +1,57 @@
+#pragma once
+#include <optional>
+#include <rt/compiler.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace rt {
+
+// Thrown by an exercise that nobody has written yet. what() is one line for a person: which
+// exercise, the file and line of its stub, and where the text explains it.
+class NotImplemented : public std::logic_error {
+  public:
+    NotImplemented(std::string exercise, const std::string& file, int line);
+
+    // Such as "03.1".
+    const std::string& exercise() const { return exercise_; }
+
+  private:
+    std::string exercise_;
+};
+
+namespace detail {
+
+struct ExerciseId {
+    const char* id;
+    const char* file;
+    int line;
+    // Not explicit: todo("03.1") shall note the line on which it stands.
+    ExerciseId(const char* exercise, const char* f = RT_CALLER_FILE, int l = RT_CALLER_LINE)
+        : id{exercise}, file{f}, line{l} {}
+};
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+// Stands in for the value of any type that a function was to return.
+struct AnyValue {
+    // std::optional is left out: it already accepts whatever converts to its value.
+    template <class T>
+        requires(!is_optional<T>)
+    operator T() const;  // never called: todo has thrown by then
+};
+
+[[noreturn]] void throw_not_implemented(const ExerciseId& exercise);
+
+}  // namespace detail
+
+// The body of an exercise's stub: `return rt::todo("03.1", arguments...);`. Throws NotImplemented.
+// The arguments of the stub are passed along only so that none of them counts as unused.
+template <class... Args>
+[[noreturn]] detail::AnyValue todo(const detail::ExerciseId& exercise, const Args&...) {
+    detail::throw_not_implemented(exercise);
+}
+
+}  // namespace rt

@@ -1,0 +1,61 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <rt/real.hpp>
+
+namespace rt {
+
+// A vector or a point in space: right-handed coordinates, y up. All operators work component by
+// component; what has geometry in it (dot, cross, length) is chapter 01.
+struct Vec3 {
+    Real x = 0, y = 0, z = 0;
+
+    friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+
+    friend constexpr Vec3 operator-(Vec3 v) { return {-v.x, -v.y, -v.z}; }
+    friend constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend constexpr Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+    friend constexpr Vec3 operator*(Vec3 v, Real s) { return {v.x * s, v.y * s, v.z * s}; }
+    friend constexpr Vec3 operator*(Real s, Vec3 v) { return v * s; }
+    friend constexpr Vec3 operator/(Vec3 v, Real s) { return {v.x / s, v.y / s, v.z / s}; }
+
+    constexpr Vec3& operator+=(Vec3 v) { return *this = *this + v; }
+    constexpr Vec3& operator-=(Vec3 v) { return *this = *this - v; }
+    constexpr Vec3& operator*=(Real s) { return *this = *this * s; }
+    constexpr Vec3& operator/=(Real s) { return *this = *this / s; }
+
+    friend std::ostream& operator<<(std::ostream& out, Vec3 v) {
+        return out << '(' << v.x << ", " << v.y << ", " << v.z << ')';
+    }
+};
+
+// True when no component is infinite or not a number.
+inline bool is_finite(Vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// The largest absolute value among the components.
+inline Real max_component(Vec3 v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+// A vector as v * 2^exponent, where the largest component of v lies in [1, 2) by absolute value.
+struct ScaledVec3 {
+    Vec3 v;
+    int exponent = 0;
+};
+
+// Splits a vector so that products of its components can neither overflow nor underflow to
+// something that matters. Multiplying by a power of two rounds nothing, so the split is exact
+// (except that components 2^120 times smaller than the largest may lose their last bits).
+// The zero vector, and one that is not finite, come back as they are with exponent 0.
+inline ScaledVec3 split_scale(Vec3 v) {
+    const Real largest = max_component(v);
+    if (largest == 0 || !is_finite(v)) return {v, 0};
+    const int e = std::ilogb(largest);
+    return {{std::scalbn(v.x, -e), std::scalbn(v.y, -e), std::scalbn(v.z, -e)}, e};
+}
+
+}  // namespace rt

@@ -1,0 +1,27 @@
+#pragma once
+#include <cmath>
+#include <limits>
+#include <study/double_double.hpp>
+
+namespace study {
+
+// The distance between the numbers of type T next to x: one unit in the last place of x. For zero
+// and the smallest numbers it is the smallest number there is.
+template <class T>
+T ulp(T x) {
+    x = std::abs(x);
+    const T next = std::nextafter(x, std::numeric_limits<T>::infinity());
+    if (std::isinf(next)) return x - std::nextafter(x, T(0));
+    return next - x;
+}
+
+// How far the computed value is from the exact one, in units in the last place of the exact value.
+// Infinite where the computed value is not finite.
+template <class T>
+double error_in_ulp(T computed, DoubleDouble exact) {
+    if (!std::isfinite(computed)) return std::numeric_limits<double>::infinity();
+    const DoubleDouble difference = exact - DoubleDouble(static_cast<double>(computed));
+    return std::abs(difference.high) / static_cast<double>(ulp(static_cast<T>(exact.high)));
+}
+
+}  // namespace study

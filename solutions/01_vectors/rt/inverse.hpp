@@ -1,0 +1,53 @@
+#pragma once
+#include <rt/cross.hpp>
+#include <rt/dot.hpp>
+#include <rt/mat4.hpp>
+#include <rt/transform.hpp>
+#include <stdexcept>
+
+namespace rt {
+
+// The map that undoes m. Throws std::domain_error where m is singular: it flattens space (or comes
+// so near to it that rounding decides the result), or a number in it is not finite.
+inline Mat4 inverse(const Mat4& m) {
+    // Columns of the linear part, each scaled so that no product of three can overflow.
+    const auto [a, a_exponent] = split_scale({m(0, 0), m(1, 0), m(2, 0)});
+    const auto [b, b_exponent] = split_scale({m(0, 1), m(1, 1), m(2, 1)});
+    const auto [c, c_exponent] = split_scale({m(0, 2), m(1, 2), m(2, 2)});
+    const Vec3 origin{m(0, 3), m(1, 3), m(2, 3)};
+
+    // b x c is perpendicular to b and c, so its dot product with them is 0, and with a it is the
+    // determinant: divided by that, it is the first row of the inverse. Likewise the others.
+    const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const Real determinant = dot(a, bc);
+
+    // Each component of bc carries 3 roundings' worth of error and the dot product adds 3 more. A
+    // determinant within that bound of zero may well be zero. Not-a-number fails the test, too.
+    const Real size = std::abs(a.x * bc.x) + std::abs(a.y * bc.y) + std::abs(a.z * bc.z);
+    if (!(std::abs(determinant) > rounding_bound(6) * size) || !is_finite(origin))
+        throw std::domain_error("inverse: the matrix is singular, it cannot be undone");
+
+    const auto row = [&](Vec3 r, int exponent) {
+        r /= determinant;
+        return Vec3{std::scalbn(r.x, -exponent), std::scalbn(r.y, -exponent),
+                    std::scalbn(r.z, -exponent)};
+    };
+    const Vec3 x = row(bc, a_exponent), y = row(ca, b_exponent), z = row(ab, c_exponent);
+    return {{{{x.x, x.y, x.z, -dot(x, origin)},
+              {y.x, y.y, y.z, -dot(y, origin)},
+              {z.x, z.y, z.z, -dot(z, origin)},
+              {0, 0, 0, 1}}}};
+}
+
+// A point of the world as the object's own coordinates have it, given the map that places the
+// object in the world. Throws std::domain_error where that map is singular.
+inline Vec3 to_object(const Mat4& object_to_world, Vec3 world_point) {
+    return transform_point(inverse(object_to_world), world_point);
+}
+
+// The way back.
+inline Vec3 to_world(const Mat4& object_to_world, Vec3 object_point) {
+    return transform_point(object_to_world, object_point);
+}
+
+}  // namespace rt

@@ -1,0 +1,38 @@
+#pragma once
+#include <cmath>
+#include <rt/dot.hpp>
+#include <rt/interval.hpp>
+#include <rt/vec3.hpp>
+#include <stdexcept>
+
+namespace rt {
+
+// Squared lengths in here have neither overflowed nor lost digits to underflow: a component whose
+// square underflows is too small beside the rest to count.
+inline constexpr Interval safe_squares{std::numeric_limits<Real>::min() / (epsilon * epsilon),
+                                       std::numeric_limits<Real>::max()};
+
+// The length of v, for any finite v: within 2 units in the last place. It is infinite only where
+// the true length exceeds the largest number.
+inline Real length(Vec3 v) {
+    const Real squared = dot(v, v);
+    if (safe_squares.contains(squared)) return std::sqrt(squared);
+    // Rarely: the squares need scaling first.
+    const ScaledVec3 scaled = split_scale(v);
+    return std::scalbn(std::sqrt(dot(scaled.v, scaled.v)), scaled.exponent);
+}
+
+// The vector of length 1 in the direction of v, for any finite v but zero: each component within
+// 3 units in the last place. Throws std::domain_error for a vector that is zero or not finite: it has
+// no direction.
+inline Vec3 normalize(Vec3 v) {
+    const Real squared = dot(v, v);
+    if (safe_squares.contains(squared)) return v / std::sqrt(squared);
+    const Vec3 scaled = split_scale(v).v;
+    const Real scaled_squared = dot(scaled, scaled);
+    if (!safe_squares.contains(scaled_squared))
+        throw std::domain_error("normalize: a vector that is zero or not finite has no direction");
+    return scaled / std::sqrt(scaled_squared);
+}
+
+}  // namespace rt

@@ -1,0 +1,75 @@
+#pragma once
+// What checkpoints are written with: Catch2, exact values, and errors in units in the last place.
+
+#include "catch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <rt/real.hpp>
+#include <rt/vec3.hpp>
+#include <string>
+#include <study/double_double.hpp>
+#include <study/ulp.hpp>
+#include <type_traits>
+
+namespace checkpoint {
+
+using rt::Real;
+using rt::Vec3;
+
+// An exact value, as the tables of tests/oracle have it: correct to about 100 bits.
+using Exact = study::DoubleDouble;
+
+struct ExactVec3 {
+    Exact x, y, z;
+};
+
+// Picks what belongs to the precision that is tested.
+template <class T>
+constexpr T for_this_precision(T in_float, T in_double) {
+    return std::is_same_v<Real, float> ? in_float : in_double;
+}
+
+// A number of a table, which is exact in the precision that is tested.
+constexpr Real real(double value) {
+    return static_cast<Real>(value);
+}
+
+inline Vec3 vec3(const double (&v)[3]) {
+    return {real(v[0]), real(v[1]), real(v[2])};
+}
+
+// The error of a computed vector in units in the last place, component by component, the largest.
+inline double error_in_ulp(Vec3 computed, const ExactVec3& exact) {
+    return std::max({study::error_in_ulp(computed.x, exact.x),
+                     study::error_in_ulp(computed.y, exact.y),
+                     study::error_in_ulp(computed.z, exact.z)});
+}
+using study::error_in_ulp;
+
+// Numbers with all their digits, for messages.
+inline std::string text(Real value) {
+    char buffer[64];
+    std::snprintf(buffer, sizeof buffer, "%.*g", std::numeric_limits<Real>::max_digits10,
+                  static_cast<double>(value));
+    return buffer;
+}
+inline std::string text(Vec3 v) {
+    return '(' + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ')';
+}
+inline std::string text(const Exact& value) {
+    return text(static_cast<Real>(value.high));
+}
+inline std::string text(const ExactVec3& v) {
+    return '(' + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ')';
+}
+
+}  // namespace checkpoint
+
+// A line of a failing checkpoint's message that is put together only when it is needed: what was
+// computed, what was expected, what that suggests.
+#define HINT(expected, computed, suggestion)                               \
+    INFO("expected " << checkpoint::text(expected) << ", but yours gives " \
+                     << checkpoint::text(computed) << ".\nHint: " << (suggestion))
