@@ -22,7 +22,8 @@ inline std::optional<Real> hit_sphere(const Sphere& sphere, const Ray& ray, Inte
     if (!(a > 0)) return {};
 
     // b^2 - a c cancels when the sphere is far or small. With the vector from the center to the
-    // nearest point of the line it is a (r^2 - |nearest|^2), whose terms are as small as the sphere.
+    // nearest point of the line it is a (r^2 - |nearest|^2), whose terms are as small as the
+    // sphere.
     const Vec3 nearest = f - (b / a) * d;
     const Real quarter = a * (sphere.radius * sphere.radius - dot(nearest, nearest));
 
