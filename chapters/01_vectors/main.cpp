@@ -24,23 +24,25 @@ const Color background = from_hex(0x14171f), paper = from_hex(0xf4efe6);
 const Color gold = from_hex(0xf2b84b), blue = from_hex(0x3d5a98), night = from_hex(0x1d2b4f);
 const std::array<Color, 3> axis_colors{from_hex(0xe4572e), from_hex(0x6ab04c), from_hex(0x3fa7d6)};
 
-struct Arrow {
+// A straight stick with round ends; a short and thick one is a ball.
+struct Stick {
     Vec3 from, to;
+    Real radius;
     Color color;
 };
 
-// The part of an arrow that covers a place: whether it lies within `width` of the line from end to
-// end as seen from the front, and is not hidden behind the ball of radius 1 or inside it.
-bool covers(const Arrow& arrow, Vec3 place, Real width) {
-    const Vec3 along = arrow.to - arrow.from;
+// Whether a stick covers a place as seen from the front, and is not hidden there behind the ball of
+// radius 1 or inside it.
+bool covers(const Stick& stick, Vec3 place) {
+    const Vec3 along = stick.to - stick.from;
     const Vec3 flat{along.x, along.y, 0};
-    const Vec3 start{arrow.from.x, arrow.from.y, 0};
+    const Vec3 start{stick.from.x, stick.from.y, 0};
     const Real squared = dot(flat, flat);
     // The nearest place of the line: the shadow that (place - start) throws on it.
     const Real s =
         squared > 0 ? std::clamp(dot(place - start, flat) / squared, Real(0), Real(1)) : 0;
-    const Vec3 nearest = arrow.from + s * along;
-    if (length(place - Vec3{nearest.x, nearest.y, 0}) > width) return false;
+    const Vec3 nearest = stick.from + s * along;
+    if (length(place - Vec3{nearest.x, nearest.y, 0}) > stick.radius) return false;
     const bool beside_the_ball = nearest.x * nearest.x + nearest.y * nearest.y > 1;
     return beside_the_ball || (nearest.z > 0 && dot(nearest, nearest) >= 1);
 }
@@ -68,17 +70,16 @@ Color turned_ball_color(Vec3 n, const Mat4& world_to_object, Vec3 light) {
     return tile * (Real(0.25) + Real(0.75) * std::max(Real(0), dot(n, light)));
 }
 
-// One ball with its arrows; (x, y) has the ball's middle at (0, 0).
+// One ball with the sticks in it; (x, y) has the ball's middle at (0, 0).
 struct Ball {
-    std::vector<Arrow> arrows;
-    Real arrow_width;
+    std::vector<Stick> sticks;
     Mat4 world_to_object;
     bool is_turned;
 
     Color at(Real x, Real y, Vec3 light) const {
         const Vec3 place{x, y, 0};
-        for (const Arrow& arrow : arrows)
-            if (covers(arrow, place, arrow_width)) return arrow.color;
+        for (const Stick& stick : sticks)
+            if (covers(stick, place)) return stick.color;
         const Real rest = 1 - dot(place, place);
         if (rest < 0) return background;
         const Vec3 n{x, y, std::sqrt(rest)};
@@ -90,7 +91,8 @@ struct Ball {
 // The large ball: little bristles stand on it along its normals, each with the two directions of
 // the surface that the basis built on the normal adds.
 Ball ball_with_bristles(Vec3 light) {
-    Ball ball{{{{}, Real(1.45) * light, gold}}, Real(0.012), {}, false};
+    const Vec3 sun = Real(1.42) * light;
+    Ball ball{{{{}, sun, Real(0.012), gold}, {sun, sun, Real(0.07), gold}}, {}, false};
     const int count = 60;
     for (int i = 0; i < count; ++i) {
         // Evenly spread: heights in equal steps, each turned on by the golden angle.
@@ -100,10 +102,10 @@ Ball ball_with_bristles(Vec3 light) {
         const Basis basis =
             orthonormal_basis(normalize({r * std::cos(angle), y, r * std::sin(angle)}));
         const Vec3 foot = Real(1.005) * basis.w;
-        ball.arrows.push_back(
-            {foot, Real(1.16) * basis.w, facing(basis.w, light) > 0 ? paper : blue});
-        ball.arrows.push_back({foot, foot + Real(0.06) * basis.u, axis_colors[0]});
-        ball.arrows.push_back({foot, foot + Real(0.06) * basis.v, axis_colors[1]});
+        ball.sticks.push_back(
+            {foot, Real(1.16) * basis.w, Real(0.012), facing(basis.w, light) > 0 ? paper : blue});
+        ball.sticks.push_back({foot, foot + Real(0.06) * basis.u, Real(0.012), axis_colors[0]});
+        ball.sticks.push_back({foot, foot + Real(0.06) * basis.v, Real(0.012), axis_colors[1]});
     }
     return ball;
 }
@@ -112,10 +114,11 @@ Ball ball_with_bristles(Vec3 light) {
 Ball turned_ball(Real angle) {
     const Mat4 turn =
         multiply(rotation_x(radians(25)), multiply(rotation_y(angle), rotation_z(angle / 2)));
-    Ball ball{{}, Real(0.045), inverse(turn), true};
+    Ball ball{{}, inverse(turn), true};
     const std::array<Vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     for (std::size_t i = 0; i < 3; ++i)
-        ball.arrows.push_back({{}, Real(1.5) * transform_vector(turn, axes[i]), axis_colors[i]});
+        ball.sticks.push_back(
+            {{}, Real(1.5) * transform_vector(turn, axes[i]), Real(0.045), axis_colors[i]});
     return ball;
 }
 
