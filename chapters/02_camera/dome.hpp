@@ -37,19 +37,28 @@ struct Beam {
     }
 };
 
-// How much of a pixel lies within half a width of a place; both in pixels.
-inline Real coverage(Real distance, Real width) {
-    return std::clamp((width + 1) / 2 - distance, Real(0), std::min(width, Real(1)));
+// How much of a pixel of this size a line of this width covers, at this distance from its middle.
+inline Real coverage(Real distance, Real width, Real pixel) {
+    return std::clamp(((width + pixel) / 2 - distance) / pixel, Real(0),
+                      std::min(width / pixel, Real(1)));
 }
 
-// Draws the lines where f is a multiple of `spacing`. Lines that crowd fade to their average.
+// The same for a line, a pixel wide, where f is zero. It fades where the next one comes nearer than
+// 10 pixels.
 template <class F>
-Real lines(const Beam& beam, F f, Real spacing, Real width) {
-    const Real change = beam.change(f), here = f(beam.here);
-    if (!(change > 0)) return 0;
-    const Real distance = std::abs(here - spacing * std::round(here / spacing));
-    const Real room = std::clamp(spacing / change / 10, Real(0), Real(1));
-    return coverage(distance / change, width) * room;
+Real line(const Beam& beam, F f, Real next) {
+    const Real pixel = beam.change(f);
+    if (!(0 < pixel && pixel < rt::infinity)) return 0;
+    return coverage(std::abs(f(beam.here)), pixel, pixel) *
+           std::clamp(next / pixel / 10, Real(0), Real(1));
+}
+
+// The same for all lines where f is a multiple of `spacing`.
+template <class F>
+Real lines(const Beam& beam, F f, Real spacing) {
+    const Real nearest = spacing * std::round(f(beam.here) / spacing);
+    return line(
+        beam, [&](const rt::Ray& r) { return f(r) - nearest; }, spacing);
 }
 
 inline Real azimuth(Vec3 d) {
@@ -76,7 +85,7 @@ inline Color ground(const Beam& beam) {
     const bool all_below = beam.right.direction.y < 0 && beam.below.direction.y < 0;
     Color color = mix(earth, haze, Real(0.05));
     if (all_below) {
-        const Real fine = std::max(lines(beam, x, 2, 1), lines(beam, z, 2, 1));
+        const Real fine = std::max(lines(beam, x, 2), lines(beam, z, 2));
         color = mix(color, line, Real(0.55) * fine);
     }
     return mix(haze, color, 1 - std::exp(Real(14) * beam.here.direction.y));
@@ -94,20 +103,18 @@ inline Color sky(const Beam& beam, Real pixel_deg) {
     const Real ten = rt::radians(10);
     const Real meridian = ten * std::round(azimuth(d) / ten);
     const Vec3 normal{std::cos(meridian), 0, std::sin(meridian)};
-    const auto off_meridian = [&](const rt::Ray& r) { return dot(r.direction, normal); };
-    const Real change = beam.change(off_meridian);
-    const Real gap = ten * std::cos(elevation(d));  // between two meridians
-    const Real room = std::clamp(gap / change / 10, Real(0), Real(1));
-    const Real along = coverage(std::abs(off_meridian(beam.here)) / change, 1) * room;
+    const Real gap = ten * std::cos(elevation(d));  // to the next one
+    const Real along = line(
+        beam, [&](const rt::Ray& r) { return dot(r.direction, normal); }, gap);
     const Real around = lines(
-        beam, [](const rt::Ray& r) { return elevation(r.direction); }, ten, 1);
+        beam, [](const rt::Ray& r) { return elevation(r.direction); }, ten);
     color = mix(color, {1, 1, 1}, Real(0.5) * std::max(along, around));
 
     // The sun: a disc of 2 degrees' radius in a glow.
     const Vec3 sun = toward(174, 13);
     const Real from_sun = std::atan2(length(cross(sun, d)), dot(sun, d)) * 180 / rt::pi;  // degrees
     color = mix(color, sunlight, Real(0.75) * std::exp(-from_sun / 5));
-    return mix(color, sunlight, coverage(from_sun / pixel_deg, 4 / pixel_deg));
+    return mix(color, sunlight, coverage(from_sun, 4, pixel_deg));
 }
 
 // How much of a pixel the letters N, E, S and W cover. They stand on the horizon and are 6 degrees
@@ -120,16 +127,17 @@ inline Real compass(Vec3 d, Real pixel_deg) {
     const Real distance =
         unit * lettering::distance_to_text(
                    p, std::string_view("NESW").substr(static_cast<std::size_t>(i), 1));
-    return coverage(distance / pixel_deg, Real(0.9) / pixel_deg);
+    return coverage(distance, Real(0.9), pixel_deg);
 }
 
 // The colour that a beam shows.
 inline Color look(const Beam& beam) {
     const Vec3 d = beam.here.direction;
     const Real across = length(beam.right.direction - d), down = length(beam.below.direction - d);
-    const Real pixel_deg = std::sqrt(across * down) * 180 / rt::pi;
+    // Not zero, even where a camera's mistake makes it so.
+    const Real pixel_deg =
+        std::max(std::numeric_limits<Real>::min(), std::sqrt(across * down) * 180 / rt::pi);
     const Color color = d.y < 0 ? ground(beam) : sky(beam, pixel_deg);
-    if (!(pixel_deg > 0)) return color;
     return mix(color, rt::from_hex(0x1b2233), compass(d, pixel_deg));
 }
 

@@ -75,7 +75,7 @@ Color with_caption(Color color, std::string_view caption, Real x, Real y, int pa
     const Real distance = lettering::distance_to_text(p, caption) * unit;
     const Real shadow = std::exp(-distance * distance / (9 * unit * unit));
     color = mix(color, {}, Real(0.5) * shadow);
-    return mix(color, {1, 1, 1}, dome::coverage(distance, Real(0.75) * unit));
+    return mix(color, {1, 1, 1}, dome::coverage(distance, Real(0.75) * unit, 1));
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
