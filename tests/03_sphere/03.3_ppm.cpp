@@ -18,9 +18,12 @@ std::string written(const Image& image) {
     return out.str();
 }
 
-// The start of what was written, for messages.
+// The start of what was written, for messages: ? for letters that a terminal cannot show.
 std::string begin_of(const std::string& text) {
-    return '"' + text.substr(0, 60) + '"';
+    std::string shown = text.substr(0, 60);
+    for (char& letter : shown)
+        if (!std::isprint(static_cast<unsigned char>(letter)) && letter != '\n') letter = '?';
+    return '"' + shown + '"';
 }
 
 // The numbers after the header.
