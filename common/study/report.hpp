@@ -49,7 +49,7 @@ std::string precision();
 // Keeps the compiler from leaving out the computation of a value that nobody reads.
 template <class T>
 void keep(const T& value) {
-    [[maybe_unused]] static volatile unsigned char sink;
+    static volatile unsigned char sink;
     sink = *reinterpret_cast<const volatile unsigned char*>(&value);
 }
 
