@@ -63,8 +63,8 @@ class Rng {
 // The generator of one pixel: what it draws depends on the seed and the pixel alone, never on which
 // thread asks or in what order. Other seeds and pixels give independent streams.
 constexpr Rng pixel_rng(std::uint64_t seed, int x, int y) {
-    const auto pixel = std::uint64_t{static_cast<std::uint32_t>(y)} << 32 |
-                       static_cast<std::uint32_t>(x);
+    const auto pixel =
+        std::uint64_t{static_cast<std::uint32_t>(y)} << 32 | static_cast<std::uint32_t>(x);
     const std::uint64_t state = mix_bits(mix_bits(seed) ^ pixel);
     return {state, mix_bits(state)};
 }

@@ -39,8 +39,7 @@ inline constexpr bool is_optional<std::optional<T>> = true;
 struct AnyValue {
     // std::optional is left out: it already accepts whatever converts to its value.
     template <class T>
-        requires(!is_optional<T>)
-    operator T() const;  // never called: todo has thrown by then
+    requires(!is_optional<T>) operator T() const;  // never called: todo has thrown by then
 };
 
 [[noreturn]] void throw_not_implemented(const ExerciseId& exercise);

@@ -8,8 +8,7 @@
 namespace study {
 namespace {
 
-constexpr const char* header =
-    "study,variant,precision,x,x_name,error,error_name,cost,cost_name\n";
+constexpr const char* header = "study,variant,precision,x,x_name,error,error_name,cost,cost_name\n";
 
 // A field with commas or quotes goes between quotes, as RFC 4180 has it.
 std::string field(const std::string& text) {
@@ -43,7 +42,9 @@ std::string rows_of_other_precision(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::string precision() { return std::is_same_v<rt::Real, float> ? "float" : "double"; }
+std::string precision() {
+    return std::is_same_v<rt::Real, float> ? "float" : "double";
+}
 
 Report::Report(std::string chapter) : chapter_{std::move(chapter)} {}
 

@@ -49,12 +49,12 @@ std::string precision();
 // Keeps the compiler from leaving out the computation of a value that nobody reads.
 template <class T>
 void keep(const T& value) {
-    static volatile unsigned char sink;
+    [[maybe_unused]] static volatile unsigned char sink;
     sink = *reinterpret_cast<const volatile unsigned char*>(&value);
 }
 
-// The time of one call in nanoseconds: of `runs` timings, each of which calls work() often enough to
-// take at least a millisecond, the median.
+// The time of one call in nanoseconds: of `runs` timings, each of which calls work() often enough
+// to take at least a millisecond, the median.
 template <class Work>
 double time_ns(Work work, int runs = 9) {
     using Clock = std::chrono::steady_clock;

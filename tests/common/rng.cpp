@@ -2,8 +2,8 @@
 
 #include "checkpoint.hpp"
 
-// The first outputs of the demo program that comes with the generator's publication, for state 42 and
-// stream 54.
+// The first outputs of the demo program that comes with the generator's publication, for state 42
+// and stream 54.
 TEST_CASE("pcg32 gives its author's check values", "[rng]") {
     rt::Rng rng{42, 54};
     for (const std::uint32_t expected :

@@ -33,6 +33,35 @@ def crosses(precision):
               f"{nearly_parallel}"
 
 
+def inverse3(columns):
+    """The rows of the inverse of the matrix with these columns, None where it is singular."""
+    a, b, c = columns
+    determinant = dot(a, cross(b, c))
+    if determinant == 0:
+        return None
+    return [[x / determinant for x in row] for row in (cross(b, c), cross(c, a), cross(a, b))]
+
+
+def inverses(precision):
+    """Columns of a linear part and the rows of its inverse; also badly scaled and nearly flat ones."""
+    rounded, rng = rounder(precision), seeded("inverses", precision)
+    far = 9 if precision == "float" else 100
+    flat = 1e-3 if precision == "float" else 1e-9
+    matrices = [[[2, 0, 0], [0, 4, 0], [0, 0, 8]], [[1, 0, 0], [1, 1, 0], [0, 0, 1]],
+                [[0, 1, 0], [0, 0, 1], [1, 0, 0]]]
+    matrices += [[random_vector(rng, rounded) for _ in range(3)] for _ in range(60)]
+    for e in (-far, far):
+        matrices += [[random_vector(rng, rounded, e, e + 1) for _ in range(3)] for _ in range(10)]
+    for _ in range(20):  # the third column almost in the plane of the other two
+        a, b = random_vector(rng, rounded, 0, 1), random_vector(rng, rounded, 0, 1)
+        matrices.append([a, b, [rounded(p + q + flat * rng.uniform(-1, 1)) for p, q in zip(a, b)]])
+    for columns in matrices:
+        rows = inverse3(columns)
+        if rows:
+            yield "{" + ", ".join(numbers(c) for c in columns) + "}, {" + \
+                  ", ".join(exact_vector(r) for r in rows) + "}"
+
+
 HEADERS = {
     "tests/01_vectors/exact_lengths.hpp": header(
         "01_vectors.py", "Length",
@@ -41,4 +70,7 @@ HEADERS = {
         "01_vectors.py", "Product",
         ["double a[3], b[3]", "checkpoint::Exact dot", "checkpoint::ExactVec3 cross",
          "bool nearly_parallel"], crosses),
+    "tests/01_vectors/exact_inverses.hpp": header(
+        "01_vectors.py", "Inverse", ["double columns[3][3]", "checkpoint::ExactVec3 rows[3]"],
+        inverses),
 }

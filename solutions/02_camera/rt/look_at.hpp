@@ -6,9 +6,9 @@
 
 namespace rt {
 
-// The basis of a camera at `from` that looks at `at`, along -w; u points right, v up in the picture.
-// v lies in the plane of w and up. Where the view is parallel to up, no such plane exists, and u and v
-// are any that fit. Throws std::domain_error when from equals at or up is zero.
+// The basis of a camera at `from` that looks at `at`, along -w; u points right, v up in the
+// picture. v lies in the plane of w and up. Where the view is parallel to up, no such plane exists,
+// and u and v are any that fit. Throws std::domain_error when from equals at or up is zero.
 inline Basis look_at(Vec3 from, Vec3 at, Vec3 up) {
     const Vec3 w = normalize(from - at);
     const Vec3 right = cross(normalize(up), w);
