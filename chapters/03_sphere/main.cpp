@@ -123,7 +123,7 @@ std::string encode_ppm(const rt::Image& image) {
 int main(int argc, char** argv) {
     return app::run(argc, argv,
                     {.name = "03_sphere",
-                     .about = "A planet with rings of moons, and a sphere seen from far, far away.",
+                     .about = "A planet with rings of moons, and one sphere seen from ever farther away.",
                      .defaults = {.width = 1280, .height = 720, .seed = {}},
                      .render = render,
                      .study = spheres::run_study,
