@@ -121,11 +121,12 @@ std::string encode_ppm(const rt::Image& image) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return app::run(argc, argv,
-                    {.name = "03_sphere",
-                     .about = "A planet with rings of moons, and one sphere seen from ever farther away.",
-                     .defaults = {.width = 1280, .height = 720, .seed = {}},
-                     .render = render,
-                     .study = spheres::run_study,
-                     .encode_ppm = encode_ppm});
+    return app::run(
+        argc, argv,
+        {.name = "03_sphere",
+         .about = "A planet with rings of moons, and one sphere seen from ever farther away.",
+         .defaults = {.width = 1280, .height = 720, .seed = {}},
+         .render = render,
+         .study = spheres::run_study,
+         .encode_ppm = encode_ppm});
 }
