@@ -9,17 +9,6 @@ namespace study {
 namespace {
 
 constexpr const char* header = "study,variant,precision,x,x_name,error,error_name,cost,cost_name\n";
-<<<<<<< HEAD
-
-// A field with commas or quotes goes between quotes, as RFC 4180 has it.
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + '"';
-}
-=======
->>>>>>> course
 
 std::string number(double value) {
     char text[32];
