@@ -7,12 +7,12 @@
 
 namespace rt {
 
-// Squared lengths in here have neither overflowed nor lost digits to underflow: a component whose
-// square underflows is too small beside the rest to count.
-inline constexpr Interval safe_squares{std::numeric_limits<Real>::min() / (epsilon * epsilon),
+// Squared lengths in here have neither overflowed nor lost digits: where the square of a component
+// underflows, its error is below epsilon^2 beside the sum.
+inline constexpr Interval safe_squares{std::numeric_limits<Real>::min() / epsilon,
                                        std::numeric_limits<Real>::max()};
 
-// The length of v, for any finite v: within 2 units in the last place. It is infinite only where
+// The length of v, for any finite v: within 2.5 units in the last place. It is infinite only where
 // the true length exceeds the largest number.
 inline Real length(Vec3 v) {
     const Real squared = dot(v, v);
@@ -23,8 +23,8 @@ inline Real length(Vec3 v) {
 }
 
 // The vector of length 1 in the direction of v, for any finite v but zero: each component within
-// 3 units in the last place. Throws std::domain_error for a vector that is zero or not finite: it has
-// no direction.
+// 3.5 units in the last place. Throws std::domain_error for a vector that is zero or not finite: it
+// has no direction.
 inline Vec3 normalize(Vec3 v) {
     const Real squared = dot(v, v);
     if (safe_squares.contains(squared)) return v / std::sqrt(squared);

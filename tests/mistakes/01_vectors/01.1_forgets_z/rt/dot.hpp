@@ -3,7 +3,7 @@
 
 namespace rt {
 
-constexpr Real dot(Vec3 a, Vec3 b) {
+inline Real dot(Vec3 a, Vec3 b) {
     return a.x * b.x + a.y * b.y;
 }
 

@@ -1,0 +1,86 @@
+#pragma once
+// What accuracy costs: four ways to give a vector length 1.
+
+#include <array>
+#include <cmath>
+#include <rt/length.hpp>
+#include <rt/rng.hpp>
+#include <study/report.hpp>
+#include <study/ulp.hpp>
+#include <vector>
+
+namespace vectors_study {
+
+using rt::Real, rt::Vec3, study::DoubleDouble;
+
+// As most textbooks have it: one division, then three products.
+inline Vec3 by_reciprocal_root(Vec3 v) {
+    return v * (1 / std::sqrt(dot(v, v)));
+}
+
+// Three divisions instead: each component is rounded once less.
+inline Vec3 by_root(Vec3 v) {
+    return v / std::sqrt(dot(v, v));
+}
+
+// Always scaled first, whether that is needed or not.
+inline Vec3 by_scaled_root(Vec3 v) {
+    return by_root(rt::split_scale(v).v);
+}
+
+// The standard library's length, which scales by itself.
+inline Vec3 by_hypot(Vec3 v) {
+    return v / std::hypot(v.x, v.y, v.z);
+}
+
+// The largest error of a component, in units in the last place. The reference has twice the digits
+// of double; its vector is scaled by a power of two, which changes no digit of the direction.
+inline double error_of(Vec3 computed, Vec3 v) {
+    const Vec3 s = rt::split_scale(v).v;
+    const DoubleDouble x{static_cast<double>(s.x)}, y{static_cast<double>(s.y)},
+        z{static_cast<double>(s.z)};
+    const DoubleDouble length = sqrt(x * x + y * y + z * z);
+    return std::max({study::error_in_ulp(computed.x, x / length),
+                     study::error_in_ulp(computed.y, y / length),
+                     study::error_in_ulp(computed.z, z / length)});
+}
+
+inline void run(study::Report& report) {
+    struct Variant {
+        const char* name;
+        Vec3 (*normalize)(Vec3);
+    };
+    const std::array<Variant, 5> variants{{{"v * (1 / sqrt)", by_reciprocal_root},
+                                           {"v / sqrt", by_root},
+                                           {"v / scaled sqrt", by_scaled_root},
+                                           {"v / hypot", by_hypot},
+                                           {"rt::normalize", rt::normalize}}};
+    const int far = std::is_same_v<Real, float> ? 30 : 200;  // powers of ten
+    rt::Rng rng{1, 1};
+    for (const int exponent : {-far, -far / 2, 0, far / 2, far}) {
+        const Real size = std::pow(Real(10), static_cast<Real>(exponent));
+        std::vector<Vec3> vectors;
+        const auto component = [&] { return size * rng.uniform(-1, 1); };
+        while (vectors.size() < 4096) vectors.push_back({component(), component(), component()});
+
+        for (const Variant& variant : variants) {
+            double worst = 0;
+            for (const Vec3 v : vectors) worst = std::max(worst, error_of(variant.normalize(v), v));
+            const double ns = study::time_ns([&] {
+                Vec3 sum;
+                for (const Vec3 v : vectors) sum += variant.normalize(v);
+                study::keep(sum);
+            });
+            report.add({.study = "Normalize",
+                        .variant = variant.name,
+                        .x = static_cast<double>(size),
+                        .x_name = "length of the vector",
+                        .error = worst,
+                        .error_name = "largest error / ulp",
+                        .cost = ns / static_cast<double>(vectors.size()),
+                        .cost_name = "time / ns"});
+        }
+    }
+}
+
+}  // namespace vectors_study

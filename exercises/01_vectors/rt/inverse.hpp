@@ -1,0 +1,31 @@
+#pragma once
+#include <cmath>
+#include <rt/cross.hpp>
+#include <rt/dot.hpp>
+#include <rt/mat4.hpp>
+#include <rt/todo.hpp>
+#include <rt/transform.hpp>
+#include <stdexcept>
+
+namespace rt {
+
+// Exercise 01.6.
+
+// The map that undoes m. Throws std::domain_error where m is singular: it flattens space (or comes
+// so near to it that rounding decides the result), or a number in it is not finite.
+inline Mat4 inverse(const Mat4& m) {
+    return rt::todo("01.6", m);
+}
+
+// A point of the world as the object's own coordinates have it, given the map that places the
+// object in the world. Throws std::domain_error where that map is singular.
+inline Vec3 to_object(const Mat4& object_to_world, Vec3 world_point) {
+    return rt::todo("01.6", object_to_world, world_point);
+}
+
+// The way back.
+inline Vec3 to_world(const Mat4& object_to_world, Vec3 object_point) {
+    return rt::todo("01.6", object_to_world, object_point);
+}
+
+}  // namespace rt

@@ -1,0 +1,73 @@
+#include <rt/length.hpp>
+#include <rt/orthonormal_basis.hpp>
+#include <rt/rng.hpp>
+
+#include "checkpoint.hpp"
+
+using namespace checkpoint;
+
+namespace {
+
+// How far a . b is from what it should be, in epsilon.
+double dot_error(Vec3 a, Vec3 b, double expected) {
+    const Exact dot = Exact(a.x) * Exact(b.x) + Exact(a.y) * Exact(b.y) + Exact(a.z) * Exact(b.z);
+    return std::abs((dot - Exact(expected)).high) / static_cast<double>(rt::epsilon);
+}
+
+// w itself is a unit vector only within 3.5 epsilon; building u and v adds at most 9 roundings.
+void check_basis(Vec3 w) {
+    CAPTURE(text(w));
+    const rt::Basis basis = rt::orthonormal_basis(w);
+    const auto& [u, v, kept] = basis;
+    const double allowed = 8;
+    INFO("u = " << text(u) << ", v = " << text(v)
+                << " (the numbers compared below are in units of epsilon)");
+    REQUIRE(kept == w);
+    {
+        INFO("Hint: u and v must have length 1; where w.z is near -1, 1 + w.z has lost digits");
+        REQUIRE(dot_error(u, u, 1) <= allowed);
+        REQUIRE(dot_error(v, v, 1) <= allowed);
+    }
+    {
+        INFO("Hint: every two of u, v, w must be perpendicular");
+        REQUIRE(dot_error(u, v, 0) <= allowed);
+        REQUIRE(dot_error(u, w, 0) <= allowed);
+        REQUIRE(dot_error(v, w, 0) <= allowed);
+    }
+    // u x v is w or -w by now; its scalar product with w tells which.
+    const Vec3 cross{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    INFO("Hint: u x v must be w; if it is -w, swap u and v or turn one around");
+    REQUIRE(cross.x * w.x + cross.y * w.y + cross.z * w.z > 0);
+}
+
+}  // namespace
+
+TEST_CASE("01.7 the basis is orthonormal and right-handed", "[01.7]") {
+    check_basis({1, 0, 0});
+    check_basis({0, 1, 0});
+    check_basis({0, 0, 1});
+    check_basis({real(0.5), real(0.5), real(std::sqrt(0.5))});
+    check_basis({real(0.6), real(-0.8), 0});
+}
+
+TEST_CASE("01.7 there is a basis for every axis and its opposite", "[01.7][hard]") {
+    for (const Real zero : {real(0.0), real(-0.0)})
+        for (const Real one : {real(1.0), real(-1.0)}) {
+            check_basis({one, zero, zero});
+            check_basis({zero, one, zero});
+            check_basis({zero, zero, one});
+        }
+}
+
+TEST_CASE("01.7 there is a basis for 10000 directions and close to the axes", "[01.7][hard]") {
+    rt::Rng rng{7, 1};
+    const auto component = [&] { return rng.uniform(-1, 1); };
+    for (int i = 0; i < 10000; ++i)
+        check_basis(rt::normalize({component(), component(), component()}));
+    for (Real tiny = 1; tiny > 0; tiny /= 16)
+        for (const Real pole : {real(1.0), real(-1.0)}) {
+            check_basis(rt::normalize({tiny * component(), tiny * component(), pole}));
+            check_basis(rt::normalize({tiny * component(), pole, tiny * component()}));
+            check_basis(rt::normalize({pole, tiny * component(), tiny * component()}));
+        }
+}

@@ -1,0 +1,35 @@
+#pragma once
+#include <rt/mat4.hpp>
+#include <rt/vec3.hpp>
+
+namespace rt {
+
+inline Vec3 transform_point(const Mat4& m, Vec3 n) {
+    return {m(0, 0) * n.x + m(1, 0) * n.y + m(2, 0) * n.z,
+            m(0, 1) * n.x + m(1, 1) * n.y + m(2, 1) * n.z,
+            m(0, 2) * n.x + m(1, 2) * n.y + m(2, 2) * n.z};
+}
+
+inline Vec3 transform_vector(const Mat4& m, Vec3 n) {
+    return {m(0, 0) * n.x + m(1, 0) * n.y + m(2, 0) * n.z,
+            m(0, 1) * n.x + m(1, 1) * n.y + m(2, 1) * n.z,
+            m(0, 2) * n.x + m(1, 2) * n.y + m(2, 2) * n.z};
+}
+
+inline Vec3 transform_normal(const Mat4& inverse, Vec3 n) {
+    return {inverse(0, 0) * n.x + inverse(1, 0) * n.y + inverse(2, 0) * n.z,
+            inverse(0, 1) * n.x + inverse(1, 1) * n.y + inverse(2, 1) * n.z,
+            inverse(0, 2) * n.x + inverse(1, 2) * n.y + inverse(2, 2) * n.z};
+}
+
+inline Mat4 multiply(const Mat4& a, const Mat4& b) {
+    Mat4 product;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) {
+            product(row, column) = 0;
+            for (int k = 0; k < 4; ++k) product(row, column) += a(row, k) * b(k, column);
+        }
+    return product;
+}
+
+}  // namespace rt
