@@ -17,11 +17,12 @@ double flaw_in_ulp(const Basis& b) {
         return std::numeric_limits<double>::infinity();
     const Vec3 uv{b.u.y * b.v.z - b.u.z * b.v.y, b.u.z * b.v.x - b.u.x * b.v.z,
                   b.u.x * b.v.y - b.u.y * b.v.x};
-    return std::max({length_error_in_ulp(b.u), length_error_in_ulp(b.v), length_error_in_ulp(b.w),
-                     std::abs(dot_in_double(b.u, b.v)) / double{rt::epsilon},
-                     std::abs(dot_in_double(b.v, b.w)) / double{rt::epsilon},
-                     std::abs(dot_in_double(b.w, b.u)) / double{rt::epsilon},
-                     double{max_component(uv - b.w)} / double{rt::epsilon}});
+    return std::max(
+        {length_error_in_ulp(b.u), length_error_in_ulp(b.v), length_error_in_ulp(b.w),
+         std::abs(dot_in_double(b.u, b.v)) / static_cast<double>(rt::epsilon),
+         std::abs(dot_in_double(b.v, b.w)) / static_cast<double>(rt::epsilon),
+         std::abs(dot_in_double(b.w, b.u)) / static_cast<double>(rt::epsilon),
+         static_cast<double>(max_component(uv - b.w)) / static_cast<double>(rt::epsilon)});
 }
 
 // w carries fewer than 4 roundings and u fewer than 8, half a unit each at most; a product of two
@@ -42,7 +43,7 @@ const char* suggestion(const Basis& b) {
             return "a vector's length is not 1: cross products need normalize unless both vectors "
                    "have "
                    "length 1 and are perpendicular";
-    if (std::abs(dot_in_double(b.v, b.w)) > 16 * double{rt::epsilon})
+    if (std::abs(dot_in_double(b.v, b.w)) > 16 * static_cast<double>(rt::epsilon))
         return "v is not perpendicular to w: up itself is not v, cross(w, u) is";
     return "u = up x w, v = w x u: the other order points the other way (right hand)";
 }
