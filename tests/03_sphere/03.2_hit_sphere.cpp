@@ -50,7 +50,7 @@ void check_table(std::string_view kind, const char* hint) {
             INFO(which << ": expected t = " << checkpoint::text(exact) << " within " << row.allowed
                        << ", but yours gives " << text(t));
             REQUIRE(t.has_value());
-            REQUIRE(std::abs((Exact(*t) - exact).high) <= row.allowed);
+            REQUIRE(std::abs((Exact(static_cast<double>(*t)) - exact).high) <= row.allowed);
         };
         if (row.hits) {
             check_t("nearer hit", whole_line, row.low);
