@@ -45,7 +45,9 @@ const char* suggestion(const Basis& b) {
                    "length 1 and are perpendicular";
     if (std::abs(dot_in_double(b.v, b.w)) > 16 * static_cast<double>(rt::epsilon))
         return "v is not perpendicular to w: up itself is not v, cross(w, u) is";
-    return "u = up x w, v = w x u: the other order points the other way (right hand)";
+    return "u = up x w, v = w x u: the other order points the other way (right hand); where up x w "
+           "is "
+           "zero, orthonormal_basis(w)";
 }
 
 }  // namespace
@@ -159,7 +161,10 @@ TEST_CASE("02.3 a view nearly parallel to up keeps its digits", "[02.3][hard]") 
 
 TEST_CASE("02.3 nothing to look at and no up are refused", "[02.3][hard]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
-    INFO("look_at must throw std::domain_error; normalize does that for a zero vector");
+    INFO(
+        "look_at must throw std::domain_error.\nHint: normalize does that for from - at; ask about "
+        "up "
+        "before you cross it with anything: up == Vec3{} or not is_finite(up)");
     CHECK_THROWS_AS(rt::look_at({1, 2, 3}, {1, 2, 3}, {0, 1, 0}), std::domain_error);
     CHECK_THROWS_AS(rt::look_at({1, 2, 3}, {0, 0, 0}, {0, 0, 0}), std::domain_error);
     CHECK_THROWS_AS(rt::look_at({nan, 2, 3}, {0, 0, 0}, {0, 1, 0}), std::domain_error);
