@@ -1,4 +1,5 @@
-// The rules of DESIGN that concern the sources as a whole.
+// The rules of DESIGN that concern the sources as a whole. What depends on the stubs as shipped is
+// tagged [stubs]: a learner's own code is free of these rules.
 
 #include <course/course.hpp>
 #include <map>
@@ -39,14 +40,6 @@ std::multimap<std::string, Header> headers() {
     return all;
 }
 
-// The exercises of a chapter, by what its stubs say is still to be written.
-std::set<std::string> exercises(const std::string& chapter) {
-    std::set<std::string> ids;
-    for (const fs::path& stub : files(root / "exercises" / chapter, {".hpp", ".cpp"}))
-        for (const std::string& id : matches(read(stub), "todo\\(\\s*\"([^\"]*)\"")) ids.insert(id);
-    return ids;
-}
-
 struct TestCase {
     std::string name, tags;
 };
@@ -64,6 +57,14 @@ std::vector<TestCase> test_cases(const std::string& chapter) {
         }
     }
     return all;
+}
+
+// The exercises of a chapter, as its test cases name them.
+std::set<std::string> exercises(const std::string& chapter) {
+    std::set<std::string> ids;
+    for (const TestCase& test : test_cases(chapter))
+        ids.insert(test.name.substr(0, test.name.find(' ')));
+    return ids;
 }
 
 bool has_tag(const TestCase& test, const std::string& tag) {
@@ -93,7 +94,7 @@ TEST_CASE("every folder of a chapter belongs to a chapter that is built", "[stru
         }
 }
 
-TEST_CASE("every stub has a solution of the same name", "[structure]") {
+TEST_CASE("every stub has a solution of the same name", "[stubs]") {
     for (const fs::path& stub : files(root / "exercises", {".hpp"})) {
         INFO(name(stub));
         CHECK(fs::exists(root / "solutions" / stub.lexically_relative(root / "exercises")));
@@ -107,7 +108,7 @@ TEST_CASE("a header's name is unique", "[structure]") {
     }
 }
 
-TEST_CASE("a stub's functions have the solution's signatures", "[structure]") {
+TEST_CASE("a stub's functions have the solution's signatures", "[stubs]") {
     for (const fs::path& stub : files(root / "exercises", {".hpp"})) {
         const auto wanted =
             signatures(read(root / "solutions" / stub.lexically_relative(root / "exercises")));
@@ -121,23 +122,27 @@ TEST_CASE("a stub's functions have the solution's signatures", "[structure]") {
     }
 }
 
-TEST_CASE("a stub says which exercise it is, and belongs to its chapter", "[structure]") {
-    for (const auto& chapter : chapters())
+TEST_CASE("every exercise has a stub that says which one it is", "[stubs]") {
+    for (const auto& chapter : chapters()) {
+        std::set<std::string> ids;
         for (const fs::path& stub : files(root / "exercises" / chapter.name, {".hpp", ".cpp"})) {
+            check_includes(stub, chapter.name);
             const std::string text = read(stub);
             for (const std::string& id : matches(text, "todo\\(\\s*\"([^\"]*)\"")) {
                 INFO(name(stub) << ", exercise " << id);
-                CHECK(id.substr(0, 3) == chapter.number() + '.');
                 CHECK(text.find("Exercise " + id) != std::string::npos);
+                ids.insert(id);
             }
         }
+        INFO(chapter.name);
+        CHECK(ids == exercises(chapter.name));
+    }
 }
 
 TEST_CASE("no chapter uses what comes after it, and common uses no chapter", "[structure]") {
     for (const fs::path& path : files(root / "common", {".hpp", ".cpp"})) check_includes(path, "");
     for (const auto& chapter : chapters())
-        for (const char* const kind :
-             {"chapters", "exercises", "solutions", "tests", "tests/mistakes"})
+        for (const char* const kind : {"chapters", "solutions", "tests", "tests/mistakes"})
             for (const fs::path& path : files(root / kind / chapter.name, {".hpp", ".cpp"}))
                 check_includes(path, chapter.name);
 }
@@ -168,6 +173,7 @@ TEST_CASE("checkpoints are named and tagged by their exercise, some of them hard
         for (const TestCase& test : test_cases(chapter.name)) {
             INFO(chapter.name << ": " << test.name << ' ' << test.tags);
             const std::string id = test.name.substr(0, test.name.find(' '));
+            CHECK(id.rfind(chapter.number() + '.', 0) == 0);
             CHECK(has_tag(test, id));
             CHECK(test.name.find_first_of(",[]*\"\\") == std::string::npos);
             CHECK(names.insert(test.name).second);
@@ -210,7 +216,7 @@ TEST_CASE("every mistake explains itself and is caught by a test case", "[struct
             CHECK_FALSE(replaced.empty());
             for (const fs::path& path : replaced) {
                 INFO(name(path));
-                CHECK(fs::exists(root / "exercises" / chapter.name / "rt" / path.filename()));
+                CHECK(fs::exists(root / "solutions" / chapter.name / "rt" / path.filename()));
             }
         }
         for (const std::string& id : ids) {
