@@ -24,7 +24,7 @@ struct Settings {
     int spp = 0;       // samples per pixel
     int depth = 0;     // the most bounces of a path
     int threads = 0;
-    std::optional<std::uint64_t> seed;  // of everything random
+    std::optional<std::uint64_t> seed = {};  // of everything random
 };
 
 // Counts the work that is done, for the progress bar. May be called from several threads.
