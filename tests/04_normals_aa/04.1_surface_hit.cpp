@@ -1,0 +1,3 @@
+#include <rt/surface_hit.hpp>
+
+#include "checkpoint.hpp"
