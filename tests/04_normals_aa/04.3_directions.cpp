@@ -159,11 +159,15 @@ TEST_CASE("04.3 the corners of the square give directions too", "[04.3][hard]") 
     for (const Vec2 place : corners) check(place);
     for (const Vec2 place : edges) check(place);
     INFO("Hint: near the poles 1 - z^2 cancels; it is (1 - z)(1 + z)");
-    const Real tiny = rt::epsilon / 2;
-    const Vec3 d = rt::uniform_direction({tiny, 0});
-    const Real expected = 2 * std::sqrt(tiny);  // within epsilon
-    HINT(expected, d.x, "the distance from the axis is 2 sqrt(x (1 - x))");
-    CHECK(std::abs(d.x - expected) <= 4 * rt::epsilon * expected);
+    for (const Real size : {real(0.1), real(1.37), real(77.7)}) {
+        // A multiple of epsilon, as random numbers are.
+        const Real x =
+            std::round(size * std::sqrt(rt::epsilon) / rt::epsilon) * rt::epsilon + rt::epsilon;
+        const Vec3 d = rt::uniform_direction({x, 0});
+        const Real expected = 2 * std::sqrt(x * (1 - x));
+        HINT(expected, d.x, "the distance from the axis is 2 sqrt(x (1 - x))");
+        CHECK(std::abs(d.x - expected) <= 4 * rt::epsilon * expected);
+    }
 }
 
 TEST_CASE("04.3 bounces stay above the surface at any normal", "[04.3][hard]") {
