@@ -131,7 +131,9 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
 
 int main(int argc, char** argv) {
     app::Settings defaults;
-    defaults.spp = 64;
+    defaults.width = 800;
+    defaults.height = 450;
+    defaults.spp = 100;
     defaults.depth = 16;
     defaults.seed = 1;
     return app::run(argc, argv,

@@ -22,8 +22,7 @@ struct EveningSky {
         const Real height = std::max(Real(0), direction.y);
         const Real cosine = std::max(Real(0), dot(direction, to_sun));
         const Real squared = cosine * cosine;
-        return mix(horizon, above, height / (height + Real(0.25))) +
-               squared * squared * squared * glow;
+        return mix(horizon, above, height / (height + Real(0.25))) + squared * squared * glow;
     }
 };
 
@@ -47,7 +46,7 @@ inline Scene make_scene(Real scale = 1) {
         const Real height = std::sqrt((earth + radius) * (earth + radius) - x * x - z * z);
         add({x, height - earth, z}, radius, color);
     };
-    add({0, -earth, 0}, earth, 0xe3d8c8);
+    add({0, -earth, 0}, earth, 0xf1e6d6);
     stand(0, 0, 1, 0xf4efe6);
     stand(Real(-1.75), Real(-0.35), Real(0.75), 0xe07a5f);
     stand(Real(1.72), Real(0.1), Real(0.7), 0x3d5a98);
@@ -55,13 +54,12 @@ inline Scene make_scene(Real scale = 1) {
     stand(Real(-0.72), Real(1.22), Real(0.42), 0x81b29a);
     stand(Real(2.55), Real(-1.1), Real(0.55), 0x9a6a8c);
     stand(Real(-2.7), Real(-1.5), Real(0.6), 0xf2cc8f);
+    // Beads in an arc before the group.
     const std::uint32_t beads[] = {0xe4572e, 0xf2b84b, 0x3fa7d6, 0xf4efe6, 0x81b29a, 0x6d597a};
-    for (int i = 0; i < 13; ++i) {
-        // A loose ring of beads around the group.
-        const Real angle = static_cast<Real>(i) * (2 * pi / 13) + Real(0.1);
-        const Real far = Real(2.6) + Real(0.35) * std::sin(5 * angle);
-        stand(far * std::cos(angle) * Real(1.15), Real(0.2) + Real(0.8) * far * std::sin(angle),
-              Real(0.13) + Real(0.04) * std::cos(7 * angle), beads[i % 6]);
+    for (int i = 0; i < 11; ++i) {
+        const Real angle = (static_cast<Real>(i) / 10 - Real(0.5)) * Real(2.4);
+        stand(Real(2.45) * std::sin(angle), Real(2.2) * std::cos(angle) + Real(i % 2) / 8,
+              Real(0.13) + Real(0.04) * std::cos(5 * angle), beads[i % 6]);
     }
     return scene;
 }
