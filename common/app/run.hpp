@@ -2,6 +2,7 @@
 // What every chapter's program shares: reading the command line, a progress bar, writing the image,
 // saying how long it took, and ending with the right exit code.
 
+#include <app/errors.hpp>
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
@@ -15,14 +16,6 @@ class Report;
 }
 
 namespace app {
-
-// Exit codes of all programs of the course.
-enum ExitCode {
-    done = 0,
-    could_not = 1,      // the disk is full, a permission is missing, ...
-    bad_input = 2,      // the command line or an input file is wrong
-    still_to_write = 3  // the program needs an exercise that is not written yet
-};
 
 // What the person asked for. A program that sets a default to 0 has no such option, so
 // the samples of a program without randomness cannot be asked for.
