@@ -117,7 +117,7 @@ Measured measure(const Pixels& reference, Draw draw) {
 
 inline void study_samples(study::Report& report, const Stage& stage) {
     constexpr int depth = 4;
-    const Pixels reference = draw_low_discrepancy(stage, 1 << 15, depth, 1, SkyEnding{});
+    const Pixels reference = draw_low_discrepancy(stage, 1 << 14, depth, 1, SkyEnding{});
     const auto add = [&](const char* variant, int samples, Measured m) {
         report.add({.study = "Samples",
                     .variant = variant,
@@ -144,14 +144,84 @@ inline void study_samples(study::Report& report, const Stage& stage) {
     }
 }
 
-// How far each ending leaves the mean radiance from that of paths that may bounce 64 times.
+// A pixel that a straight edge cuts: the share of it where x cos + y sin < edge, exactly. Cosine
+// and sine must be greater than 0.
+inline double coverage(double cosine, double sine, double edge) {
+    const auto triangle = [&](double e) { return e > 0 ? e * e / (2 * cosine * sine) : 0; };
+    return triangle(edge) - triangle(edge - cosine) - triangle(edge - sine) +
+           triangle(edge - cosine - sine);
+}
+
+// The same three ways where nothing is random but the place in the pixel.
+inline void study_edge(study::Report& report) {
+    constexpr int edges = 1000;
+    const auto add = [&](const char* variant, int samples, auto average) {
+        double sum = 0;
+        const double time = milliseconds([&] {
+            Rng choose{4, 2};
+            for (int i = 0; i < edges; ++i) {
+                const Real angle = choose.uniform(Real(0.1), Real(1.4));
+                const Real c = std::cos(angle), s = std::sin(angle);
+                const Real edge = (c + s) * choose.uniform();
+                const double share = static_cast<double>(average(
+                    i, [&](Vec2 at) { return at.x * c + at.y * s < edge ? Color{1} : Color{}; }));
+                const double error =
+                    share - coverage(static_cast<double>(c), static_cast<double>(s),
+                                     static_cast<double>(edge));
+                sum += error * error;
+            }
+        });
+        report.add({.study = "Edge",
+                    .variant = variant,
+                    .x = static_cast<double>(samples),
+                    .x_name = "samples per pixel",
+                    .error = std::sqrt(sum / edges),
+                    .error_name = "RMSE of a pixel",
+                    .cost = 1e6 * time / edges / samples,
+                    .cost_name = "time per sample / ns"});
+        return std::sqrt(sum / edges);
+    };
+    double first = 0;
+    for (int n = 1; n <= 1024; n *= 4) {
+        const double independent = add("independent", n, [n](int i, auto covered) {
+            Rng random = pixel_rng(1, i, n);
+            Color sum;
+            for (int k = 0; k < n; ++k) sum += covered(random_place(random));
+            return sum.r / static_cast<Real>(n);
+        });
+        if (n == 1) first = independent;
+        add("jittered in the pixel", n, [n](int i, auto covered) {
+            Rng random = pixel_rng(2, i, n);
+            return pixel_average(n, random, covered).r;
+        });
+        add("Owen-scrambled Sobol", n, [n](int i, auto covered) {
+            Color sum;
+            for (int k = 0; k < n; ++k) {
+                LowDiscrepancy random{3, i, n, k};
+                sum += covered(random_place(random));
+            }
+            return sum.r / static_cast<Real>(n);
+        });
+        report.add({.study = "Edge",
+                    .variant = "1 / sqrt(N)",
+                    .x = static_cast<double>(n),
+                    .x_name = "samples per pixel",
+                    .error = first / std::sqrt(n),
+                    .error_name = "RMSE of a pixel",
+                    .cost = 0,
+                    .cost_name = "time per sample / ns"});
+    }
+}
+
+// How far each ending leaves the mean radiance from that of paths that may bounce 64 times: too
+// bright with the sky, too dark with black. All follow the same paths up to their limit, so that
+// the noise that they share cancels; what the roulette draws is its own.
 inline void study_depth(study::Report& report, const Stage& stage) {
-    constexpr int samples = 256;
+    constexpr int samples = 1024;
     const auto draw = [&](int depth, const auto& ending) {
         return draw_low_discrepancy(stage, samples, depth, 1, ending);
     };
-    const double reference =
-        mean_radiance(draw_low_discrepancy(stage, 8 * samples, 64, 1, SkyEnding{}));
+    const double reference = mean_radiance(draw(64, SkyEnding{}));
     const auto add = [&](const char* variant, int depth, const auto& ending) {
         double mean = 0;
         const double cost = milliseconds([&] { mean = mean_radiance(draw(depth, ending)); });
@@ -159,7 +229,7 @@ inline void study_depth(study::Report& report, const Stage& stage) {
                     .variant = variant,
                     .x = static_cast<double>(depth),
                     .x_name = "most bounces",
-                    .error = 100 * (mean / reference - 1),
+                    .error = 100 * std::abs(mean / reference - 1),
                     .error_name = "mean radiance off / %",
                     .cost = cost,
                     .cost_name = "time / ms"});
@@ -173,6 +243,7 @@ inline void study_depth(study::Report& report, const Stage& stage) {
 
 inline void study_samples_and_depth(study::Report& report) {
     const Stage stage;
+    study_edge(report);
     study_samples(report, stage);
     study_depth(report, stage);
 }

@@ -1,6 +1,8 @@
 #include <rt/lambertian.hpp>
 #include <rt/leave_surface.hpp>
+#include <rt/make_camera.hpp>
 #include <rt/path.hpp>
+#include <rt/render_pixel.hpp>
 #include <rt/rng.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
@@ -220,5 +222,48 @@ TEST_CASE("04.6 a scene 2^30 times larger or smaller is left the same way", "[04
             INFO("Hint: a distance that does not come from the numbers at hand?");
             REQUIRE(rt::leave_surface(scaled, out) == s * rt::leave_surface(place.hit, out));
         }
+    }
+}
+
+TEST_CASE("04.6 a scene of any size gives the same picture", "[04.6][hard]") {
+    constexpr int width = 24, height = 16;
+    // Two spheres that touch, a third that stands half in the ground.
+    const auto picture = [](Real scale) {
+        const auto sphere = [&](Real x, Real y, Real z, Real r) {
+            return rt::SceneSphere{{scale * Vec3{x, y, z}, scale * r}, 0};
+        };
+        const rt::SphereList world{{sphere(0, -1000, 0, 1000), sphere(-1, 1, 0, 1),
+                                    sphere(1, 1, 0, 1), sphere(0, 0, 2, real(0.5))}};
+        const rt::MaterialList<rt::Lambertian> grey{{{{real(0.5), real(0.6), real(0.7)}}}};
+        const rt::Camera camera = rt::make_camera(
+            {scale * Vec3{0, 2, 6}, scale * Vec3{0, 1, 0}, {0, 1, 0}, rt::pi / 4}, width, height);
+        return rt::make_image(width, height, [&](int column, int row) {
+            return rt::render_pixel(camera, world, grey, rt::GradientSky{{1, 1, 1}, {0, 0, 1}},
+                                    rt::SkyEnding{}, {16, 8, 1}, column, row);
+        });
+    };
+    const rt::Image image = picture(1);
+    const auto different = [&](Real scale) {
+        const rt::Image scaled = picture(scale);
+        int count = 0;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const Color a = image.at(x, y), b = scaled.at(x, y);
+                REQUIRE(rt::is_finite(b));
+                count += !(std::max({std::abs(a.r - b.r), std::abs(a.g - b.g),
+                                     std::abs(a.b - b.b)}) <= 1 / Real(255));
+            }
+        return count;
+    };
+    INFO("Hint: some length in your code does not scale with the scene");
+    for (const int power : {-30, 30}) {
+        INFO("scaled by 2^" << power << ", which rounds nothing: not a bit may differ");
+        CHECK(picture(std::scalbn(Real(1), power)) == image);
+    }
+    // Other factors round every number of the scene. In double no path notices; in float one in
+    // some thousand meets another sphere than before, which shows as noise in its pixel.
+    for (const Real scale : {real(1e-9), real(1e9)}) {
+        INFO("scaled by " << text(scale));
+        CHECK(different(scale) <= for_this_precision(width * height / 50, 0));
     }
 }
