@@ -143,6 +143,13 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
         options.add_option("--seed", seed, "Seed of everything random")
             ->check(whole_number(0, UINT64_MAX))
             ->capture_default_str();
+    for (const Choice& choice : program.choices) settings.picked.push_back(choice.words.front());
+    for (std::size_t i = 0; i < program.choices.size(); ++i)
+        options
+            .add_option("--" + program.choices[i].name, settings.picked[i],
+                        program.choices[i].about)
+            ->check(CLI::IsMember(program.choices[i].words))
+            ->capture_default_str();
     options.add_flag("--quiet", quiet, "Print nothing but errors");
     if (program.study)
         options.add_option("--study", study_folder,

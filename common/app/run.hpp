@@ -9,6 +9,7 @@
 #include <optional>
 #include <rt/image.hpp>
 #include <string>
+#include <vector>
 
 namespace study {
 class Report;
@@ -25,6 +26,15 @@ struct Settings {
     int depth = 0;     // the most bounces of a path
     int threads = 0;
     std::optional<std::uint64_t> seed = {};  // of everything random
+    // The word that was picked of each of the program's choices, in their order.
+    std::vector<std::string> picked = {};
+};
+
+// An option of one program alone, which takes one of a few words: --ending sky|black|roulette.
+struct Choice {
+    std::string name;                // without the dashes
+    std::string about;               // what is chosen
+    std::vector<std::string> words;  // the first is the default
 };
 
 // Counts the work that is done, for the progress bar. May be called from several threads.
@@ -59,6 +69,7 @@ struct Program {
     void (*study)(study::Report&);
     // How a .ppm file is encoded, where the chapter brings its own way.
     std::string (*encode_ppm)(const rt::Image&) = nullptr;
+    std::vector<Choice> choices = {};
 };
 
 // Runs the program as main() should. Every error is one line on stderr.

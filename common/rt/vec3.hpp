@@ -36,6 +36,11 @@ inline bool is_finite(Vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+// The absolute values of the components.
+inline Vec3 abs(Vec3 v) {
+    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
+
 // The largest absolute value among the components.
 inline Real max_component(Vec3 v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});

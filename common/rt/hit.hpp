@@ -1,0 +1,21 @@
+#pragma once
+#include <rt/vec3.hpp>
+
+namespace rt {
+
+// Where a ray met a surface, and all that a material needs to know of the place.
+struct Hit {
+    Real t = 0;  // the point is the ray's origin + t * direction
+    Vec3 point;
+    Vec3 normal;           // length 1, outward, whichever side was hit
+    bool front = true;     // the ray came from outside
+    Real point_error = 0;  // the point lies off the surface by at most this, along the normal
+    int material = 0;      // an index into the scene's materials
+};
+
+// The normal on the side that the ray came from.
+constexpr Vec3 facing_normal(const Hit& hit) {
+    return hit.front ? hit.normal : -hit.normal;
+}
+
+}  // namespace rt

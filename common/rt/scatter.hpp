@@ -1,0 +1,13 @@
+#pragma once
+#include <rt/color.hpp>
+#include <rt/vec3.hpp>
+
+namespace rt {
+
+// How a path goes on from a surface.
+struct Scatter {
+    Color attenuation;  // what the light is multiplied by: 1 loses none
+    Vec3 direction;     // length 1
+};
+
+}  // namespace rt

@@ -1,0 +1,47 @@
+#pragma once
+#include <algorithm>
+#include <rt/color.hpp>
+
+namespace rt {
+
+// What becomes of a path that has made all of its bounces.
+enum class Fate { ends_in_sky, ends_in_black, goes_on };
+
+// As if nothing stood in the way of the last bounce any more. Too bright, mostly by little.
+struct SkyEnding {
+    template <class Random>
+    Fate operator()(Color&, Random&) const {
+        return Fate::ends_in_sky;
+    }
+};
+
+// As if no light came from there. Too dark.
+struct BlackEnding {
+    template <class Random>
+    Fate operator()(Color&, Random&) const {
+        return Fate::ends_in_black;
+    }
+};
+
+// Russian roulette: the path goes on with a probability p, and its throughput is divided by p, so
+// that those that go on stand in for those that ended. Right on the average: p * (1 / p) = 1.
+template <class Random>
+Fate play_roulette(Color& throughput, Real most_likely, Random& random) {
+    // Bright paths are worth following. A path without light left never goes on.
+    const Real p = std::min(most_likely, std::max({throughput.r, throughput.g, throughput.b}));
+    if (!(random.uniform() < p)) return Fate::ends_in_black;
+    throughput /= p;
+    return Fate::goes_on;
+}
+
+struct RouletteEnding {
+    // Below 1, so that even a path between white surfaces ends at some time.
+    Real most_likely = Real(0.95);
+
+    template <class Random>
+    Fate operator()(Color& throughput, Random& random) const {
+        return play_roulette(throughput, most_likely, random);
+    }
+};
+
+}  // namespace rt

@@ -1,0 +1,37 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <rt/color.hpp>
+#include <rt/directions.hpp>
+#include <rt/vec2.hpp>
+
+namespace rt {
+
+// The pixel is cut into n x n cells; cell 0 is the top left one, cell n the first of the second
+// row. The offset within the pixel of a place within a cell, 0 <= x, y < 1. Cell k of a row reaches
+// from k / n, which belongs to it, to (k + 1) / n, which does not, also after rounding.
+inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
+    const auto within = [n](int k, Real x) {
+        const auto count = static_cast<Real>(n), first = static_cast<Real>(k);
+        // first + x may round up to the next cell's edge.
+        const Real end = std::nextafter((first + 1) / count, Real(0));
+        return std::min((first + x) / count, end);
+    };
+    return {within(cell % n, place.x), within(cell / n, place.y)};
+}
+
+// The average color of a pixel over this many samples, 1 or more: sample(offset) is called with
+// one random offset in each cell of the finest n x n grid that they suffice for; what is left goes
+// anywhere in the pixel.
+template <class Random, class Sample>
+Color pixel_average(int samples, Random& random, Sample sample) {
+    int n = 1;
+    while ((n + 1) * (n + 1) <= samples) ++n;
+    Color sum;
+    for (int cell = 0; cell < n * n; ++cell)
+        sum += sample(jittered_offset(cell, n, random_place(random)));
+    for (int rest = n * n; rest < samples; ++rest) sum += sample(random_place(random));
+    return sum / static_cast<Real>(samples);
+}
+
+}  // namespace rt

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <rt/jitter.hpp>
+#include <rt/path.hpp>
+#include <rt/primary_ray.hpp>
+#include <rt/rng.hpp>
+
+namespace rt {
+
+// How much work goes into a picture, and the seed of all that is random in it.
+struct Quality {
+    int samples_per_pixel = 1;
+    int depth = 1;  // the most bounces of a path
+    std::uint64_t seed = 1;
+};
+
+// The ray of a camera through a place of a pixel (given). Cameras of other types bring a make_ray
+// of their own; one with a lens draws a place on it from `random`.
+template <class Random>
+Ray make_ray(const Camera& camera, int column, int row, Vec2 offset, Random& /*random*/) {
+    return primary_ray(camera, column, row, offset);
+}
+
+// The color of one pixel (given): the average over its samples of the light along their paths. It
+// depends on the arguments alone. The types are those of path_radiance.
+template <class AnyCamera, class World, class Materials, class Sky, class Ending>
+Color render_pixel(const AnyCamera& camera, const World& world, const Materials& materials,
+                   const Sky& sky, const Ending& ending, const Quality& quality, int column,
+                   int row) {
+    Rng random = pixel_rng(quality.seed, column, row);
+    return pixel_average(quality.samples_per_pixel, random, [&](Vec2 offset) {
+        return path_radiance(make_ray(camera, column, row, offset, random), world, materials, sky,
+                             ending, quality.depth, random);
+    });
+}
+
+}  // namespace rt
