@@ -8,7 +8,9 @@ using rt::Vec3;
 
 namespace {
 
-Vec3 column(const Mat4& m, int i) { return {m(0, i), m(1, i), m(2, i)}; }
+Vec3 column(const Mat4& m, int i) {
+    return {m(0, i), m(1, i), m(2, i)};
+}
 
 bool has_affine_last_row(const Mat4& m) {
     return m(3, 0) == 0 && m(3, 1) == 0 && m(3, 2) == 0 && m(3, 3) == 1;
