@@ -21,7 +21,8 @@ namespace {
 using namespace rt;
 
 const Color background = from_hex(0x14171f), paper = from_hex(0xf4efe6);
-const Color gold = from_hex(0xf2b84b), blue = from_hex(0x3d5a98), night = from_hex(0x1d2b4f);
+const Color gold = from_hex(0xf2b84b), blue = from_hex(0x3d5a98), night = from_hex(0x1d2b4f),
+            pale_blue = from_hex(0x8aa4dc);
 const std::array<Color, 3> axis_colors{from_hex(0xe4572e), from_hex(0x6ab04c), from_hex(0x3fa7d6)};
 
 // A straight stick with round ends; a short and thick one is a ball.
@@ -46,6 +47,22 @@ bool covers(const Stick& stick, Vec3 place) {
     const bool beside_the_ball = nearest.x * nearest.x + nearest.y * nearest.y > 1;
     return beside_the_ball || (nearest.z > 0 && dot(nearest, nearest) >= 1);
 }
+
+// A flat ring around the foot of a stick that stands on the ball, drawn in the frame of that stick.
+struct Washer {
+    Vec3 foot;
+    Basis frame;
+    Color color;
+
+    bool covers(Real x, Real y) const {
+        if (frame.w.z <= 0) return false;  // on the far side of the ball
+        // The place of the ring's plane that shows at (x, y), in coordinates along u and v.
+        const Real dx = x - foot.x, dy = y - foot.y;
+        const Vec3 d{dx, dy, -(dx * frame.w.x + dy * frame.w.y) / frame.w.z};
+        const Real r = length({dot(d, frame.u), dot(d, frame.v), 0});
+        return Real(0.04) < r && r < Real(0.07);
+    }
+};
 
 // The sign of the dot product: the side of the ball that faces the light is gold, the other blue,
 // and between them lies the line where the dot product is 0. Each ring stands for a tenth.
@@ -73,6 +90,7 @@ Color turned_ball_color(Vec3 n, const Mat4& world_to_object, Vec3 light) {
 // One ball with the sticks in it; (x, y) has the ball's middle at (0, 0).
 struct Ball {
     std::vector<Stick> sticks;
+    std::vector<Washer> washers;
     Mat4 world_to_object;
     bool is_turned;
 
@@ -80,6 +98,8 @@ struct Ball {
         const Vec3 place{x, y, 0};
         for (const Stick& stick : sticks)
             if (covers(stick, place)) return stick.color;
+        for (const Washer& washer : washers)
+            if (washer.covers(x, y)) return washer.color;
         const Real rest = 1 - dot(place, place);
         if (rest < 0) return background;
         const Vec3 n{x, y, std::sqrt(rest)};
@@ -88,11 +108,11 @@ struct Ball {
     }
 };
 
-// The large ball: little bristles stand on it along its normals, each with the two directions of
-// the surface that the basis built on the normal adds.
+// The large ball: little bristles stand on it along its normals, each through a washer that is
+// drawn with the basis built on that normal.
 Ball ball_with_bristles(Vec3 light) {
     const Vec3 sun = Real(1.42) * light;
-    Ball ball{{{{}, sun, Real(0.012), gold}, {sun, sun, Real(0.07), gold}}, {}, false};
+    Ball ball{{{{}, sun, Real(0.012), gold}, {sun, sun, Real(0.07), gold}}, {}, {}, false};
     const int count = 60;
     for (int i = 0; i < count; ++i) {
         // Evenly spread: heights in equal steps, each turned on by the golden angle.
@@ -101,11 +121,9 @@ Ball ball_with_bristles(Vec3 light) {
         const Real r = std::sqrt(1 - y * y);
         const Basis basis =
             orthonormal_basis(normalize({r * std::cos(angle), y, r * std::sin(angle)}));
-        const Vec3 foot = Real(1.005) * basis.w;
-        ball.sticks.push_back(
-            {foot, Real(1.16) * basis.w, Real(0.012), facing(basis.w, light) > 0 ? paper : blue});
-        ball.sticks.push_back({foot, foot + Real(0.06) * basis.u, Real(0.012), axis_colors[0]});
-        ball.sticks.push_back({foot, foot + Real(0.06) * basis.v, Real(0.012), axis_colors[1]});
+        const Color color = facing(basis.w, light) > 0 ? paper : pale_blue;
+        ball.sticks.push_back({basis.w, Real(1.16) * basis.w, Real(0.012), color});
+        ball.washers.push_back({basis.w, basis, color});
     }
     return ball;
 }
@@ -114,7 +132,7 @@ Ball ball_with_bristles(Vec3 light) {
 Ball turned_ball(Real angle) {
     const Mat4 turn =
         multiply(rotation_x(radians(25)), multiply(rotation_y(angle), rotation_z(angle / 2)));
-    Ball ball{{}, inverse(turn), true};
+    Ball ball{{}, {}, inverse(turn), true};
     const std::array<Vec3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     for (std::size_t i = 0; i < 3; ++i)
         ball.sticks.push_back(
