@@ -46,7 +46,7 @@ Color light_through_glass(const Ray& ray, const SphereList& balls,
     return refracted ? mirror + (1 - reflected) * along(*refracted) : mirror;
 }
 
-// A panel of the strip: 0 has Schlick's formula, 1 the exact one, 2 the difference, times 10: gold
+// A panel of the strip: 0 has Schlick's formula, 1 the exact one, 2 the difference, times 20: gold
 // where Schlick's is too bright, blue where it is too dark.
 Color panel_color(int panel, const Ray& ray, std::uint64_t& rays) {
     const std::array<Real, 3> indices{Real(1.1), Real(1.5), Real(2.4)};
@@ -59,7 +59,7 @@ Color panel_color(int panel, const Ray& ray, std::uint64_t& rays) {
     if (panel == 0) return with(schlick_reflectance);
     if (panel == 1) return with(fresnel_reflectance);
     const Color difference = with(schlick_reflectance) - with(fresnel_reflectance);
-    const Real amplified = 10 * (difference.r + difference.g + difference.b) / 3;
+    const Real amplified = 20 * (difference.r + difference.g + difference.b) / 3;
     return amplified > 0 ? amplified * from_hex(0xf2b84b) : -amplified * from_hex(0x5b8ff0);
 }
 
@@ -72,19 +72,21 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     // The strip takes the lower part of the picture, and each panel a third of its width.
     const int strip_height = settings.height * 5 / 18, view_height = settings.height - strip_height;
     const Camera camera =
-        make_camera({{0, Real(3.4), 12}, {0, Real(0.72), 0}, {0, 1, 0}, radians(19)},
+        make_camera({{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)},
                     settings.width, view_height);
     const int panel_width = std::max(1, settings.width / 3);
-    const Camera panel_camera = make_camera({{0, Real(0.5), 14}, {}, {0, 1, 0}, radians(13)},
-                                            panel_width, std::max(1, strip_height));
+    const Camera panel_camera =
+        make_camera({{0, Real(0.6), 14}, {}, {0, 1, 0}, radians(Real(12.8))}, panel_width,
+                    std::max(1, strip_height));
 
     auto image = app::draw(settings, progress, [&](int x, int y) {
         if (y < view_height)
             return render_pixel(camera, world, evening.set, scene::EveningSky{}, SkyEnding{},
                                 quality, x, y);
         const int panel = std::min(x / panel_width, 2);
+        if (panel > 0 && x - panel * panel_width < settings.width / 320) return Color{};
         Rng random = pixel_rng(quality.seed, x, y);
-        return pixel_average(std::min(16, quality.samples_per_pixel), random, [&](Vec2 offset) {
+        return pixel_average(std::min(9, quality.samples_per_pixel), random, [&](Vec2 offset) {
             return panel_color(
                 panel, primary_ray(panel_camera, x - panel * panel_width, y - view_height, offset),
                 rays);
@@ -97,7 +99,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
 
 int main(int argc, char** argv) {
     app::Settings defaults;
-    defaults.spp = 49;
+    defaults.spp = 64;
     defaults.depth = 12;
     defaults.seed = 5;
     return app::run(
