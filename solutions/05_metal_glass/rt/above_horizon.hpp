@@ -13,8 +13,9 @@ inline Vec3 above_horizon(Vec3 v, Vec3 normal) {
     if (v == Vec3{}) return normal;
     const Real height = dot(v, normal);
     // The height rounds 3 times, its correction once, the division of normalize once, and the
-    // reader's dot product 3 times. Twice these 8 leave no doubt.
-    const Real least = rounding_bound(16) * length(v);
+    // reader's dot product 3 times. Twice these 8 leave no doubt; the sum is no less than v's
+    // length.
+    const Real least = rounding_bound(16) * (std::abs(v.x) + std::abs(v.y) + std::abs(v.z));
     return normalize(v + (std::max(std::abs(height), least) - height) * normal);
 }
 

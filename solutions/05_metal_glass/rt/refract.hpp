@@ -13,15 +13,20 @@ namespace rt {
 // bit for bit. Source: Snell's law.
 inline std::optional<Vec3> refract(Vec3 incoming, Vec3 normal, Real eta) {
     if (eta == 1) return incoming;
-    // As long as the sine of the angle. Other than 1 - cosine^2 it is accurate for every angle.
-    const Vec3 across = cross(normal, incoming);
-    const Real sine = length(across);
-    // eta * sine - 1, rounded once: its sign, which decides, is right.
-    const Real excess = std::fma(eta, sine, Real(-1));
-    if (excess > 0) return {};
-    const Real cosine_beyond = std::sqrt(-excess * (1 + eta * sine));
-    // across x normal is the part of `incoming` along the surface.
-    return eta * cross(across, normal) - cosine_beyond * normal;
+    // The part along the surface, times eta: its length is the sine of the angle behind it.
+    const Real cosine = -dot(incoming, normal);
+    const Vec3 along = eta * (incoming + cosine * normal);
+    Real squared_cosine = 1 - dot(along, along);
+    // Too close to call: 3 roundings of each component of `along`, and 6 of the sum, have a say.
+    if (std::abs(squared_cosine) <= rounding_bound(8) * (1 + eta)) {
+        // The sine again, from a cross product, where nothing cancels. eta * sine - 1 is rounded
+        // once, so that its sign is right.
+        const Real sine = length(cross(normal, incoming));
+        const Real excess = std::fma(eta, sine, Real(-1));
+        squared_cosine = -excess * (1 + eta * sine);
+    }
+    if (squared_cosine < 0) return {};
+    return along - std::sqrt(squared_cosine) * normal;
 }
 
 }  // namespace rt

@@ -8,7 +8,7 @@ namespace rt {
 inline Vec3 above_horizon(Vec3 v, Vec3 normal) {
     if (v == Vec3{}) return v;
     const Real height = dot(v, normal);
-    const Real least = rounding_bound(16) * length(v);
+    const Real least = rounding_bound(16) * (std::abs(v.x) + std::abs(v.y) + std::abs(v.z));
     return normalize(v + (std::max(std::abs(height), least) - height) * normal);
 }
 

@@ -8,12 +8,16 @@ namespace rt {
 
 inline std::optional<Vec3> refract(Vec3 incoming, Vec3 normal, Real eta) {
     if (eta == 1) return incoming;
-    const Vec3 across = cross(normal, incoming);
-    const Real sine = length(across);
-    const Real excess = std::fma(eta, sine, Real(-1));
-    if (excess > 0) return {};
-    const Real cosine_beyond = std::sqrt(-excess * (1 + eta * sine));
-    return cross(across, normal) - cosine_beyond * normal;
+    const Real cosine = -dot(incoming, normal);
+    const Vec3 along = incoming + cosine * normal;
+    Real squared_cosine = 1 - dot(along, along);
+    if (std::abs(squared_cosine) <= rounding_bound(8) * (1 + eta)) {
+        const Real sine = length(cross(normal, incoming));
+        const Real excess = std::fma(eta, sine, Real(-1));
+        squared_cosine = -excess * (1 + eta * sine);
+    }
+    if (squared_cosine < 0) return {};
+    return along - std::sqrt(squared_cosine) * normal;
 }
 
 }  // namespace rt

@@ -8,12 +8,19 @@ namespace rt {
 
 inline std::optional<Vec3> refract(Vec3 incoming, Vec3 normal, Real eta) {
     if (eta == 1) return incoming;
-    const Real cosine = std::min(-dot(incoming, normal), Real(1));
-    const Real sine = std::sqrt(1 - cosine * cosine);
-    if (eta * sine > 1) return {};
-    const Vec3 along = incoming + cosine * normal;
-    if (!(length(along) > 0)) return -normal;
-    return eta * sine * normalize(along) - std::sqrt(1 - eta * sine * (eta * sine)) * normal;
+    const Real cosine = -dot(incoming, normal);
+    const Real from_cosine = std::sqrt(std::max(Real(0), 1 - cosine * cosine));
+    Vec3 along = incoming + cosine * normal;
+    if (along == Vec3{}) return -normal;
+    along = eta * from_cosine * normalize(along);
+    Real squared_cosine = 1 - dot(along, along);
+    if (std::abs(squared_cosine) <= rounding_bound(8) * (1 + eta)) {
+        const Real sine = length(cross(normal, incoming));
+        const Real excess = std::fma(eta, sine, Real(-1));
+        squared_cosine = -excess * (1 + eta * sine);
+    }
+    if (squared_cosine < 0) return {};
+    return along - std::sqrt(squared_cosine) * normal;
 }
 
 }  // namespace rt
