@@ -34,6 +34,9 @@ function(course_exercise_tests checkpoint label)
     add_test(NAME ${checkpoint}.${id}.hard COMMAND ${checkpoint} "[${id}][hard]")
     set_tests_properties(${checkpoint}.${id} PROPERTIES LABELS ${label} TIMEOUT 120)
     set_tests_properties(${checkpoint}.${id}.hard PROPERTIES LABELS "${label};hard" TIMEOUT 120)
+    # An exercise without a test case would pass unseen.
+    set_tests_properties(${checkpoint}.${id} ${checkpoint}.${id}.hard PROPERTIES
+      FAIL_REGULAR_EXPRESSION "No tests ran")
   endforeach()
 endfunction()
 

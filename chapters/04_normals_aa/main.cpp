@@ -1,46 +1,148 @@
+// Chapter 04: one group of spheres in four ways: its normals as colors, lit by one distant light,
+// with one sample a pixel against many, and with the light followed from bounce to bounce.
+
+#include <algorithm>
 #include <app/run.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/lambert.hpp>
-#include <rt/lambertian.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/render_pixel.hpp>
-#include <rt/sky.hpp>
-#include <rt/sphere_list.hpp>
-#include <study/report.hpp>
+#include <string>
+
+#include "scene.hpp"
+#include "study.hpp"
 
 namespace {
 
-using namespace rt;
+using namespace normals_aa;
 
-app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    SphereList world{{{{{0, -1000, 0}, 1000}, 0}, {{{0, 1, 0}, 1}, 1}}};
-    MaterialList<Lambertian> materials{
-        {{{Real(0.5), Real(0.5), Real(0.5)}}, {{Real(0.8), Real(0.3), Real(0.3)}}}};
-    const Camera camera = make_camera({{0, 1, 4}, {0, 1, 0}}, settings.width, settings.height);
+const Color sheet_color = from_hex(0x1b1f2a), line_color = from_hex(0xf4efe6);
+
+// A part of the sheet, in pixels.
+struct Panel {
+    int left, top, width, height;
+
+    bool contains(int x, int y) const {
+        return left <= x && x < left + width && top <= y && y < top + height;
+    }
+};
+
+// A third of the width for three small panels above each other, the rest for the large one.
+struct Layout {
+    Panel normals, lambert, samples, paths;
+
+    Layout(int width, int height) {
+        const int gap = std::min(width, height) / 68;
+        const int column = (width - 3 * gap) * 3 / 10, row = (height - 4 * gap) / 3;
+        normals = {gap, gap, column, row};
+        lambert = {gap, 2 * gap + row, column, row};
+        samples = {gap, 3 * gap + 2 * row, column, height - 4 * gap - 2 * row};
+        const int left = column > 0 ? 2 * gap + column : gap;
+        paths = {left, gap, width - gap - left, height - 2 * gap};
+    }
+};
+
+// What a single ray sees, without any bounce.
+template <class World>
+struct SingleRays {
+    const World& world;
+    const Scene& scene;
+
+    Color normal_color(const Ray& ray) const {
+        const auto hit = world.hit(ray, {});
+        if (!hit) return sheet_color * Real(2.5);
+        const Vec3 n = hit->normal;
+        return Color{n.x + 1, n.y + 1, n.z + 1} / 2;
+    }
+    Color lambert_color(const Ray& ray) const {
+        const auto hit = world.hit(ray, {});
+        if (!hit) return sheet_color;
+        const Color albedo =
+            scene.materials.materials[static_cast<std::size_t>(hit->material)].albedo;
+        return albedo * (Real(0.04) + Real(0.96) * lambert(hit->normal, scene.sky.to_sun));
+    }
+};
+
+template <class Ending>
+app::Picture render_with(const Ending& ending, const app::Settings& settings,
+                         app::Progress& progress) {
+    const Scene scene = make_scene();
     std::uint64_t rays = 0;
-    CountingWorld<SphereList> counted{world, rays};
+    const CountingWorld<SphereList> world{scene.world, rays};
+    const SingleRays<CountingWorld<SphereList>> single{world, scene};
+    const Layout layout{settings.width, settings.height};
+    const auto camera_of = [](const Panel& panel, Real wide_view) {
+        // Narrow panels see less at the sides, never a part of the group's height less.
+        View view = group_view();
+        view.vertical_fov = wide_view;
+        return make_camera(view, std::max(panel.width, 1), std::max(panel.height, 1));
+    };
+    const Camera small = camera_of(layout.normals, radians(28));
+    const Camera large = camera_of(layout.paths, radians(33));
+
+    // The third panel shows pixels as large blocks.
+    const int block = std::max(1, layout.samples.height / 24);
+    View near = group_view();
+    near.vertical_fov = radians(11);
+    near.at = {Real(0.62), Real(0.7), 1};
+    const Camera blocks = make_camera(near, std::max(1, layout.samples.width / block),
+                                      std::max(1, layout.samples.height / block));
+
     const Quality quality{settings.spp, settings.depth, *settings.seed};
-    auto image = app::draw(settings, progress, [&](int x, int y) {
-        return render_pixel(camera, counted, materials,
-                            GradientSky{{1, 1, 1}, {Real(0.5), Real(0.7), 1}}, SkyEnding{}, quality,
-                            x, y);
+    const auto average = [&](const Camera& camera, int x, int y, int samples, auto see) {
+        Rng random = pixel_rng(quality.seed, x, y);
+        return pixel_average(samples, random, [&](Vec2 offset) {
+            return see(make_ray(camera, x, y, offset, random));
+        });
+    };
+    const auto normals = [&](const Ray& ray) { return single.normal_color(ray); };
+    const auto lit = [&](const Ray& ray) { return single.lambert_color(ray); };
+    const int smooth = std::min(quality.samples_per_pixel, 16);
+
+    Image image = app::draw(settings, progress, [&](int x, int y) -> Color {
+        if (const Panel& p = layout.normals; p.contains(x, y))
+            return average(small, x - p.left, y - p.top, smooth, normals);
+        if (const Panel& p = layout.lambert; p.contains(x, y))
+            return average(small, x - p.left, y - p.top, smooth, lit);
+        if (const Panel& p = layout.samples; p.contains(x, y)) {
+            const int column = (x - p.left) / block, row = (y - p.top) / block;
+            const int middle = blocks.width / 2;
+            if (column == middle && (x - p.left) % block == 0) return line_color;
+            if (column >= middle)
+                return average(blocks, column, row, quality.samples_per_pixel, lit);
+            return lit(primary_ray(blocks, column, row, {Real(0.5), Real(0.5)}));
+        }
+        if (const Panel& p = layout.paths; p.contains(x, y))
+            return render_pixel(large, world, scene.materials, scene.sky, ending, quality,
+                                x - p.left, y - p.top);
+        return sheet_color;
     });
-    return {image, rays};
+    return {std::move(image), rays};
 }
 
-void run_study(study::Report&) {}
+app::Picture render(const app::Settings& settings, app::Progress& progress) {
+    const std::string& ending = settings.picked.front();
+    if (ending == "black") return render_with(BlackEnding{}, settings, progress);
+    if (ending == "roulette") return render_with(RouletteEnding{}, settings, progress);
+    return render_with(SkyEnding{}, settings, progress);
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
     app::Settings defaults;
-    defaults.spp = 16;
+    defaults.width = 800;
+    defaults.height = 450;
+    defaults.spp = 100;
     defaults.depth = 16;
     defaults.seed = 1;
     return app::run(argc, argv,
                     {.name = "04_normals_aa",
-                     .about = "",
+                     .about = "normals as colors, one light, one sample against many, and paths",
                      .defaults = defaults,
                      .render = render,
-                     .study = run_study});
+                     .study = normals_aa::study_samples_and_depth,
+                     .choices = {{"ending",
+                                  "What becomes of a path at the depth limit",
+                                  {"sky", "black", "roulette"}}}});
 }

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <rt/image_file.hpp>
-#include <rt/todo.hpp>
 #include <study/report.hpp>
 #include <system_error>
 
@@ -17,10 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr int max_side = 65'536;
 constexpr std::int64_t max_pixels = 67'108'864;  // 2^26: 1.5 GiB of colours in double
-
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 // Refuses what is not a whole number within the range, and says what would be right.
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
@@ -37,22 +33,38 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
 
 // Checks before the work starts that the image can be written, so that none is lost at its end.
 void check_output(const fs::path& path) {
+    const std::string name = "--out: " + path.string();
     if (path.empty()) throw UsageError("--out: needs a file name that ends in .png or .ppm");
-    const auto status = fs::status(path);
-    if (fs::is_directory(status))
-        throw UsageError("--out: " + path.string() + " is a folder; name a file in it");
+    std::error_code error;
+    const auto status = fs::status(path, error);
+    if (!fs::status_known(status)) throw Failure(name + ": " + error.message());
+    if (fs::is_directory(status)) throw UsageError(name + " is a folder; name a file in it");
     const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
     const std::string extension = path.extension().string();
     if (extension != ".png" && extension != ".ppm" && !is_device)
-        throw UsageError("--out: " + path.string() +
-                         " has no extension that is known; use .png or .ppm");
+        throw UsageError(name + " has no extension that is known; use .png or .ppm");
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path{"."};
-    if (!fs::is_directory(folder))
-        throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
-                                "--out: the folder " + folder.string() + " is not there");
+    if (!fs::is_directory(folder, error))
+        throw Failure("--out: the folder " + folder.string() +
+                      " is not there; make it, or name another one");
+    if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
+        throw Failure(name + " is there and cannot be replaced (" + std::strerror(errno) +
+                      "); name another file");
     if (!is_device && ::access(folder.c_str(), W_OK) != 0)
-        throw std::system_error(errno, std::generic_category(),
-                                "--out: the folder " + folder.string() + " cannot be written to");
+        throw Failure("--out: the folder " + folder.string() + " cannot be written to (" +
+                      std::strerror(errno) + "); name another one");
+}
+
+void write_image(const Program& program, const fs::path& path, const rt::Image& image) {
+    const auto encode_ppm = program.encode_ppm ? program.encode_ppm : rt::encode_ppm;
+    const std::string bytes =
+        path.extension() == ".png" ? rt::encode_png(image) : encode_ppm(image);
+    try {
+        rt::replace_file(path, bytes);
+    } catch (const std::system_error& error) {
+        throw Failure("--out: " + path.string() + " cannot be written (" + error.code().message() +
+                      "); make room there, or name another place");
+    }
 }
 
 std::string count(double number, const char* unit) {
@@ -75,9 +87,7 @@ void draw_picture(const Program& program, const Settings& settings, const fs::pa
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
-    const bool as_png = path.extension() == ".png";
-    const auto encode_ppm = program.encode_ppm ? program.encode_ppm : rt::encode_ppm;
-    rt::replace_file(path, as_png ? rt::encode_png(picture.image) : encode_ppm(picture.image));
+    write_image(program, path, picture.image);
     if (quiet) return;
     const auto rays = static_cast<double>(picture.rays);
     // The report must not end up in an image that goes to the standard output.
@@ -91,12 +101,21 @@ void draw_picture(const Program& program, const Settings& settings, const fs::pa
 }
 
 void run_study(const Program& program, const fs::path& folder, bool quiet) {
+    const auto fail = [&](const std::error_code& error) {
+        throw Failure("--study: " + folder.string() + " cannot be written to (" + error.message() +
+                      "); name another folder");
+    };
+    if (folder.empty()) throw UsageError("--study: needs the name of a folder");
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw std::system_error(error, "--study: " + folder.string());
+    if (error) fail(error);
     study::Report report{program.name};
     program.study(report);
-    report.write_csv(folder);
+    try {
+        report.write_csv(folder);
+    } catch (const std::system_error& full) {
+        fail(full.code());
+    }
     if (!quiet) report.print_table(stdout);
 }
 
@@ -124,6 +143,13 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
         options.add_option("--seed", seed, "Seed of everything random")
             ->check(whole_number(0, UINT64_MAX))
             ->capture_default_str();
+    for (const Choice& choice : program.choices) settings.picked.push_back(choice.words.front());
+    for (std::size_t i = 0; i < program.choices.size(); ++i)
+        options
+            .add_option("--" + program.choices[i].name, settings.picked[i],
+                        program.choices[i].about)
+            ->check(CLI::IsMember(program.choices[i].words))
+            ->capture_default_str();
     options.add_flag("--quiet", quiet, "Print nothing but errors");
     if (program.study)
         options.add_option("--study", study_folder,
@@ -142,10 +168,10 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
                          std::to_string(settings.height) + " is more than " +
                          std::to_string(max_pixels) + " pixels");
 
-    if (study_folder.empty())
-        draw_picture(program, settings, out, quiet);
-    else
+    if (program.study && options.count("--study") > 0)
         run_study(program, study_folder, quiet);
+    else
+        draw_picture(program, settings, out, quiet);
     return done;
 }
 
@@ -173,19 +199,7 @@ void Progress::step() {
 }
 
 int run(int argc, const char* const* argv, const Program& program) {
-    const auto fail = [&](const std::string& what, ExitCode code) {
-        std::fprintf(stderr, "%s: %s\n", program.name.c_str(), what.c_str());
-        return code;
-    };
-    try {
-        return run_or_throw(argc, argv, program);
-    } catch (const UsageError& error) {
-        return fail(error.what(), bad_input);
-    } catch (const rt::NotImplemented& error) {
-        return fail(error.what(), still_to_write);
-    } catch (const std::exception& error) {
-        return fail(error.what(), could_not);
-    }
+    return run_or_explain(program.name, [&] { return run_or_throw(argc, argv, program); });
 }
 
 }  // namespace app

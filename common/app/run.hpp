@@ -2,26 +2,20 @@
 // What every chapter's program shares: reading the command line, a progress bar, writing the image,
 // saying how long it took, and ending with the right exit code.
 
+#include <app/errors.hpp>
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <rt/image.hpp>
 #include <string>
+#include <vector>
 
 namespace study {
 class Report;
 }
 
 namespace app {
-
-// Exit codes of all programs of the course.
-enum ExitCode {
-    done = 0,
-    could_not = 1,      // the disk is full, a permission is missing, ...
-    bad_input = 2,      // the command line or an input file is wrong
-    still_to_write = 3  // the program needs an exercise that is not written yet
-};
 
 // What the person asked for. A program that sets a default to 0 has no such option, so
 // the samples of a program without randomness cannot be asked for.
@@ -32,6 +26,14 @@ struct Settings {
     int depth = 0;     // the most bounces of a path
     int threads = 0;
     std::optional<std::uint64_t> seed;  // of everything random
+    std::vector<std::string> picked;    // the word of each of the program's choices, in their order
+};
+
+// An option of one program alone, which takes one of a few words: --ending sky|black|roulette.
+struct Choice {
+    std::string name;                // without the dashes
+    std::string about;               // what is chosen
+    std::vector<std::string> words;  // the first is the default
 };
 
 // Counts the work that is done, for the progress bar. May be called from several threads.
@@ -66,6 +68,7 @@ struct Program {
     void (*study)(study::Report&);
     // How a .ppm file is encoded, where the chapter brings its own way.
     std::string (*encode_ppm)(const rt::Image&) = nullptr;
+    std::vector<Choice> choices = {};
 };
 
 // Runs the program as main() should. Every error is one line on stderr.

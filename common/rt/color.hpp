@@ -14,9 +14,9 @@ struct Color {
 
     friend constexpr bool operator==(const Color&, const Color&) = default;
 
-    friend constexpr Color operator+(Color a, Color b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-    friend constexpr Color operator-(Color a, Color b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
-    friend constexpr Color operator*(Color a, Color b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
+    friend constexpr Color operator+(Color p, Color q) { return {p.r + q.r, p.g + q.g, p.b + q.b}; }
+    friend constexpr Color operator-(Color p, Color q) { return {p.r - q.r, p.g - q.g, p.b - q.b}; }
+    friend constexpr Color operator*(Color p, Color q) { return {p.r * q.r, p.g * q.g, p.b * q.b}; }
     friend constexpr Color operator*(Color c, Real s) { return {c.r * s, c.g * s, c.b * s}; }
     friend constexpr Color operator*(Real s, Color c) { return c * s; }
     friend constexpr Color operator/(Color c, Real s) { return {c.r / s, c.g / s, c.b / s}; }

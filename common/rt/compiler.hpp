@@ -5,3 +5,7 @@
 // std::source_location, which clang 14 lacks; g++, clang++ and MSVC all have these two.
 #define RT_CALLER_FILE __builtin_FILE()
 #define RT_CALLER_LINE __builtin_LINE()
+
+// Makes the compiler believe that somebody reads all of this value, and may have changed whatever
+// memory holds: neither it nor the work that led to it can be left out or done once for all.
+#define RT_KEEP(value) asm volatile("" : : "r"(&(value)) : "memory")

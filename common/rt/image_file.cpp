@@ -1,8 +1,12 @@
 #include <stb_image_write.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 #include <random>
 #include <rt/image_file.hpp>
 #include <stdexcept>
@@ -24,21 +28,64 @@ std::vector<std::uint8_t> to_bytes(const Image& image) {
     return bytes;
 }
 
-[[noreturn]] void fail(int error, const fs::path& path) {
-    throw std::system_error(error, std::generic_category(), path.string());
+[[noreturn]] void fail(int error) {
+    throw std::system_error(error ? error : EIO, std::generic_category());
 }
 
-void write_to(const fs::path& path, const std::string& bytes) {
-    std::FILE* const file = std::fopen(path.string().c_str(), "wb");
-    if (!file) fail(errno, path);
+// mode "w" writes to what is there, "wx" to a new file only.
+void write_to(const fs::path& path, const std::string& bytes, const char* mode) {
+    std::FILE* const file = std::fopen(path.c_str(), mode);
+    if (!file) fail(errno);
     errno = 0;
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
     const int write_error = errno;
+    errno = 0;
     // The last bytes are written on closing, so a full disk may show only here.
     const bool closed = std::fclose(file) == 0;
-    if (!written) fail(write_error ? write_error : EIO, path);
-    if (!closed) fail(errno, path);
+    if (!written) fail(write_error);
+    if (!closed) fail(errno);
 }
+
+// The file that a path means: through links the one that they point to, there or not.
+fs::path behind_links(fs::path path) {
+    for (int links = 0; fs::is_symlink(fs::symlink_status(path)); ++links) {
+        if (links == 40) fail(ELOOP);
+        path = path.parent_path() / fs::read_symlink(path);
+    }
+    return path;
+}
+
+// The file that Ctrl-C and the like must not leave behind, while there is one.
+std::atomic<const char*> unfinished = nullptr;
+
+extern "C" void remove_unfinished(int signal) {
+    if (const char* const path = unfinished) ::unlink(path);
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+// While it lives, an interruption of the program removes the file before it takes effect.
+class RemovedOnInterrupt {
+  public:
+    explicit RemovedOnInterrupt(const fs::path& path) {
+        unfinished = path.c_str();
+        for (std::size_t i = 0; i < std::size(signals); ++i) {
+            before_[i] = std::signal(signals[i], remove_unfinished);
+            // Whoever chose to ignore it (nohup) still does.
+            if (before_[i] != SIG_DFL) std::signal(signals[i], before_[i]);
+        }
+    }
+    ~RemovedOnInterrupt() {
+        for (std::size_t i = 0; i < std::size(signals); ++i) std::signal(signals[i], before_[i]);
+        unfinished = nullptr;
+    }
+    RemovedOnInterrupt(const RemovedOnInterrupt&) = delete;
+    RemovedOnInterrupt& operator=(const RemovedOnInterrupt&) = delete;
+
+  private:
+    static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+    void (*before_[std::size(signals)])(int);
+};
 
 }  // namespace
 
@@ -63,15 +110,16 @@ std::string encode_ppm(const Image& image) {
 
 void replace_file(const fs::path& path, const std::string& bytes) {
     const fs::file_status status = fs::status(path);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, bytes);
+    if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, bytes, "w");
 
-    // Through a link the file that it points to is replaced, not the link.
-    const fs::path target = fs::exists(status) ? fs::canonical(path) : path;
-    fs::path temporary = target;
+    const fs::path target = behind_links(path);
     // A name of its own, so that two programs that write the same image do not meet.
-    temporary += ".part" + std::to_string(std::random_device{}());
+    const fs::path temporary =
+        target.parent_path() / ("." + std::to_string(std::random_device{}()) + ".part");
+    const RemovedOnInterrupt guard{temporary};
     try {
-        write_to(temporary, bytes);
+        write_to(temporary, bytes, "wx");
+        if (fs::exists(status)) fs::permissions(temporary, status.permissions());
         fs::rename(temporary, target);
     } catch (const std::system_error&) {
         std::error_code ignored;

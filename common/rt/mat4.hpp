@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <ostream>
 #include <rt/vec3.hpp>
 
 namespace rt {
@@ -15,6 +16,12 @@ struct Mat4 {
     constexpr Real operator()(int row, int column) const { return rows[index(row)][index(column)]; }
 
     friend constexpr bool operator==(const Mat4&, const Mat4&) = default;
+
+    friend std::ostream& operator<<(std::ostream& out, const Mat4& m) {
+        for (const auto& row : m.rows)
+            out << row[0] << ' ' << row[1] << ' ' << row[2] << ' ' << row[3] << '\n';
+        return out;
+    }
 
   private:
     static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }

@@ -3,6 +3,7 @@
 // against. Slow and exact enough; never used to draw a picture.
 
 #include <cmath>
+#include <type_traits>
 
 namespace study {
 
@@ -14,7 +15,9 @@ struct DoubleDouble {
     double high = 0, low = 0;
 
     constexpr DoubleDouble() = default;
-    constexpr DoubleDouble(double value) : high{value} {}
+    template <class Number>
+        requires std::is_arithmetic_v<Number>
+    constexpr DoubleDouble(Number value) : high{static_cast<double>(value)} {}
     constexpr DoubleDouble(double h, double l) : high{h}, low{l} {}
 
     // Knuth's two-sum: a + b exactly, for any a and b.
@@ -30,10 +33,10 @@ struct DoubleDouble {
 
     friend DoubleDouble operator-(DoubleDouble a) { return {-a.high, -a.low}; }
     friend DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
-        const DoubleDouble high = sum(a.high, b.high);
-        const DoubleDouble low = sum(a.low, b.low);
-        const DoubleDouble t = sum(high.high, high.low + low.high);
-        return sum(t.high, t.low + low.low);
+        const DoubleDouble highs = sum(a.high, b.high);
+        const DoubleDouble lows = sum(a.low, b.low);
+        const DoubleDouble t = sum(highs.high, highs.low + lows.high);
+        return sum(t.high, t.low + lows.low);
     }
     friend DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + -b; }
     friend DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {

@@ -1,7 +1,7 @@
 #include <fstream>
 #include <rt/image_file.hpp>
 #include <rt/real.hpp>
-#include <sstream>
+#include <study/csv.hpp>
 #include <study/report.hpp>
 #include <type_traits>
 
@@ -10,34 +10,25 @@ namespace {
 
 constexpr const char* header = "study,variant,precision,x,x_name,error,error_name,cost,cost_name\n";
 
-// A field with commas or quotes goes between quotes, as RFC 4180 has it.
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + '"';
-}
-
 std::string number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);
     return text;
 }
 
-std::string to_line(const Row& row) {
-    return field(row.study) + ',' + field(row.variant) + ',' + precision() + ',' + number(row.x) +
-           ',' + field(row.x_name) + ',' + number(row.error) + ',' + field(row.error_name) + ',' +
-           number(row.cost) + ',' + field(row.cost_name) + '\n';
+using Line = std::vector<std::string>;
+constexpr std::size_t precision_column = 2;
+
+Line to_line(const Row& row) {
+    return {row.study,         row.variant,    precision(),      number(row.x), row.x_name,
+            number(row.error), row.error_name, number(row.cost), row.cost_name};
 }
 
-// The rows of an earlier run of the program that was built with the other precision.
-std::string rows_of_other_precision(const std::filesystem::path& path) {
-    const std::string other = precision() == "float" ? ",double," : ",float,";
-    std::ifstream in{path};
-    std::string kept;
-    for (std::string line; std::getline(in, line);)
-        if (line.find(other) != std::string::npos) kept += line + '\n';
-    return kept;
+std::string to_text(const Line& line) {
+    std::string text;
+    for (const std::string& field : line) text += csv_field(field) + ',';
+    text.back() = '\n';
+    return text;
 }
 
 }  // namespace
@@ -50,8 +41,14 @@ Report::Report(std::string chapter) : chapter_{std::move(chapter)} {}
 
 void Report::write_csv(const std::filesystem::path& folder) const {
     const auto path = folder / (chapter_ + ".csv");
-    std::string text = header + rows_of_other_precision(path);
-    for (const Row& row : rows_) text += to_line(row);
+    std::string text = header;
+    // The rows of an earlier run of the program that was built with the other precision.
+    const std::string other = precision() == "float" ? "double" : "float";
+    std::ifstream in{path};
+    for (const Line& line : read_csv(in))
+        if (line.size() > precision_column && line[precision_column] == other)
+            text += to_text(line);
+    for (const Row& row : rows_) text += to_text(to_line(row));
     rt::replace_file(path, text);
 }
 

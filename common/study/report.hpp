@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <rt/compiler.hpp>
 #include <string>
 #include <vector>
 
@@ -49,8 +50,7 @@ std::string precision();
 // Keeps the compiler from leaving out the computation of a value that nobody reads.
 template <class T>
 void keep(const T& value) {
-    [[maybe_unused]] static volatile unsigned char sink;
-    sink = *reinterpret_cast<const volatile unsigned char*>(&value);
+    RT_KEEP(value);
 }
 
 // The time of one call in nanoseconds: of `runs` timings, each of which calls work() often enough

@@ -20,8 +20,8 @@ void check_length(const exact::Length& row) {
     INFO("length(" << text(v) << ")");
     HINT(row.length, computed,
          is_ordinary(row) ? "the length is the square root of v . v"
-                          : "v . v overflows or underflows here: scale v first by split_scale, and "
-                            "scale the result back by std::scalbn");
+                          : "v . v overflows or loses digits to underflow here: scale v first by "
+                            "split_scale, and scale the result back by std::scalbn");
     REQUIRE(error_in_ulp(computed, row.length) <= 2.5);
 }
 
@@ -62,15 +62,25 @@ TEST_CASE("01.3 normalize works on huge and tiny vectors", "[01.3][hard]") {
 TEST_CASE("01.3 the smallest and the largest numbers have a length", "[01.3][hard]") {
     const Real smallest = std::numeric_limits<Real>::denorm_min();
     const Real largest = std::numeric_limits<Real>::max();
-    CHECK(rt::length({smallest, 0, 0}) == smallest);
-    CHECK(rt::length({0, largest, 0}) == largest);
-    CHECK(rt::length({0, 0, 0}) == 0);
-    CHECK(rt::normalize({0, 0, -smallest}) == Vec3{0, 0, -1});
-    CHECK(rt::normalize({largest, 0, 0}) == Vec3{1, 0, 0});
+    for (const Real size : {Real(0), smallest, largest})
+        for (const Vec3 v : {Vec3{size, 0, 0}, Vec3{0, size, 0}, Vec3{0, 0, -size}}) {
+            const Real computed = rt::length(v);
+            INFO("length(" << text(v) << ")");
+            HINT(size, computed, "scale v first by split_scale, and scale the result back");
+            CHECK((computed == size));
+            if (size == 0) continue;
+            const Vec3 expected{v.x / size, v.y / size, v.z / size}, unit = rt::normalize(v);
+            INFO("normalize(" << text(v) << ")");
+            HINT(expected, unit, "scale v first by split_scale; its direction stays the same");
+            CHECK((unit == expected));
+        }
 }
 
 TEST_CASE("01.3 a vector without direction is refused", "[01.3][hard]") {
-    INFO("Hint: throw std::domain_error(\"why\") where the vector is zero or not finite");
+    INFO(
+        "Hint: throw std::domain_error(\"why\") where the vector is zero, infinite or not a "
+        "number; "
+        "is_finite(v) tells");
     CHECK_THROWS_AS(rt::normalize({0, 0, 0}), std::domain_error);
     CHECK_THROWS_AS(rt::normalize({1, rt::infinity, 0}), std::domain_error);
     CHECK_THROWS_AS(rt::normalize({1, std::numeric_limits<Real>::quiet_NaN(), 0}),

@@ -23,8 +23,8 @@ TEST_CASE("01.4 tiny and huge vectors have a side too", "[01.4][hard]") {
     const Real tiny = real(for_this_precision(1e-30, 1e-200));
     const Real huge = 1 / tiny;
     INFO(
-        "Hint: the product of two tiny numbers underflows to 0; split_scale(v).v has the same "
-        "direction as v and an ordinary size");
+        "Hint: the product of two tiny numbers underflows to 0, that of two huge ones is infinite; "
+        "split_scale(v).v has the same direction as v and an ordinary size");
     CHECK(rt::facing({tiny, 0, 0}, {tiny, tiny, 0}) == 1);
     CHECK(rt::facing({tiny, 0, 0}, {-tiny, tiny, 0}) == -1);
     CHECK(rt::facing({huge, huge, 0}, {huge, -huge, 0}) == 0);

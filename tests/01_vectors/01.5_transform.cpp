@@ -56,7 +56,9 @@ TEST_CASE("01.5 a normal takes the columns of the inverse and does not move", "[
 TEST_CASE("01.5 the product of two maps applies the right one first", "[01.5]") {
     const Mat4 move = rt::translation({1, 0, 0}), stretch = rt::scaling({2, 3, 4});
     const Mat4 moved_last = rt::multiply(move, stretch), moved_first = rt::multiply(stretch, move);
-    INFO("Hint: entry (row, column) is the sum over k of a(row, k) b(k, column)");
+    INFO(
+        "Hint: entry (row, column) is the sum over k of a(row, k) b(k, column), and the sum starts "
+        "at 0");
     CHECK(moved_last == Mat4{{{{2, 0, 0, 1}, {0, 3, 0, 0}, {0, 0, 4, 0}, {0, 0, 0, 1}}}});
     CHECK(moved_first == Mat4{{{{2, 0, 0, 2}, {0, 3, 0, 0}, {0, 0, 4, 0}, {0, 0, 0, 1}}}});
 }

@@ -16,13 +16,15 @@ double dot_error(Vec3 a, Vec3 b, double expected) {
 
 // w itself is a unit vector only within 3.5 epsilon; building u and v adds at most 9 roundings.
 void check_basis(Vec3 w) {
+    CAPTURE(text(w));
     const rt::Basis basis = rt::orthonormal_basis(w);
     const auto& [u, v, kept] = basis;
     const double allowed = 8;
-    INFO("w = " << text(w) << ": u = " << text(u) << ", v = " << text(v));
+    INFO("u = " << text(u) << ", v = " << text(v)
+                << " (the numbers compared below are in units of epsilon)");
     REQUIRE(kept == w);
     {
-        INFO("Hint: u and v must have length 1");
+        INFO("Hint: u and v must have length 1; where w.z is near -1, 1 + w.z has lost digits");
         REQUIRE(dot_error(u, u, 1) <= allowed);
         REQUIRE(dot_error(v, v, 1) <= allowed);
     }

@@ -8,7 +8,9 @@ def lengths(precision):
     far = 30 if precision == "float" else 200
     vectors = [[1, 0, 0], [0, -2, 0], [3, 4, 0], [2, 3, 6], [-1, 1, 1]]
     vectors += [random_vector(rng, rounded) for _ in range(200)]
-    for e in (-far, -far // 2, -19, 19, far // 2, far):
+    # Where the squares become subnormal numbers, which hold fewer digits the smaller they are.
+    fading = (-19, -20, -21, -22) if precision == "float" else (-155, -157, -159, -161)
+    for e in (-far, -far // 2, *fading, 19, far // 2, far):
         vectors += [[rounded(3 * 10.0**e), 0, rounded(4 * 10.0**e)]]
         vectors += [random_vector(rng, rounded, e - 1, e + 1) for _ in range(20)]
     vectors += [[rounded(10.0**far), rounded(10.0**-far), 1], [1, rounded(10.0**-far), 0]]

@@ -3,18 +3,25 @@
 #include <rt/cross.hpp>
 #include <rt/length.hpp>
 #include <rt/orthonormal_basis.hpp>
+#include <stdexcept>
 
 namespace rt {
 
 // The basis of a camera at `from` that looks at `at`, along -w; u points right, v up in the
-// picture. v lies in the plane of w and up. Where the view is parallel to up, no such plane exists,
-// and u and v are any that fit. Throws std::domain_error when from equals at or up is zero.
+// picture. v lies in the plane of w and up. Where the view is parallel to up, there is no such
+// plane, and u and v are any that fit. Throws std::domain_error when from equals at, up is zero, or
+// a number is not finite.
 inline Basis look_at(Vec3 from, Vec3 at, Vec3 up) {
-    const Vec3 w = normalize(from - at);
-    const Vec3 right = cross(normalize(up), w);
-    // w and the unit vector along up have rounding errors of up to 3 units in the last place each.
-    // A cross product no longer than those points nowhere in particular.
-    if (length(right) <= rounding_bound(12)) return orthonormal_basis(w);
+    const Vec3 back = from - at;
+    if (back == Vec3{} || !is_finite(back))
+        throw std::domain_error("look_at: the camera must look at a point other than its own");
+    if (up == Vec3{} || !is_finite(up))
+        throw std::domain_error("look_at: up must be a direction, not zero");
+    const Vec3 w = normalize(back);
+    // Not normalize(up) and w: rounding them to length 1 turns each a little, and where the two are
+    // nearly parallel that little is all there is between them. Powers of two round nothing.
+    const Vec3 right = cross(split_scale(up).v, split_scale(back).v);
+    if (right == Vec3{}) return orthonormal_basis(w);
     const Vec3 u = normalize(right);
     return {u, cross(w, u), w};
 }

@@ -1,13 +1,13 @@
 #pragma once
 #include <rt/camera.hpp>
 #include <rt/length.hpp>
+#include <rt/pixel.hpp>
 #include <rt/ray.hpp>
-#include <rt/viewport.hpp>
 
 namespace rt {
 
-// The ray from the eye through a place of a pixel (see pixel_to_viewport). Its direction has
-// length 1.
+// The ray from the eye through a place of a pixel (see pixel_to_viewport). Its direction has length
+// 1; each component is within 7 units in the last place of 1.
 inline Ray primary_ray(const Camera& camera, int column, int row, Vec2 offset) {
     const Vec2 p = pixel_to_viewport(camera, column, row, offset);
     return {camera.eye, normalize(camera.basis.to_world({p.x, p.y, -1}))};

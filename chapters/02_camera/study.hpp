@@ -1,0 +1,234 @@
+#pragma once
+// What accuracy costs in this chapter: ways to map a pixel, to make its ray, and to find the basis.
+
+#include <array>
+#include <cmath>
+#include <rt/make_camera.hpp>
+#include <rt/primary_ray.hpp>
+#include <rt/rng.hpp>
+#include <study/double_double.hpp>
+#include <study/report.hpp>
+#include <vector>
+
+namespace camera_study {
+
+using rt::Camera;
+using rt::Real;
+using rt::Vec2;
+using rt::Vec3;
+using study::DoubleDouble;
+
+// Vectors with twice the digits, as the reference.
+struct Exact3 {
+    DoubleDouble x, y, z;
+
+    Exact3(DoubleDouble a, DoubleDouble b, DoubleDouble c) : x{a}, y{b}, z{c} {}
+    Exact3(Vec3 v) : x{v.x}, y{v.y}, z{v.z} {}
+
+    friend Exact3 operator+(Exact3 a, Exact3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Exact3 operator*(DoubleDouble s, Exact3 v) { return {s * v.x, s * v.y, s * v.z}; }
+};
+inline DoubleDouble length(Exact3 v) {
+    return sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+inline Exact3 cross(Exact3 a, Exact3 b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+// The sine of the angle between two vectors, which for such small angles is the angle.
+inline double angle(Exact3 a, Exact3 b) {
+    return (length(cross(a, b)) / (length(a) * length(b))).high;
+}
+
+// ---- Pixel mappings
+
+inline Vec2 subtract_late(const Camera& c, int column, int row, Vec2 offset) {
+    const Real right = (static_cast<Real>(column) + offset.x) / static_cast<Real>(c.width);
+    const Real down = (static_cast<Real>(row) + offset.y) / static_cast<Real>(c.height);
+    return {(right - Real(0.5)) * c.viewport.width, (Real(0.5) - down) * c.viewport.height};
+}
+inline Vec2 width_minus_one(const Camera& c, int column, int row, Vec2 offset) {
+    const Real right = (static_cast<Real>(column) + offset.x) / static_cast<Real>(c.width - 1);
+    const Real down = (static_cast<Real>(row) + offset.y) / static_cast<Real>(c.height - 1);
+    return {(right - Real(0.5)) * c.viewport.width, (Real(0.5) - down) * c.viewport.height};
+}
+// Without the half: it looks symmetric, and is half a pixel off at both edges.
+inline Vec2 posts_of_a_fence(const Camera& c, int column, int row, Vec2 offset) {
+    return width_minus_one(c, column, row, {offset.x - Real(0.5), offset.y - Real(0.5)});
+}
+
+inline Exact3 exact_viewport_point(const Camera& c, int column, int row, Vec2 offset) {
+    const DoubleDouble width = c.width, height = c.height;
+    const DoubleDouble x = DoubleDouble(column) + DoubleDouble(offset.x) - width / 2;
+    const DoubleDouble y = height / 2 - DoubleDouble(row) - DoubleDouble(offset.y);
+    return {x / width * DoubleDouble(c.viewport.width),
+            y / height * DoubleDouble(c.viewport.height), -1};
+}
+
+// The time that one takes, of 960. Each result is used before the next is made, as a ray tracer
+// does: else the compiler would make several at once.
+template <class T, class F>
+double time_each(F make) {
+    std::vector<T> results(960);
+    const auto fill = [&] {
+        for (std::size_t i = 0; i < results.size(); ++i) {
+            results[i] = make(static_cast<int>(i));
+            study::keep(results[i]);
+        }
+    };
+    return study::time_ns(fill, 15) / static_cast<double>(results.size());
+}
+
+template <auto map>  // the function is a template's argument so that the compiler can inline it
+void measure_mapping(study::Report& report, const char* variant) {
+    Camera camera;
+    camera.viewport = {Real(1.7), Real(1.7)};
+    camera.width = camera.height = 960;
+    const Vec2 middle{Real(0.5), Real(0.5)};
+    const double cost = time_each<Vec2>([&](int i) { return map(camera, i, 7 * i % 540, middle); });
+    for (const int width : {2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10'000}) {
+        camera.width = camera.height = width;
+        double worst = 0;
+        for (int column = 0; column < width; ++column) {
+            const DoubleDouble exact = exact_viewport_point(camera, column, column, middle).x;
+            const Vec2 p = map(camera, column, column, middle);
+            const double off = (exact - DoubleDouble(p.x)).high;
+            worst = std::max(worst, std::abs(off) / double{camera.viewport.width} * width);
+        }
+        report.add({"pixel mapping", variant, static_cast<double>(width), "width / pixels", worst,
+                    "largest error / pixels", cost, "time per pixel / ns"});
+    }
+}
+
+// ---- Rays
+
+inline Vec3 direction(const Camera& camera, Vec2 p) {
+    return camera.basis.to_world({p.x, p.y, -1});
+}
+
+// A camera with what the ray by steps needs: the viewport's corner and the way from pixel to pixel.
+struct Steps {
+    Vec3 corner, to_right, down;
+
+    explicit Steps(const Camera& c)
+        : corner{c.basis.to_world({-c.viewport.width / 2, c.viewport.height / 2, -1})},
+          to_right{c.viewport.width / static_cast<Real>(c.width) * c.basis.u},
+          down{-c.viewport.height / static_cast<Real>(c.height) * c.basis.v} {}
+
+    Vec3 direction(int column, int row, Vec2 offset) const {
+        return corner + (static_cast<Real>(column) + offset.x) * to_right +
+               (static_cast<Real>(row) + offset.y) * down;
+    }
+};
+
+// make(camera) gives the function that is measured: from column, row and offset to a direction.
+template <class Make>
+void measure_rays(study::Report& in_pixels, study::Report& in_ulp, const char* variant, Make make) {
+    const auto camera_of = [](double fov_deg) {
+        const Real fov = static_cast<Real>(fov_deg * std::numbers::pi / 180);
+        return rt::make_camera({{3, 2, 5}, {-1, Real(0.5), -2}, {0, 1, 0}, fov}, 960, 540);
+    };
+    const Vec2 middle{Real(0.5), Real(0.5)};
+    const Camera timed = camera_of(50);
+    const auto ray_of_timed = make(timed);
+    const double cost =
+        time_each<Vec3>([&](int i) { return ray_of_timed(i, 7 * i % 540, middle); });
+    for (const double fov_deg :
+         {0.001, 0.01, 0.1, 1.0, 10.0, 50.0, 90.0, 140.0, 170.0, 179.0, 179.9}) {
+        const Camera camera = camera_of(fov_deg);
+        const auto ray = make(camera);
+        const auto exact = [&](int column, int row) {
+            const Exact3 p = exact_viewport_point(camera, column, row, middle);
+            return p.x * Exact3(camera.basis.u) + p.y * Exact3(camera.basis.v) +
+                   p.z * Exact3(camera.basis.w);
+        };
+        double pixels = 0, ulp = 0;
+        for (int row = 0; row < camera.height; row += 11)
+            for (int column = 0; column < camera.width; column += 13) {
+                const Exact3 e = exact(column, row);
+                const double error = angle(ray(column, row, middle), e);
+                const double pixel =
+                    std::min(angle(exact(column + 1, row), e), angle(exact(column, row + 1), e));
+                pixels = std::max(pixels, error / pixel);
+                ulp = std::max(ulp, error / double{rt::epsilon});
+            }
+        in_pixels.add({"ray direction", variant, fov_deg, "field of view / degrees", pixels,
+                       "largest error / pixels", cost, "time per ray / ns"});
+        in_ulp.add({"ray rounding", variant, fov_deg, "field of view / degrees", ulp,
+                    "largest error / ulp of 1", cost, "time per ray / ns"});
+    }
+}
+
+// ---- The basis
+
+inline rt::Basis normalise_first(Vec3 from, Vec3 at, Vec3 up) {
+    const Vec3 w = rt::normalize(from - at);
+    const Vec3 right = rt::cross(rt::normalize(up), w);
+    if (right == Vec3{}) return rt::orthonormal_basis(w);
+    const Vec3 u = rt::normalize(right);
+    return {u, rt::cross(w, u), w};
+}
+
+template <auto look_at>
+void measure_look_at(study::Report& report, const char* variant) {
+    rt::Rng rng{1, 2};
+    const auto random = [&] {
+        return Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+    };
+    const double cost = time_each<rt::Basis>([&](int i) {
+        return look_at({3, 2, static_cast<Real>(i)}, {-1, Real(0.5), -2}, {0, 1, 0});
+    });
+    const int decades = std::numeric_limits<Real>::digits10 + 1;
+    for (int decade = 0; decade < decades; ++decade) {
+        const Real small = std::pow(Real(10), static_cast<Real>(-decade));
+        double worst = 0;
+        for (int i = 0; i < 400; ++i) {
+            const Vec3 up = rt::normalize(random()),
+                       from = 3 * up + 3 * small * rt::cross(up, random());
+            const Exact3 right = cross(Exact3(up), Exact3(from));
+            if (!(0 < length(right))) continue;
+            worst = std::max(worst, angle(look_at(from, {0, 0, 0}, up).u, right));
+        }
+        report.add({"look-at", variant, double{small}, "angle between view and up / radians",
+                    worst / double{rt::epsilon}, "largest error of u / ulp of 1", cost,
+                    "time per basis / ns"});
+    }
+}
+
+inline void run(study::Report& report) {
+    measure_mapping<rt::pixel_to_viewport>(report, "as written");
+    measure_mapping<subtract_late>(report, "1/2 subtracted late");
+    measure_mapping<width_minus_one>(report, "(i + 1/2) / (width - 1)");
+    measure_mapping<posts_of_a_fence>(report, "i / (width - 1)");
+
+    study::Report in_ulp{"02_camera"};
+    measure_rays(report, in_ulp, "as written", [](const Camera& c) {
+        return [=](int x, int y, Vec2 o) { return rt::primary_ray(c, x, y, o).direction; };
+    });
+    measure_rays(report, in_ulp, "not normalised", [](const Camera& c) {
+        return
+            [=](int x, int y, Vec2 o) { return direction(c, rt::pixel_to_viewport(c, x, y, o)); };
+    });
+    measure_rays(report, in_ulp, "times 1 / sqrt", [](const Camera& c) {
+        return [=](int x, int y, Vec2 o) {
+            const Vec3 d = direction(c, rt::pixel_to_viewport(c, x, y, o));
+            return d * (1 / std::sqrt(dot(d, d)));
+        };
+    });
+    measure_rays(report, in_ulp, "1/2 subtracted late", [](const Camera& c) {
+        return [=](int x, int y, Vec2 o) {
+            return normalize(direction(c, subtract_late(c, x, y, o)));
+        };
+    });
+    measure_rays(report, in_ulp, "steps from the corner", [](const Camera& c) {
+        return [steps = Steps(c)](int x, int y, Vec2 o) {
+            return normalize(steps.direction(x, y, o));
+        };
+    });
+
+    for (const study::Row& row : in_ulp.rows()) report.add(row);
+
+    measure_look_at<rt::look_at>(report, "as written");
+    measure_look_at<normalise_first>(report, "normalised first");
+}
+
+}  // namespace camera_study

@@ -1,0 +1,134 @@
+#pragma once
+// What it costs to know where a far sphere is hit, and whether it is hit at all.
+
+#include <rt/length.hpp>
+#include <rt/orthonormal_basis.hpp>
+#include <rt/rng.hpp>
+#include <study/double_double.hpp>
+#include <study/report.hpp>
+#include <vector>
+
+#include "variants.hpp"
+
+namespace spheres {
+
+using rt::Ray, rt::Real, rt::Sphere, rt::Vec3;
+using study::DoubleDouble;
+
+// A ray at the unit sphere around (0, 0, 0), and what is true of it.
+struct Case {
+    Ray ray;
+    DoubleDouble t = -1;   // the nearest hit; -1 for a miss
+    double condition = 0;  // (|f| + r) (1 + p / h) / |d|: what a turn by epsilon does to t, roughly
+};
+
+// By numbers of 106 bits.
+inline Case exact_case(const Ray& ray) {
+    using D = DoubleDouble;
+    const auto [fx, fy, fz] = ray.origin;
+    const auto [dx, dy, dz] = ray.direction;
+    const D a = D(dx) * D(dx) + D(dy) * D(dy) + D(dz) * D(dz);
+    const D b = D(fx) * D(dx) + D(fy) * D(dy) + D(fz) * D(dz);
+    const D x = D(fy) * D(dz) - D(fz) * D(dy), y = D(fz) * D(dx) - D(fx) * D(dz),
+            z = D(fx) * D(dy) - D(fy) * D(dx);
+    const D moment = x * x + y * y + z * z, quarter = a - moment;
+    if (quarter < D(0)) return {ray};
+    const double f = std::sqrt((D(fx) * D(fx) + D(fy) * D(fy) + D(fz) * D(fz)).high);
+    return {ray, (-b - sqrt(quarter)) / a,
+            (f + 1) * (1 + std::sqrt(moment.high / quarter.high)) / std::sqrt(a.high)};
+}
+
+// From random sides, at random points of a ring around the center: of a disk of 1.4 radii, half of
+// the rays hit.
+inline std::vector<Case> cases_from(Real distance, Real inner = 0, Real outer = Real(1.4)) {
+    rt::Rng rng{11, 3};
+    std::vector<Case> cases(2000);
+    for (Case& c : cases) {
+        const Vec3 side =
+            rt::normalize({rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(Real(0.1), 1)});
+        const rt::Basis disk = rt::orthonormal_basis(side);
+        const Real away = std::sqrt(rng.uniform(inner * inner, outer * outer)),
+                   turn = rng.uniform(0, 2 * rt::pi);
+        const Vec3 target = disk.to_world({away * std::cos(turn), away * std::sin(turn), 0});
+        const Vec3 origin = (1 + distance) * side;
+        c = exact_case({origin, rt::normalize(target - origin)});
+    }
+    return cases;
+}
+
+struct Quality {
+    double largest_error = 0;  // of t relative to the true t, among the rays that rightly hit
+    double of_condition = 0;   // the largest error over epsilon times condition
+    double wrong_share = 0;    // of all rays: hit for a miss, or a miss for a hit
+};
+
+inline Quality judge(const std::vector<Case>& cases, variants::HitFunction hit) {
+    Quality quality;
+    for (const Case& c : cases) {
+        const bool hits = DoubleDouble(0) < c.t;
+        const auto t = hit({}, c.ray, {0, rt::infinity});
+        if (t.has_value() != hits) quality.wrong_share += 1 / static_cast<double>(cases.size());
+        if (!t || !hits) continue;
+        const double error = std::abs((DoubleDouble(*t) - c.t).high);
+        quality.largest_error = std::max(quality.largest_error, error / c.t.high);
+        quality.of_condition = std::max(quality.of_condition,
+                                        error / (static_cast<double>(rt::epsilon) * c.condition));
+    }
+    return quality;
+}
+
+// The time of one ray, each function compiled into its own loop as in a renderer.
+template <class Hit>
+double time_per_ray(const std::vector<Case>& cases, Hit hit) {
+    const double time = study::time_ns([&] {
+        Real sum = 0;
+        for (const Case& c : cases) sum += hit({}, c.ray, {0, rt::infinity}).value_or(0);
+        study::keep(sum);
+    });
+    return time / static_cast<double>(cases.size());
+}
+
+// Every way to meet a sphere, with its name. Lambdas, because a loop over a function pointer would
+// time the calls instead.
+template <class Measure>
+void with_each_variant(Measure measure) {
+    using S = const Sphere&;
+    using R = const Ray&;
+    using I = rt::Interval;
+    measure("textbook", [](S s, R r, I i) { return variants::textbook(s, r, i); });
+    measure("stable roots only", [](S s, R r, I i) { return variants::stable_roots(s, r, i); });
+    measure("nearest point", [](S s, R r, I i) { return variants::nearest_point(s, r, i); });
+    measure("cross product (ours)", [](S s, R r, I i) { return rt::hit_sphere(s, r, i); });
+    measure("cross product by fma", [](S s, R r, I i) { return variants::exact_cross(s, r, i); });
+}
+
+inline void run_study(study::Report& report) {
+    const auto far = [&](const char* study, double Quality::*error, const char* error_name) {
+        with_each_variant([&](const char* variant, auto hit) {
+            for (int exponent = 0; exponent <= 8; ++exponent) {
+                const Real distance = std::pow(Real(10), static_cast<Real>(exponent));
+                const auto cases = cases_from(distance);
+                report.add({study, variant, static_cast<double>(distance), "distance / radius",
+                            judge(cases, hit).*error, error_name, time_per_ray(cases, hit),
+                            "time / ns"});
+            }
+        });
+    };
+    far("Far spheres", &Quality::largest_error, "largest relative error of t");
+    far("Bound of the error", &Quality::of_condition, "error / (eps condition)");
+    far("Hit or miss", &Quality::wrong_share, "share of wrong answers");
+
+    with_each_variant([&](const char* variant, auto hit) {
+        const auto row = [&](double share, Real inner, Real outer) {
+            const auto cases = cases_from(10, inner, outer);
+            report.add({"Price of a miss", variant, share, "share of rays that hit",
+                        judge(cases, hit).wrong_share, "share of wrong answers",
+                        time_per_ray(cases, hit), "time / ns"});
+        };
+        row(0, Real(1.1), 10);
+        row(0.5, 0, Real(1.4));
+        row(1, 0, Real(0.95));
+    });
+}
+
+}  // namespace spheres

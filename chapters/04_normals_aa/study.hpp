@@ -1,0 +1,247 @@
+#pragma once
+// What accuracy costs: more samples, better placed samples, and more bounces.
+
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <rt/jitter.hpp>
+#include <rt/make_camera.hpp>
+#include <rt/path.hpp>
+#include <rt/render_pixel.hpp>
+#include <study/report.hpp>
+#include <vector>
+
+#include "low_discrepancy.hpp"
+#include "scene.hpp"
+
+namespace normals_aa {
+
+// A small picture of the middle of the group: bright tops, creases, edges and ground.
+constexpr int study_width = 16, study_height = 9;
+
+struct Stage {
+    Scene scene = make_scene();
+    Camera camera = make_camera(group_view(), study_width, study_height);
+
+    template <class Ending, class Random>
+    Color sample(int x, int y, Vec2 offset, int depth, const Ending& ending, Random& random) const {
+        return path_radiance(make_ray(camera, x, y, offset, random), scene.world, scene.materials,
+                             scene.sky, ending, depth, random);
+    }
+};
+
+using Pixels = std::vector<Color>;
+
+// The picture with every sample independent of the others.
+inline Pixels draw_independent(const Stage& stage, int samples, int depth, std::uint64_t seed) {
+    Pixels pixels;
+    for (int y = 0; y < study_height; ++y)
+        for (int x = 0; x < study_width; ++x) {
+            Rng random = pixel_rng(seed, x, y);
+            Color sum;
+            for (int i = 0; i < samples; ++i)
+                sum += stage.sample(x, y, random_place(random), depth, SkyEnding{}, random);
+            pixels.push_back(sum / static_cast<Real>(samples));
+        }
+    return pixels;
+}
+
+// The chapter's own way: the places within the pixel are jittered, the bounces are not.
+inline Pixels draw_jittered(const Stage& stage, int samples, int depth, std::uint64_t seed) {
+    Pixels pixels;
+    for (int y = 0; y < study_height; ++y)
+        for (int x = 0; x < study_width; ++x)
+            pixels.push_back(render_pixel(stage.camera, stage.scene.world, stage.scene.materials,
+                                          stage.scene.sky, SkyEnding{}, {samples, depth, seed}, x,
+                                          y));
+    return pixels;
+}
+
+// Places and bounces from an Owen-scrambled Sobol sequence.
+template <class Ending>
+Pixels draw_low_discrepancy(const Stage& stage, int samples, int depth, std::uint64_t seed,
+                            const Ending& ending) {
+    Pixels pixels;
+    for (int y = 0; y < study_height; ++y)
+        for (int x = 0; x < study_width; ++x) {
+            Color sum;
+            for (int i = 0; i < samples; ++i) {
+                LowDiscrepancy random{seed, x, y, i};
+                sum += stage.sample(x, y, random_place(random), depth, ending, random);
+            }
+            pixels.push_back(sum / static_cast<Real>(samples));
+        }
+    return pixels;
+}
+
+inline double squared_error(const Pixels& a, const Pixels& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (const Real d : {a[i].r - b[i].r, a[i].g - b[i].g, a[i].b - b[i].b})
+            sum += static_cast<double>(d) * static_cast<double>(d);
+    return sum / (3 * static_cast<double>(a.size()));
+}
+
+inline double mean_radiance(const Pixels& pixels) {
+    double sum = 0;
+    for (const Color& c : pixels) sum += static_cast<double>(c.r + c.g + c.b);
+    return sum / (3 * static_cast<double>(pixels.size()));
+}
+
+// The processor's time for one call in milliseconds, in which other programs do not count.
+template <class Work>
+double milliseconds(Work work) {
+    const std::clock_t start = std::clock();
+    work();
+    return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+// The root of the mean squared error of a pixel, over some seeds, and the median time of a picture.
+struct Measured {
+    double error, cost;
+};
+template <class Draw>
+Measured measure(const Pixels& reference, Draw draw) {
+    constexpr int seeds = 5;
+    double sum = 0;
+    std::array<double, seeds> times;
+    for (std::size_t i = 0; i < seeds; ++i) {
+        Pixels pixels;
+        times[i] = milliseconds([&] { pixels = draw(std::uint64_t{100} + i); });
+        sum += squared_error(pixels, reference);
+    }
+    std::nth_element(times.begin(), times.begin() + seeds / 2, times.end());
+    return {std::sqrt(sum / seeds), times[seeds / 2]};
+}
+
+inline void study_samples(study::Report& report, const Stage& stage) {
+    constexpr int depth = 4;
+    const Pixels reference = draw_low_discrepancy(stage, 1 << 14, depth, 1, SkyEnding{});
+    const auto add = [&](const char* variant, int samples, Measured m) {
+        report.add({.study = "Samples",
+                    .variant = variant,
+                    .x = static_cast<double>(samples),
+                    .x_name = "samples per pixel",
+                    .error = m.error,
+                    .error_name = "RMSE of a pixel",
+                    .cost = m.cost,
+                    .cost_name = "time / ms"});
+    };
+    double first = 0;
+    for (int n = 1; n <= 1024; n *= 4) {
+        const Measured independent = measure(
+            reference, [&](std::uint64_t seed) { return draw_independent(stage, n, depth, seed); });
+        if (n == 1) first = independent.error;
+        add("independent", n, independent);
+        add("jittered in the pixel", n, measure(reference, [&](std::uint64_t seed) {
+                return draw_jittered(stage, n, depth, seed);
+            }));
+        add("Owen-scrambled Sobol", n, measure(reference, [&](std::uint64_t seed) {
+                return draw_low_discrepancy(stage, n, depth, seed, SkyEnding{});
+            }));
+        add("1 / sqrt(N)", n, {first / std::sqrt(n), independent.cost});
+    }
+}
+
+// A pixel that a straight edge cuts: the share of it where x cos + y sin < edge, exactly. Cosine
+// and sine must be greater than 0.
+inline double coverage(double cosine, double sine, double edge) {
+    const auto triangle = [&](double e) { return e > 0 ? e * e / (2 * cosine * sine) : 0; };
+    return triangle(edge) - triangle(edge - cosine) - triangle(edge - sine) +
+           triangle(edge - cosine - sine);
+}
+
+// The same three ways where nothing is random but the place in the pixel.
+inline void study_edge(study::Report& report) {
+    constexpr int edges = 1000;
+    const auto add_row = [&](const char* variant, int samples, Measured m) {
+        report.add({.study = "Edge",
+                    .variant = variant,
+                    .x = static_cast<double>(samples),
+                    .x_name = "samples per pixel",
+                    .error = m.error,
+                    .error_name = "RMSE of a pixel",
+                    .cost = m.cost,
+                    .cost_name = "time per sample / ns"});
+    };
+    const auto add = [&](const char* variant, int samples, auto average) {
+        double sum = 0;
+        const double time = milliseconds([&] {
+            Rng choose{4, 2};
+            for (int i = 0; i < edges; ++i) {
+                const Real angle = choose.uniform(Real(0.1), Real(1.4));
+                const Real c = std::cos(angle), s = std::sin(angle);
+                const Real edge = (c + s) * choose.uniform();
+                const double share = static_cast<double>(average(
+                    i, [&](Vec2 at) { return at.x * c + at.y * s < edge ? Color{1} : Color{}; }));
+                const double error =
+                    share - coverage(static_cast<double>(c), static_cast<double>(s),
+                                     static_cast<double>(edge));
+                sum += error * error;
+            }
+        });
+        const Measured m{std::sqrt(sum / edges), 1e6 * time / edges / samples};
+        add_row(variant, samples, m);
+        return m;
+    };
+    double first = 0;
+    for (int n = 1; n <= 1024; n *= 4) {
+        const Measured independent = add("independent", n, [n](int i, auto covered) {
+            Rng random = pixel_rng(1, i, n);
+            Color sum;
+            for (int k = 0; k < n; ++k) sum += covered(random_place(random));
+            return sum.r / static_cast<Real>(n);
+        });
+        if (n == 1) first = independent.error;
+        add("jittered in the pixel", n, [n](int i, auto covered) {
+            Rng random = pixel_rng(2, i, n);
+            return pixel_average(n, random, covered).r;
+        });
+        add("Owen-scrambled Sobol", n, [n](int i, auto covered) {
+            Color sum;
+            for (int k = 0; k < n; ++k) {
+                LowDiscrepancy random{3, i, n, k};
+                sum += covered(random_place(random));
+            }
+            return sum.r / static_cast<Real>(n);
+        });
+        add_row("1 / sqrt(N)", n, {first / std::sqrt(n), independent.cost});
+    }
+}
+
+// How far each ending leaves the mean radiance from that of paths that may bounce 64 times: too
+// bright with the sky, too dark with black. All follow the same paths up to their limit, so that
+// the noise that they share cancels; what the roulette draws is its own.
+inline void study_depth(study::Report& report, const Stage& stage) {
+    constexpr int samples = 1024;
+    const auto draw = [&](int depth, const auto& ending) {
+        return draw_low_discrepancy(stage, samples, depth, 1, ending);
+    };
+    const double reference = mean_radiance(draw(64, SkyEnding{}));
+    const auto add = [&](const char* variant, int depth, const auto& ending) {
+        double mean = 0;
+        const double cost = milliseconds([&] { mean = mean_radiance(draw(depth, ending)); });
+        report.add({.study = "Depth limit",
+                    .variant = variant,
+                    .x = static_cast<double>(depth),
+                    .x_name = "most bounces",
+                    .error = 100 * std::abs(mean / reference - 1),
+                    .error_name = "mean radiance off / %",
+                    .cost = cost,
+                    .cost_name = "time / ms"});
+    };
+    for (const int depth : {1, 2, 3, 4, 6, 8, 16}) {
+        add("sky", depth, SkyEnding{});
+        add("black", depth, BlackEnding{});
+        add("Russian roulette", depth, RouletteEnding{});
+    }
+}
+
+inline void study_samples_and_depth(study::Report& report) {
+    const Stage stage;
+    study_edge(report);
+    study_samples(report, stage);
+    study_depth(report, stage);
+}
+
+}  // namespace normals_aa

@@ -1,0 +1,307 @@
+#include <algorithm>
+#include <course/plot.hpp>
+#include <course/scale.hpp>
+#include <set>
+#include <sstream>
+
+namespace course {
+namespace {
+
+// Colours that people with any colour vision tell apart. Source: Okabe and Ito, "Color universal
+// design", 2008.
+constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                  "#e69f00", "#56b4e9", "#555555"};
+constexpr const char* precisions[] = {"double", "float"};
+constexpr double font_size = 14, letter_width = 7.5, line_height = 18;  // pixels
+
+// A text in gnuplot's double quotes.
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\' || c == '`') result += '\\';
+        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+    return result + '"';
+}
+
+std::vector<std::string> variants(const std::vector<Measurement>& rows) {
+    std::vector<std::string> names;
+    for (const Measurement& row : rows)
+        if (std::find(names.begin(), names.end(), row.variant) == names.end())
+            names.push_back(row.variant);
+    return names;
+}
+
+std::string color_of(std::size_t variant) {
+    return colors[variant % std::size(colors)];
+}
+
+bool has(const std::vector<Measurement>& rows, const std::string& precision) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const Measurement& row) { return row.precision == precision; });
+}
+
+Scale scale_of(const std::vector<Measurement>& rows, double study::Row::*quantity) {
+    std::vector<double> values;
+    for (const Measurement& row : rows) values.push_back(row.*quantity);
+    return Scale{values};
+}
+
+// A picture of so many pixels; places in it are given to gnuplot as parts of it.
+struct Canvas {
+    double width, height;
+    std::string x(double pixels) const { return "screen " + std::to_string(pixels / width); }
+    std::string y(double pixels) const { return "screen " + std::to_string(1 - pixels / height); }
+};
+
+// A panel's frame, in pixels from the top left.
+struct Frame {
+    double left, top, right, bottom;
+};
+
+void begin(std::ostream& out, const Canvas& canvas, const std::string& svg_file,
+           const std::string& title) {
+    out << "set terminal svg size " << canvas.width << ',' << canvas.height
+        << " enhanced font 'Helvetica,Arial,sans-serif," << font_size
+        << "' background '#ffffff'\nset output " << quoted(svg_file)
+        << "\nset encoding utf8\nset datafile missing 'NaN'\nset multiplot\n"
+        << "set style line 100 lc rgb '#9a9a9a' lw 1\nset style line 101 lc rgb '#e4e4e4' lw 1\n"
+        << "set border 3 ls 100\nset grid back ls 101\nset tics nomirror scale 0.5 "
+        << "textcolor rgb '#444444'\nset key off\n"
+        << "set label 1 " << quoted(title) << " at " << canvas.x(20) << ',' << canvas.y(26)
+        << " noenhanced font ',17' textcolor rgb '#111111'\n";
+}
+
+void set_axis(std::ostream& out, char axis, const Scale& scale) {
+    out << (scale.is_logarithmic() ? "set" : "unset") << " logscale " << axis << "\nset " << axis
+        << "range [" << scale.low() << ':' << scale.high() << "]\nset " << axis << "tics (";
+    const char* comma = "";
+    for (const auto& [at, text] : scale.marks()) {
+        out << comma << quoted(text) << ' ' << at;
+        comma = ", ";
+    }
+    out << ")\n";
+}
+
+// The frame, both axes, and what they mean: y above the panel, where it is easy to read.
+void set_panel(std::ostream& out, const Canvas& canvas, const Frame& frame, const Scale& x,
+               const std::string& x_name, const Scale& y, const std::string& y_name) {
+    out << "set lmargin at " << canvas.x(frame.left) << "\nset rmargin at " << canvas.x(frame.right)
+        << "\nset tmargin at " << canvas.y(frame.top) << "\nset bmargin at "
+        << canvas.y(frame.bottom) << '\n';
+    set_axis(out, 'x', x);
+    set_axis(out, 'y', y);
+    out << "set xlabel " << quoted(x_name) << " noenhanced textcolor rgb '#444444'\n"
+        << "set label 2 " << quoted(y_name) << " at " << canvas.x(frame.left - 50) << ','
+        << canvas.y(frame.top - 16) << " noenhanced textcolor rgb '#444444'\n";
+}
+
+// A legend's entries, one after the other in rows below the panels.
+class Legend {
+  public:
+    Legend(const std::vector<Measurement>& rows, double width) : width_{width} {
+        const auto names = variants(rows);
+        for (std::size_t i = 0; i < names.size(); ++i) add(names[i], color_of(i), false);
+        if (!has(rows, "double") || !has(rows, "float")) return;
+        for (const std::string precision : precisions)
+            add(precision, "#555555", precision == "float");
+    }
+
+    double height() const { return line_height * (row_ + 1) + 8; }
+
+    // Draws it with its top at y pixels.
+    void draw(std::ostream& out, const Canvas& canvas, double y) const {
+        int id = 100;
+        for (const Entry& e : entries_) {
+            const double middle = y + e.row * line_height + line_height / 2;
+            out << "set arrow " << id++ << " from " << canvas.x(e.x) << ',' << canvas.y(middle)
+                << " to " << canvas.x(e.x + 26) << ',' << canvas.y(middle) << " nohead lw 2 dt "
+                << (e.is_float ? 2 : 1) << " lc rgb '" << e.color << "'\n";
+            out << "set label " << id++ << ' ' << quoted(e.text) << " at " << canvas.x(e.x + 32)
+                << ',' << canvas.y(middle) << " noenhanced textcolor rgb '#222222'\n";
+        }
+    }
+
+  private:
+    struct Entry {
+        std::string text, color;
+        bool is_float;
+        double x;
+        int row;
+    };
+
+    void add(const std::string& text, const std::string& color, bool is_float) {
+        const double width = 32 + letter_width * static_cast<double>(text.size()) + 22;
+        if (x_ > left && x_ + width > width_) {
+            x_ = left;
+            ++row_;
+        }
+        entries_.push_back({text, color, is_float, x_, row_});
+        x_ += width;
+    }
+
+    static constexpr double left = 20;
+    double width_, x_ = left;
+    int row_ = 0;
+    std::vector<Entry> entries_;
+};
+
+// Draws one curve a variant and precision: a quantity over x.
+void plot_curves(std::ostream& out, const std::vector<Measurement>& rows, const Scale& x,
+                 const Scale& y, double study::Row::*quantity) {
+    const auto names = variants(rows);
+    std::ostringstream plots;
+    int block = 0;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (const std::string precision : precisions) {
+            std::vector<std::pair<double, double>> points;
+            for (const Measurement& row : rows)
+                if (row.variant == names[i] && row.precision == precision)
+                    points.emplace_back(x.place(row.x), y.place(row.*quantity));
+            if (points.empty()) continue;
+            std::sort(points.begin(), points.end());
+            out << "$curve" << block << " << END\n";
+            for (const auto& [px, py] : points) out << px << ' ' << py << '\n';
+            out << "END\n";
+            const bool is_float = precision == "float";
+            plots << (block ? ", " : "plot ") << "$curve" << block << " with linespoints lw 2 dt "
+                  << (is_float ? 2 : 1) << " pt " << (is_float ? 6 : 7) << " ps 0.45 lc rgb '"
+                  << color_of(i) << "'";
+            ++block;
+        }
+    out << plots.str() << '\n';
+}
+
+void draw_over_x(std::ostream& out, const std::vector<Measurement>& rows,
+                 const std::string& svg_file) {
+    const Legend legend{rows, 940};
+    const Canvas canvas{960, 400 + legend.height()};
+    const double top = 84, bottom = 340;
+    const Frame left{76, top, 464, bottom}, right{556, top, 940, bottom};
+    const Measurement& any = rows.front();
+    const Scale x = scale_of(rows, &study::Row::x), error = scale_of(rows, &study::Row::error),
+                cost = scale_of(rows, &study::Row::cost);
+
+    begin(out, canvas, svg_file, any.study);
+    set_panel(out, canvas, left, x, any.x_name, error, any.error_name);
+    legend.draw(out, canvas, 398);
+    plot_curves(out, rows, x, error, &study::Row::error);
+    out << "unset label\nunset arrow\n";
+    set_panel(out, canvas, right, x, any.x_name, cost, any.cost_name);
+    plot_curves(out, rows, x, cost, &study::Row::cost);
+}
+
+struct Box {
+    double left, top, right, bottom;
+    bool overlaps(const Box& b) const {
+        return left < b.right && b.left < right && top < b.bottom && b.top < bottom;
+    }
+};
+
+// Places texts beside points so that they cover neither points nor each other, where that can be.
+class Labels {
+  public:
+    explicit Labels(const Frame& frame) : frame_{frame} {}
+
+    void keep_free(double x, double y) { taken_.push_back({x - 7, y - 7, x + 7, y + 7}); }
+
+    struct Place {
+        double x, y;
+        const char* alignment;
+    };
+
+    Place beside(double x, double y, const std::string& text) {
+        const double w = letter_width * static_cast<double>(text.size()), h = line_height / 2;
+        const std::pair<Place, double> candidates[] = {
+            {{x + 11, y, "left"}, x + 11},           {{x - 11, y, "right"}, x - 11 - w},
+            {{x, y - 16, "center"}, x - w / 2},      {{x, y + 16, "center"}, x - w / 2},
+            {{x + 11, y - 16, "left"}, x + 11},      {{x + 11, y + 16, "left"}, x + 11},
+            {{x - 11, y - 16, "right"}, x - 11 - w}, {{x - 11, y + 16, "right"}, x - 11 - w},
+            {{x + 11, y - 32, "left"}, x + 11},      {{x + 11, y + 32, "left"}, x + 11}};
+        for (const auto& [place, left] : candidates) {
+            const Box box{left, place.y - h, left + w, place.y + h};
+            const bool inside = box.left > frame_.left && box.right < frame_.right &&
+                                box.top > frame_.top - h && box.bottom < frame_.bottom;
+            if (!inside || std::any_of(taken_.begin(), taken_.end(),
+                                       [&](const Box& b) { return b.overlaps(box); }))
+                continue;
+            taken_.push_back(box);
+            return place;
+        }
+        return candidates[0].first;
+    }
+
+  private:
+    Frame frame_;
+    std::vector<Box> taken_;
+};
+
+void draw_against(std::ostream& out, const std::vector<Measurement>& rows,
+                  const std::string& svg_file) {
+    const auto names = variants(rows);
+    std::set<double> xs;
+    for (const Measurement& row : rows) xs.insert(row.x);
+    const bool two_precisions = has(rows, "double") && has(rows, "float");
+    const Canvas canvas{760, two_precisions ? 470.0 : 440.0};
+    const Frame frame{76, 84, 735, 380};
+    const Measurement& any = rows.front();
+    const Scale cost = scale_of(rows, &study::Row::cost),
+                error = scale_of(rows, &study::Row::error);
+
+    begin(out, canvas, svg_file, any.study);
+    set_panel(out, canvas, frame, cost, any.cost_name, error, any.error_name);
+    const auto at_x = [&](const Measurement& row) {
+        return frame.left + cost.fraction(row.cost) * (frame.right - frame.left);
+    };
+    const auto at_y = [&](const Measurement& row) {
+        return frame.bottom - error.fraction(row.error) * (frame.bottom - frame.top);
+    };
+    Labels labels{frame};
+    for (const Measurement& row : rows) labels.keep_free(at_x(row), at_y(row));
+    int id = 10;
+    const auto point = [&](double x, double y, bool is_float, const std::string& color) {
+        out << "set label " << id++ << " '' at " << canvas.x(x) << ',' << canvas.y(y)
+            << " point pt " << (is_float ? 6 : 7) << " ps 1 lw 2 lc rgb '" << color << "'\n";
+    };
+    const auto text = [&](const Labels::Place& at, const std::string& words,
+                          const std::string& color) {
+        out << "set label " << id++ << ' ' << quoted(words) << " at " << canvas.x(at.x) << ','
+            << canvas.y(at.y) << ' ' << at.alignment << " noenhanced textcolor rgb '" << color
+            << "'\n";
+    };
+    for (const Measurement& row : rows) {
+        const auto variant = static_cast<std::size_t>(
+            std::find(names.begin(), names.end(), row.variant) - names.begin());
+        std::ostringstream words;
+        words << row.variant;
+        if (xs.size() > 1) words << ", " << row.x_name << ' ' << row.x;
+        point(at_x(row), at_y(row), row.precision == "float", color_of(variant));
+        text(labels.beside(at_x(row), at_y(row), words.str()), words.str(), color_of(variant));
+    }
+    if (two_precisions) {
+        double x = frame.left;
+        for (const std::string precision : precisions) {
+            point(x, 444, precision == "float", "#555555");
+            text({x + 12, 444, "left"}, precision, "#222222");
+            x += 90;
+        }
+    }
+    out << "plot NaN\n";
+}
+
+}  // namespace
+
+std::string plot_script(const std::vector<Measurement>& rows, const std::string& svg_file) {
+    std::set<double> xs;
+    for (const Measurement& row : rows) xs.insert(row.x);
+    std::ostringstream out;
+    out.precision(9);
+    if (xs.size() >= 3)
+        draw_over_x(out, rows, svg_file);
+    else
+        draw_against(out, rows, svg_file);
+    out << "unset multiplot\nset output\n";
+    return out.str();
+}
+
+}  // namespace course

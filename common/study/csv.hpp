@@ -1,0 +1,16 @@
+#pragma once
+// Tables as comma-separated values, as RFC 4180 has them.
+
+#include <istream>
+#include <string>
+#include <vector>
+
+namespace study {
+
+// A field as it stands in a file: one with commas, quotes or line breaks goes between quotes.
+std::string csv_field(const std::string& text);
+
+// The fields of all lines, the heading's too. Fields between quotes may hold anything.
+std::vector<std::vector<std::string>> read_csv(std::istream& in);
+
+}  // namespace study

@@ -1,0 +1,17 @@
+#pragma once
+#include <cmath>
+#include <rt/camera.hpp>
+#include <rt/todo.hpp>
+#include <stdexcept>
+
+namespace rt {
+
+// Exercise 02.2. The viewport at distance 1 from the eye, for a vertical field of view in radians
+// and the ratio of width to height. Throws std::domain_error unless 0 < vertical_fov < pi and
+// 0 < aspect_ratio < infinity. Not a number is refused, too. The formula is derived in the text
+// from a right triangle.
+inline Viewport viewport_size(Real vertical_fov, Real aspect_ratio) {
+    return rt::todo("02.2", vertical_fov, aspect_ratio);
+}
+
+}  // namespace rt

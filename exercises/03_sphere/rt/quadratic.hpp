@@ -1,0 +1,27 @@
+#pragma once
+#include <cmath>
+#include <optional>
+#include <rt/real.hpp>
+#include <rt/roots.hpp>
+#include <rt/todo.hpp>
+#include <utility>
+
+namespace rt {
+
+// Exercise 03.1. The real solutions of a t^2 + b t + c = 0, given its discriminant b^2 - 4 a c from
+// whoever knows how to compute that best. Return {} (no solution) when the discriminant is negative
+// or not a number, and when a and b are both 0. Where a = 0 or the discriminant is 0, the one
+// solution is low and high at once. Each is within 4 units in the last place, when the discriminant
+// is exact. Source: Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 1.8.
+inline std::optional<Roots> roots_from_discriminant(Real a, Real b, Real c, Real discriminant) {
+    return rt::todo("03.1", a, b, c, discriminant);
+}
+
+// Exercise 03.1. The real solutions of a t^2 + b t + c = 0, each within 4 units in the last place.
+// b^2 and 4 a c neither overflow nor underflow. rt::difference_of_products(p, q, x, y), given in
+// rt/real.hpp, is p q - x y without cancellation.
+inline std::optional<Roots> solve_quadratic(Real a, Real b, Real c) {
+    return rt::todo("03.1", a, b, c);
+}
+
+}  // namespace rt

@@ -1,0 +1,40 @@
+#pragma once
+#include <algorithm>
+#include <rt/color.hpp>
+#include <rt/todo.hpp>
+
+namespace rt {
+
+// What becomes of a path that has made all of its bounces.
+enum class Fate { ends_in_sky, ends_in_black, goes_on };
+
+// As if nothing stood in the way of the last bounce any more. Too bright, mostly by little.
+struct SkyEnding {
+    template <class Random>
+    Fate operator()(Color&, Random&) const {
+        return Fate::ends_in_sky;
+    }
+};
+
+// As if no light came from there. Too dark.
+struct BlackEnding {
+    template <class Random>
+    Fate operator()(Color&, Random&) const {
+        return Fate::ends_in_black;
+    }
+};
+
+// Exercise 04.5. Russian roulette: the path goes on with a probability p, and its throughput is
+// divided by p, so that those that go on stand in for those that ended. Right on the average: p *
+// (1 / p) = 1. p is the largest channel of the throughput, but at most most_likely.
+struct RouletteEnding {
+    // Below 1, so that even a path between white surfaces ends at some time.
+    Real most_likely = Real(0.95);
+
+    template <class Random>
+    Fate operator()(Color& throughput, Random& random) const {
+        return rt::todo("04.5", throughput, random);
+    }
+};
+
+}  // namespace rt

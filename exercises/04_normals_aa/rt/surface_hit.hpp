@@ -1,0 +1,22 @@
+#pragma once
+#include <rt/dot.hpp>
+#include <rt/hit.hpp>
+#include <rt/length.hpp>
+#include <rt/ray.hpp>
+#include <rt/sphere.hpp>
+#include <rt/todo.hpp>
+
+namespace rt {
+
+// Exercise 04.1. All about the place where a ray meets a sphere at t, as the members of Hit have it
+// (see <rt/hit.hpp>; leave its material at 0): the outward normal; the side that was hit; the
+// point, moved onto the surface; and point_error, a bound on how far rounding may have left it off
+// the surface: half an epsilon of each coordinate of the point, along the normal, and 8 epsilon of
+// the radius. t must be what hit_sphere returned for this sphere and ray. Where rounding makes
+// origin + t * direction the center itself, the sphere counts as hit head on.
+// Source of the idea: Pharr, Jakob and Humphreys, "Physically Based Rendering", section 6.8.
+inline Hit surface_hit(const Sphere& sphere, const Ray& ray, Real t) {
+    return rt::todo("04.1", sphere, ray, t);
+}
+
+}  // namespace rt

@@ -1,0 +1,133 @@
+#include <rt/primary_ray.hpp>
+
+#include "checkpoint.hpp"
+#include "exact_rays.hpp"
+#include "vectors.hpp"
+
+using namespace checkpoint;
+using rt::Camera;
+using rt::Ray;
+using rt::Vec2;
+
+namespace {
+
+constexpr Vec2 middle{Real(0.5), Real(0.5)};
+
+// Stands at (7, 8, 9) and looks along +x: u is +z, v is +y, w is -x. 90 degrees from side to side.
+Camera eastward() {
+    Camera camera;
+    camera.eye = {7, 8, 9};
+    camera.basis = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
+    camera.viewport = {2, 2};
+    camera.width = camera.height = 3;
+    return camera;
+}
+
+Camera of(const exact::Ray& row) {
+    Camera camera;
+    camera.basis = {vec3(row.u), vec3(row.v), vec3(row.w)};
+    camera.viewport = {real(row.viewport[0]), real(row.viewport[1])};
+    camera.width = row.width;
+    camera.height = row.height;
+    return camera;
+}
+
+}  // namespace
+
+TEST_CASE("02.4 the ray starts at the eye", "[02.4]") {
+    const Ray ray = rt::primary_ray(eastward(), 1, 1, middle);
+    INFO("the eye is at (7, 8, 9), yours starts at " << text(ray.origin));
+    CHECK(ray.origin == Vec3{7, 8, 9});
+}
+
+TEST_CASE("02.4 the middle of the picture is straight ahead", "[02.4]") {
+    const Ray ray = rt::primary_ray(eastward(), 1, 1, middle);
+    const Vec3 ahead{1, 0, 0};
+    HINT(ahead, ray.direction,
+         ray.direction == -ahead
+             ? "that is behind the camera: it looks along -w, so the third coordinate is -1"
+             : "x u + y v - w, with the camera's own u, v and w");
+    CHECK(ray.direction == ahead);
+}
+
+TEST_CASE("02.4 right in the picture is u and up in it is v", "[02.4]") {
+    const Vec3 right = rt::primary_ray(eastward(), 2, 1, middle).direction;
+    INFO(
+        "a camera that looks along +x with y up has +z at its right; the pixel right of the middle "
+        "gives direction "
+        << text(right));
+    CHECK(right.z > 0);
+    CHECK(right.y == 0);
+    const Vec3 above = rt::primary_ray(eastward(), 1, 0, middle).direction;
+    INFO("the pixel above the middle gives direction "
+         << text(above)
+         << ".\nHint: x goes with u, y with v; and pixel_to_viewport takes the column first");
+    CHECK(above.y > 0);
+    CHECK(above.z == 0);
+}
+
+TEST_CASE("02.4 the corners of the picture are the corners of the viewport", "[02.4]") {
+    const struct {
+        int column, row;
+        Vec2 offset;
+        Vec3 signs;
+    } corners[] = {{0, 0, {0, 0}, {1, 1, -1}},
+                   {2, 0, {1, 0}, {1, 1, 1}},
+                   {0, 2, {0, 1}, {1, -1, -1}},
+                   {2, 2, {1, 1}, {1, -1, 1}}};
+    for (const auto& [column, row, offset, signs] : corners) {
+        const Vec3 d = rt::primary_ray(eastward(), column, row, offset).direction;
+        const Vec3 expected = signs / std::sqrt(Real(3));
+        HINT(expected, d, "pass the offset on to pixel_to_viewport; the direction has length 1");
+        // The expected one, of two roundings, and yours, in which all but normalize is exact.
+        const Vec3 off = d - expected;
+        CHECK(max_component(off) <= 3 * rt::epsilon);
+    }
+}
+
+TEST_CASE("02.4 the direction has length 1", "[02.4]") {
+    for (const auto& row : exact::rays()) {
+        const Vec3 d = rt::primary_ray(of(row), row.column, row.row,
+                                       {real(row.offset[0]), real(row.offset[1])})
+                           .direction;
+        INFO("direction " << text(d) << ".\nHint: call normalize last");
+        REQUIRE(length_error_in_ulp(d) <= 2);
+    }
+}
+
+TEST_CASE("02.4 directions from 0.001 to 179.9 degrees and of one pixel", "[02.4][hard]") {
+    for (const auto& row : exact::rays()) {
+        const Vec3 d = rt::primary_ray(of(row), row.column, row.row,
+                                       {real(row.offset[0]), real(row.offset[1])})
+                           .direction;
+        INFO(row.degrees << " degrees, " << row.width << 'x' << row.height << " pixels, column "
+                         << row.column << ", row " << row.row << ", offset (" << row.offset[0]
+                         << ", " << row.offset[1] << ')');
+        HINT(row.direction, d,
+             "x u + y v - w, normalised; if 02.1 is not within its bound yet, that "
+             "comes first");
+        // Six roundings in each product at most, of which no more than sqrt(3) times turn it,
+        // and 3.5 in normalize: 14 halves of a unit.
+        REQUIRE(error_in_ulp_of_1(d, row.direction) <= 7);
+    }
+}
+
+TEST_CASE("02.4 directions do not depend on how far away the eye is", "[02.4][hard]") {
+    const Real far = for_this_precision<Real>(real(1e30), real(1e200));
+    for (const auto& row : exact::rays()) {
+        const Vec2 offset{real(row.offset[0]), real(row.offset[1])};
+        Camera camera = of(row);
+        const Vec3 near_by = rt::primary_ray(camera, row.column, row.row, offset).direction;
+        for (const Vec3 eye : {Vec3{1e6, -2e6, 3e6}, Vec3{far, far, -far}}) {
+            camera.eye = eye;
+            const Ray ray = rt::primary_ray(camera, row.column, row.row, offset);
+            INFO("with the eye at " << text(eye) << ", " << row.degrees << " degrees");
+            HINT(
+                near_by, ray.direction,
+                "a direction needs no point in the world: the viewport's point minus the eye loses "
+                "the digits that adding the eye rounded away");
+            REQUIRE(ray.direction == near_by);
+            REQUIRE(ray.origin == eye);
+        }
+    }
+}

@@ -1,0 +1,26 @@
+#pragma once
+// Errors of vectors of length 1, in units in the last place of 1.
+
+#include "checkpoint.hpp"
+
+namespace checkpoint {
+
+inline double dot_in_double(Vec3 a, Vec3 b) {  // where the products of floats are exact
+    return double{a.x} * double{b.x} + double{a.y} * double{b.y} + double{a.z} * double{b.z};
+}
+
+inline double error_in_ulp_of_1(Vec3 computed, const ExactVec3& exact) {
+    if (!is_finite(computed)) return std::numeric_limits<double>::infinity();
+    const auto error = [](Real c, Exact e) { return std::abs((e - Exact(double{c})).high); };
+    return std::max({error(computed.x, exact.x), error(computed.y, exact.y),
+                     error(computed.z, exact.z)}) /
+           double{rt::epsilon};
+}
+
+// How far the length is from 1; infinite for a vector that is not finite.
+inline double length_error_in_ulp(Vec3 v) {
+    if (!is_finite(v)) return std::numeric_limits<double>::infinity();
+    return std::abs(std::sqrt(dot_in_double(v, v)) - 1) / double{rt::epsilon};
+}
+
+}  // namespace checkpoint

@@ -1,0 +1,149 @@
+#include <optional>
+#include <rt/quadratic.hpp>
+#include <string_view>
+
+#include "checkpoint.hpp"
+#include "exact_quadratics.hpp"
+
+using namespace checkpoint;
+using rt::Roots;
+
+namespace {
+
+std::string text(const std::optional<Roots>& roots) {
+    if (!roots) return "no solution";
+    return '(' + checkpoint::text(roots->low) + ", " + checkpoint::text(roots->high) + ')';
+}
+
+std::string equation(Real a, Real b, Real c) {
+    using checkpoint::text;
+    return "a = " + text(a) + ", b = " + text(b) + ", c = " + text(c);
+}
+
+// For small whole numbers nothing is rounded: the solutions must be exactly these.
+void check_exactly(Real a, Real b, Real c, Real low, Real high, const char* hint) {
+    const auto roots = rt::solve_quadratic(a, b, c);
+    INFO("solve_quadratic for " << equation(a, b, c) << ": expected (" << low << ", " << high
+                                << "), but yours gives " << text(roots) << ".\nHint: " << hint);
+    REQUIRE(roots.has_value());
+    CHECK(roots->low == low);
+    CHECK(roots->high == high);
+}
+
+void check_none(const std::optional<Roots>& roots, const char* what) {
+    INFO(what << " has no solution, but yours gives " << text(roots));
+    CHECK_FALSE(roots.has_value());
+}
+
+// The equations of one kind, both functions: 4 units in the last place are what the derivation
+// allows. Half a unit each for the division, the sum, the root and half of the discriminant's
+// error.
+void check_table(std::string_view kind, const char* hint) {
+    for (const auto& row : exact::quadratics()) {
+        if (row.kind != kind) continue;
+        const Real a = real(row.a), b = real(row.b), c = real(row.c);
+        const auto check = [&](const char* name, const std::optional<Roots>& roots) {
+            INFO(name << " for " << equation(a, b, c) << "\nHint: " << hint);
+            if (row.discriminant.high < 0) {
+                INFO("the discriminant is " << checkpoint::text(row.discriminant)
+                                            << ": no solution, but yours gives " << text(roots));
+                REQUIRE_FALSE(roots.has_value());
+                return;
+            }
+            INFO("expected (" << checkpoint::text(row.low) << ", " << checkpoint::text(row.high)
+                              << "), but yours gives " << text(roots));
+            REQUIRE(roots.has_value());
+            REQUIRE(error_in_ulp(roots->low, row.low) <= 4);
+            REQUIRE(error_in_ulp(roots->high, row.high) <= 4);
+        };
+        check("roots_from_discriminant",
+              rt::roots_from_discriminant(a, b, c, real(row.discriminant.high)));
+        check("solve_quadratic", rt::solve_quadratic(a, b, c));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("03.1 both solutions are found and in order", "[03.1]") {
+    const char* const hint =
+        "t^2 - 3 t + 2 = (t - 1)(t - 2); low is the smaller one, for any signs";
+    check_exactly(1, -3, 2, 1, 2, hint);
+    check_exactly(1, 3, 2, -2, -1, hint);
+    check_exactly(-1, 3, -2, 1, 2, hint);
+    check_exactly(-1, -3, -2, -2, -1, hint);
+    check_exactly(1, 1, -6, -3, 2, hint);
+    check_exactly(2, -6, 4, 1, 2, "a belongs under both solutions: q / a and c / q");
+}
+
+TEST_CASE("03.1 a negative discriminant means no solution", "[03.1]") {
+    check_none(rt::solve_quadratic(1, 0, 1), "solve_quadratic: t^2 + 1 = 0");
+    check_none(rt::solve_quadratic(1, 2, 3), "solve_quadratic: t^2 + 2 t + 3 = 0");
+    check_none(rt::roots_from_discriminant(1, 0, 1, -4),
+               "roots_from_discriminant: a discriminant of -4");
+}
+
+TEST_CASE("03.1 a discriminant of zero means one solution", "[03.1]") {
+    const char* const hint = "a discriminant of 0 is not negative: low and high coincide";
+    check_exactly(1, -6, 9, 3, 3, hint);
+    check_exactly(4, 4, 1, Real(-0.5), Real(-0.5), hint);
+    check_exactly(1, 0, 0, 0, 0,
+                  "t^2 = 0 has the solution 0: here q is 0, and c / q is not a number");
+}
+
+TEST_CASE("03.1 the given discriminant is used", "[03.1]") {
+    // (t - 1)^2 = step^2. The true c is 1 - step^2, which rounds to 1: only the discriminant knows.
+    const Real step = for_this_precision<Real>(Real(0x1p-13), Real(0x1p-27));
+    const auto roots = rt::roots_from_discriminant(1, -2, 1, 4 * step * step);
+    INFO("roots_from_discriminant(1, -2, 1, " << text(4 * step * step) << "): expected 1 -+ "
+                                              << text(step) << ", but yours gives " << text(roots)
+                                              << ".\nHint: do not compute the discriminant anew");
+    REQUIRE(roots.has_value());
+    CHECK(roots->high == 1 + step);
+    CHECK(roots->low < 1);
+}
+
+TEST_CASE("03.1 b may be zero", "[03.1][hard]") {
+    const char* const hint = "the sign of 0 must count as plus or minus, not as 0: std::copysign";
+    check_exactly(1, 0, -4, -2, 2, hint);
+    check_exactly(1, Real(-0.0), -4, -2, 2, hint);
+    check_exactly(-4, 0, 1, Real(-0.5), Real(0.5), hint);
+}
+
+TEST_CASE("03.1 c may be zero", "[03.1][hard]") {
+    const char* const hint = "t (a t + b) = 0: one solution is 0, the other is -b / a";
+    check_exactly(1, -5, 0, 0, 5, hint);
+    check_exactly(2, 5, 0, Real(-2.5), 0, hint);
+}
+
+TEST_CASE("03.1 a may be zero", "[03.1][hard]") {
+    const char* const hint =
+        "b t + c = 0 has the one solution -c / b, which is c / q; q / a is not";
+    check_exactly(0, 2, -6, 3, 3, hint);
+    check_exactly(0, -2, -6, -3, -3, hint);
+    check_exactly(0, 4, 0, 0, 0, hint);
+    check_none(rt::solve_quadratic(0, 0, 1), "solve_quadratic: 0 t^2 + 0 t + 1 = 0");
+    check_none(rt::solve_quadratic(0, 0, 0), "solve_quadratic with a = b = 0, as documented,");
+}
+
+TEST_CASE("03.1 any equation is solved to four units in the last place", "[03.1][hard]") {
+    check_table("random", "each step of the text rounds once; is one of yours extra?");
+}
+
+TEST_CASE("03.1 the small solution survives beside a large one", "[03.1][hard]") {
+    check_table(
+        "small root",
+        "-b and the root nearly cancel in one of the two solutions. Compute the other one, q, "
+        "and get this one from the product of both: c / q");
+}
+
+TEST_CASE("03.1 nearly equal solutions are told apart", "[03.1][hard]") {
+    check_table("nearly equal",
+                "b b and 4 a c agree in most digits: compute their difference with "
+                "rt::difference_of_products");
+    check_table("exactly equal", "the discriminant is exactly 0");
+}
+
+TEST_CASE("03.1 a huge discriminant is no trouble", "[03.1][hard]") {
+    check_table("huge discriminant",
+                "b b - 4 a c is within range here; does a product of yours leave it?");
+}

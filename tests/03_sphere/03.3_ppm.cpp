@@ -1,0 +1,153 @@
+#include <cctype>
+#include <rt/ppm.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "checkpoint.hpp"
+
+using namespace checkpoint;
+using rt::Color;
+using rt::Image;
+
+namespace {
+
+std::string written(const Image& image) {
+    std::ostringstream out;
+    rt::write_ppm(out, image);
+    return out.str();
+}
+
+// The start of what was written, for messages: ? for letters that a terminal cannot show.
+std::string begin_of(const std::string& text) {
+    std::string shown = text.substr(0, 60);
+    for (char& letter : shown)
+        if (!std::isprint(static_cast<unsigned char>(letter)) && letter != '\n') letter = '?';
+    return '"' + shown + '"';
+}
+
+// The numbers after the header.
+std::vector<int> bytes_of(const std::string& text) {
+    std::istringstream in{text};
+    std::string word;
+    for (int i = 0; i < 4; ++i) in >> word;  // P3, width, height, 255
+    std::vector<int> bytes;
+    for (int byte; in >> byte;) bytes.push_back(byte);
+    return bytes;
+}
+
+std::vector<int> bytes_of(const Image& image) {
+    return bytes_of(written(image));
+}
+
+std::string list(const std::vector<int>& bytes) {
+    std::string text;
+    for (const int byte : bytes) text += ' ' + std::to_string(byte);
+    return text;
+}
+
+void check_bytes(const Image& image, const std::vector<int>& expected, const char* hint) {
+    const std::vector<int> bytes = bytes_of(image);
+    INFO("expected the bytes" << list(expected) << ", but yours are" << list(bytes)
+                              << ".\nHint: " << hint);
+    CHECK(bytes == expected);
+}
+
+constexpr Color black{0, 0, 0}, red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1}, white{1, 1, 1};
+
+}  // namespace
+
+TEST_CASE("03.3 the header has the format and the size and 255", "[03.3]") {
+    const std::string text = written(Image{3, 2});
+    std::istringstream in{text};
+    std::string format;
+    int width = 0, height = 0, full = 0;
+    in >> format >> width >> height >> full;
+    INFO("an image 3 wide and 2 high starts with P3, 3, 2 and 255, but yours with "
+         << begin_of(text));
+    CHECK(format == "P3");
+    CHECK(width == 3);
+    CHECK(height == 2);
+    CHECK(full == 255);
+}
+
+TEST_CASE("03.3 bytes are written as numbers", "[03.3]") {
+    const std::string text = written(Image{2, 1, white});
+    INFO("the text is "
+         << begin_of(text)
+         << ".\nHint: a std::uint8_t prints as a letter; + in front makes it a number");
+    for (std::size_t i = 2; i < text.size(); ++i) {  // after P3
+        const auto letter = static_cast<unsigned char>(text[i]);
+        REQUIRE((std::isdigit(letter) || std::isspace(letter)));
+    }
+    CHECK(bytes_of(text) == std::vector<int>{255, 255, 255, 255, 255, 255});
+}
+
+TEST_CASE("03.3 red comes before green and green before blue", "[03.3]") {
+    Image image{3, 1};
+    image.at(0, 0) = red;
+    image.at(1, 0) = green;
+    image.at(2, 0) = blue;
+    check_bytes(image, {255, 0, 0, 0, 255, 0, 0, 0, 255}, "red, green, blue: c.r, c.g, c.b");
+}
+
+TEST_CASE("03.3 rows run from the top and pixels from the left", "[03.3]") {
+    Image image{2, 3};
+    image.at(0, 0) = red;
+    image.at(1, 0) = green;
+    image.at(0, 1) = blue;
+    image.at(1, 1) = white;
+    check_bytes(image, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 0, 0, 0, 0, 0, 0},
+                "the pixels are (0, 0), (1, 0), then (0, 1), (1, 1), ...: y in the outer loop");
+}
+
+TEST_CASE("03.3 light is stored in sRGB", "[03.3]") {
+    // 0.5 of the light is byte 188; 0.2 is 124 and 0.002 is 7 (the straight piece of the curve).
+    check_bytes(Image{1, 1, {Real(0.5), Real(0.2), Real(0.002)}}, {188, 124, 7},
+                "the image holds linear light: rt::to_byte applies the sRGB curve");
+}
+
+TEST_CASE("03.3 an image of one pixel is an image", "[03.3][hard]") {
+    check_bytes(Image{1, 1, black}, {0, 0, 0}, "one pixel, three numbers");
+    CHECK(bytes_of(Image{1, 7}).size() == 21);
+    CHECK(bytes_of(Image{7, 1}).size() == 21);
+}
+
+TEST_CASE("03.3 light outside of 0 to 1 is clamped", "[03.3][hard]") {
+    const char* const hint = "more light than the file can hold is 255, less than none is 0";
+    check_bytes(Image{1, 1, {1, Real(1.5), 1000}}, {255, 255, 255}, hint);
+    check_bytes(Image{1, 1, {-1, Real(-1e-6), Real(-1e30)}}, {0, 0, 0}, hint);
+    check_bytes(Image{1, 1, {1 - rt::epsilon, 1 + rt::epsilon, Real(1e30)}}, {255, 255, 255}, hint);
+}
+
+TEST_CASE("03.3 each of the 256 bytes comes back", "[03.3][hard]") {
+    Image image{256, 1};
+    std::vector<int> expected;
+    for (int byte = 0; byte < 256; ++byte) {
+        const Real light = rt::srgb_decode(static_cast<Real>(byte) / 255);
+        image.at(byte, 0) = {light, light, light};
+        for (int channel = 0; channel < 3; ++channel) expected.push_back(byte);
+    }
+    check_bytes(image, expected, "round to the nearest byte: cutting digits off loses one");
+}
+
+TEST_CASE("03.3 no line is longer than 70 letters", "[03.3][hard]") {
+    std::istringstream in{written(Image{100, 2, white})};
+    for (std::string line; std::getline(in, line);) {
+        INFO("a line of " << line.size() << " letters. Hint: the format asks for lines of at most "
+                          << "70; a line a pixel is simplest");
+        REQUIRE(line.size() <= 70);
+    }
+}
+
+TEST_CASE("03.3 a colour that is no number is refused", "[03.3][hard]") {
+    CHECK(bytes_of(Image{1, 1, white}).size() == 3);  // a colour that is fine goes through
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    for (const Color& c : {Color{nan, 0, 0}, Color{0, nan, 0}, Color{0, 0, rt::infinity}}) {
+        std::ostringstream out;
+        INFO("a pixel of " << c
+                           << " must end in std::logic_error.\nHint: ask rt::is_finite(colour) "
+                           << "before you write it");
+        CHECK_THROWS_AS(rt::write_ppm(out, Image(1, 1, c)), std::logic_error);
+    }
+}

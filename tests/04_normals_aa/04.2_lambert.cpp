@@ -1,0 +1,54 @@
+#include <rt/lambert.hpp>
+
+#include "checkpoint.hpp"
+#include "statistics.hpp"
+
+using namespace checkpoint;
+
+TEST_CASE("04.2 the light falls off as the cosine at 50 angles", "[04.2]") {
+    for (int i = 0; i < 50; ++i) {
+        const Real angle = rt::pi / 2 * static_cast<Real>(i) / 50;
+        const Real cosine = std::cos(angle), sine = std::sin(angle);
+        const Real computed = rt::lambert({0, 1, 0}, {sine, cosine, 0});
+        INFO("angle between normal and light: " << 90 * i / 50.0 << " degrees");
+        HINT(cosine, computed, "the dot product of two vectors of length 1 is the cosine");
+        // Two products are 0 and one is times 1: nothing rounds.
+        REQUIRE(computed == cosine);
+    }
+}
+
+TEST_CASE("04.2 no light falls on a surface that faces away", "[04.2]") {
+    for (int i = 51; i <= 100; ++i) {
+        const Real angle = rt::pi * static_cast<Real>(i) / 100;
+        const Real computed = rt::lambert({0, 1, 0}, {0, std::cos(angle), std::sin(angle)});
+        INFO("angle between normal and light: " << 180 * i / 100.0 << " degrees");
+        HINT(Real(0), computed, "light from behind adds nothing, and there is no negative light");
+        REQUIRE(computed == 0);
+    }
+}
+
+TEST_CASE("04.2 the cosine is right for any two directions", "[04.2]") {
+    rt::Rng rng{42, 1};
+    for (int i = 0; i < 10000; ++i) {
+        const Vec3 n = any_direction(rng), l = any_direction(rng);
+        const Exact cosine =
+            Exact(n.x) * Exact(l.x) + Exact(n.y) * Exact(l.y) + Exact(n.z) * Exact(l.z);
+        const Exact expected = cosine.high > 0 ? cosine : Exact(0);
+        const Real computed = rt::lambert(n, l);
+        INFO("lambert(" << text(n) << ", " << text(l) << ")");
+        HINT(expected, computed, "max(0, cosine)");
+        // Three products of which the absolute values add up to at most 1.
+        REQUIRE(std::abs((expected - Exact(computed)).high) <=
+                static_cast<double>(rt::rounding_bound(4)));
+    }
+}
+
+TEST_CASE("04.2 the last light before sunset is not lost", "[04.2][hard]") {
+    for (Real height = real(0.5); height > 0; height /= 4) {
+        const Real computed = rt::lambert({0, 1, 0}, {std::sqrt(1 - height * height), height, 0});
+        INFO("the light stands " << text(height) << " above the horizon");
+        HINT(height, computed, "only what is below 0 becomes 0: there is no threshold above it");
+        REQUIRE(computed == height);
+        REQUIRE(rt::lambert({0, 1, 0}, {1, -height, 0}) == 0);
+    }
+}

@@ -1,0 +1,196 @@
+#include <rt/directions.hpp>
+
+#include "checkpoint.hpp"
+#include "statistics.hpp"
+
+using namespace checkpoint;
+using rt::Vec2;
+
+namespace {
+
+constexpr int samples = 1'000'000;
+constexpr int turns = 20, rings = 10;  // the grid: cells around the pole, rings from it
+
+const Real largest = 1 - rt::epsilon / 2;  // the largest number that uniform() gives
+const Vec2 corners[] = {{0, 0}, {largest, 0}, {0, largest}, {largest, largest}};
+const Vec2 edges[] = {{0, real(0.25)},         {largest, real(0.7)}, {real(0.5), 0},
+                      {real(0.5), largest},    {rt::epsilon / 2, 0}, {largest, real(0.125)},
+                      {real(1e-20), real(0.3)}};
+
+// How far the length is off 1.
+double length_error(Vec3 v) {
+    const Exact squared =
+        Exact(v.x) * Exact(v.x) + Exact(v.y) * Exact(v.y) + Exact(v.z) * Exact(v.z);
+    return std::abs((squared - Exact(1)).high / 2);  // sqrt(1 + x) is 1 + x / 2 for tiny x
+}
+
+// Directions on a hemisphere about `pole`, counted on a grid of equal angles. What the cells should
+// hold: `share` of an angle is the share of directions within that angle from the pole.
+struct Grid {
+    Vec3 pole, x, y;
+    double lowest_pole_cosine = 0;
+    std::vector<long> counts = std::vector<long>(turns * rings);
+
+    explicit Grid(Vec3 p) : pole{p} {
+        // Any direction across the pole will do, and a third across both.
+        const Vec3 helper = std::abs(p.x) < real(0.7) ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+        x = across(helper, p);
+        const Real size = std::sqrt(x.x * x.x + x.y * x.y + x.z * x.z);
+        x /= size;
+        y = across(p, x);
+    }
+    static Vec3 across(Vec3 a, Vec3 b) {
+        return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    }
+    static double dot(Vec3 a, Vec3 b) {
+        return static_cast<double>(a.x * b.x + a.y * b.y + a.z * b.z);
+    }
+
+    // ring_of(cosine) in [0, rings)
+    template <class RingOf>
+    void add(Vec3 d, RingOf ring_of) {
+        const double turn = std::atan2(dot(d, y), dot(d, x)) / (2 * 3.141592653589793) + 0.5;
+        const int column = std::min(static_cast<int>(turn * turns), turns - 1);
+        const int row = std::clamp(static_cast<int>(ring_of(dot(d, pole))), 0, rings - 1);
+        ++counts[static_cast<std::size_t>(row * turns + column)];
+    }
+};
+
+// Rings of 9 degrees each.
+double ring_of_angle(double cosine) {
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * rings / (3.141592653589793 / 2);
+}
+
+// How many of the samples a cell of each ring holds when the density is cos / pi: the integral of
+// cos sin / pi over the cell.
+std::vector<double> expected_by_cosine() {
+    std::vector<double> expected;
+    for (int ring = 0; ring < rings; ++ring) {
+        const auto within = [](int r) {
+            const double sine = std::sin(r * 3.141592653589793 / 2 / rings);
+            return sine * sine;
+        };
+        const double share = within(ring + 1) - within(ring);
+        expected.insert(expected.end(), turns, samples * share / turns);
+    }
+    return expected;
+}
+
+}  // namespace
+
+TEST_CASE("04.3 uniform directions cover the sphere evenly", "[04.3]") {
+    rt::Rng rng{43, 1};
+    Grid grid{{0, 0, 1}};
+    double worst = 0;
+    for (int i = 0; i < samples; ++i) {
+        const Vec3 d = rt::uniform_direction(rt::random_place(rng));
+        worst = std::max(worst, length_error(d));
+        // Slices of equal height have equal surface.
+        grid.add(d, [](double cosine) { return (1 - cosine) / 2 * rings; });
+    }
+    {
+        INFO("lengths are off 1 by up to " << worst);
+        CHECK(worst <= 2 * static_cast<double>(rt::epsilon));
+    }
+    const double statistic = chi_square(
+        grid.counts,
+        std::vector<double>(turns * rings, static_cast<double>(samples) / turns / rings));
+    INFO("chi-square of 200 cells of equal surface: "
+         << statistic
+         << ".\nHint: z is spread evenly from -1 to 1, the angle about the z axis from 0 to 2 pi; "
+            "angles from the pole that are spread evenly crowd the poles");
+    CHECK(statistic < chi_square_limit(turns * rings - 1));
+}
+
+TEST_CASE("04.3 bounces follow the cosine about any normal", "[04.3]") {
+    rt::Rng rng{43, 2};
+    const Vec3 normals[] = {{0, 0, 1}, {0, 0, -1}, {real(0.48), real(-0.6), real(0.64)}};
+    Grid grids[] = {Grid{normals[0]}, Grid{normals[1]}, Grid{normals[2]}};
+    std::vector<long> counts(turns * rings);
+    double worst = 0;
+    long below = 0;
+    for (int i = 0; i < samples; ++i) {
+        Grid& grid = grids[i % 3];
+        const Vec3 d = rt::cosine_direction(grid.pole, rt::random_place(rng));
+        worst = std::max(worst, length_error(d));
+        below += !(Grid::dot(d, grid.pole) > 0);
+        grid.add(d, ring_of_angle);
+    }
+    for (const Grid& grid : grids)
+        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += grid.counts[i];
+    {
+        INFO(below << " of the directions point below the surface.\nHint: the height above the "
+                      "surface goes along the normal");
+        REQUIRE(below == 0);
+    }
+    {
+        INFO("lengths are off 1 by up to " << worst);
+        CHECK(worst <= 2 * static_cast<double>(rt::epsilon));
+    }
+    const double statistic = chi_square(counts, expected_by_cosine());
+    INFO("chi-square of a 20 x 10 grid of the hemisphere against cos / pi: "
+         << statistic
+         << ".\nHint: too few near the normal, as many directions near the horizon as "
+            "evenly spread ones? The radius on the disk is the square ROOT of a random number");
+    CHECK(statistic < chi_square_limit(turns * rings - 1));
+}
+
+TEST_CASE("04.3 evenly spread directions do not pass for a cosine", "[04.3]") {
+    // The same test on other directions: it can tell the two kinds apart.
+    rt::Rng rng{43, 3};
+    Grid grid{{0, 0, 1}};
+    for (int i = 0; i < samples; ++i) {
+        Vec3 d = rt::uniform_direction(rt::random_place(rng));
+        d.z = std::abs(d.z);
+        grid.add(d, ring_of_angle);
+    }
+    INFO("Hint: uniform_direction should not prefer the pole");
+    CHECK(chi_square(grid.counts, expected_by_cosine()) >
+          100 * chi_square_limit(turns * rings - 1));
+}
+
+TEST_CASE("04.3 the corners of the square give directions too", "[04.3][hard]") {
+    const auto check = [](Vec2 place) {
+        const Vec3 d = rt::uniform_direction(place);
+        INFO("place (" << text(place.x) << ", " << text(place.y) << ") gives " << text(d));
+        REQUIRE(rt::is_finite(d));
+        REQUIRE(length_error(d) <= 2 * static_cast<double>(rt::epsilon));
+    };
+    for (const Vec2 place : corners) check(place);
+    for (const Vec2 place : edges) check(place);
+    INFO("Hint: near the poles 1 - z^2 cancels; it is (1 - z)(1 + z)");
+    for (const Real size : {real(0.1), real(1.37), real(77.7)}) {
+        // A multiple of epsilon, as random numbers are.
+        const Real x =
+            std::round(size * std::sqrt(rt::epsilon) / rt::epsilon) * rt::epsilon + rt::epsilon;
+        const Vec3 d = rt::uniform_direction({x, 0});
+        const Real expected = 2 * std::sqrt(x * (1 - x));
+        HINT(expected, d.x, "the distance from the axis is 2 sqrt(x (1 - x))");
+        CHECK(std::abs(d.x - expected) <= 4 * rt::epsilon * expected);
+    }
+}
+
+TEST_CASE("04.3 bounces stay above the surface at any normal", "[04.3][hard]") {
+    rt::Rng rng{43, 4};
+    const auto check = [](Vec3 normal, Vec2 place) {
+        const Vec3 d = rt::cosine_direction(normal, place);
+        INFO("normal " << text(normal) << ", place (" << text(place.x) << ", " << text(place.y)
+                       << ") gives " << text(d));
+        REQUIRE(rt::is_finite(d));
+        REQUIRE(length_error(d) <= 2 * static_cast<double>(rt::epsilon));
+        INFO("Hint: even at the rim of the disk the height is sqrt(1 - x) > 0");
+        REQUIRE(d.x * normal.x + d.y * normal.y + d.z * normal.z > 0);
+    };
+    for (int i = 0; i < 5000; ++i) {
+        const Vec3 normal = any_direction(rng);
+        for (const Vec2 place : corners) check(normal, place);
+        for (const Vec2 place : edges) check(normal, place);
+    }
+    for (const Real one : {Real(1), Real(-1)})
+        for (const Real zero : {Real(0), -Real(0)})
+            for (const Vec2 place : corners) {
+                check({one, zero, zero}, place);
+                check({zero, one, zero}, place);
+                check({zero, zero, one}, place);
+            }
+}

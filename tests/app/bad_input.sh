@@ -1,0 +1,154 @@
+#!/bin/sh
+# bad_input.sh PROGRAM: a chapter's program refuses what it should: one line on stderr, the right exit
+# code, no file left behind, an older image as it was.
+set -u
+program=$1
+name=$(basename "$1")
+place=$(mktemp -d)
+cleanup() {
+    umount "$place/work/full" 2>/dev/null
+    chmod -R u+w "$place"
+    rm -rf "$place"
+}
+trap cleanup EXIT
+mkdir "$place/work" && cd "$place/work" || exit 1
+
+failures=0
+complain() {
+    failures=$((failures + 1))
+    printf '%s %s\n  %s\n' "$name" "$1" "$2"
+    sed 's/^/  stderr: /' "$place/stderr"
+}
+
+# Everything in the folder: names, and what the files hold.
+contents() {
+    find . | LC_ALL=C sort
+    find . -type f -exec cksum {} + | LC_ALL=C sort
+}
+
+# refuses CODE WORDS ARGUMENTS...: ends with CODE after one line on stderr in which WORDS stand, and
+# leaves everything as it was. $wrapper holds a command that runs the program, $into its stdout.
+wrapper=''
+into=$place/stdout
+refuses() {
+    code=$1
+    words=$2
+    shift 2
+    before=$(contents)
+    # shellcheck disable=SC2086  # a word an argument
+    $wrapper "$program" "$@" >"$into" 2>"$place/stderr"
+    got=$?
+    [ "$got" -eq "$code" ] || complain "$*" "exit code $got, not $code"
+    [ "$(wc -l <"$place/stderr")" -eq 1 ] || complain "$*" "not one line on stderr"
+    grep -q -- "$words" "$place/stderr" || complain "$*" "stderr does not say '$words'"
+    [ "$(contents)" = "$before" ] || complain "$*" "files were left or changed: $(contents)"
+}
+
+# draws ARGUMENTS...: succeeds without a word.
+draws() {
+    "$program" --quiet "$@" >"$place/stdout" 2>"$place/stderr" || complain "$*" "failed"
+    if [ -s "$place/stdout" ] || [ -s "$place/stderr" ]; then complain "$*" "is not quiet"; fi
+}
+
+echo 'an older image' >old.png
+cp old.png old.ppm
+mkdir folder folder.png
+ln -s loop.png loop.png
+
+# The command line.
+refuses 2 -- --bogus --bogus
+refuses 2 -- picture.png picture.png
+refuses 2 --out --out
+for value in 0 -5 1e9 abc 65537 99999999999999999999 ' 7' 7.5 ''; do
+    refuses 2 'whole number from 1 to' --width "$value" --out old.png
+    refuses 2 'whole number from 1 to' --height "$value" --out new.png
+done
+refuses 2 pixels --width 60000 --height 60000 --out old.png
+
+# Where the image shall go.
+refuses 2 'folder' --out folder
+refuses 2 'folder' --out folder.png
+refuses 2 '\.png or \.ppm' --out ''
+refuses 2 'use \.png or \.ppm' --out image.jpg
+refuses 2 'use \.png or \.ppm' --out image
+refuses 2 'use \.png or \.ppm' --out 'two
+lines.bmp'
+refuses 1 'not there' --out nowhere/image.png
+refuses 1 'not there' --out old.png/image.png
+refuses 1 'loop.png' --out loop.png
+
+# Places that cannot be written to. Permissions do not hold for root, who becomes nobody where that
+# user can run the program.
+mkdir read_only
+chmod 555 read_only
+chmod 444 old.ppm
+if [ "$(id -u)" -eq 0 ]; then
+    nobody='setpriv --reuid=65534 --regid=65534 --clear-groups'
+    chmod 711 "$place"
+    if $nobody "$program" --help >"$place/stdout" 2>&1; then
+        chmod 666 "$place/stderr"
+        chmod 777 .
+        wrapper=$nobody
+    fi
+    [ ! -d /proc/self ] || refuses 1 'proc' --width 9 --height 9 --out /proc/image.png
+fi
+if [ "$(id -u)" -ne 0 ] || [ -n "$wrapper" ]; then
+    refuses 1 'cannot be written to' --out read_only/image.png
+    refuses 1 'cannot be replaced' --out old.ppm
+fi
+wrapper=''
+chmod 644 old.ppm
+
+# Full disks: a device that always is, a limit on the size of files, and a real one where we may mount.
+if [ -c /dev/full ]; then
+    ln -s /dev/full full.png
+    ln -s /dev/full full.ppm
+    refuses 1 'room' --width 30 --height 20 --out /dev/full
+    refuses 1 'room' --width 30 --height 20 --out full.png
+    refuses 1 'room' --width 30 --height 20 --out full.ppm
+    into=/dev/full
+    refuses 1 'standard output' --help
+    into=$place/stdout
+fi
+limited() { (ulimit -f 8 && exec "$@"); }
+wrapper=limited
+refuses 1 'room' --width 200 --height 200 --out new.ppm
+refuses 1 'room' --width 200 --height 200 --out old.ppm
+wrapper=''
+mkdir full
+if mount -t tmpfs -o size=16k tmpfs full 2>/dev/null; then
+    echo 'an older image' >full/old.ppm
+    refuses 1 'room' --width 200 --height 200 --out full/new.ppm
+    refuses 1 'room' --width 200 --height 200 --out full/old.ppm
+fi
+
+# Studies.
+if "$program" --help | grep -q -- --study; then
+    refuses 2 'folder' --study ''
+    refuses 1 'old.png' --study old.png
+    refuses 1 'old.png' --study old.png/study
+fi
+
+# What goes well.
+"$program" --help >"$place/stdout" 2>"$place/stderr" || complain --help "failed"
+[ ! -s "$place/stderr" ] || complain --help "speaks on stderr"
+grep -q -- --out "$place/stdout" || complain --help "does not tell of --out"
+small='--width 30 --height 20'
+# shellcheck disable=SC2086  # four arguments
+for image in 'with spaces.png' old.png -dash.ppm /dev/null; do
+    draws $small --out "$image"
+done
+# Through a link, whether or not there is a file behind it.
+ln -s target.png link.png
+# shellcheck disable=SC2086
+draws $small --out link.png && draws $small --out link.png
+{ [ -L link.png ] && [ -f target.png ]; } || complain link.png "was replaced by the image"
+draws --width 1 --height 1 --out tiny.png
+for image in 'with spaces.png' old.png target.png tiny.png; do
+    head -c 4 "$image" | grep -q PNG || complain "$image" "is no PNG"
+done
+head -c 1 ./-dash.ppm | grep -q P || complain -dash.ppm "is no PPM"
+[ -z "$(find . -name '*.part')" ] || complain "" "temporary files were left"
+
+[ "$failures" -eq 0 ] || echo "$failures complaints"
+[ "$failures" -eq 0 ]

@@ -1,0 +1,42 @@
+#include <app/run.hpp>
+
+#include "checkpoint.hpp"
+
+namespace {
+
+std::string picked_color;
+
+app::Picture note_choice(const app::Settings& settings, app::Progress&) {
+    picked_color = settings.picked.at(0);
+    return {rt::Image{1, 1}};
+}
+
+// The exit code of a program that has a choice of colors.
+int run_with(std::vector<const char*> arguments) {
+    picked_color = "";
+    arguments.insert(arguments.begin(), {"test", "--quiet", "--out", "/dev/null"});
+    return app::run(static_cast<int>(arguments.size()), arguments.data(),
+                    {.name = "test",
+                     .about = "",
+                     .defaults = {},
+                     .render = note_choice,
+                     .study = nullptr,
+                     .choices = {{"color", "What it is painted with", {"red", "blue"}}}});
+}
+
+}  // namespace
+
+TEST_CASE("a program has choices of its own and their first word is the default", "[choices]") {
+    CHECK(run_with({}) == app::done);
+    CHECK(picked_color == "red");
+    CHECK(run_with({"--color", "blue"}) == app::done);
+    CHECK(picked_color == "blue");
+}
+
+TEST_CASE("a choice takes none but its words", "[choices]") {
+    CHECK(run_with({"--color", "green"}) == app::bad_input);
+    CHECK(run_with({"--color"}) == app::bad_input);
+    CHECK(run_with({"--color", ""}) == app::bad_input);
+    CHECK(run_with({"--shade", "red"}) == app::bad_input);
+    CHECK(picked_color.empty());
+}

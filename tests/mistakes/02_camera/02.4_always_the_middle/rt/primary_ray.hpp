@@ -1,0 +1,15 @@
+#pragma once
+#include <rt/camera.hpp>
+#include <rt/length.hpp>
+#include <rt/pixel.hpp>
+#include <rt/ray.hpp>
+
+namespace rt {
+
+inline Ray primary_ray(const Camera& camera, int column, int row, Vec2 offset) {
+    static_cast<void>(offset);
+    const Vec2 p = pixel_to_viewport(camera, column, row, {Real(0.5), Real(0.5)});
+    return {camera.eye, normalize(camera.basis.to_world({p.x, p.y, -1}))};
+}
+
+}  // namespace rt

@@ -1,0 +1,15 @@
+#pragma once
+#include <rt/camera.hpp>
+#include <rt/length.hpp>
+#include <rt/pixel.hpp>
+#include <rt/ray.hpp>
+
+namespace rt {
+
+inline Ray primary_ray(const Camera& camera, int column, int row, Vec2 offset) {
+    const Vec2 p = pixel_to_viewport(camera, column, row, offset);
+    const Vec3 point = camera.eye + camera.basis.to_world({p.x, p.y, -1});
+    return {camera.eye, normalize(point - camera.eye)};
+}
+
+}  // namespace rt

@@ -1,0 +1,11 @@
+#pragma once
+#include <algorithm>
+#include <rt/dot.hpp>
+
+namespace rt {
+
+inline Real lambert(Vec3 normal, Vec3 to_light) {
+    return dot(normal, to_light);
+}
+
+}  // namespace rt

@@ -1,0 +1,30 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <rt/color.hpp>
+#include <rt/directions.hpp>
+#include <rt/vec2.hpp>
+
+namespace rt {
+
+inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
+    const auto within = [n](int k, Real x) {
+        const auto count = static_cast<Real>(n), first = static_cast<Real>(k);
+        const Real end = std::nextafter((first + 1) / count, Real(0));
+        return std::min((first + x) / count, end);
+    };
+    return {within(cell % n, place.x), within(cell / n, place.y)};
+}
+
+template <class Random, class Sample>
+Color pixel_average(int samples, Random& random, Sample sample) {
+    int n = 1;
+    while ((n + 1) * (n + 1) <= samples) ++n;
+    Color sum;
+    for (int cell = 0; cell < n * n; ++cell)
+        sum += sample(jittered_offset(cell, n, random_place(random)));
+    for (int rest = n * n; rest < samples; ++rest) sum += sample(random_place(random));
+    return sum / static_cast<Real>(n * n);
+}
+
+}  // namespace rt

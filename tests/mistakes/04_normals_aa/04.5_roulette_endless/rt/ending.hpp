@@ -1,0 +1,35 @@
+#pragma once
+#include <algorithm>
+#include <rt/color.hpp>
+
+namespace rt {
+
+enum class Fate { ends_in_sky, ends_in_black, goes_on };
+
+struct SkyEnding {
+    template <class Random>
+    Fate operator()(Color&, Random&) const {
+        return Fate::ends_in_sky;
+    }
+};
+
+struct BlackEnding {
+    template <class Random>
+    Fate operator()(Color&, Random&) const {
+        return Fate::ends_in_black;
+    }
+};
+
+struct RouletteEnding {
+    Real most_likely = Real(0.95);
+
+    template <class Random>
+    Fate operator()(Color& throughput, Random& random) const {
+        const Real p = std::max({throughput.r, throughput.g, throughput.b});
+        if (!(random.uniform() < p)) return Fate::ends_in_black;
+        throughput /= p;
+        return Fate::goes_on;
+    }
+};
+
+}  // namespace rt

@@ -1,0 +1,34 @@
+#pragma once
+#include <algorithm>
+#include <rt/color.hpp>
+
+namespace rt {
+
+enum class Fate { ends_in_sky, ends_in_black, goes_on };
+
+struct SkyEnding {
+    template <class Random>
+    Fate operator()(Color&, Random&) const {
+        return Fate::ends_in_sky;
+    }
+};
+
+struct BlackEnding {
+    template <class Random>
+    Fate operator()(Color&, Random&) const {
+        return Fate::ends_in_black;
+    }
+};
+
+struct RouletteEnding {
+    Real most_likely = Real(0.95);
+
+    template <class Random>
+    Fate operator()(Color& throughput, Random& random) const {
+        const Real p = std::min(most_likely, std::max({throughput.r, throughput.g, throughput.b}));
+        if (!(random.uniform() < p)) return Fate::ends_in_black;
+        return Fate::goes_on;
+    }
+};
+
+}  // namespace rt

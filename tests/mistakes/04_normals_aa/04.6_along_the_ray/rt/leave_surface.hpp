@@ -1,0 +1,14 @@
+#pragma once
+#include <rt/dot.hpp>
+#include <rt/hit.hpp>
+
+namespace rt {
+
+inline Vec3 leave_surface(const Hit& hit, Vec3 direction) {
+    const Vec3 side = hit.normal;
+    const Real facing_out = 1;
+    const Real distance = hit.point_error + rounding_bound(1) * dot(abs(hit.point), abs(side));
+    return hit.point + distance * (facing_out * direction);
+}
+
+}  // namespace rt
