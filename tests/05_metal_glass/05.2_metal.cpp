@@ -6,6 +6,7 @@
 #include <rt/sphere_list.hpp>
 
 #include "exact_vectors.hpp"
+#include "statistics.hpp"
 
 using namespace checkpoint;
 
@@ -13,23 +14,8 @@ namespace {
 
 constexpr double fuzz_values[]{0, 0.1, 0.3, 0.5, 1};
 
-// The average of many numbers, and how far by chance it strays from the true one: its standard
-// error. The seeds are fixed, so a test case that has passed once passes always; with another seed
-// one comparison in 370 would stray by more than 3 standard errors, one in 16000 by more than 4.
-struct Average {
-    double sum = 0, squares = 0;
-    int count = 0;
-
-    void add(double x) {
-        sum += x;
-        squares += x * x;
-        ++count;
-    }
-    double mean() const { return sum / count; }
-    double standard_error() const {
-        return std::sqrt(std::max(0.0, squares / count - mean() * mean()) / count);
-    }
-};
+// The seeds are fixed. With another one comparison in 370 would stray by more than 3 standard
+// errors, one in 16000 by more than 4.
 
 // What rounding may do to an average of numbers up to 1 that have a few roundings each.
 const double rounding = static_cast<double>(rt::rounding_bound(16));
@@ -75,7 +61,7 @@ TEST_CASE("05.2 fuzz spreads the light as far as it says", "[05.2]") {
     // cosine with m is 1 - f^2 / 3 on the average, and the rest cancels.
     for (const double fuzz : fuzz_values) {
         rt::Rng rng{52, 2};
-        Average x, y, z;
+        Mean x, y, z;
         for (int i = 0; i < 20000; ++i) {
             const Vec3 d =
                 rt::metal_direction({0, -1, 0}, floor_normal, real(fuzz), rt::random_place(rng));
@@ -100,7 +86,7 @@ TEST_CASE("05.2 folding leaves the part along the surface as it was", "[05.2]") 
         for (const double fuzz : fuzz_values) {
             rt::Rng rng{52, 3};
             const Vec3 incoming = arriving_at_floor(angle);
-            Average x;
+            Mean x;
             for (int i = 0; i < 20000; ++i)
                 x.add(static_cast<double>(
                     rt::metal_direction(incoming, floor_normal, real(fuzz), rt::random_place(rng))
@@ -120,7 +106,7 @@ TEST_CASE("05.2 white metal in a white furnace stays white", "[05.2]") {
         for (const double fuzz : fuzz_values) {
             rt::Rng rng{52, 4};
             const rt::Metal white{{1, 1, 1}, real(fuzz)};
-            Average light;
+            Mean light;
             for (int i = 0; i < 20000; ++i) {
                 const auto bounce = scatter(white, arriving_at_floor(angle), floor_hit(), rng);
                 const bool is_out = bounce && bounce->direction.y >= 0;
