@@ -73,7 +73,7 @@ inline void add_reflectance(study::Report& report) {
     for (const double index : {1.1, 1.3, 1.5, 2.0, 2.5}) {
         const Real eta = 1 / static_cast<Real>(index);
         const double ns = reflectance_ns(schlick_reflectance, eta);
-        for (const int degrees : {0, 10, 20, 30, 40, 50, 60, 65, 70, 75, 80, 85, 89}) {
+        for (const int degrees : {30, 40, 45, 50, 55, 60, 65, 70, 75, 80, 83, 86, 89}) {
             const Real cosine = std::cos(radians(static_cast<Real>(degrees)));
             report.add({.study = "Schlick over the angle",
                         .variant = with_index("Schlick", index),
@@ -264,7 +264,7 @@ inline void add_fuzz(study::Report& report) {
 }
 
 // A small picture as a list of colors, and the time it took, in nanoseconds a path: the median of
-// five runs.
+// a few runs.
 struct Drawn {
     std::vector<Color> pixels;
     double ns = 0;
@@ -272,7 +272,7 @@ struct Drawn {
 
 template <class World, class Materials, class Ending>
 Drawn draw(const World& world, const Materials& materials, const Ending& ending, const View& view,
-           Quality quality) {
+           Quality quality, int runs = 5) {
     const int width = 64, height = 36;
     const Camera camera = make_camera(view, width, height);
     Drawn drawn;
@@ -283,7 +283,7 @@ Drawn draw(const World& world, const Materials& materials, const Ending& ending,
                 drawn.pixels.push_back(render_pixel(camera, world, materials, scene::EveningSky{},
                                                     ending, quality, x, y));
     };
-    drawn.ns = study::time_ns(draw_once, 5) / (width * height * quality.samples_per_pixel);
+    drawn.ns = study::time_ns(draw_once, runs) / (width * height * quality.samples_per_pixel);
     return drawn;
 }
 
@@ -303,7 +303,7 @@ inline void add_depth(study::Report& report) {
     const MaterialSet<Dielectric> glass{
         {Dielectric{Real(1.5)}, Dielectric{Real(2.4 / 1.5)}, Dielectric{Real(1 / 2.4)}}};
     const View view{{0, Real(0.3), 4}, {0, 0, 0}, {0, 1, 0}, radians(30)};
-    const auto correct = draw(world, glass, BlackEnding{}, view, {1, 2000, 1}).pixels;
+    const auto correct = draw(world, glass, BlackEnding{}, view, {4, 2000, 1}).pixels;
     const auto add = [&](const char* name, int depth, const Drawn& drawn) {
         report.add({.study = "Depth limit",
                     .variant = name,
@@ -315,8 +315,8 @@ inline void add_depth(study::Report& report) {
                     .cost_name = "time of a path / ns"});
     };
     for (const int depth : {1, 2, 4, 6, 8, 12, 16, 32, 64}) {
-        add("ends in sky", depth, draw(world, glass, SkyEnding{}, view, {1, depth, 1}));
-        add("ends in black", depth, draw(world, glass, BlackEnding{}, view, {1, depth, 1}));
+        add("ends in sky", depth, draw(world, glass, SkyEnding{}, view, {4, depth, 1}));
+        add("ends in black", depth, draw(world, glass, BlackEnding{}, view, {4, depth, 1}));
     }
 }
 
@@ -339,11 +339,21 @@ inline void add_choice(study::Report& report) {
                     .cost_name = "time / ns"});
     };
     const View view{{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)};
-    const Drawn values = draw(evening.world, evening.set, SkyEnding{}, view, {4, 12, 1}),
-                classes = draw(evening.world, objects, SkyEnding{}, view, {4, 12, 1});
-    add("Choice, whole path", "std::variant", 4, 0, values.ns);
-    add("Choice, whole path", "virtual", 4, mean_difference(values.pixels, classes.pixels),
-        classes.ns);
+    // By turns, so that whatever else the machine does at the time touches both.
+    std::vector<double> value_ns, object_ns;
+    double difference = 0;
+    for (int turn = 0; turn < 9; ++turn) {
+        const Quality quality{4, 12, 1};
+        const Drawn values = draw(evening.world, evening.set, SkyEnding{}, view, quality, 1),
+                    classes = draw(evening.world, objects, SkyEnding{}, view, quality, 1);
+        value_ns.push_back(values.ns);
+        object_ns.push_back(classes.ns);
+        difference = std::max(difference, mean_difference(values.pixels, classes.pixels));
+    }
+    std::sort(value_ns.begin(), value_ns.end());
+    std::sort(object_ns.begin(), object_ns.end());
+    add("Choice, whole path", "std::variant", 4, 0, value_ns[4]);
+    add("Choice, whole path", "virtual", 4, difference, object_ns[4]);
 
     // Metal alone, or all materials of the scene, in random order.
     const MaterialList<Metal> alone{
