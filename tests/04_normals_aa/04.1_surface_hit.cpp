@@ -96,11 +96,14 @@ TEST_CASE("04.1 normals have length 1 and lead from the center to the point", "[
         const double off = (exact_length({n.x, n.y, n.z}) - Exact(1)).high;
         // In epsilons, since numbers as small as an error are all printed as 0.0.
         const double off_in_epsilons = std::abs(off) / static_cast<double>(rt::epsilon);
-        INFO("the normal is " << text(n) << ", its length is off 1 by " << off
-                              << ".\nHint: normalize the vector from the center to the point. t is "
-                                 "rounded, so that vector is not quite as long as the radius: "
-                                 "dividing by the radius is not enough");
-        REQUIRE(off_in_epsilons <= 2);
+        {
+            INFO("the normal is "
+                 << text(n) << ", its length is off 1 by " << off
+                 << ".\nHint: normalize the vector from the center to the point. t is "
+                    "rounded, so that vector is not quite as long as the radius: "
+                    "dividing by the radius is not enough");
+            REQUIRE(off_in_epsilons <= 2);
+        }
 
         // The place that t tells, without a detour over the scene's origin, which is far away.
         const auto along = [&](Real o, Real c, Real d) {
@@ -148,7 +151,8 @@ TEST_CASE("04.1 the point lies on the surface within its error bound", "[04.1][h
 }
 
 TEST_CASE("04.1 the error bound is the one that the text derives", "[04.1][hard]") {
-    for_shots(20000, 6, 1000, [](const Shot& shot) {
+    // Not far from the origin, where both parts of the bound count.
+    for_shots(20000, 0, 1000, [](const Shot& shot) {
         const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);
         const Vec3 p = hit.point, n = hit.normal;
         const Real sum = std::abs(p.x * n.x) + std::abs(p.y * n.y) + std::abs(p.z * n.z);

@@ -190,10 +190,13 @@ TEST_CASE("04.3 the corners of the square give directions too", "[04.3][hard]") 
 TEST_CASE("04.3 bounces stay above the surface at any normal", "[04.3][hard]") {
     rt::Rng rng{43, 4};
     const auto check = [](Vec3 normal, Vec2 place) {
-        INFO("normal " << text(normal) << ", place (" << text(place.x) << ", " << text(place.y)
-                       << ").\nHint: normal plus uniform direction may be the zero vector, which "
-                          "cannot be normalized; the lifted disk has no such place");
-        const Vec3 d = rt::cosine_direction(normal, place);
+        const auto direction = [&] {
+            INFO("normal " << text(normal) << ", place (" << text(place.x) << ", " << text(place.y)
+                           << ").\nHint: normal plus uniform direction may be the zero vector, "
+                              "which cannot be normalized; the lifted disk has no such place");
+            return rt::cosine_direction(normal, place);
+        };
+        const Vec3 d = direction();
         INFO("normal " << text(normal) << ", place (" << text(place.x) << ", " << text(place.y)
                        << ") gives " << text(d));
         REQUIRE(rt::is_finite(d));
