@@ -1,0 +1,5 @@
+#pragma once
+#include <study/report.hpp>
+namespace threads {
+inline void study_workers(study::Report&) {}
+}  // namespace threads
