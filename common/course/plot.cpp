@@ -77,7 +77,7 @@ void begin(std::ostream& out, const Canvas& canvas, const std::string& svg_file,
     out << "set terminal svg size " << canvas.width << ',' << canvas.height
         << " enhanced font 'Helvetica,Arial,sans-serif," << font_size
         << "' background '#ffffff'\nset output " << quoted(svg_file)
-        << "\nset encoding utf8\nset datafile missing 'NaN'\nset multiplot\n"
+        << "\nset datafile missing 'NaN'\nset multiplot\n"
         << "set style line 100 lc rgb '#9a9a9a' lw 1\nset style line 101 lc rgb '#e4e4e4' lw 1\n"
         << "set border 3 ls 100\nset grid back ls 101\nset tics nomirror scale 0.5 "
         << "textcolor rgb '#444444'\nset key off\n"

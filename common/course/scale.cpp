@@ -22,7 +22,7 @@ Marks logarithmic_marks(double low, double high) {
     for (double power = std::floor(low / step) * step; power <= high; power += step)
         for (const double digit : {1.0, 2.0, 5.0}) {
             const double place = power + std::log10(digit);
-            if (place < low || place > high || (digit != 1 && high - low > 3)) continue;
+            if (place < low || place > high || (digit != 1 && high - low > 3.2)) continue;
             const bool short_number = -3 <= low && high <= 4;
             marks.emplace_back(place, short_number ? text(digit * std::pow(10.0, power))
                                       : digit == 1 ? text(power, "10^{%g}")

@@ -2,10 +2,16 @@
 #include <exception>
 #include <mutex>
 #include <rt/parallel_jobs.hpp>
+#include <version>
+
+// A standard library may come without the parallel algorithms, also where TBB is installed.
+#if defined RT_HAS_TBB && !defined __cpp_lib_parallel_algorithm
+#undef RT_HAS_TBB
+#endif
 
 #ifdef RT_HAS_TBB
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <execution>

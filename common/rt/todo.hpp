@@ -1,4 +1,5 @@
 #pragma once
+#include <exception>
 #include <optional>
 #include <rt/compiler.hpp>
 #include <stdexcept>
@@ -39,7 +40,9 @@ inline constexpr bool is_optional<std::optional<T>> = true;
 struct AnyValue {
     // std::optional is left out: it already accepts whatever converts to its value.
     template <class T>
-    requires(!is_optional<T>) operator T() const;  // never called: todo has thrown by then
+    requires(!is_optional<T>) operator T() const {
+        std::terminate();  // never called: todo has thrown by then
+    }
 };
 
 [[noreturn]] void throw_not_implemented(const ExerciseId& exercise);
