@@ -81,16 +81,22 @@ struct SceneShader {
     int samples, depth;
     std::uint64_t seed;
 
+    // One sample of a pixel, with the random numbers of any generator.
+    template <class World, class Random>
+    Color sample(const World& world, int x, int y, int number, Random& random) const {
+        int n = 1;
+        while ((n + 1) * (n + 1) <= samples) ++n;
+        const Vec2 place = random_place(random);
+        const Vec2 offset = number < n * n ? jittered_offset(number, n, place) : place;
+        return path_radiance(primary_ray(camera, x, y, offset), world, scene.materials, scene.sky,
+                             SkyEnding{}, depth, random);
+    }
+
     ScenePixel operator()(int x, int y) const {
         ScenePixel pixel;
         const CountingWorld<SphereList> world{scene.world, pixel.rays};
-        int n = 1;
-        while ((n + 1) * (n + 1) <= samples) ++n;
-        pixel.color = average_samples(seed, x, y, samples, [&](int sample, Rng& random) {
-            const Vec2 place = random_place(random);
-            const Vec2 offset = sample < n * n ? jittered_offset(sample, n, place) : place;
-            return path_radiance(primary_ray(camera, x, y, offset), world, scene.materials,
-                                 scene.sky, SkyEnding{}, depth, random);
+        pixel.color = average_samples(seed, x, y, samples, [&](int number, Rng& random) {
+            return sample(world, x, y, number, random);
         });
         return pixel;
     }

@@ -68,6 +68,80 @@ inline void study_strategies(study::Report& report, const Scene& scene) {
     add_trials(report, "Strategies", "workers", render, trials);
 }
 
+// One generator for all, which may be asked by one at a time.
+struct LockedRng {
+    Rng random{1, 1};
+    std::mutex mutex;
+
+    Real uniform() {
+        const std::lock_guard lock{mutex};
+        return random.uniform();
+    }
+};
+
+// Whose generator a sample draws from: how many pixels differ from the picture that one worker
+// draws, and the time it takes.
+inline void study_streams(study::Report& report, const Scene& scene) {
+    const TileGrid grid{160, 90, 8};
+    const SceneShader shader{scene, make_camera(scene_view(), grid.width, grid.height), 4, 12, 1};
+    const auto average = [&](int x, int y, auto& random) {
+        Color sum;
+        for (int i = 0; i < shader.samples; ++i) sum += shader.sample(scene.world, x, y, i, random);
+        return sum / static_cast<Real>(shader.samples);
+    };
+    const auto add = [&](const char* variant, auto draw) {
+        Image alone;
+        for (const int workers : {1, 2, 4}) {
+            std::vector<double> seconds, differ;
+            for (int round = 0; round < 3; ++round) {
+                Image image;
+                seconds.push_back(seconds_of([&] { image = draw(workers); }));
+                if (workers == 1) alone = image;
+                int count = 0;
+                for (std::size_t i = 0; i < image.pixels().size(); ++i)
+                    count += image.pixels()[i] != alone.pixels()[i];
+                differ.push_back(100.0 * count / static_cast<double>(image.pixels().size()));
+            }
+            report.add({.study = "Random streams",
+                        .variant = variant,
+                        .x = static_cast<double>(workers),
+                        .x_name = "workers",
+                        .error = median(differ),
+                        .error_name = "pixels that differ / %",
+                        .cost = 1000 * median(seconds),
+                        .cost_name = "time / ms"});
+        }
+    };
+    add("one for all, locked", [&](int workers) {
+        LockedRng random;
+        return render_image(render_tiles, grid, workers,
+                            [&](int x, int y, int) { return average(x, y, random); });
+    });
+    add("one a worker", [&](int workers) {
+        struct alignas(64) OwnRng {
+            Rng random;
+        };
+        std::vector<OwnRng> own;
+        for (int i = 0; i < workers; ++i) own.push_back({pixel_rng(1, i, 0)});
+        return render_image(render_tiles, grid, workers, [&](int x, int y, int worker) {
+            return average(x, y, own[static_cast<std::size_t>(worker)].random);
+        });
+    });
+    add("one a pixel", [&](int workers) {
+        return render_image(render_tiles, grid, workers, [&](int x, int y, int) {
+            Rng random = pixel_rng(1, x, y);
+            return average(x, y, random);
+        });
+    });
+    add("one a sample", [&](int workers) {
+        return render_image(render_tiles, grid, workers, [&](int x, int y, int) {
+            return average_samples(1, x, y, shader.samples, [&](int number, Rng& random) {
+                return shader.sample(scene.world, x, y, number, random);
+            });
+        });
+    });
+}
+
 inline void study_tile_size(study::Report& report, const Scene& scene) {
     const SmallRender render{scene, {160, 90, 8}, 4};
     const int workers = core_count();
@@ -182,6 +256,7 @@ inline void study_workers(study::Report& report) {
     const Scene scene = make_scene();
     study_strategies(report, scene);
     study_waiting(report, scene);
+    study_streams(report, scene);
     study_tile_size(report, scene);
     study_false_sharing(report);
     study_counter(report);
