@@ -63,13 +63,13 @@ inline std::vector<Measured> measure(const Scene& scene, int most, int rounds = 
     std::vector<std::vector<double>> seconds, speed_ups;
     for (int round = 0; round < rounds; ++round) {
         std::size_t i = 0;
-        for (const auto& [name, strategy] : strategies()) {
+        for (const NamedStrategy& strategy : strategies()) {
             double alone = 0;
             for (const int workers : worker_counts(most)) {
-                const double time = seconds_of([&] { render(strategy, workers); });
+                const double time = seconds_of([&] { render(strategy.render, workers); });
                 if (workers == 1) alone = time;
                 if (round == 0) {
-                    rows.push_back({name, workers, 0, 0});
+                    rows.push_back({strategy.name, workers, 0, 0});
                     seconds.emplace_back();
                     speed_ups.emplace_back();
                 }

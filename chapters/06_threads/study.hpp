@@ -60,11 +60,11 @@ inline void add_trials(study::Report& report, const char* study, const char* x_n
 inline void study_strategies(study::Report& report, const Scene& scene) {
     const SmallRender render{scene, {160, 90, 8}, 4};
     std::vector<Trial> trials;
-    for (const auto& [name, strategy] : strategies())
+    for (const NamedStrategy& strategy : strategies())
         for (const int workers : {1, 2, 4, 8})
-            trials.push_back({name, workers, workers, [&render, strategy = strategy, workers] {
-                                  render(strategy, workers);
-                              }});
+            trials.push_back(
+                {strategy.name, workers, workers,
+                 [&render, named = strategy.render, workers] { render(named, workers); }});
     add_trials(report, "Strategies", "workers", render, trials);
 }
 
