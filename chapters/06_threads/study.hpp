@@ -185,12 +185,12 @@ inline void study_waiting(study::Report& report, const Scene& scene) {
 // Two workers count, each in a place of its own, some bytes apart. Processors move memory in lines
 // of 64 bytes, often in pairs: places in one line belong to one core at a time.
 inline void study_false_sharing(study::Report& report) {
-    constexpr int count = 10'000'000;
+    constexpr int count = 30'000'000;
     using Counter = std::atomic<std::uint64_t>;
     alignas(256) static Counter memory[256];
     const auto nanoseconds = [&](int workers, std::size_t distance) {
         std::vector<double> times;
-        for (int round = 0; round < 5; ++round)
+        for (int round = 0; round < 3; ++round)
             times.push_back(seconds_of([&] {
                 run_workers(workers, [&](int worker) {
                     Counter& mine = memory[static_cast<std::size_t>(worker) * distance];
