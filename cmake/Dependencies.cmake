@@ -3,6 +3,21 @@ include(FetchContent)
 
 find_package(Threads REQUIRED)
 
+# Two more ways to use all cores, for chapter 06: each is skipped where it is missing. The thread
+# sanitizer cannot see into these libraries and would report what is right.
+if(RT_SANITIZE MATCHES "thread")
+  message(STATUS "OpenMP and TBB are left out: the thread sanitizer cannot see into them")
+else()
+  find_package(OpenMP QUIET COMPONENTS CXX)
+  if(NOT OpenMP_CXX_FOUND)
+    message(STATUS "OpenMP is not there: chapter 06 goes without it")
+  endif()
+  find_package(TBB QUIET CONFIG)
+  if(NOT TBB_FOUND)
+    message(STATUS "TBB is not installed: chapter 06 goes without std::execution::par")
+  endif()
+endif()
+
 # Catch2: version 3, or version 2 as older systems package it. course_catch says where it is;
 # tests/support/catch.hpp hides the difference.
 add_library(course_catch INTERFACE)

@@ -98,6 +98,7 @@ void draw_picture(const Program& program, const Settings& settings, const fs::pa
         std::fprintf(out, ", %s, %s", count(rays, "rays").c_str(),
                      count(rays / seconds.count(), "rays/s").c_str());
     std::fputc('\n', out);
+    if (picture.words) std::fputs(picture.words().c_str(), out);
 }
 
 void run_study(const Program& program, const fs::path& folder, bool quiet) {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <rt/image.hpp>
 #include <string>
@@ -58,6 +59,8 @@ class Progress {
 struct Picture {
     rt::Image image;
     std::uint64_t rays = 0;
+    // More to print below the line about the image. Called only where something is printed.
+    std::function<std::string()> words = {};
 };
 
 // A chapter's program.

@@ -47,8 +47,14 @@ TEST_CASE("04.2 the last light before sunset is not lost", "[04.2][hard]") {
     for (Real height = real(0.5); height > 0; height /= 4) {
         const Real computed = rt::lambert({0, 1, 0}, {std::sqrt(1 - height * height), height, 0});
         INFO("the light stands " << text(height) << " above the horizon");
-        HINT(height, computed, "only what is below 0 becomes 0: there is no threshold above it");
-        REQUIRE(computed == height);
-        REQUIRE(rt::lambert({0, 1, 0}, {1, -height, 0}) == 0);
+        {
+            HINT(height, computed,
+                 "only what is below 0 becomes 0: there is no threshold above it");
+            REQUIRE(computed == height);
+        }
+        const Real set = rt::lambert({0, 1, 0}, {std::sqrt(1 - height * height), -height, 0});
+        INFO("and now it stands as far below the horizon");
+        HINT(Real(0), set, "the cosine is negative there: take the larger of 0 and the cosine");
+        REQUIRE(set == 0);
     }
 }

@@ -39,7 +39,10 @@ TEST_CASE("04.4 jittered offsets lie one in each cell", "[04.4]") {
                          << ", " << text(place.y) << ") gives (" << text(offset.x) << ", "
                          << text(offset.y) << ")");
             {
-                INFO("Hint: the column of a cell is cell % n, its row cell / n in whole numbers");
+                INFO(
+                    "Hint: the column of a cell is cell % n, its row cell / n in whole numbers. "
+                    "Every other division needs a Real: (column + 1) / n of whole numbers drops "
+                    "the fraction");
                 REQUIRE(cell_of(offset.x, n) == cell % n);
                 REQUIRE(cell_of(offset.y, n) == cell / n);
             }
@@ -111,8 +114,14 @@ TEST_CASE("04.4 no rounding moves a sample into the next cell", "[04.4][hard]") 
                 const Vec2 offset = rt::jittered_offset(k * n + k, n, {x, x});
                 INFO("cell " << k << " of " << n << " with place " << text(x) << " gives "
                              << text(offset.x));
-                INFO("Hint: " << k << " + " << text(x) << " is rounded, maybe up to " << k + 1
-                              << ": keep the result below the next cell's edge");
+                const bool too_small =
+                    offset.x < static_cast<Real>(k) / static_cast<Real>(n) || offset.x < 0;
+                INFO("Hint: " << (too_small
+                                      ? "below its own cell. Whole numbers divide without a "
+                                        "fraction: make them Real before you divide"
+                                      : "the sum is rounded, and the division once more: limit the "
+                                        "quotient, not the sum, to the largest number below "
+                                        "(k + 1) / n"));
                 REQUIRE(cell_of(offset.x, n) == k);
                 REQUIRE(cell_of(offset.y, n) == k);
             }

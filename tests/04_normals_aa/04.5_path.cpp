@@ -22,7 +22,10 @@ struct Ground {
     std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
         ++rays;
         asked = within;
-        if (rays > 10000) throw std::runtime_error("the path does not end");
+        if (rays > 10000)
+            throw std::runtime_error(
+                "the path does not end.\nHint: count the bounces; from bounce number `depth` on "
+                "call ending after every bounce, not only after that one");
         if (ray.direction.y >= 0) return {};
         Hit hit;
         hit.t = 1;
@@ -94,9 +97,29 @@ struct TimedRay {
     Real time;
 };
 struct TimedGround : Ground {
+    mutable bool time_was_lost = false;
+
     std::optional<Hit> hit(const TimedRay& ray, Interval within) const {
-        if (ray.time != real(0.375)) throw std::runtime_error("the ray lost its time");
+        if (ray.time != real(0.375)) time_was_lost = true;
         return Ground::hit(ray, within);
+    }
+};
+
+// The ground with so large an error that the side on which the next ray starts is plain to see.
+struct ThickGround {
+    mutable int rays = 0;
+    mutable Ray next;
+
+    std::optional<Hit> hit(const Ray& ray, Interval) const {
+        if (++rays > 1) {
+            next = ray;
+            return {};
+        }
+        Hit hit;
+        hit.t = 1;
+        hit.normal = {0, 1, 0};
+        hit.point_error = real(0.25);
+        return hit;
     }
 };
 
@@ -130,8 +153,8 @@ TEST_CASE("04.5 every bounce multiplies the light by its attenuation", "[04.5]")
         const Color expected = power(tint, bounces) * sky_color;
         INFO(bounces << " bounces: expected " << text(expected) << ", yours gives " << text(light));
         INFO("Hint: start with (1, 1, 1) and multiply channel by channel");
-        CHECK(light == expected);
-        CHECK(world.rays == bounces + 1);
+        REQUIRE(light == expected);
+        REQUIRE(world.rays == bounces + 1);
     }
 }
 
@@ -178,22 +201,40 @@ TEST_CASE("04.5 the depth limit ends a path in the sky or in black", "[04.5]") {
                                         << text(in_sky)
                                         << ".\nHint: after `depth` bounces the sky of the last "
                                            "direction, times the attenuation of all bounces");
-            CHECK(in_sky == power(half, depth));
+            REQUIRE(in_sky == power(half, depth));
         }
-        CHECK(in_black == Color{});
+        REQUIRE(in_black == Color{});
         INFO("Hint: a path of depth " << depth << " follows " << depth
                                       << " rays, no more, no less");
-        CHECK(sky_world.rays == depth);
-        CHECK(black_world.rays == depth);
+        REQUIRE(sky_world.rays == depth);
+        REQUIRE(black_world.rays == depth);
     }
 }
 
 TEST_CASE("04.5 the ray keeps what else it carries", "[04.5]") {
     rt::Rng rng{45, 6};
     const TimedRay ray{{0, 1, 0}, {0, -1, 0}, real(0.375)};
+    const TimedGround world;
+    rt::path_radiance(ray, world, UpAfter{4}, rt::UniformSky{}, rt::BlackEnding{}, 8, rng);
     INFO("Hint: change the ray's origin and direction; do not make a new ray");
-    CHECK_NOTHROW(rt::path_radiance(ray, TimedGround{}, UpAfter{4}, rt::UniformSky{},
-                                    rt::BlackEnding{}, 8, rng));
+    CHECK_FALSE(world.time_was_lost);
+}
+
+TEST_CASE("04.5 the next ray starts on the side of its own direction", "[04.5]") {
+    rt::Rng rng{45, 13};
+    for (const Real goes_on : {Real(-1), Real(1)}) {
+        const ThickGround world;
+        const auto material = [&](Vec3, const Hit&, rt::Rng&) -> std::optional<Scatter> {
+            return Scatter{{1, 1, 1}, {0, goes_on, 0}};
+        };
+        rt::path_radiance(downward, world, material, rt::UniformSky{}, rt::BlackEnding{}, 8, rng);
+        INFO("a ray comes from above to the ground, y = 0, and goes on "
+             << (goes_on < 0 ? "down into it" : "upward again")
+             << ": the next one starts at y = " << text(world.next.origin.y)
+             << ".\nHint: leave_surface gets the new direction, not the one that arrived");
+        CHECK(world.next.direction == Vec3{0, goes_on, 0});
+        CHECK(world.next.origin.y * goes_on > 0);
+    }
 }
 
 TEST_CASE("04.5 black darkens and the sky brightens by what the series says", "[04.5]") {
@@ -252,6 +293,20 @@ TEST_CASE("04.5 roulette follows bright paths and lets dark ones go", "[04.5][ha
     CHECK(std::abs(bright.mean() - 0.95) <= 4 * bright.standard_error());
     INFO("Hint: a path without light never goes on, or 0 / 0 spoils the picture");
     CHECK(share_that_goes_on({}).mean() == 0);
+}
+
+TEST_CASE("04.5 a black path ends whatever roulette draws", "[04.5][hard]") {
+    struct AlwaysZero {
+        Real uniform() const { return 0; }
+    } zero;
+    Color throughput;
+    const rt::Fate fate = rt::play_roulette(throughput, real(0.95), zero);
+    INFO("throughput (0, 0, 0), drawn 0: the throughput became "
+         << text(throughput)
+         << ".\nHint: p is 0, and 0 / 0 is not a number. Go on only if the number drawn is less "
+            "than p");
+    CHECK(throughput == Color{});
+    CHECK(fate == rt::Fate::ends_in_black);
 }
 
 TEST_CASE("04.5 even a path between white surfaces ends by roulette", "[04.5][hard]") {

@@ -97,7 +97,10 @@ TEST_CASE("04.6 a grey sphere under a white sky returns its albedo", "[04.6]") {
                                                   rt::SphereList{{{{center, radius}, 0}}}, grey,
                                                   rt::UniformSky{}, rt::BlackEnding{}, 16, rng);
             INFO("radius " << text(radius) << ": expected " << text(albedo) << ", yours gives "
-                           << text(light.r));
+                           << text(light.r)
+                           << ".\nHint: the path met the sphere again that it had left, and was "
+                              "dimmed twice. Move by the error of the point plus what rounding the "
+                              "sum may take back");
             REQUIRE(light == Color{albedo, albedo, albedo});
         }
 }
@@ -159,9 +162,16 @@ TEST_CASE("04.6 a million rays never meet the surface that they leave", "[04.6][
         const Ray ray{rt::leave_surface(place.hit, out), out};
         if (const auto t = rt::hit_sphere(place.sphere, ray, {})) {
             INFO(describe(place, out) << " is met again at t = " << text(*t));
-            INFO(
-                "Hint: a fixed distance such as 0.001 is too little for large spheres and far "
-                "places, and too much for small ones; so is a fixed smallest t");
+            const double moved = exact_dot(ray.origin - place.hit.point, place.hit.normal);
+            const double error = static_cast<double>(place.hit.point_error);
+            INFO("it starts " << moved << " above the point, whose error is " << error);
+            INFO("Hint: " << (moved < 0 ? "it starts on the wrong side"
+                              : moved < 2 * error
+                                  ? "the sum point + distance * normal is rounded, too, and may "
+                                    "take back a part of the move: add that to the distance"
+                                  : "the distance must come from the error bound: a fixed one, "
+                                    "such as 0.001, or a fixed smallest t, is right for no other "
+                                    "size"));
             REQUIRE(!t);
         }
     }

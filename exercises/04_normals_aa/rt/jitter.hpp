@@ -10,7 +10,8 @@ namespace rt {
 
 // Exercise 04.4. The pixel is cut into n x n cells; cell 0 is the top left one, cell n the first of
 // the second row. The offset within the pixel of a place within a cell, 0 <= x, y < 1. Cell k of a
-// row reaches from k / n, which belongs to it, to (k + 1) / n, which does not, also after rounding.
+// row reaches from k / n, which belongs to it, to (k + 1) / n, which does not. The sum
+// rounds, and so does the division: it is the quotient that must stay below (k + 1) / n.
 inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
     return rt::todo("04.4", cell, n, place);
 }

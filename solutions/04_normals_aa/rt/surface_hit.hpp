@@ -20,8 +20,8 @@ inline Hit surface_hit(const Sphere& sphere, const Ray& ray, Real t) {
     hit.front = dot(ray.direction, hit.normal) <= 0;
     hit.point = sphere.center + sphere.radius * hit.normal;
     // One rounding of each coordinate of the point. What hangs on the radius: 3.5 roundings of the
-    // normal's length, 1 of the product and 7 in hit_sphere, when a ray leaves from here. The rest
-    // covers the bound's own rounding.
+    // normal's length, 1 of the product and 7.2 in hit_sphere, when a ray leaves from here. The
+    // rest covers the bound's own rounding.
     hit.point_error = rounding_bound(1) * dot(abs(hit.point), abs(hit.normal)) +
                       rounding_bound(16) * sphere.radius;
     return hit;

@@ -1,0 +1,110 @@
+// Chapter 06: one scene, rendered by all cores. The poster shows which worker rendered what, how
+// long each one waited for the others, and the speed-up; beside it everything is measured and
+// printed.
+
+#include <app/run.hpp>
+#include <atomic>
+#include <cstdio>
+#include <string>
+#include <thread>
+
+#include "measure.hpp"
+#include "poster.hpp"
+#include "scene.hpp"
+#include "schedule.hpp"
+#include "study.hpp"
+
+namespace {
+
+using namespace threads;
+
+constexpr int tile_size = 16, poster_workers = 6, most_workers = 16;
+
+// What the poster shows beside the scene.
+struct Schedules {
+    Schedule slices, tiles;
+    std::vector<Curve> curves;
+};
+
+// By counting rays: the same on every machine.
+Schedules count_rays(const RayCounts& rays, const TileGrid& grid) {
+    Schedules all{slices_by_rays(rays, grid, poster_workers),
+                  tiles_by_rays(rays, grid, poster_workers),
+                  {{{}, slices_color}, {{}, tiles_color}}};
+    const double alone = slices_by_rays(rays, grid, 1).end();
+    for (int workers = 1; workers <= most_workers; ++workers) {
+        all.curves[0].speed_up.push_back(alone / slices_by_rays(rays, grid, workers).end());
+        all.curves[1].speed_up.push_back(alone / tiles_by_rays(rays, grid, workers).end());
+    }
+    return all;
+}
+
+// By this machine's clock, with as many workers as were asked for.
+Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers) {
+    Schedules all{by_seconds(render_slices, grid, workers, shader),
+                  by_seconds(render_tiles, grid, workers, shader),
+                  {{{}, slices_color}, {{}, tiles_color}}};
+    for (const Measured& row : measure(shader.scene, workers)) {
+        if (row.strategy != "slices" && row.strategy != "tiles") continue;
+        auto& speed_up = all.curves[row.strategy == "tiles"].speed_up;
+        speed_up.resize(static_cast<std::size_t>(workers));
+        speed_up[static_cast<std::size_t>(row.workers - 1)] = row.speed_up;
+    }
+    return all;
+}
+
+app::Picture render(const app::Settings& settings, app::Progress& progress) {
+    const Scene scene = make_scene();
+    const Layout layout{settings.width, settings.height};
+    const TileGrid grid = layout.grid(tile_size);
+    const SceneShader shader{scene, make_camera(scene_view(), grid.width, grid.height),
+                             settings.spp, settings.depth, *settings.seed};
+
+    // Each worker writes to the pixels of its own tiles alone.
+    Image image{grid.width, grid.height};
+    std::vector<std::uint32_t> rays(image.pixels().size());
+    std::atomic<std::uint64_t> all_rays = 0;
+    progress.start(tile_count(grid));
+    render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
+        std::uint64_t tile_rays = 0;
+        for (int y = tile.top; y < tile.bottom; ++y)
+            for (int x = tile.left; x < tile.right; ++x) {
+                const ScenePixel pixel = shader(x, y);
+                image.at(x, y) = pixel.color;
+                rays[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width) +
+                     static_cast<std::size_t>(x)] = static_cast<std::uint32_t>(pixel.rays);
+                tile_rays += pixel.rays;
+            }
+        all_rays += tile_rays;  // once a tile, not once a ray: an atomic is not free
+        progress.step();
+    });
+
+    const bool by_rays = settings.picked.front() == "rays";
+    const Schedules shown = by_rays ? count_rays({grid.width, grid.height, rays}, grid)
+                                    : take_time(shader, grid, settings.threads);
+    return {draw_poster(settings.width, settings.height, layout, image, shown.slices, shown.tiles,
+                        shown.curves, by_rays ? "RAYS" : "SECONDS"),
+            all_rays,
+            [threads = settings.threads] { return table(measure(make_scene(), threads)); }};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    app::Settings defaults;
+    defaults.spp = 49;
+    defaults.depth = 12;
+    defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    defaults.seed = 1;
+    return app::run(
+        argc, argv,
+        {.name = "06_threads",
+         .about = "a scene rendered by all cores, which worker rendered what, and the speed-up",
+         .defaults = defaults,
+         .render = render,
+         .study = threads::study_workers,
+         .choices = {{"clock",
+                      "What the maps, bars and curves count: rays (the same on every machine), or "
+                      "seconds of this machine",
+                      {"rays", "seconds"}}}});
+}

@@ -1,0 +1,97 @@
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <rt/parallel_jobs.hpp>
+#include <version>
+
+// A standard library may come without the parallel algorithms, also where TBB is installed.
+#if defined RT_HAS_TBB && !defined __cpp_lib_parallel_algorithm
+#undef RT_HAS_TBB
+#endif
+
+#ifdef RT_HAS_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <execution>
+#include <numeric>
+#include <vector>
+#endif
+#ifdef RT_HAS_OPENMP
+#include <omp.h>
+#endif
+
+namespace rt {
+namespace {
+
+// Neither of the two lets an exception out of its threads: it would end the program. This keeps the
+// first one for the caller.
+class FirstException {
+  public:
+    template <class Work>
+    void guard(Work work) noexcept {
+        if (failed_) return;
+        try {
+            work();
+        } catch (...) {
+            const std::lock_guard lock{mutex_};
+            if (!first_) first_ = std::current_exception();
+            failed_ = true;
+        }
+    }
+    void rethrow() const {
+        if (first_) std::rethrow_exception(first_);
+    }
+
+  private:
+    std::atomic<bool> failed_ = false;
+    std::mutex mutex_;
+    std::exception_ptr first_;
+};
+
+#ifdef RT_HAS_TBB
+void by_standard_algorithm(int jobs, int workers, const JobWork& work) {
+    // The algorithm itself cannot be told how many threads to use; the library below it can.
+    const tbb::global_control at_most{tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(workers)};
+    FirstException exception;
+    tbb::task_arena{workers}.execute([&] {
+        std::vector<int> numbers(static_cast<std::size_t>(jobs));
+        std::iota(numbers.begin(), numbers.end(), 0);
+        std::for_each(std::execution::par, numbers.begin(), numbers.end(), [&](int job) {
+            exception.guard([&] { work(job, tbb::this_task_arena::current_thread_index()); });
+        });
+    });
+    exception.rethrow();
+}
+#endif
+
+#ifdef RT_HAS_OPENMP
+void by_openmp(int jobs, int workers, const JobWork& work) {
+    FirstException exception;
+#pragma omp parallel for schedule(dynamic) num_threads(workers)
+    for (int job = 0; job < jobs; ++job) exception.guard([&] { work(job, omp_get_thread_num()); });
+    exception.rethrow();
+}
+#endif
+
+}  // namespace
+
+JobSpreader spread_by_standard_algorithm() {
+#ifdef RT_HAS_TBB
+    return by_standard_algorithm;
+#else
+    return nullptr;
+#endif
+}
+
+JobSpreader spread_by_openmp() {
+#ifdef RT_HAS_OPENMP
+    return by_openmp;
+#else
+    return nullptr;
+#endif
+}
+
+}  // namespace rt

@@ -1,0 +1,17 @@
+#pragma once
+#include <functional>
+
+namespace rt {
+
+// Work that is numbered: called with every job 0 ... jobs - 1 once, and with the number of the
+// worker, 0 ... workers - 1. No two calls with the same worker overlap in time.
+using JobWork = std::function<void(int job, int worker)>;
+using JobSpreader = void (*)(int jobs, int workers, const JobWork& work);
+
+// The ways to spread jobs that come with the compiler and its libraries. Each is null where this
+// build does not have it. The first exception of a job reaches the caller; after it no further jobs
+// are begun.
+JobSpreader spread_by_standard_algorithm();  // std::for_each(std::execution::par, ...), with TBB
+JobSpreader spread_by_openmp();              // #pragma omp parallel for
+
+}  // namespace rt

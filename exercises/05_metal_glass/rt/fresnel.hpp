@@ -1,0 +1,32 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <rt/real.hpp>
+#include <rt/todo.hpp>
+
+namespace rt {
+
+// Exercise 05.4. In all three functions, `cosine` is that of the angle between the normal and the
+// light that arrives, in [0, 1] (what rounding has put above 1 counts as 1), and eta the index of
+// refraction on the side that the light comes from divided by the one behind, greater than 0.
+
+// The cosine of the angle behind the surface. None at total reflection.
+inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
+    return rt::todo("05.4", cosine, eta);
+}
+
+// The share of unpolarised light that is reflected, in [0, 1]. 0 for eta = 1, 1 at total
+// reflection. Source: Fresnel's equations.
+inline Real fresnel_reflectance(Real cosine, Real eta) {
+    return rt::todo("05.4", cosine, eta);
+}
+
+// The same by Schlick's approximation, with the cosine on the side of the smaller index, so that a
+// surface reflects the same from both sides and 1 where total reflection begins.
+// Source: Schlick, "An inexpensive BRDF model for physically-based rendering", 1994.
+inline Real schlick_reflectance(Real cosine, Real eta) {
+    return rt::todo("05.4", cosine, eta);
+}
+
+}  // namespace rt

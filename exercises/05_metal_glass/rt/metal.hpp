@@ -1,0 +1,33 @@
+#pragma once
+#include <optional>
+#include <rt/above_horizon.hpp>
+#include <rt/directions.hpp>
+#include <rt/hit.hpp>
+#include <rt/reflect.hpp>
+#include <rt/scatter.hpp>
+#include <rt/todo.hpp>
+
+namespace rt {
+
+// A metal: a mirror (fuzz 0) to a rough, dull shine (fuzz 1).
+struct Metal {
+    Color albedo;   // the share of light that comes back, each channel in [0, 1]
+    Real fuzz = 0;  // how far reflected light strays, in [0, 1]
+};
+
+// Exercise 05.2, the second part. Where metal sends light that arrives along `incoming`, of length
+// 1, on the side of `normal`: the mirror direction plus `fuzz` times the uniform direction at this
+// place of the unit square, folded above the surface. Length 1.
+inline Vec3 metal_direction(Vec3 incoming, Vec3 normal, Real fuzz, Vec2 place) {
+    return rt::todo("05.2", incoming, normal, fuzz, place);
+}
+
+// Exercise 05.2, the third part. How a path goes on from metal: it always does, and what it loses
+// is what the albedo keeps. Use random_place(random) and facing_normal(hit).
+template <class Random>
+std::optional<Scatter> scatter(const Metal& material, Vec3 incoming, const Hit& hit,
+                               Random& random) {
+    return rt::todo("05.2", material, incoming, hit, random);
+}
+
+}  // namespace rt

@@ -1,0 +1,15 @@
+#pragma once
+#include <rt/run_workers.hpp>
+#include <rt/slice_rows.hpp>
+#include <rt/tile.hpp>
+#include <rt/todo.hpp>
+
+namespace rt {
+
+// Exercise 06.2. A Strategy: each worker renders one tile, its slice of the rows over the full
+// width. A worker without rows calls nothing, and neither does any in a picture without columns.
+inline void render_slices(const TileGrid& grid, int workers, const TileWork& work) {
+    rt::todo("06.2", grid, workers, work);
+}
+
+}  // namespace rt

@@ -1,0 +1,19 @@
+#pragma once
+#include <exception>
+#include <rt/joiner.hpp>
+#include <rt/todo.hpp>
+#include <thread>
+#include <vector>
+
+namespace rt {
+
+// Exercise 06.2. Calls work(0), work(1), ... work(workers - 1), each in a thread of its own, all at
+// the same time, and returns when all have ended. If some throw, the exception of the first of
+// them, by number, is thrown again here, after all have ended. For 0 workers there is nothing to
+// do.
+template <class Work>
+void run_workers(int workers, const Work& work) {
+    rt::todo("06.2", workers, work);
+}
+
+}  // namespace rt

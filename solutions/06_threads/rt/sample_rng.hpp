@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <rt/color.hpp>
+#include <rt/rng.hpp>
+
+namespace rt {
+
+// The generator of one sample of one pixel. What it draws depends on these four numbers alone,
+// never on who asks, when, or in which order. Other numbers give a generator whose draws have
+// nothing to do with this one's. x, y and sample are 0 or more.
+inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
+    const auto pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
+    const std::uint64_t state =
+        mix_bits(mix_bits(mix_bits(seed) ^ pixel) ^ static_cast<std::uint64_t>(sample));
+    return {state, mix_bits(state)};
+}
+
+// The average of draw(sample, random) over sample = 0 ... samples - 1, 1 or more, each with the
+// generator of its own. draw returns a Color and takes its random numbers from `random`, an Rng&.
+template <class Draw>
+Color average_samples(std::uint64_t seed, int x, int y, int samples, const Draw& draw) {
+    Color sum;
+    for (int sample = 0; sample < samples; ++sample) {
+        Rng random = sample_rng(seed, x, y, sample);
+        sum += draw(sample, random);
+    }
+    return sum / static_cast<Real>(samples);
+}
+
+}  // namespace rt

@@ -1,0 +1,16 @@
+#pragma once
+#include <cstdint>
+#include <rt/tile.hpp>
+
+namespace rt {
+
+// The rows of a picture of this height, 0 or more, that worker 0 ... workers - 1 renders: in the
+// order of the workers, each row once, and no worker has more than one row more than another.
+// Any height that fits an int will do. workers must be 1 or more.
+inline Rows slice_rows(int height, int workers, int worker) {
+    // The product may need 64 bits.
+    const auto start_of = [&](std::int64_t k) { return static_cast<int>(height * k / workers); };
+    return {start_of(worker), start_of(worker + 1)};
+}
+
+}  // namespace rt

@@ -1,0 +1,215 @@
+#include <rt/refract.hpp>
+
+#include "exact_vectors.hpp"
+
+using namespace checkpoint;
+
+namespace {
+
+// The sine of the angle between two vectors, exactly as they are stored.
+Exact sine(Vec3 a, Vec3 b) {
+    return length(cross(exact(a), exact(b))) / (length(exact(a)) * length(exact(b)));
+}
+
+// Snell's law may be off by 4 epsilon, units in the last place of 1: the sine's own last place is
+// no measure, since each component of the result is rounded, and that turns it by up to half an
+// epsilon however small its sine is. Stored unit vectors are off by half an epsilon in length each,
+// the cosine by 3 roundings, which eta multiplies, and each component by 4 more. If the worst of
+// all came together it would be 6; in 5 million directions the largest error was 2.2.
+constexpr double allowed = 4;
+
+Vec3 refract_or_fail(Vec3 incoming, Vec3 normal, Real eta) {
+    const auto refracted = rt::refract(incoming, normal, eta);
+    INFO("refract(" << text(incoming) << ", " << text(normal) << ", " << text(eta)
+                    << "): eta times sine is less than 1, but nothing came");
+    REQUIRE(refracted.has_value());
+    return *refracted;
+}
+
+}  // namespace
+
+TEST_CASE("05.3 head on light goes straight on", "[05.3]") {
+    for (const double eta : {0.4, 1 / 1.5, 1.5, 2.5}) {
+        const Vec3 computed = refract_or_fail({0, -1, 0}, floor_normal, real(eta));
+        INFO("eta = " << eta);
+        HINT((Vec3{0, -1, 0}), computed, "the result points to the other side: minus the normal");
+        CHECK(computed == Vec3{0, -1, 0});
+    }
+}
+
+TEST_CASE("05.3 light that enters glass bends towards the normal", "[05.3]") {
+    const auto check = [](double sine_in, double eta, double sine_out) {
+        const Vec3 incoming{real(sine_in), -real(std::sqrt(1 - sine_in * sine_in)), 0};
+        const Vec3 expected{real(sine_out), -real(std::sqrt(1 - sine_out * sine_out)), 0};
+        const Vec3 computed = refract_or_fail(incoming, floor_normal, real(eta));
+        INFO("light at sine " << sine_in << ", eta = " << eta << ": expected sine " << sine_out);
+        const char* hint =
+            "sine behind = eta * sine before; the part along the surface is scaled "
+            "by eta, and the part along the normal follows from length 1";
+        if (computed.y > 0) hint = "the refracted light must point to the other side";
+        if (computed.x < 0) hint = "along the surface the light keeps its sense";
+        HINT(expected, computed, hint);
+        CHECK(length(exact(computed - expected)).high <=
+              static_cast<double>(rt::rounding_bound(16)));
+    };
+    check(0.6, 2.0 / 3, 0.4);
+    check(0.4, 1.5, 0.6);
+    check(0.75, 0.5, 0.375);
+}
+
+TEST_CASE("05.3 the law of Snell holds for 100000 directions", "[05.3]") {
+    rt::Rng rng{53, 1};
+    for (int i = 0; i < 100000; ++i) {
+        const auto [incoming, normal] = random_arrival(rng);
+        const Real eta = rng.uniform(real(0.4), real(2.5));
+        const Exact expected = exact(eta) * sine(incoming, normal);
+        const auto refracted = rt::refract(incoming, normal, eta);
+        // Within the allowed error of total reflection both answers are right.
+        if (std::abs(expected.high - 1) <= allowed * static_cast<double>(rt::epsilon)) continue;
+        if (refracted.has_value() != (expected.high < 1)) {
+            INFO("eta = " << text(eta) << ", eta * sine = " << text(expected)
+                          << "\nHint: above 1 no direction has such a sine: return {}, none");
+            REQUIRE(refracted.has_value() == (expected.high < 1));
+        }
+        if (!refracted) continue;
+        const Exact computed = sine(*refracted, normal);
+        if (in_epsilon(computed - expected) <= allowed) continue;
+        INFO("incoming " << text(incoming) << ", normal " << text(normal) << ", eta " << text(eta));
+        INFO("the sine behind the surface: expected " << text(expected) << ", but yours gives "
+                                                      << text(computed));
+        INFO("Hint: off by " << in_epsilon(computed - expected)
+                             << " epsilon; a sine from sqrt(1 - cosine^2) loses digits");
+        REQUIRE(in_epsilon(computed - expected) <= allowed);
+    }
+}
+
+TEST_CASE("05.3 refracted light stays in the plane with length 1", "[05.3]") {
+    rt::Rng rng{53, 2};
+    for (int i = 0; i < 5000; ++i) {
+        const auto [incoming, normal] = random_arrival(rng);
+        const Real eta = rng.uniform(real(0.4), real(2.5));
+        if ((exact(eta) * sine(incoming, normal)).high > 0.999) continue;
+        const Vec3 computed = refract_or_fail(incoming, normal, eta);
+        INFO("refract(" << text(incoming) << ", " << text(normal) << ", " << text(eta)
+                        << ") = " << text(computed));
+        {
+            INFO("Hint: the result must have length 1");
+            // The cosine's 3 roundings and the normal's length count eta times: up to 12.5 halves
+            // of an epsilon. The largest of 5 million errors was 3.7.
+            REQUIRE(in_epsilon(length(exact(computed)) - Exact(1)) <= 6);
+        }
+        {
+            INFO("Hint: it must point to the other side of the surface");
+            REQUIRE(dot(exact(computed), exact(normal)).high < 0);
+        }
+        const ExactVec3 across = cross(exact(normal), exact(incoming));
+        {
+            INFO("Hint: it must lie in the plane of the normal and the incoming light");
+            if (length(across).high > 1e-3)
+                REQUIRE(in_epsilon(dot(exact(computed), unit(across))) <= allowed);
+        }
+        INFO("Hint: along the surface it must keep its sense");
+        REQUIRE(dot(cross(exact(normal), exact(computed)), across).high > 0);
+    }
+}
+
+TEST_CASE("05.3 light that enters and leaves a slab goes on parallel", "[05.3]") {
+    rt::Rng rng{53, 3};
+    for (int i = 0; i < 5000; ++i) {
+        const auto [incoming, normal] = random_arrival(rng);
+        if (sine(incoming, normal).high > 0.999) continue;
+        const Real index = rng.uniform(real(1.01), real(2.5));
+        const Vec3 within = refract_or_fail(incoming, normal, 1 / index);
+        const Vec3 computed = refract_or_fail(within, normal, index);
+        INFO("index " << text(index) << ", normal " << text(normal));
+        HINT(incoming, computed, "into the slab eta is 1 / index, out of it index");
+        // Each surface is off by `allowed`; the second multiplies the first's error by its eta, and
+        // 1 / index is rounded. The sine becomes an angle by division by the cosine.
+        const double cosine = -dot(exact(incoming), exact(normal)).high;
+        REQUIRE(in_epsilon(length(exact(computed) - exact(incoming))) <=
+                (allowed * (static_cast<double>(index) + 1) + 1) / cosine);
+    }
+}
+
+TEST_CASE("05.3 beyond the critical angle all light is reflected", "[05.3]") {
+    for (const double eta : {1.1, 1.33, 1.5, 2.0, 2.5}) {
+        const double critical = std::asin(1 / eta) * 180 / 3.14159265358979323846;
+        INFO("eta = " << eta << ": the critical angle is " << critical << " degrees");
+        CHECK(rt::refract(arriving_at_floor(critical - 0.1), floor_normal, real(eta)).has_value());
+        CHECK(!rt::refract(arriving_at_floor(critical + 0.1), floor_normal, real(eta)).has_value());
+        CHECK(!rt::refract(arriving_at_floor(89.9), floor_normal, real(eta)).has_value());
+        INFO("into the denser side there is no total reflection");
+        CHECK(rt::refract(arriving_at_floor(89.9), floor_normal, real(1 / eta)).has_value());
+    }
+}
+
+TEST_CASE("05.3 at the critical angle and 1 ulp around it the branch is right", "[05.3][hard]") {
+    for (const double ratio : {1.05, 1.1, 1.33, 1.5, 1.7, 2.0, 2.2, 2.4, 2.5}) {
+        const Real eta = real(ratio);
+        Real s = 1 / eta;
+        for (int i = 0; i < 3; ++i) s = std::nextafter(s, Real(0));
+        for (int ulps = -3; ulps <= 3; ++ulps, s = std::nextafter(s, Real(1))) {
+            const Real c =
+                static_cast<Real>(sqrt((Exact(1) - exact(s)) * (Exact(1) + exact(s))).high);
+            for (const auto& [incoming, normal] :
+                 {Arrival{{s, -c, 0}, {0, 1, 0}}, Arrival{{0, s, -c}, {0, 0, 1}},
+                  Arrival{{c, 0, -s}, {-1, 0, 0}}}) {
+                const auto refracted = rt::refract(incoming, normal, eta);
+                // Both as stored, and for a direction of length exactly 1: 1 ulp from the critical
+                // angle they agree. Where they do not, both answers are right.
+                const Exact as_stored = exact(eta) * exact(s) - Exact(1);
+                const Exact as_unit = exact(eta) * sine(incoming, normal) - Exact(1);
+                INFO(
+                    "eta = " << text(eta) << ", sine = " << text(s)
+                             << ": eta * sine - 1 = " << as_stored.high
+                             << "\nHint: take the sine as the length of normal x incoming, and the "
+                                "sign of std::fma(eta, sine, -1): it rounds once");
+                if (as_stored.high > 0 && as_unit.high > 0) REQUIRE(!refracted.has_value());
+                if (as_stored.high < 0 && as_unit.high < 0) REQUIRE(refracted.has_value());
+                if (!refracted) continue;
+                REQUIRE(rt::is_finite(*refracted));
+                REQUIRE(in_epsilon(length(exact(*refracted)) - Exact(1)) <= 6);
+                REQUIRE(dot(exact(*refracted), exact(normal)).high <= 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("05.3 equal indices leave the direction bit for bit", "[05.3][hard]") {
+    rt::Rng rng{53, 4};
+    for (int i = 0; i < 1000; ++i) {
+        const auto [incoming, normal] = random_arrival(rng);
+        const Vec3 computed = refract_or_fail(incoming, normal, 1);
+        HINT(incoming, computed, "with eta = 1 there is no surface: return `incoming` as it is");
+        REQUIRE(computed == incoming);
+    }
+    REQUIRE(refract_or_fail({1, 0, 0}, floor_normal, 1) == Vec3{1, 0, 0});
+}
+
+TEST_CASE("05.3 the smallest angles keep their digits", "[05.3][hard]") {
+    for (const double ratio : {0.4, 1 / 1.5, 1.5, 2.5}) {
+        const Real eta = real(ratio);
+        for (Real s = real(0.3); s > std::numeric_limits<Real>::min() / rt::epsilon; s /= 7) {
+            const Vec3 incoming = rounded(unit(exact(Vec3{s, -1, 0})));
+            const Vec3 computed = refract_or_fail(incoming, floor_normal, eta);
+            const Exact expected = exact(eta) * exact(incoming.x);
+            INFO("eta = " << text(eta) << ": along the surface");
+            HINT(expected, computed.x,
+                 "1 - cosine^2 loses the sine of a small angle; a cross product keeps it");
+            REQUIRE(error_in_ulp(computed.x, expected) <= 4);
+        }
+    }
+}
+
+TEST_CASE("05.3 grazing light enters at the critical angle", "[05.3][hard]") {
+    for (const double ratio : {0.4, 0.5, 1 / 1.5, 0.9}) {
+        const Real eta = real(ratio);
+        for (const Real height : {Real(0), std::numeric_limits<Real>::min(), rt::epsilon}) {
+            const Vec3 computed = refract_or_fail({1, -height, 0}, floor_normal, eta);
+            HINT(eta, computed.x,
+                 "at a right angle to the normal the sine is 1, and behind it eta");
+            CHECK(error_in_ulp(computed.x, exact(eta)) <= 4);
+            CHECK(computed.y < 0);
+        }
+    }
+}

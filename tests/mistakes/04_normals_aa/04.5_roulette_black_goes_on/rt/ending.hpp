@@ -1,0 +1,42 @@
+#pragma once
+#include <algorithm>
+#include <rt/color.hpp>
+
+namespace rt {
+
+enum class Fate { ends_in_sky, ends_in_black, goes_on };
+
+struct SkyEnding {
+    template <class Random>
+    Fate operator()(Color&, Random&) const {
+        return Fate::ends_in_sky;
+    }
+};
+
+struct BlackEnding {
+    template <class Random>
+    Fate operator()(Color&, Random&) const {
+        return Fate::ends_in_black;
+    }
+};
+
+template <class Random>
+Fate play_roulette(Color& throughput, Real most_likely, Random& random) {
+    // Bright paths are worth following. A path without light left never goes on.
+    const Real p = std::min(most_likely, std::max({throughput.r, throughput.g, throughput.b}));
+    if (!(random.uniform() <= p)) return Fate::ends_in_black;
+    throughput /= p;
+    return Fate::goes_on;
+}
+
+struct RouletteEnding {
+    // Below 1, so that even a path between white surfaces ends at some time.
+    Real most_likely = Real(0.95);
+
+    template <class Random>
+    Fate operator()(Color& throughput, Random& random) const {
+        return play_roulette(throughput, most_likely, random);
+    }
+};
+
+}  // namespace rt

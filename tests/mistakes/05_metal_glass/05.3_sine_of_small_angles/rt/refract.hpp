@@ -1,0 +1,26 @@
+#pragma once
+#include <cmath>
+#include <optional>
+#include <rt/cross.hpp>
+#include <rt/length.hpp>
+
+namespace rt {
+
+inline std::optional<Vec3> refract(Vec3 incoming, Vec3 normal, Real eta) {
+    if (eta == 1) return incoming;
+    const Real cosine = -dot(incoming, normal);
+    const Real from_cosine = std::sqrt(std::max(Real(0), 1 - cosine * cosine));
+    Vec3 along = incoming + cosine * normal;
+    if (along == Vec3{}) return -normal;
+    along = eta * from_cosine * normalize(along);
+    Real squared_cosine = 1 - dot(along, along);
+    if (std::abs(squared_cosine) <= rounding_bound(8) * (1 + eta)) {
+        const Real sine = length(cross(normal, incoming));
+        const Real excess = std::fma(eta, sine, Real(-1));
+        squared_cosine = -excess * (1 + eta * sine);
+    }
+    if (squared_cosine < 0) return {};
+    return along - std::sqrt(squared_cosine) * normal;
+}
+
+}  // namespace rt

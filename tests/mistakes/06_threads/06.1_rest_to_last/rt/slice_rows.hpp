@@ -1,0 +1,12 @@
+#pragma once
+#include <cstdint>
+#include <rt/tile.hpp>
+
+namespace rt {
+
+inline Rows slice_rows(int height, int workers, int worker) {
+    const int rows = height / workers;
+    return {worker * rows, worker == workers - 1 ? height : (worker + 1) * rows};
+}
+
+}  // namespace rt

@@ -1,0 +1,41 @@
+#pragma once
+#include <algorithm>
+#include <atomic>
+#include <optional>
+#include <rt/run_workers.hpp>
+#include <rt/tile.hpp>
+
+namespace rt {
+
+inline int tiles_along(int pixels, int tile_size) {
+    return pixels / tile_size;
+}
+
+inline int tile_count(const TileGrid& grid) {
+    return tiles_along(grid.width, grid.tile_size) * tiles_along(grid.height, grid.tile_size);
+}
+
+inline Tile tile_at(const TileGrid& grid, int index) {
+    const int columns = tiles_along(grid.width, grid.tile_size);
+    const int left = index % columns * grid.tile_size, top = index / columns * grid.tile_size;
+    return {left, top, left + std::min(grid.tile_size, grid.width - left),
+            top + std::min(grid.tile_size, grid.height - top)};
+}
+
+template <class Counter>
+std::optional<int> take_tile(Counter& next, int count) {
+    const int mine = next.fetch_add(1);
+    if (mine < count) return mine;
+    return {};
+}
+
+inline void render_tiles(const TileGrid& grid, int workers, const TileWork& work) {
+    std::atomic<int> next = 0;
+    const int count = tile_count(grid);
+    run_workers(workers, [&](int worker) {
+        while (const std::optional<int> index = take_tile(next, count))
+            work(tile_at(grid, *index), worker);
+    });
+}
+
+}  // namespace rt
