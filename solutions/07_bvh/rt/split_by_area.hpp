@@ -23,9 +23,14 @@ inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
         return boxes[static_cast<std::size_t>(order[place])];
     };
     const auto sort_along = [&](int axis) {
+        const auto middle = [&](int sphere) {
+            return along(boxes[static_cast<std::size_t>(sphere)].center(), axis);
+        };
+        // Middles at one place stay in the order of their numbers, so that sorting once more along
+        // the best axis gives what was measured.
         std::sort(order.begin(), order.end(), [&](int a, int b) {
-            return along(boxes[static_cast<std::size_t>(a)].center(), axis) <
-                   along(boxes[static_cast<std::size_t>(b)].center(), axis);
+            const Real of_a = middle(a), of_b = middle(b);
+            return of_a != of_b ? of_a < of_b : a < b;
         });
     };
     const std::size_t count = order.size();

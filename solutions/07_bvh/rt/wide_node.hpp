@@ -1,7 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <cstdint>
+#include <rt/box.hpp>
 #include <rt/slab_ray.hpp>
 #include <rt/sphere.hpp>
 
@@ -56,26 +59,28 @@ struct WideRay {
 template <class Number>
 unsigned hit_boxes(const WideNode<Number>& node, const WideRay<Number>& ray, Number min, Number max,
                    Lanes<Number>& enters) {
-    Lanes<Number> near, far;
-    for (std::size_t i = 0; i < lanes; ++i) near[i] = min;
-    for (std::size_t i = 0; i < lanes; ++i) far[i] = max;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Lanes<Number>& first = ray.forward[k] ? node.low[k] : node.high[k];
-        const Lanes<Number>& second = ray.forward[k] ? node.high[k] : node.low[k];
-        const Number near_origin = ray.near_origin[k], far_origin = ray.far_origin[k];
-        const Number inverse = ray.inverse[k];
-        for (std::size_t i = 0; i < lanes; ++i) {
-            const Number t = (first[i] - near_origin) * inverse;
-            near[i] = near[i] < t ? t : near[i];  // not for a t that is not a number
-        }
-        for (std::size_t i = 0; i < lanes; ++i) {
-            const Number t = (second[i] - far_origin) * inverse;
-            far[i] = t < far[i] ? t : far[i];
-        }
-    }
+    const auto& near = ray.near_origin, & far = ray.far_origin, & inverse = ray.inverse;
+    const Number* const first_x = (ray.forward[0] ? node.low : node.high)[0].data();
+    const Number* const first_y = (ray.forward[1] ? node.low : node.high)[1].data();
+    const Number* const first_z = (ray.forward[2] ? node.low : node.high)[2].data();
+    const Number* const second_x = (ray.forward[0] ? node.high : node.low)[0].data();
+    const Number* const second_y = (ray.forward[1] ? node.high : node.low)[1].data();
+    const Number* const second_z = (ray.forward[2] ? node.high : node.low)[2].data();
+    // A t that is not a number fails the comparison, and its plane does not count.
+    const auto later = [](Number t, Number than) { return than < t ? t : than; };
+    const auto earlier = [](Number t, Number than) { return t < than ? t : than; };
+    Lanes<Number> in;
     Lanes<std::int32_t> met;
-    for (std::size_t i = 0; i < lanes; ++i) met[i] = near[i] <= far[i];
-    enters = near;
+    for (std::size_t i = 0; i < lanes; ++i) {
+        const Number in_x = later((first_x[i] - near[0]) * inverse[0], min);
+        const Number in_y = later((first_y[i] - near[1]) * inverse[1], in_x);
+        in[i] = later((first_z[i] - near[2]) * inverse[2], in_y);
+        const Number out_x = earlier((second_x[i] - far[0]) * inverse[0], max);
+        const Number out_y = earlier((second_y[i] - far[1]) * inverse[1], out_x);
+        const Number out = earlier((second_z[i] - far[2]) * inverse[2], out_y);
+        met[i] = in[i] <= out;
+    }
+    enters = in;
     return bits_of(met);
 }
 
