@@ -13,7 +13,7 @@ endif()
 if(NOT Catch2_FOUND)
   message(STATUS "Catch2 is not installed: fetching it")
   FetchContent_Declare(Catch2 GIT_REPOSITORY https://github.com/catchorg/Catch2.git
-                              GIT_TAG v3.5.4 GIT_SHALLOW ON)
+                              GIT_TAG v3.7.1 GIT_SHALLOW ON)
   FetchContent_MakeAvailable(Catch2)
   set(Catch2_VERSION 3)
 endif()
@@ -27,7 +27,7 @@ find_package(CLI11 QUIET)
 if(NOT CLI11_FOUND)
   message(STATUS "CLI11 is not installed: fetching it")
   FetchContent_Declare(CLI11 GIT_REPOSITORY https://github.com/CLIUtils/CLI11.git
-                             GIT_TAG v2.4.2 GIT_SHALLOW ON)
+                             GIT_TAG v2.7.2 GIT_SHALLOW ON)
   FetchContent_MakeAvailable(CLI11)
 endif()
 
@@ -36,8 +36,9 @@ add_library(course_stb INTERFACE)
 find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb)
 if(NOT STB_INCLUDE_DIR)
   message(STATUS "stb is not installed: fetching it")
-  FetchContent_Declare(stb GIT_REPOSITORY https://github.com/nothings/stb.git GIT_TAG master
-                           GIT_SHALLOW ON)
+  # It has no releases, hence a commit.
+  FetchContent_Declare(stb GIT_REPOSITORY https://github.com/nothings/stb.git
+                           GIT_TAG 31c1ad37456438565541f4919958214b6e762fb4)
   FetchContent_MakeAvailable(stb)
   set(STB_INCLUDE_DIR ${stb_SOURCE_DIR})
 endif()

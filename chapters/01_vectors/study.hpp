@@ -57,7 +57,7 @@ inline void run(study::Report& report) {
                                            {"rt::normalize", rt::normalize}}};
     const int far = std::is_same_v<Real, float> ? 30 : 200;  // powers of ten
     rt::Rng rng{1, 1};
-    for (const int exponent : {-far, -far / 2, 0, far / 2, far}) {
+    for (int exponent = -far; exponent <= far; exponent += far / 5) {
         const Real size = std::pow(Real(10), static_cast<Real>(exponent));
         std::vector<Vec3> vectors;
         const auto component = [&] { return size * rng.uniform(-1, 1); };

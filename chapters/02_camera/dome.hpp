@@ -2,14 +2,17 @@
 // What the cameras of this chapter look at: a dome with lines every 10 degrees, a tint for each
 // quarter of the compass, the sun in the south, and a plain with a grid of squares.
 
+#include <algorithm>
+#include <app/lettering.hpp>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <rt/color.hpp>
 #include <rt/cross.hpp>
 #include <rt/dot.hpp>
 #include <rt/length.hpp>
 #include <rt/ray.hpp>
-
-#include "lettering.hpp"
+#include <string_view>
 
 namespace dome {
 
@@ -124,9 +127,8 @@ inline Real compass(Vec3 d, Real pixel_deg) {
     const Real a = azimuth(d) * degree, quarter_turn = std::round(a / 90);
     const int i = (static_cast<int>(quarter_turn) + 4) % 4;
     const rt::Vec2 p{(a - 90 * quarter_turn) / unit + 1, 4 + (4 - elevation(d) * degree) / unit};
-    const Real distance =
-        unit * lettering::distance_to_text(
-                   p, std::string_view("NESW").substr(static_cast<std::size_t>(i), 1));
+    const Real distance = unit * app::distance_to_text(p, std::string_view("NESW").substr(
+                                                              static_cast<std::size_t>(i), 1));
     return coverage(distance, Real(0.9), pixel_deg);
 }
 

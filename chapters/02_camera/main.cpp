@@ -2,6 +2,7 @@
 // at and the up vector change.
 
 #include <algorithm>
+#include <app/lettering.hpp>
 #include <app/run.hpp>
 #include <array>
 #include <cmath>
@@ -10,7 +11,6 @@
 #include <string_view>
 
 #include "dome.hpp"
-#include "lettering.hpp"
 #include "study.hpp"
 
 namespace {
@@ -72,7 +72,7 @@ int part_at(int pixels, int x, int n) {
 Color with_caption(Color color, std::string_view caption, Real x, Real y, int panel_height) {
     const Real height = static_cast<Real>(panel_height), unit = height / 90;  // of the letters
     const Vec2 p{x / unit - 3, (y - height) / unit + 7};
-    const Real distance = lettering::distance_to_text(p, caption) * unit;
+    const Real distance = app::distance_to_text(p, caption) * unit;
     const Real shadow = std::exp(-distance * distance / (9 * unit * unit));
     color = mix(color, {}, Real(0.5) * shadow);
     return mix(color, {1, 1, 1}, dome::coverage(distance, Real(0.75) * unit, 1));

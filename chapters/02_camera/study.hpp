@@ -92,7 +92,8 @@ void measure_mapping(study::Report& report, const char* variant) {
             const DoubleDouble exact = exact_viewport_point(camera, column, column, middle).x;
             const Vec2 p = map(camera, column, column, middle);
             const double off = (exact - DoubleDouble(p.x)).high;
-            worst = std::max(worst, std::abs(off) / double{camera.viewport.width} * width);
+            worst =
+                std::max(worst, std::abs(off) / static_cast<double>(camera.viewport.width) * width);
         }
         report.add({"pixel mapping", variant, static_cast<double>(width), "width / pixels", worst,
                     "largest error / pixels", cost, "time per pixel / ns"});
@@ -149,7 +150,7 @@ void measure_rays(study::Report& in_pixels, study::Report& in_ulp, const char* v
                 const double pixel =
                     std::min(angle(exact(column + 1, row), e), angle(exact(column, row + 1), e));
                 pixels = std::max(pixels, error / pixel);
-                ulp = std::max(ulp, error / double{rt::epsilon});
+                ulp = std::max(ulp, error / static_cast<double>(rt::epsilon));
             }
         in_pixels.add({"ray direction", variant, fov_deg, "field of view / degrees", pixels,
                        "largest error / pixels", cost, "time per ray / ns"});
@@ -188,9 +189,9 @@ void measure_look_at(study::Report& report, const char* variant) {
             if (!(0 < length(right))) continue;
             worst = std::max(worst, angle(look_at(from, {0, 0, 0}, up).u, right));
         }
-        report.add({"look-at", variant, double{small}, "angle between view and up / radians",
-                    worst / double{rt::epsilon}, "largest error of u / ulp of 1", cost,
-                    "time per basis / ns"});
+        report.add({"look-at", variant, static_cast<double>(small),
+                    "angle between view and up / radians", worst / static_cast<double>(rt::epsilon),
+                    "largest error of u / ulp of 1", cost, "time per basis / ns"});
     }
 }
 

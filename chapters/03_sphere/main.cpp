@@ -1,6 +1,7 @@
 // A planet with rings of moons; beside it one sphere seen from farther and farther away, by the
 // formula of the textbook and by the stable one.
 
+#include <app/lettering.hpp>
 #include <app/run.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/make_camera.hpp>
@@ -10,7 +11,6 @@
 #include <string>
 #include <type_traits>
 
-#include "label.hpp"
 #include "scene.hpp"
 #include "study.hpp"
 #include "variants.hpp"
@@ -94,18 +94,22 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         if (x < left) return trace(bodies, rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}));
         const Color paper = rt::from_hex(0x05060f), ink = rt::from_hex(0xb8bfdc);
         const int column = (x - left - gap) / (side + gap), u = (x - left - gap) % (side + gap);
-        const auto word = [&](std::string_view text, int dot_x, int dot_y) {
-            return dot_x >= 0 && dot_y >= 0 && label::covers(text, dot_x / dot, dot_y / dot);
+        // How much of the pixel a text covers whose first letter starts so many pixels away.
+        const auto word = [&](std::string_view text, int right, int down) {
+            const auto unit = static_cast<Real>(dot);
+            const rt::Vec2 place{static_cast<Real>(right) / unit, static_cast<Real>(down) / unit};
+            const Real distance = app::distance_to_text(place, text) * unit;
+            return std::clamp(Real(0.3) * unit + Real(0.5) - distance, Real(0), Real(1));
         };
         if (x - left < gap || column > 1) return paper;
-        if (y < top) return word(column ? "STABLE" : "TEXTBOOK", u, y - gap) ? ink : paper;
+        if (y < top) return mix(paper, ink, word(column ? "STABLE" : "TEXTBOOK", u, y - gap));
         const int row = (y - top) / (side + gap), v = (y - top) % (side + gap);
         if (row > 3 || u >= side || v >= side) return paper;
         const int base = v - (side - 7 * dot);
-        if (word("10", u - 2 * dot, base) ||
-            word(std::to_string(exponents[row]), u - 10 * dot, base + 3 * dot))
-            return ink;
-        return panels[static_cast<std::size_t>(2 * row + column)].shade(u, v);
+        const Real label =
+            std::max(word("10", u - 3 * dot, base),
+                     word(std::to_string(exponents[row]), u - 10 * dot, base + 3 * dot));
+        return mix(panels[static_cast<std::size_t>(2 * row + column)].shade(u, v), ink, label);
     };
     const auto pixels =
         static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);

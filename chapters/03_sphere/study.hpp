@@ -24,16 +24,15 @@ struct Case {
 
 // By numbers of 106 bits.
 inline Case exact_case(const Ray& ray) {
-    using D = DoubleDouble;
-    const auto [fx, fy, fz] = ray.origin;
-    const auto [dx, dy, dz] = ray.direction;
-    const D a = D(dx) * D(dx) + D(dy) * D(dy) + D(dz) * D(dz);
-    const D b = D(fx) * D(dx) + D(fy) * D(dy) + D(fz) * D(dz);
-    const D x = D(fy) * D(dz) - D(fz) * D(dy), y = D(fz) * D(dx) - D(fx) * D(dz),
-            z = D(fx) * D(dy) - D(fy) * D(dx);
-    const D moment = x * x + y * y + z * z, quarter = a - moment;
-    if (quarter < D(0)) return {ray};
-    const double f = std::sqrt((D(fx) * D(fx) + D(fy) * D(fy) + D(fz) * D(fz)).high);
+    const auto exact = [](Real x) { return DoubleDouble(static_cast<double>(x)); };
+    const auto fx = exact(ray.origin.x), fy = exact(ray.origin.y), fz = exact(ray.origin.z);
+    const auto dx = exact(ray.direction.x), dy = exact(ray.direction.y),
+               dz = exact(ray.direction.z);
+    const auto a = dx * dx + dy * dy + dz * dz, b = fx * dx + fy * dy + fz * dz;
+    const auto x = fy * dz - fz * dy, y = fz * dx - fx * dz, z = fx * dy - fy * dx;
+    const auto moment = x * x + y * y + z * z, quarter = a - moment;
+    if (quarter < DoubleDouble(0)) return {ray};
+    const double f = std::sqrt((fx * fx + fy * fy + fz * fz).high);
     return {ray, (-b - sqrt(quarter)) / a,
             (f + 1) * (1 + std::sqrt(moment.high / quarter.high)) / std::sqrt(a.high)};
 }
@@ -69,7 +68,7 @@ inline Quality judge(const std::vector<Case>& cases, variants::HitFunction hit) 
         const auto t = hit({}, c.ray, {0, rt::infinity});
         if (t.has_value() != hits) quality.wrong_share += 1 / static_cast<double>(cases.size());
         if (!t || !hits) continue;
-        const double error = std::abs((DoubleDouble(*t) - c.t).high);
+        const double error = std::abs((DoubleDouble(static_cast<double>(*t)) - c.t).high);
         quality.largest_error = std::max(quality.largest_error, error / c.t.high);
         quality.of_condition = std::max(quality.of_condition,
                                         error / (static_cast<double>(rt::epsilon) * c.condition));

@@ -2,8 +2,8 @@
 // What accuracy costs: more samples, better placed samples, and more bounces.
 
 #include <array>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <rt/jitter.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/path.hpp>
@@ -88,13 +88,12 @@ inline double mean_radiance(const Pixels& pixels) {
     return sum / (3 * static_cast<double>(pixels.size()));
 }
 
-// The time of one call in milliseconds.
+// The processor's time for one call in milliseconds, in which other programs do not count.
 template <class Work>
 double milliseconds(Work work) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
+    return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 // The root of the mean squared error of a pixel, over some seeds, and the median time of a picture.
@@ -155,6 +154,16 @@ inline double coverage(double cosine, double sine, double edge) {
 // The same three ways where nothing is random but the place in the pixel.
 inline void study_edge(study::Report& report) {
     constexpr int edges = 1000;
+    const auto add_row = [&](const char* variant, int samples, Measured m) {
+        report.add({.study = "Edge",
+                    .variant = variant,
+                    .x = static_cast<double>(samples),
+                    .x_name = "samples per pixel",
+                    .error = m.error,
+                    .error_name = "RMSE of a pixel",
+                    .cost = m.cost,
+                    .cost_name = "time per sample / ns"});
+    };
     const auto add = [&](const char* variant, int samples, auto average) {
         double sum = 0;
         const double time = milliseconds([&] {
@@ -171,25 +180,19 @@ inline void study_edge(study::Report& report) {
                 sum += error * error;
             }
         });
-        report.add({.study = "Edge",
-                    .variant = variant,
-                    .x = static_cast<double>(samples),
-                    .x_name = "samples per pixel",
-                    .error = std::sqrt(sum / edges),
-                    .error_name = "RMSE of a pixel",
-                    .cost = 1e6 * time / edges / samples,
-                    .cost_name = "time per sample / ns"});
-        return std::sqrt(sum / edges);
+        const Measured m{std::sqrt(sum / edges), 1e6 * time / edges / samples};
+        add_row(variant, samples, m);
+        return m;
     };
     double first = 0;
     for (int n = 1; n <= 1024; n *= 4) {
-        const double independent = add("independent", n, [n](int i, auto covered) {
+        const Measured independent = add("independent", n, [n](int i, auto covered) {
             Rng random = pixel_rng(1, i, n);
             Color sum;
             for (int k = 0; k < n; ++k) sum += covered(random_place(random));
             return sum.r / static_cast<Real>(n);
         });
-        if (n == 1) first = independent;
+        if (n == 1) first = independent.error;
         add("jittered in the pixel", n, [n](int i, auto covered) {
             Rng random = pixel_rng(2, i, n);
             return pixel_average(n, random, covered).r;
@@ -202,14 +205,7 @@ inline void study_edge(study::Report& report) {
             }
             return sum.r / static_cast<Real>(n);
         });
-        report.add({.study = "Edge",
-                    .variant = "1 / sqrt(N)",
-                    .x = static_cast<double>(n),
-                    .x_name = "samples per pixel",
-                    .error = first / std::sqrt(n),
-                    .error_name = "RMSE of a pixel",
-                    .cost = 0,
-                    .cost_name = "time per sample / ns"});
+        add_row("1 / sqrt(N)", n, {first / std::sqrt(n), independent.cost});
     }
 }
 

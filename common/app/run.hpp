@@ -25,8 +25,9 @@ struct Settings {
     int spp = 0;       // samples per pixel
     int depth = 0;     // the most bounces of a path
     int threads = 0;
-    std::optional<std::uint64_t> seed;  // of everything random
-    std::vector<std::string> picked;    // the word of each of the program's choices, in their order
+    std::optional<std::uint64_t> seed = {};  // of everything random
+    // The word that was picked of each of the program's choices, in their order.
+    std::vector<std::string> picked = {};
 };
 
 // An option of one program alone, which takes one of a few words: --ending sky|black|roulette.

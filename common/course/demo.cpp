@@ -1,4 +1,5 @@
 #include <app/errors.hpp>
+#include <chrono>
 #include <course/commands.hpp>
 #include <course/gallery.hpp>
 #include <course/process.hpp>
@@ -57,10 +58,13 @@ int demo(const Course& course, const Arguments& arguments) {
         rendered.push_back(said);
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
-        std::printf("%-16s measuring what accuracy costs\n", all[i].name.c_str());
-        std::fflush(stdout);
+        const auto start = std::chrono::steady_clock::now();
         ok &= attempt(all[i], "study", [&] { measure(course, all[i], false); });
         if (with_plots) ok &= attempt(all[i], "plot", [&] { draw_plots(course, all[i]); });
+        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+        std::printf("%-16s measured what accuracy costs in %.1f s\n", all[i].name.c_str(),
+                    time.count());
+        std::fflush(stdout);
         exhibits.push_back(collect(course, all[i], rendered[i]));
     }
     rt::replace_file(course.out() / "index.html", gallery_html(exhibits));

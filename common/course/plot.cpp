@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <course/plot.hpp>
 #include <course/scale.hpp>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -12,7 +13,7 @@ namespace {
 constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                   "#e69f00", "#56b4e9", "#555555"};
 constexpr const char* precisions[] = {"double", "float"};
-constexpr double font_size = 14, letter_width = 7.5, line_height = 18;  // pixels
+constexpr double font_size = 14, letter_width = 7, line_height = 18;  // pixels
 
 // A text in gnuplot's double quotes.
 std::string quoted(const std::string& text) {
@@ -34,6 +35,18 @@ std::vector<std::string> variants(const std::vector<Measurement>& rows) {
 
 std::string color_of(std::size_t variant) {
     return colors[variant % std::size(colors)];
+}
+
+// How a line is drawn: dashed for float, its dashes as long for any width.
+std::string line_style(double width, bool is_float, const std::string& color) {
+    std::ostringstream style;
+    style << " lw " << width << " dt ";
+    if (is_float)
+        style << '(' << 12 / width << ',' << 8 / width << ')';
+    else
+        style << '1';
+    style << " lc rgb '" << color << "' ";
+    return style.str();
 }
 
 bool has(const std::vector<Measurement>& rows, const std::string& precision) {
@@ -64,7 +77,7 @@ void begin(std::ostream& out, const Canvas& canvas, const std::string& svg_file,
     out << "set terminal svg size " << canvas.width << ',' << canvas.height
         << " enhanced font 'Helvetica,Arial,sans-serif," << font_size
         << "' background '#ffffff'\nset output " << quoted(svg_file)
-        << "\nset encoding utf8\nset datafile missing 'NaN'\nset multiplot\n"
+        << "\nset datafile missing 'NaN'\nset multiplot\n"
         << "set style line 100 lc rgb '#9a9a9a' lw 1\nset style line 101 lc rgb '#e4e4e4' lw 1\n"
         << "set border 3 ls 100\nset grid back ls 101\nset tics nomirror scale 0.5 "
         << "textcolor rgb '#444444'\nset key off\n"
@@ -73,8 +86,8 @@ void begin(std::ostream& out, const Canvas& canvas, const std::string& svg_file,
 }
 
 void set_axis(std::ostream& out, char axis, const Scale& scale) {
-    out << (scale.is_logarithmic() ? "set" : "unset") << " logscale " << axis << "\nset " << axis
-        << "range [" << scale.low() << ':' << scale.high() << "]\nset " << axis << "tics (";
+    out << "set " << axis << "range [" << scale.low() << ':' << scale.high() << "]\nset " << axis
+        << "tics (";
     const char* comma = "";
     for (const auto& [at, text] : scale.marks()) {
         out << comma << quoted(text) << ' ' << at;
@@ -91,7 +104,7 @@ void set_panel(std::ostream& out, const Canvas& canvas, const Frame& frame, cons
         << canvas.y(frame.bottom) << '\n';
     set_axis(out, 'x', x);
     set_axis(out, 'y', y);
-    out << "set xlabel " << quoted(x_name) << " noenhanced textcolor rgb '#444444'\n"
+    out << "set xlabel " << quoted(x_name) << " noenhanced offset 0,0.2 textcolor rgb '#444444'\n"
         << "set label 2 " << quoted(y_name) << " at " << canvas.x(frame.left - 50) << ','
         << canvas.y(frame.top - 16) << " noenhanced textcolor rgb '#444444'\n";
 }
@@ -103,6 +116,7 @@ class Legend {
         const auto names = variants(rows);
         for (std::size_t i = 0; i < names.size(); ++i) add(names[i], color_of(i), false);
         if (!has(rows, "double") || !has(rows, "float")) return;
+        if (x_ + 200 > width_) next_row();  // the two belong together
         for (const std::string precision : precisions)
             add(precision, "#555555", precision == "float");
     }
@@ -114,10 +128,13 @@ class Legend {
         int id = 100;
         for (const Entry& e : entries_) {
             const double middle = y + e.row * line_height + line_height / 2;
-            out << "set arrow " << id++ << " from " << canvas.x(e.x) << ',' << canvas.y(middle)
-                << " to " << canvas.x(e.x + 26) << ',' << canvas.y(middle) << " nohead lw 2 dt "
-                << (e.is_float ? 2 : 1) << " lc rgb '" << e.color << "'\n";
-            out << "set label " << id++ << ' ' << quoted(e.text) << " at " << canvas.x(e.x + 32)
+            // gnuplot draws no dashed arrows into SVG files, so each dash is one.
+            const double dash = e.is_float ? 6 : 30;
+            for (double x = e.x; x < e.x + 30; x += 2 * dash)
+                out << "set arrow " << id++ << " from " << canvas.x(x) << ',' << canvas.y(middle)
+                    << " to " << canvas.x(x + dash) << ',' << canvas.y(middle)
+                    << " nohead lw 2 lc rgb '" << e.color << "'\n";
+            out << "set label " << id++ << ' ' << quoted(e.text) << " at " << canvas.x(e.x + 37)
                 << ',' << canvas.y(middle) << " noenhanced textcolor rgb '#222222'\n";
         }
     }
@@ -130,12 +147,14 @@ class Legend {
         int row;
     };
 
+    void next_row() {
+        x_ = left;
+        ++row_;
+    }
+
     void add(const std::string& text, const std::string& color, bool is_float) {
-        const double width = 32 + letter_width * static_cast<double>(text.size()) + 22;
-        if (x_ > left && x_ + width > width_) {
-            x_ = left;
-            ++row_;
-        }
+        const double width = 37 + letter_width * static_cast<double>(text.size()) + 22;
+        if (x_ > left && x_ + width > width_) next_row();
         entries_.push_back({text, color, is_float, x_, row_});
         x_ += width;
     }
@@ -164,9 +183,11 @@ void plot_curves(std::ostream& out, const std::vector<Measurement>& rows, const 
             for (const auto& [px, py] : points) out << px << ' ' << py << '\n';
             out << "END\n";
             const bool is_float = precision == "float";
-            plots << (block ? ", " : "plot ") << "$curve" << block << " with linespoints lw 2 dt "
-                  << (is_float ? 2 : 1) << " pt " << (is_float ? 6 : 7) << " ps 0.45 lc rgb '"
-                  << color_of(i) << "'";
+            // The first curves are the widest, so that none hides behind one that runs along it.
+            const double width = 1.6 + 0.6 * static_cast<double>(names.size() - 1 - i);
+            plots << (block ? ", " : "plot ") << "$curve" << block << " with linespoints"
+                  << line_style(width, is_float, color_of(i)) << "pt " << (is_float ? 6 : 7)
+                  << " ps 0.45";
             ++block;
         }
     out << plots.str() << '\n';
@@ -175,7 +196,7 @@ void plot_curves(std::ostream& out, const std::vector<Measurement>& rows, const 
 void draw_over_x(std::ostream& out, const std::vector<Measurement>& rows,
                  const std::string& svg_file) {
     const Legend legend{rows, 940};
-    const Canvas canvas{960, 400 + legend.height()};
+    const Canvas canvas{960, 412 + legend.height()};
     const double top = 84, bottom = 340;
     const Frame left{76, top, 464, bottom}, right{556, top, 940, bottom};
     const Measurement& any = rows.front();
@@ -184,7 +205,7 @@ void draw_over_x(std::ostream& out, const std::vector<Measurement>& rows,
 
     begin(out, canvas, svg_file, any.study);
     set_panel(out, canvas, left, x, any.x_name, error, any.error_name);
-    legend.draw(out, canvas, 398);
+    legend.draw(out, canvas, 410);
     plot_curves(out, rows, x, error, &study::Row::error);
     out << "unset label\nunset arrow\n";
     set_panel(out, canvas, right, x, any.x_name, cost, any.cost_name);
@@ -193,12 +214,15 @@ void draw_over_x(std::ostream& out, const std::vector<Measurement>& rows,
 
 struct Box {
     double left, top, right, bottom;
-    bool overlaps(const Box& b) const {
-        return left < b.right && b.left < right && top < b.bottom && b.top < bottom;
-    }
 };
 
-// Places texts beside points so that they cover neither points nor each other, where that can be.
+// The area that two boxes share.
+double overlap(const Box& a, const Box& b) {
+    return std::max(0.0, std::min(a.right, b.right) - std::max(a.left, b.left)) *
+           std::max(0.0, std::min(a.bottom, b.bottom) - std::max(a.top, b.top));
+}
+
+// Places texts beside points so that they cover points and each other as little as can be.
 class Labels {
   public:
     explicit Labels(const Frame& frame) : frame_{frame} {}
@@ -212,23 +236,28 @@ class Labels {
 
     Place beside(double x, double y, const std::string& text) {
         const double w = letter_width * static_cast<double>(text.size()), h = line_height / 2;
-        const std::pair<Place, double> candidates[] = {
-            {{x + 11, y, "left"}, x + 11},           {{x - 11, y, "right"}, x - 11 - w},
-            {{x, y - 16, "center"}, x - w / 2},      {{x, y + 16, "center"}, x - w / 2},
-            {{x + 11, y - 16, "left"}, x + 11},      {{x + 11, y + 16, "left"}, x + 11},
-            {{x - 11, y - 16, "right"}, x - 11 - w}, {{x - 11, y + 16, "right"}, x - 11 - w},
-            {{x + 11, y - 32, "left"}, x + 11},      {{x + 11, y + 32, "left"}, x + 11}};
-        for (const auto& [place, left] : candidates) {
+        Place best{};
+        Box best_box{};
+        double least = std::numeric_limits<double>::infinity();
+        const auto consider = [&](const Place& place, double left) {
             const Box box{left, place.y - h, left + w, place.y + h};
-            const bool inside = box.left > frame_.left && box.right < frame_.right &&
-                                box.top > frame_.top - h && box.bottom < frame_.bottom;
-            if (!inside || std::any_of(taken_.begin(), taken_.end(),
-                                       [&](const Box& b) { return b.overlaps(box); }))
-                continue;
-            taken_.push_back(box);
-            return place;
+            double covered = 100 * (std::max(0.0, frame_.left - box.left) +
+                                    std::max(0.0, box.right - frame_.right) +
+                                    std::max(0.0, frame_.top - h - box.top) +
+                                    std::max(0.0, box.bottom - frame_.bottom));
+            for (const Box& other : taken_) covered += overlap(box, other);
+            if (covered >= least) return;
+            least = covered;
+            best = place;
+            best_box = box;
+        };
+        for (const double dy : {0.0, -16.0, 16.0, -32.0, 32.0}) {
+            consider({x + 11, y + dy, "left"}, x + 11);
+            consider({x - 11, y + dy, "right"}, x - 11 - w);
+            if (dy != 0) consider({x, y + dy, "center"}, x - w / 2);
         }
-        return candidates[0].first;
+        taken_.push_back(best_box);
+        return best;
     }
 
   private:
@@ -242,7 +271,7 @@ void draw_against(std::ostream& out, const std::vector<Measurement>& rows,
     std::set<double> xs;
     for (const Measurement& row : rows) xs.insert(row.x);
     const bool two_precisions = has(rows, "double") && has(rows, "float");
-    const Canvas canvas{760, two_precisions ? 470.0 : 440.0};
+    const Canvas canvas{760, two_precisions ? 480.0 : 440.0};
     const Frame frame{76, 84, 735, 380};
     const Measurement& any = rows.front();
     const Scale cost = scale_of(rows, &study::Row::cost),
@@ -281,8 +310,8 @@ void draw_against(std::ostream& out, const std::vector<Measurement>& rows,
     if (two_precisions) {
         double x = frame.left;
         for (const std::string precision : precisions) {
-            point(x, 444, precision == "float", "#555555");
-            text({x + 12, 444, "left"}, precision, "#222222");
+            point(x, 456, precision == "float", "#555555");
+            text({x + 12, 456, "left"}, precision, "#222222");
             x += 90;
         }
     }

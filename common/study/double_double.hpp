@@ -16,7 +16,7 @@ struct DoubleDouble {
 
     constexpr DoubleDouble() = default;
     template <class Number>
-        requires std::is_arithmetic_v<Number>
+    requires std::is_arithmetic_v<Number>
     constexpr DoubleDouble(Number value) : high{static_cast<double>(value)} {}
     constexpr DoubleDouble(double h, double l) : high{h}, low{l} {}
 

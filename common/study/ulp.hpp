@@ -6,13 +6,13 @@
 namespace study {
 
 // The distance between the numbers of type T next to x: one unit in the last place of x. For zero
-// and the smallest numbers it is the smallest number there is.
+// and the smallest numbers it is the smallest number there is; for infinity, that of the largest.
 template <class T>
 T ulp(T x) {
+    constexpr T largest = std::numeric_limits<T>::max();
     x = std::abs(x);
-    const T next = std::nextafter(x, std::numeric_limits<T>::infinity());
-    if (std::isinf(next)) return x - std::nextafter(x, T(0));
-    return next - x;
+    if (x >= largest) return largest - std::nextafter(largest, T(0));
+    return std::nextafter(x, largest) - x;
 }
 
 // How far the computed value is from the exact one, in units in the last place of the exact value.

@@ -25,7 +25,8 @@ const char* suggestion(double degrees, double computed, double exact) {
     if (is(2 * std::sin(radians / 2))) return "opposite by adjacent is the tangent, not the sine";
     if (is(2 * std::tan(radians / 2 * 3.14159265 / 180)) || is(2 * std::tan(degrees / 2)))
         return "the angle comes in radians, and std::tan takes radians";
-    return "2 tan(vertical_fov / 2)";
+    if (computed == 0) return "1 / 2 is 0 in C++, a quotient of whole numbers: write / 2";
+    return "2 tan(vertical_fov / 2); a Viewport lists its width first, then its height";
 }
 
 }  // namespace
@@ -73,7 +74,8 @@ TEST_CASE("02.2 any angle from a thousandth of a degree to 179.9 degrees", "[02.
                                    << " radians, aspect ratio " << text(aspect));
         {
             HINT(row.height, viewport.height,
-                 "std::tan is accurate at every angle; 1 - cos cancels at small ones");
+                 "2 std::tan(vertical_fov / 2) is accurate at every angle; a formula of your own "
+                 "may not be");
             REQUIRE(error_in_ulp(viewport.height, row.height) <= allowed_height);
         }
         HINT(row.width, viewport.width, "height times aspect ratio, in Real throughout");
@@ -100,7 +102,10 @@ TEST_CASE("02.2 an angle of 0 or 180 degrees or not a number is refused", "[02.2
 TEST_CASE("02.2 an aspect ratio that is not a positive number is refused", "[02.2][hard]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     for (const Real aspect : {Real(0), Real(-1), rt::infinity, nan}) {
-        INFO("viewport_size(1, " << text(aspect) << ") must throw std::domain_error");
+        INFO("viewport_size(1, "
+             << text(aspect)
+             << ") must throw std::domain_error.\nHint: the same test as for the "
+                "angle, with 0 and infinity");
         CHECK_THROWS_AS(rt::viewport_size(1, aspect), std::domain_error);
     }
 }

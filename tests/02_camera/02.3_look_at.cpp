@@ -17,11 +17,12 @@ double flaw_in_ulp(const Basis& b) {
         return std::numeric_limits<double>::infinity();
     const Vec3 uv{b.u.y * b.v.z - b.u.z * b.v.y, b.u.z * b.v.x - b.u.x * b.v.z,
                   b.u.x * b.v.y - b.u.y * b.v.x};
-    return std::max({length_error_in_ulp(b.u), length_error_in_ulp(b.v), length_error_in_ulp(b.w),
-                     std::abs(dot_in_double(b.u, b.v)) / double{rt::epsilon},
-                     std::abs(dot_in_double(b.v, b.w)) / double{rt::epsilon},
-                     std::abs(dot_in_double(b.w, b.u)) / double{rt::epsilon},
-                     double{max_component(uv - b.w)} / double{rt::epsilon}});
+    return std::max(
+        {length_error_in_ulp(b.u), length_error_in_ulp(b.v), length_error_in_ulp(b.w),
+         std::abs(dot_in_double(b.u, b.v)) / static_cast<double>(rt::epsilon),
+         std::abs(dot_in_double(b.v, b.w)) / static_cast<double>(rt::epsilon),
+         std::abs(dot_in_double(b.w, b.u)) / static_cast<double>(rt::epsilon),
+         static_cast<double>(max_component(uv - b.w)) / static_cast<double>(rt::epsilon)});
 }
 
 // w carries fewer than 4 roundings and u fewer than 8, half a unit each at most; a product of two
@@ -42,9 +43,11 @@ const char* suggestion(const Basis& b) {
             return "a vector's length is not 1: cross products need normalize unless both vectors "
                    "have "
                    "length 1 and are perpendicular";
-    if (std::abs(dot_in_double(b.v, b.w)) > 16 * double{rt::epsilon})
+    if (std::abs(dot_in_double(b.v, b.w)) > 16 * static_cast<double>(rt::epsilon))
         return "v is not perpendicular to w: up itself is not v, cross(w, u) is";
-    return "u = up x w, v = w x u: the other order points the other way (right hand)";
+    return "u = up x w, v = w x u: the other order points the other way (right hand); where up x w "
+           "is "
+           "zero, orthonormal_basis(w)";
 }
 
 }  // namespace
@@ -158,7 +161,10 @@ TEST_CASE("02.3 a view nearly parallel to up keeps its digits", "[02.3][hard]") 
 
 TEST_CASE("02.3 nothing to look at and no up are refused", "[02.3][hard]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
-    INFO("look_at must throw std::domain_error; normalize does that for a zero vector");
+    INFO(
+        "look_at must throw std::domain_error.\nHint: normalize does that for from - at; ask about "
+        "up "
+        "before you cross it with anything: up == Vec3{} or not is_finite(up)");
     CHECK_THROWS_AS(rt::look_at({1, 2, 3}, {1, 2, 3}, {0, 1, 0}), std::domain_error);
     CHECK_THROWS_AS(rt::look_at({1, 2, 3}, {0, 0, 0}, {0, 0, 0}), std::domain_error);
     CHECK_THROWS_AS(rt::look_at({nan, 2, 3}, {0, 0, 0}, {0, 1, 0}), std::domain_error);

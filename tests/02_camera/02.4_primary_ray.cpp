@@ -127,6 +127,7 @@ TEST_CASE("02.4 directions do not depend on how far away the eye is", "[02.4][ha
                 "a direction needs no point in the world: the viewport's point minus the eye loses "
                 "the digits that adding the eye rounded away");
             REQUIRE(ray.direction == near_by);
+            INFO("the ray must start at the eye, yours starts at " << text(ray.origin));
             REQUIRE(ray.origin == eye);
         }
     }

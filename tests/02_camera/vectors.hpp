@@ -6,21 +6,23 @@
 namespace checkpoint {
 
 inline double dot_in_double(Vec3 a, Vec3 b) {  // where the products of floats are exact
-    return double{a.x} * double{b.x} + double{a.y} * double{b.y} + double{a.z} * double{b.z};
+    return static_cast<double>(a.x) * static_cast<double>(b.x) +
+           static_cast<double>(a.y) * static_cast<double>(b.y) +
+           static_cast<double>(a.z) * static_cast<double>(b.z);
 }
 
 inline double error_in_ulp_of_1(Vec3 computed, const ExactVec3& exact) {
     if (!is_finite(computed)) return std::numeric_limits<double>::infinity();
-    const auto error = [](Real c, Exact e) { return std::abs((e - Exact(double{c})).high); };
+    const auto error = [](Real c, Exact e) { return std::abs((e - Exact(c)).high); };
     return std::max({error(computed.x, exact.x), error(computed.y, exact.y),
                      error(computed.z, exact.z)}) /
-           double{rt::epsilon};
+           static_cast<double>(rt::epsilon);
 }
 
 // How far the length is from 1; infinite for a vector that is not finite.
 inline double length_error_in_ulp(Vec3 v) {
     if (!is_finite(v)) return std::numeric_limits<double>::infinity();
-    return std::abs(std::sqrt(dot_in_double(v, v)) - 1) / double{rt::epsilon};
+    return std::abs(std::sqrt(dot_in_double(v, v)) - 1) / static_cast<double>(rt::epsilon);
 }
 
 }  // namespace checkpoint

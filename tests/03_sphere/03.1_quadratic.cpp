@@ -31,7 +31,8 @@ void check_exactly(Real a, Real b, Real c, Real low, Real high, const char* hint
 }
 
 void check_none(const std::optional<Roots>& roots, const char* what) {
-    INFO(what << " has no solution, but yours gives " << text(roots));
+    INFO(what << " has no solution, but yours gives " << text(roots)
+              << ".\nHint: return {} before anything is divided");
     CHECK_FALSE(roots.has_value());
 }
 
@@ -125,8 +126,27 @@ TEST_CASE("03.1 a may be zero", "[03.1][hard]") {
     check_none(rt::solve_quadratic(0, 0, 0), "solve_quadratic with a = b = 0, as documented,");
 }
 
+TEST_CASE("03.1 tiny numbers are not zero", "[03.1][hard]") {
+    // Powers of two, so that nothing is rounded.
+    const Real tiny = for_this_precision<Real>(Real(0x1p-50), Real(0x1p-400));
+    const char* const hint = "compare a and q with 0 exactly: no number is too small to count";
+    check_exactly(tiny, -3 * tiny, 2 * tiny, 1, 2, hint);
+    check_exactly(tiny, 0, -4 * tiny, -2, 2, hint);
+    check_exactly(1, -3 * tiny, 2 * tiny * tiny, tiny, 2 * tiny, hint);
+}
+
+TEST_CASE("03.1 a discriminant that is not a number means no solution", "[03.1][hard]") {
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    check_none(rt::roots_from_discriminant(1, -3, 2, nan),
+               "roots_from_discriminant: a discriminant that is not a number");
+    check_none(rt::solve_quadratic(1, nan, 2), "solve_quadratic: a b that is not a number");
+}
+
 TEST_CASE("03.1 any equation is solved to four units in the last place", "[03.1][hard]") {
-    check_table("random", "each step of the text rounds once; is one of yours extra?");
+    check_table("random",
+                "of both solutions compute the one that does not cancel, q, and get the other as c "
+                "/ q; then "
+                "each step rounds once");
 }
 
 TEST_CASE("03.1 the small solution survives beside a large one", "[03.1][hard]") {
@@ -137,13 +157,16 @@ TEST_CASE("03.1 the small solution survives beside a large one", "[03.1][hard]")
 }
 
 TEST_CASE("03.1 nearly equal solutions are told apart", "[03.1][hard]") {
-    check_table("nearly equal",
-                "b b and 4 a c agree in most digits: compute their difference with "
-                "rt::difference_of_products");
+    check_table(
+        "nearly equal",
+        "b b and 4 a c agree in most digits: rt::difference_of_products(b, b, 4 * a, c) keeps "
+        "them, as 4 * a is exact and a * c is not");
     check_table("exactly equal", "the discriminant is exactly 0");
 }
 
 TEST_CASE("03.1 a huge discriminant is no trouble", "[03.1][hard]") {
-    check_table("huge discriminant",
-                "b b - 4 a c is within range here; does a product of yours leave it?");
+    check_table(
+        "huge discriminant",
+        "get one solution as c / q; and b b - 4 a c is within range here, so let no other product "
+        "of yours leave it");
 }

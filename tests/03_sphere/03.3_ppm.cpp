@@ -48,7 +48,8 @@ std::string list(const std::vector<int>& bytes) {
 
 void check_bytes(const Image& image, const std::vector<int>& expected, const char* hint) {
     const std::vector<int> bytes = bytes_of(image);
-    INFO("expected the bytes" << list(expected) << ", but yours are" << list(bytes)
+    INFO("expected the bytes" << list(expected) << ", but yours are"
+                              << (bytes.empty() ? " none that can be read" : list(bytes))
                               << ".\nHint: " << hint);
     CHECK(bytes == expected);
 }
@@ -73,9 +74,10 @@ TEST_CASE("03.3 the header has the format and the size and 255", "[03.3]") {
 
 TEST_CASE("03.3 bytes are written as numbers", "[03.3]") {
     const std::string text = written(Image{2, 1, white});
-    INFO("the text is "
-         << begin_of(text)
-         << ".\nHint: a std::uint8_t prints as a letter; + in front makes it a number");
+    INFO("the text is " << begin_of(text)
+                        << ".\nHint: a std::uint8_t prints as a letter, + in front makes it a "
+                           "number; and there must "
+                           "be a space or a new line after each");
     for (std::size_t i = 2; i < text.size(); ++i) {  // after P3
         const auto letter = static_cast<unsigned char>(text[i]);
         REQUIRE((std::isdigit(letter) || std::isspace(letter)));

@@ -113,6 +113,12 @@ TEST_CASE("04.5 a path that hits nothing brings the sky of its direction", "[04.
     CHECK(world.rays == 1);
     INFO("Hint: every t from 0 to infinity counts; leave_surface sees to the rest");
     CHECK(world.asked == Interval{0, rt::infinity});
+    const Color bounced =
+        rt::path_radiance(downward, world, UpAfter{1}, sky, rt::SkyEnding{}, 8, rng);
+    INFO("straight down and up again: expected "
+         << text(tint) << ", yours gives " << text(bounced)
+         << ".\nHint: the light comes from where the path leaves to in the end");
+    CHECK(bounced == tint * sky({0, 1, 0}));
 }
 
 TEST_CASE("04.5 every bounce multiplies the light by its attenuation", "[04.5]") {

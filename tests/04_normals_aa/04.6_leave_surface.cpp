@@ -1,3 +1,4 @@
+#include <rt/image.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/leave_surface.hpp>
 #include <rt/make_camera.hpp>

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
         largest = std::max(largest, difference);
         different += difference > 1;
     }
+    for (stbi_uc* const image : pixels) stbi_image_free(image);
     std::printf("%ld of %ld pixels differ by more than 1, the largest difference is %d\n",
                 different, count, largest);
     return 1000 * different > count;

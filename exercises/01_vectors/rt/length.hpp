@@ -7,9 +7,9 @@
 
 namespace rt {
 
-// Exercise 01.3. Given for both functions, in <rt/vec3.hpp>: split_scale(v), whose result `scaled` has a
-// vector scaled.v with its largest component near 1 and a whole number scaled.exponent, such that v is
-// exactly scaled.v * 2^scaled.exponent; and is_finite(v). std::scalbn(x, n) is x * 2^n.
+// Exercise 01.3. Given for both functions, in <rt/vec3.hpp>: split_scale(v), whose result `scaled`
+// has a vector scaled.v with its largest component near 1 and a whole number scaled.exponent, such
+// that v is exactly scaled.v * 2^scaled.exponent; and is_finite(v). std::scalbn(x, n) is x * 2^n.
 
 // The length of v, for any finite v: within 2.5 units in the last place. It is infinite only where
 // the true length exceeds the largest number.

@@ -18,8 +18,8 @@ inline std::optional<Roots> roots_from_discriminant(Real a, Real b, Real c, Real
 }
 
 // Exercise 03.1. The real solutions of a t^2 + b t + c = 0, each within 4 units in the last place.
-// b^2 and 4 a c neither overflow nor underflow. rt::difference_of_products(p, q, x, y), given in
-// rt/real.hpp, is p q - x y without cancellation.
+// b^2 and 4 a c neither overflow nor underflow. rt::difference_of_products(p, q, r, s), given in
+// rt/real.hpp, is p q - r s without cancellation.
 inline std::optional<Roots> solve_quadratic(Real a, Real b, Real c) {
     return rt::todo("03.1", a, b, c);
 }

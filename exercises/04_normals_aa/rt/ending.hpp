@@ -27,13 +27,18 @@ struct BlackEnding {
 // Exercise 04.5. Russian roulette: the path goes on with a probability p, and its throughput is
 // divided by p, so that those that go on stand in for those that ended. Right on the average: p *
 // (1 / p) = 1. p is the largest channel of the throughput, but at most most_likely.
+template <class Random>
+Fate play_roulette(Color& throughput, Real most_likely, Random& random) {
+    return rt::todo("04.5", throughput, most_likely, random);
+}
+
 struct RouletteEnding {
     // Below 1, so that even a path between white surfaces ends at some time.
     Real most_likely = Real(0.95);
 
     template <class Random>
     Fate operator()(Color& throughput, Random& random) const {
-        return rt::todo("04.5", throughput, random);
+        return play_roulette(throughput, most_likely, random);
     }
 };
 

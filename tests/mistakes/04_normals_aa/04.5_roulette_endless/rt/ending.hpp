@@ -19,16 +19,20 @@ struct BlackEnding {
         return Fate::ends_in_black;
     }
 };
+template <class Random>
+Fate play_roulette(Color& throughput, Real /*most_likely*/, Random& random) {
+    const Real p = std::max({throughput.r, throughput.g, throughput.b});
+    if (!(random.uniform() < p)) return Fate::ends_in_black;
+    throughput /= p;
+    return Fate::goes_on;
+}
 
 struct RouletteEnding {
     Real most_likely = Real(0.95);
 
     template <class Random>
     Fate operator()(Color& throughput, Random& random) const {
-        const Real p = std::max({throughput.r, throughput.g, throughput.b});
-        if (!(random.uniform() < p)) return Fate::ends_in_black;
-        throughput /= p;
-        return Fate::goes_on;
+        return play_roulette(throughput, most_likely, random);
     }
 };
 

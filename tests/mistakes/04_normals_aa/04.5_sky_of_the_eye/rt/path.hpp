@@ -12,10 +12,11 @@ namespace rt {
 template <class AnyRay, class World, class Materials, class Sky, class Ending, class Random>
 Color path_radiance(AnyRay ray, const World& world, const Materials& materials, const Sky& sky,
                     const Ending& ending, int depth, Random& random) {
+    const Vec3 eye = ray.direction;
     Color throughput{1, 1, 1};
     for (int bounces = 1;; ++bounces) {
         const std::optional<Hit> hit = world.hit(ray, Interval{0, infinity});
-        if (!hit) return throughput * sky(-ray.direction);
+        if (!hit) return throughput * sky(eye);
 
         const std::optional<Scatter> bounce = materials(ray.direction, *hit, random);
         if (!bounce) return {};

@@ -1,0 +1,48 @@
+#include <rt/image.hpp>
+
+#include "checkpoint.hpp"
+
+using rt::Color;
+using rt::Image;
+
+TEST_CASE("an image keeps each pixel in its place", "[image]") {
+    Image image{3, 2};
+    CHECK(image.width() == 3);
+    CHECK(image.height() == 2);
+    REQUIRE(image.pixels().size() == 6);
+    image.at(2, 0) = {1, 0, 0};
+    image.at(0, 1) = {0, 1, 0};
+    CHECK(image.pixels()[2] == Color{1, 0, 0});
+    CHECK(image.pixels()[3] == Color{0, 1, 0});
+    CHECK(image.at(1, 1) == Color{});
+}
+
+TEST_CASE("an image can start filled, and copies are apart", "[image]") {
+    const Image white{2, 2, {1, 1, 1}};
+    Image copy = white;
+    CHECK(copy == white);
+    copy.at(0, 0) = {};
+    CHECK_FALSE(copy == white);
+    CHECK(white.at(0, 0) == Color{1, 1, 1});
+}
+
+TEST_CASE("an image of the same pixels in another shape is another image", "[image]") {
+    CHECK_FALSE(Image{2, 3} == Image{3, 2});
+}
+
+TEST_CASE("an image needs at least one pixel", "[image]") {
+    CHECK_THROWS_AS(Image(0, 5), std::invalid_argument);
+    CHECK_THROWS_AS(Image(5, 0), std::invalid_argument);
+    CHECK_THROWS_AS(Image(-1, -1), std::invalid_argument);
+}
+
+TEST_CASE("make_image shades every pixel once, row by row from the top", "[image]") {
+    std::vector<std::pair<int, int>> order;
+    const Image image = rt::make_image(2, 2, [&](int x, int y) {
+        order.emplace_back(x, y);
+        return Color{static_cast<rt::Real>(x), static_cast<rt::Real>(y), 0};
+    });
+    CHECK(order == std::vector<std::pair<int, int>>{{0, 0}, {1, 0}, {0, 1}, {1, 1}});
+    CHECK(image.at(1, 0) == Color{1, 0, 0});
+    CHECK(image.at(0, 1) == Color{0, 1, 0});
+}

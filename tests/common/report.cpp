@@ -1,0 +1,87 @@
+#include <sstream>
+#include <study/csv.hpp>
+#include <study/report.hpp>
+
+#include "checkpoint.hpp"
+#include "temporary_folder.hpp"
+
+using checkpoint::read_file;
+using checkpoint::TemporaryFolder;
+using checkpoint::write_file;
+
+namespace {
+
+const std::string heading = "study,variant,precision,x,x_name,error,error_name,cost,cost_name\n";
+const std::string mine = study::precision(), other = mine == "float" ? "double" : "float";
+
+study::Report one_row(double error) {
+    study::Report report{"99_test"};
+    report.add(
+        {"far, \"very\" far", "a,b", 1e6, "distance / radius", error, "ulp", 2.5, "time / ns"});
+    return report;
+}
+
+}  // namespace
+
+TEST_CASE("a report names its columns and its precision", "[report]") {
+    const TemporaryFolder folder;
+    one_row(0.25).write_csv(folder.path());
+    CHECK(read_file(folder / "99_test.csv") ==
+          heading + "\"far, \"\"very\"\" far\",\"a,b\"," + mine +
+              ",1e+06,distance / radius,0.25,ulp,2.5,time / ns\n");
+    CHECK(folder.count() == 1);
+}
+
+TEST_CASE("a report replaces its own rows and keeps those of the other precision", "[report]") {
+    const TemporaryFolder folder;
+    // A name that looks like a precision must not be taken for one.
+    const std::string theirs = "s,\"," + mine + ",\"," + other + ",1,n,2,e,3,c\n";
+    const std::string old = "s,\"," + other + ",\"," + mine + ",1,n,2,e,3,c\n";
+    write_file(folder / "99_test.csv", heading + theirs + old);
+    one_row(1).write_csv(folder.path());
+    one_row(2).write_csv(folder.path());
+    const std::string text = read_file(folder / "99_test.csv");
+    std::istringstream in{text};
+    const auto lines = study::read_csv(in);
+    REQUIRE(lines.size() == 3);
+    CHECK(text.find(theirs) == heading.size());
+    CHECK(lines[2][5] == "2");
+}
+
+TEST_CASE("a report says when it cannot be written", "[report]") {
+    const TemporaryFolder folder;
+    CHECK_THROWS_AS(one_row(1).write_csv(folder / "missing"), std::system_error);
+}
+
+TEST_CASE("a report prints a table a study", "[report]") {
+    std::FILE* const file = std::tmpfile();
+    REQUIRE(file);
+    one_row(0.25).print_table(file);
+    std::rewind(file);
+    std::string text(4096, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file));
+    std::fclose(file);
+    INFO(text);
+    for (const char* const part :
+         {"99_test", "far, \"very\" far", mine.c_str(), "a,b", "0.25", "2.5"})
+        CHECK(text.find(part) != std::string::npos);
+}
+
+TEST_CASE("time_ns measures the work, not its absence", "[report]") {
+    double x = 1.000001;
+    const auto work = [&](int times) {
+        return study::time_ns(
+            [&] {
+                double y = x;
+                for (int i = 0; i < times; ++i) {
+                    y *= x;
+                    study::keep(y);
+                }
+            },
+            5);
+    };
+    const double little = work(10), much = work(1000);
+    INFO(little << " ns and " << much << " ns");
+    CHECK(little > 0);
+    CHECK(much > 10 * little);  // 100 times the work
+}

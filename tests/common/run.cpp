@@ -1,0 +1,94 @@
+#include <app/run.hpp>
+#include <study/report.hpp>
+
+#include "checkpoint.hpp"
+#include "temporary_folder.hpp"
+
+using checkpoint::read_file;
+using checkpoint::TemporaryFolder;
+
+namespace {
+
+app::Settings seen;  // what the last run asked for
+
+app::Picture render(const app::Settings& settings, app::Progress& progress) {
+    seen = settings;
+    return {app::draw(settings, progress, [](int x, int) {
+        return rt::Color{rt::Real(x % 2), 0, 0};
+    })};
+}
+
+void run_study(study::Report& report) {
+    report.add({"s", "v", 1, "n", 2, "e", 3, "c"});
+}
+
+app::Program program() {
+    return {.name = "99_test",
+            .about = "A test",
+            .defaults = {.width = 8, .height = 4, .spp = 3, .depth = 5, .threads = 2, .seed = 7},
+            .render = render,
+            .study = run_study};
+}
+
+int run(const std::vector<std::string>& options, const app::Program& program = ::program()) {
+    std::vector<const char*> arguments{"99_test", "--quiet"};
+    for (const std::string& option : options) arguments.push_back(option.c_str());
+    return app::run(static_cast<int>(arguments.size()), arguments.data(), program);
+}
+
+}  // namespace
+
+TEST_CASE("a program draws with its defaults", "[run]") {
+    const TemporaryFolder folder;
+    CHECK(run({"--out", folder / "a.ppm"}) == app::done);
+    CHECK(seen.width == 8);
+    CHECK(seen.height == 4);
+    CHECK(seen.spp == 3);
+    CHECK(seen.depth == 5);
+    CHECK(seen.threads == 2);
+    CHECK(seen.seed == 7u);
+    CHECK(read_file(folder / "a.ppm").find("P6\n8 4\n255\n") == 0);
+}
+
+TEST_CASE("options replace the defaults", "[run]") {
+    const TemporaryFolder folder;
+    CHECK(run({"--out", folder / "a.png", "--width", "1", "--height", "10000", "--spp", "9",
+               "--depth", "1", "--threads", "1", "--seed", "18446744073709551615"}) == app::done);
+    CHECK(seen.width == 1);
+    CHECK(seen.height == 10000);
+    CHECK(seen.spp == 9);
+    CHECK(seen.depth == 1);
+    CHECK(seen.threads == 1);
+    CHECK(seen.seed == 18446744073709551615u);
+    CHECK(read_file(folder / "a.png").find("PNG") == 1);
+}
+
+TEST_CASE("a program has no options that do not apply", "[run]") {
+    const TemporaryFolder folder;
+    app::Program plain = program();
+    plain.defaults = {.width = 8, .height = 4};
+    plain.study = nullptr;
+    CHECK(run({"--out", folder / "a.png"}, plain) == app::done);
+    CHECK_FALSE(seen.seed.has_value());
+    for (const char* const option : {"--spp", "--depth", "--threads", "--seed", "--study"})
+        CHECK(run({"--out", folder / "b.png", option, "1"}, plain) == app::bad_input);
+    CHECK(folder.count() == 1);
+}
+
+TEST_CASE("a chapter may encode PPM files in its own way", "[run]") {
+    const TemporaryFolder folder;
+    app::Program own = program();
+    own.encode_ppm = [](const rt::Image&) { return std::string("mine"); };
+    CHECK(run({"--out", folder / "a.ppm"}, own) == app::done);
+    CHECK(run({"--out", folder / "a.png"}, own) == app::done);
+    CHECK(read_file(folder / "a.ppm") == "mine");
+    CHECK(read_file(folder / "a.png").find("PNG") == 1);
+}
+
+TEST_CASE("a study makes its folder and draws no picture", "[run]") {
+    const TemporaryFolder folder;
+    CHECK(run({"--study", folder / "deep/er"}) == app::done);
+    CHECK(read_file(folder / "deep/er/99_test.csv").find("\ns,v," + study::precision()) !=
+          std::string::npos);
+    CHECK(folder.count() == 1);
+}

@@ -1,0 +1,98 @@
+#include <cmath>
+#include <course/plot.hpp>
+#include <course/process.hpp>
+#include <course/scale.hpp>
+#include <limits>
+
+#include "catch.hpp"
+#include "temporary_folder.hpp"
+
+using checkpoint::read_file;
+using checkpoint::TemporaryFolder;
+using checkpoint::write_file;
+using course::Measurement;
+using course::Scale;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<Measurement> rows(const std::vector<double>& xs, const std::vector<double>& errors) {
+    std::vector<Measurement> all;
+    for (const char* const precision : {"double", "float"})
+        for (const std::string variant : {"a_b^{c}", "say \"$`x`\\\""})
+            for (std::size_t i = 0; i < xs.size(); ++i)
+                all.push_back({{"Study 'quoted' \"twice\"", variant, xs[i], "x", errors[i],
+                                "error_ulp", 2.0 + static_cast<double>(i), "time / ns"},
+                               precision});
+    return all;
+}
+
+std::string text_of(const std::vector<std::pair<double, std::string>>& marks) {
+    std::string all;
+    for (const auto& [place, text] : marks) all += text + ' ';
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("a scale is logarithmic where values span much", "[plot]") {
+    const Scale narrow{{1, 2, 10}}, wide{{1, 1000}};
+    CHECK(narrow.place(5) == 5);
+    CHECK(wide.place(100) == 2);
+    CHECK(text_of(wide.marks()) == "1 2 5 10 20 50 100 200 500 1000 ");
+    CHECK(text_of(narrow.marks()) == "0 2 4 6 8 10 ");
+    CHECK(text_of(Scale{{1e-30, 1}}.marks()) ==
+          "10^{-30} 10^{-25} 10^{-20} 10^{-15} 10^{-10} 10^{-5} 10^{0} ");
+}
+
+TEST_CASE("a scale holds every value, also 0, infinity and what is no number", "[plot]") {
+    const double nan = std::nan("");
+    for (const std::vector<double>& values : {std::vector<double>{0, 1e-300, 1e300, infinity, nan},
+                                              {0, 0, 0},
+                                              {1},
+                                              {infinity},
+                                              {-3, 5, nan},
+                                              {-1e200, 1e200},
+                                              {5e-324, 1},
+                                              {0, 3, 5, infinity},
+                                              {7, 7}}) {
+        const Scale scale{values};
+        REQUIRE(std::isfinite(scale.low()));
+        REQUIRE(scale.low() < scale.high());
+        for (const double value : values) {
+            INFO(value << " lies at " << scale.place(value));
+            CHECK(scale.fraction(value) >= 0);
+            CHECK(scale.fraction(value) <= 1);
+        }
+        for (const auto& [place, text] : scale.marks()) {
+            INFO("mark " << text << " at " << place);
+            CHECK(place >= scale.low());
+            CHECK(place <= scale.high());
+        }
+    }
+}
+
+TEST_CASE("gnuplot draws every kind of study, whatever its names hold", "[plot]") {
+    if (!course::is_installed("gnuplot")) return;
+    const std::vector<std::pair<std::vector<double>, std::vector<double>>> kinds{
+        {{1, 10, 1000}, {0, 1e-3, infinity}},
+        {{1, 2, 3}, {0, 0, 0}},
+        {{0}, {0}},
+        {{1, 1e6}, {1, 2}},
+        {{-1, 0, 1e-200, 1e200}, {1, 2, 3, 1e300}},
+        {{5}, {infinity}}};
+    for (const auto& [xs, errors] : kinds) {
+        const TemporaryFolder folder;
+        write_file(folder / "script", course::plot_script(rows(xs, errors), "plot.svg"));
+        const auto result =
+            course::run_process({.command = {"gnuplot", "script"}, .folder = folder.path()});
+        INFO(result.output);
+        CHECK(result.ok());
+        CHECK(result.output.empty());
+        const std::string svg = read_file(folder / "plot.svg");
+        CHECK(svg.find("</svg>") != std::string::npos);
+        CHECK(svg.find("a_b^{c}") != std::string::npos);
+        CHECK(folder.count() == 2);
+    }
+}
