@@ -36,7 +36,8 @@ inline Cover make_cover() {
     add({-4, 1, 0}, 1, {Real(0.4), Real(0.2), Real(0.1)});
     add({4, 1, 0}, 1, {Real(0.7), Real(0.6), Real(0.5)});
     for (int i = 0; cover.spheres.size() < 486; ++i) {
-        const auto row = static_cast<Real>(i / 22 % 22 - 11), column = static_cast<Real>(i % 22 - 11);
+        const auto row = static_cast<Real>(i / 22 % 22 - 11),
+                   column = static_cast<Real>(i % 22 - 11);
         const Vec3 center{row + Real(0.9) * rng.uniform(), Real(0.2),
                           column + Real(0.9) * rng.uniform()};
         const Vec3 apart = center - Vec3{4, Real(0.2), 0};
@@ -80,10 +81,9 @@ inline Color render_cover(const Cover& cover, const classic::Hittable& world) {
     for (int y = 0; y < cover.height; ++y)
         for (int x = 0; x < cover.width; ++x)
             for (int i = 0; i < cover.quality.samples_per_pixel; ++i) {
-                const Ray ray =
-                    primary_ray(camera, x, y,
-                                {static_cast<Real>(classic::random_double()),
-                                 static_cast<Real>(classic::random_double())});
+                const Ray ray = primary_ray(camera, x, y,
+                                            {static_cast<Real>(classic::random_double()),
+                                             static_cast<Real>(classic::random_double())});
                 sum = sum + classic::ray_color({in_double(ray.origin), in_double(ray.direction)},
                                                cover.quality.depth, world);
             }

@@ -33,10 +33,12 @@ struct Layout {
         const int left = 2 * gap + column;
         const int w = (width - left - 2 * gap) / 2, h = (row - gap) / 2;
         for (int i = 0; i < 4; ++i)
-            levels[static_cast<std::size_t>(i)] = {left + i % 2 * (w + gap), gap + i / 2 * (h + gap), w, h};
+            levels[static_cast<std::size_t>(i)] = {left + i % 2 * (w + gap),
+                                                   gap + i / 2 * (h + gap), w, h};
         const int third = (width - 4 * gap) / 3;
         for (int i = 0; i < 3; ++i)
-            maps[static_cast<std::size_t>(i)] = {gap + i * (third + gap), row + 2 * gap, third, below};
+            maps[static_cast<std::size_t>(i)] = {gap + i * (third + gap), row + 2 * gap, third,
+                                                 below};
         legend = {gap, row + below + 3 * gap, width - 2 * gap, height - row - below - 4 * gap};
     }
 };
@@ -47,8 +49,7 @@ Camera camera_of(const Panel& panel) {
     // Narrow panels see as much from side to side as wide ones.
     const Real aspect = static_cast<Real>(width) / static_cast<Real>(height);
     if (aspect < Real(1.5))
-        view.vertical_fov =
-            2 * std::atan(std::tan(view.vertical_fov / 2) * Real(1.5) / aspect);
+        view.vertical_fov = 2 * std::atan(std::tan(view.vertical_fov / 2) * Real(1.5) / aspect);
     return make_camera(view, width, height);
 }
 
@@ -85,7 +86,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     };
     const Camera camera = camera_of(layout.picture);
     fill(layout.picture, [&](int x, int y) {
-        return render_pixel(camera, world, scene.materials, StudioSky{}, SkyEnding{}, quality, x, y);
+        return render_pixel(camera, world, scene.materials, StudioSky{}, SkyEnding{}, quality, x,
+                            y);
     });
     const Real small = layout.letters, step = small / 2;
 
@@ -100,7 +102,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
             const auto hit = by_area.hit(primary_ray(eye, x, y, {Real(0.5), Real(0.5)}), {});
             ++rays;
             if (!hit) return from_hex(0x1a1d29);
-            const Color color = scene.materials.materials[static_cast<std::size_t>(hit->material)].albedo;
+            const Color color =
+                scene.materials.materials[static_cast<std::size_t>(hit->material)].albedo;
             return Real(0.16) * (hit->normal.y + Real(1.2)) * color;
         });
         draw_level(image, panel, eye, *by_area.root, shown[i], colors[i],
@@ -126,7 +129,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
             sum += static_cast<double>(tests);
             return heat_color(heat(tests));
         });
-        const auto mean = static_cast<long>(sum / std::max(1.0, double(panel.width) * panel.height));
+        const auto mean =
+            static_cast<long>(sum / std::max(1.0, double(panel.width) * panel.height));
         write(image, std::string(names[i]) + "  " + std::to_string(mean),
               static_cast<Real>(panel.left) + step, static_cast<Real>(panel.top) + step, small,
               i == 0 ? paper : ink);
@@ -135,7 +139,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
 
     // The scale, with its tenfolds.
     const Panel& legend = layout.legend;
-    write(image, "TESTS A PIXEL", static_cast<Real>(legend.left), static_cast<Real>(legend.top) + step / 2, small);
+    write(image, "TESTS A PIXEL", static_cast<Real>(legend.left),
+          static_cast<Real>(legend.top) + step / 2, small);
     const int start = legend.width / 6, end = legend.width - legend.width / 14;
     const int bar = std::max(1, legend.height / 3);
     for (int x = start; x < end; ++x)

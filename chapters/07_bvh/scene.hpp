@@ -33,7 +33,8 @@ inline Scene make_scene(int count, std::uint64_t seed) {
     constexpr std::uint32_t palette[] = {0xf94144, 0xf3722c, 0xf9c74f, 0x90be6d,
                                          0x43aa8b, 0x577590, 0xf4efe6};
     Scene scene;
-    for (const std::uint32_t color : palette) scene.materials.materials.push_back({from_hex(color)});
+    for (const std::uint32_t color : palette)
+        scene.materials.materials.push_back({from_hex(color)});
     Rng rng{seed, 7};
     // Three numbers that add up scatter around the middle.
     const auto scatter = [&](Real width) {
@@ -52,10 +53,11 @@ inline Scene make_scene(int count, std::uint64_t seed) {
                           distance * std::sin(turn) + scatter(wide)};
         // Few are large.
         const Real size = rng.uniform();
-        const Real radius = Real(0.014) + Real(0.035) * size * size +
-                            (i % 100 == 0 ? Real(0.16) * size : Real(0));
+        const Real radius =
+            Real(0.014) + Real(0.035) * size * size + (i % 100 == 0 ? Real(0.16) * size : Real(0));
         const auto colors = static_cast<Real>(std::size(palette) - 1);
-        int color = static_cast<int>(colors * std::min(Real(0.999), way + scatter(Real(0.25)) + Real(0.02)));
+        int color = static_cast<int>(colors *
+                                     std::min(Real(0.999), way + scatter(Real(0.25)) + Real(0.02)));
         color = std::clamp(color, 0, 5);
         if (rng() % 9 == 0) color = 6;
         scene.spheres.push_back({{center, radius}, color});

@@ -109,8 +109,8 @@ inline void study_structures(study::Report& report) {
                                                  tree.leaves.size() * sizeof(tree.leaves[0]));
         row("growth", "8-wide float boxes", count, "spheres", bytes / count, "bytes per sphere",
             cloud.ns_per_ray(tree), "time per ray / ns");
-        row("build-time", "8-wide float boxes", count, "spheres", bytes / count,
-            "bytes per sphere", build * 1e-6, "time / ms");
+        row("build-time", "8-wide float boxes", count, "spheres", bytes / count, "bytes per sphere",
+            build * 1e-6, "time / ms");
         if (count <= 100'000)
             row("growth", "tree sorted", count, "spheres", 0, "bytes per sphere",
                 cloud.ns_per_ray(make_tree(cloud.spheres, split_in_half)), "time per ray / ns");

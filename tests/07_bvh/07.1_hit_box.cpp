@@ -103,8 +103,8 @@ TEST_CASE("07.1 rays in a face or an edge count as hits", "[07.1][hard]") {
                     const Real before = Real(0.5) - 2 * way;
                     check(unit, turned({before, face, Real(0.5)}, axis),
                           turned({way, a, Real(0.125) * way}, axis), ahead, true, hint);
-                    check(unit, turned({before, Real(0.5), face}, axis),
-                          turned({way, -a, a}, axis), ahead, true, hint);
+                    check(unit, turned({before, Real(0.5), face}, axis), turned({way, -a, a}, axis),
+                          ahead, true, hint);
                     check(unit, turned({before, face, face}, axis), turned({way, a, -a}, axis),
                           ahead, true, hint);
                     check(unit, turned({before, face, 2}, axis), turned({way, a, a}, axis), ahead,
@@ -175,7 +175,7 @@ TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
         }
         const long min = whole(-4, 4), max = whole(-4, 12);
         expected = expected && std::max(first, min) <= std::min(last, max);
-        const auto point = [](const int (&p)[3]) {
+        const auto point = [](const int(&p)[3]) {
             return Vec3{static_cast<Real>(p[0]), static_cast<Real>(p[1]), static_cast<Real>(p[2])};
         };
         const Box box{point(low), point(high)};

@@ -32,8 +32,7 @@ TEST_CASE("07.2 the margin is as wide as the proof asks", "[07.2]") {
         const Real largest = rt::max_component(sphere.center) + sphere.radius;
         const Real margin = rt::hit_margin * largest, rounding = 2 * rt::epsilon * largest;
         INFO("sphere at " << checkpoint::text(sphere.center) << " of radius "
-                          << checkpoint::text(sphere.radius) << ", your "
-                          << checkpoint::text(box));
+                          << checkpoint::text(sphere.radius) << ", your " << checkpoint::text(box));
         INFO("the margin on all sides is hit_margin * (max_component(center) + radius) = "
              << margin << ", with the radius in it, and nothing absolute");
         for (int axis = 0; axis < 3; ++axis) {

@@ -73,10 +73,12 @@ TEST_CASE("07.3 half of the spheres go to the left", "[07.3]") {
         CHECK(std::is_permutation(order.begin(), order.end(), numbers(41).begin()));
         Real last_left = -rt::infinity, first_right = rt::infinity;
         for (int i = 0; i < 41; ++i) {
-            const Real at =
-                rt::along(middles[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])], axis);
-            if (i < left) last_left = std::max(last_left, at);
-            else first_right = std::min(first_right, at);
+            const Real at = rt::along(
+                middles[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])], axis);
+            if (i < left)
+                last_left = std::max(last_left, at);
+            else
+                first_right = std::min(first_right, at);
         }
         INFO("no middle on the left may lie behind one on the right, along this axis");
         CHECK(last_left <= first_right);

@@ -32,8 +32,8 @@ struct ByHand {
 
 void check_winner(const rt::Search& search, const Winner& expected, const char* hint) {
     const Winner found{search.nearest, search.within.max};
-    INFO("expected " << text(expected) << ", but yours gives " << text(found) << ".\nHint: "
-                     << hint);
+    INFO("expected " << text(expected) << ", but yours gives " << text(found)
+                     << ".\nHint: " << hint);
     CHECK(found.sphere == expected.sphere);
     if (expected.sphere >= 0) CHECK(same_bits(found.t, expected.t));
 }
@@ -110,8 +110,9 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
     }
     INFO("4096 spheres, 2047 boxes; for a ray yours tests " << boxes / rays << " boxes and "
                                                             << tests / rays << " spheres.");
-    INFO("Hint: return at once where search.meets(node.box) is false, and ask it only once a node; "
-         "move the end of the interval, search.within.max, to each hit");
+    INFO(
+        "Hint: return at once where search.meets(node.box) is false, and ask it only once a node; "
+        "move the end of the interval, search.within.max, to each hit");
     CHECK(boxes / rays < 160);
     CHECK(boxes / rays > 20);
     CHECK(tests / rays < 80);
@@ -125,8 +126,9 @@ TEST_CASE("07.4 hits move the end of the search", "[07.4]") {
     const rt::Search search = tree.search(Ray{{-5, 0, 0}, {1, 0, 0}}, {});
     INFO("a ray along a row of 1024 spheres; yours tests " << search.box_tests << " boxes and "
                                                            << search.sphere_tests << " spheres.");
-    INFO("Hint: left comes before right, and what lies behind a hit is not met any more once "
-         "search.within.max is the hit's t");
+    INFO(
+        "Hint: left comes before right, and what lies behind a hit is not met any more once "
+        "search.within.max is the hit's t");
     check_winner(search, {0, Real(4.75)}, "the first in the row");
     CHECK(search.sphere_tests <= 8);
     CHECK(search.box_tests <= 30);

@@ -33,7 +33,8 @@ double cost_of(const std::vector<int>& order, std::size_t k, const std::vector<B
     }
     const double n = double(order.size());
     if (k == 0) return n;
-    return 1 + (double(k) * area(left) + (n - double(k)) * area(right)) / area(rt::join(left, right));
+    return 1 +
+           (double(k) * area(left) + (n - double(k)) * area(right)) / area(rt::join(left, right));
 }
 
 // The least cost of all splits, tried one by one.

@@ -59,7 +59,8 @@ inline std::vector<NamedScene> hard_scenes() {
     Spheres& touching = scene("a lattice of touching spheres");
     for (int i = 0; i < 64; ++i)
         add(touching,
-            Vec3{static_cast<Real>(i % 4), static_cast<Real>(i / 4 % 4), static_cast<Real>(i / 16)} /
+            Vec3{static_cast<Real>(i % 4), static_cast<Real>(i / 4 % 4),
+                 static_cast<Real>(i / 16)} /
                     4 -
                 Vec3{1, 1, 1} * Real(0.375),
             Real(0.125));

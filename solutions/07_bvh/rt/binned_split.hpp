@@ -58,7 +58,8 @@ std::size_t binned_split(std::span<BuildItem<Number>> items, bool in_half) {
         if (length > middles.high[longest] - middles.low[longest]) longest = k;
     }
     const auto bin_of = [&](const BuildItem<Number>& item, std::size_t k) {
-        const auto bin = static_cast<std::size_t>((item.middle(k) - middles.low[k]) * bins_per_length[k]);
+        const auto bin =
+            static_cast<std::size_t>((item.middle(k) - middles.low[k]) * bins_per_length[k]);
         return std::min(bin, bins - 1);
     };
 
@@ -106,10 +107,9 @@ std::size_t binned_split(std::span<BuildItem<Number>> items, bool in_half) {
         if (left > 0 && left < items.size()) return left;
     }
     const std::size_t half = items.size() / 2;
-    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
-                     [&](const auto& a, const auto& b) {
-                         return a.middle(longest) < b.middle(longest);
-                     });
+    std::nth_element(
+        items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+        [&](const auto& a, const auto& b) { return a.middle(longest) < b.middle(longest); });
     return half;
 }
 

@@ -17,9 +17,9 @@ inline Box bounds_of(const Sphere& sphere) {
 
 // The smallest box that contains both. The union of two boxes; "union" is a word of C++ itself.
 inline Box join(const Box& a, const Box& b) {
-    return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
-            {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y),
-             std::max(a.high.z, b.high.z)}};
+    return {
+        {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
+        {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }
 
 }  // namespace rt

@@ -16,7 +16,9 @@ namespace rt {
 inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {
     const auto count = static_cast<int>(order.size());
     if (count <= leaf_size) return 0;
-    const auto middle = [&](int sphere) { return boxes[static_cast<std::size_t>(sphere)].center(); };
+    const auto middle = [&](int sphere) {
+        return boxes[static_cast<std::size_t>(sphere)].center();
+    };
 
     Box middles;
     for (const int sphere : order) middles = join(middles, {middle(sphere), middle(sphere)});

@@ -52,7 +52,8 @@ SphereTree make_tree(std::vector<SceneSphere> spheres, const Split& split) {
     tree.order.resize(tree.spheres.size());
     std::iota(tree.order.begin(), tree.order.end(), 0);
     const std::vector<Box> boxes = bounds_of(tree.spheres);
-    if (!tree.order.empty()) tree.root = build_node(std::span{tree.order}, 0, std::span{boxes}, split);
+    if (!tree.order.empty())
+        tree.root = build_node(std::span{tree.order}, 0, std::span{boxes}, split);
     return tree;
 }
 

@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <cstdint>
+#include <limits>
 #include <rt/box.hpp>
+#include <rt/compiler.hpp>
 #include <rt/slab_ray.hpp>
 #include <rt/sphere.hpp>
 
@@ -57,9 +58,9 @@ struct WideRay {
 
 // Which children's boxes the ray meets between min and max, and where it enters each.
 template <class Number>
-unsigned hit_boxes(const WideNode<Number>& node, const WideRay<Number>& ray, Number min, Number max,
-                   Lanes<Number>& enters) {
-    const auto& near = ray.near_origin, & far = ray.far_origin, & inverse = ray.inverse;
+RT_NOT_INLINED unsigned hit_boxes(const WideNode<Number>& node, const WideRay<Number>& ray,
+                                  Number min, Number max, Lanes<Number>& enters) {
+    const auto &near = ray.near_origin, &far = ray.far_origin, &inverse = ray.inverse;
     const Number* const first_x = (ray.forward[0] ? node.low : node.high)[0].data();
     const Number* const first_y = (ray.forward[1] ? node.low : node.high)[1].data();
     const Number* const first_z = (ray.forward[2] ? node.low : node.high)[2].data();
@@ -95,15 +96,14 @@ struct alignas(64) WideLeaf {
 
 // Which spheres of a leaf the line of the ray meets. It computes the discriminant as hit_sphere
 // does, by the same operations in the same order, so that both agree to the last bit.
-inline unsigned may_hit(const WideLeaf& leaf, const Ray& ray) {
+RT_NOT_INLINED inline unsigned may_hit(const WideLeaf& leaf, const Ray& ray) {
     const Vec3 o = ray.origin, d = ray.direction;
     const Real a = d.x * d.x + d.y * d.y + d.z * d.z;
     Lanes<std::int32_t> met;
     for (std::size_t i = 0; i < lanes; ++i) {
         const Real fx = o.x - leaf.x[i], fy = o.y - leaf.y[i], fz = o.z - leaf.z[i];
         const Real mx = fy * d.z - fz * d.y, my = fz * d.x - fx * d.z, mz = fx * d.y - fy * d.x;
-        const Real quarter =
-            a * (leaf.radius[i] * leaf.radius[i]) - (mx * mx + my * my + mz * mz);
+        const Real quarter = a * (leaf.radius[i] * leaf.radius[i]) - (mx * mx + my * my + mz * mz);
         met[i] = quarter >= 0;
     }
     return bits_of(met) & ((1u << leaf.count) - 1u);

@@ -30,40 +30,42 @@ struct WideTreeOf {
     Found search(const Ray& ray, Interval within) const {
         Found found;
         if (nodes.empty()) return found;
-        struct Waiting {
-            std::int32_t child;
-            Number enters;
-        };
-        // A split in two leaves one child waiting, one in eight seven at most, on each level.
-        std::array<Waiting, 8 * (most_levels + 32)> stack;
-        std::size_t waiting = 0;
-        stack[waiting++] = {0, 0};
-
+        // What waits, the nearest on top: a child, and where the ray enters its box. A split in two
+        // leaves one child waiting, one in eight seven at most, on each level.
+        std::array<std::int32_t, 8 * (most_levels + 32)> waiting_child;
+        std::array<Number, 8 * (most_levels + 32)> waiting_enters;
         const WideRay<Number> wide{ray};
         const auto scaled = [&](Real t) { return static_cast<Number>(t * wide.scale); };
         const Number min = scaled(with_origin(within).min);
         Number max = scaled(with_origin(within).max);
-        stack[0].enters = min;
+        waiting_child[0] = 0;
+        waiting_enters[0] = min;
+        std::size_t waiting = 1;
         while (waiting > 0) {
-            const Waiting next = stack[--waiting];
-            if (next.enters > max) continue;  // meanwhile a hit was found in front of it
-            if (next.child >= 0) {
+            --waiting;
+            if (waiting_enters[waiting] > max) continue;  // meanwhile a hit was found before it
+            const std::int32_t child = waiting_child[waiting];
+            if (child >= 0) {
                 ++found.box_tests;
-                const WideNode<Number>& node = nodes[static_cast<std::size_t>(next.child)];
+                const WideNode<Number>& node = nodes[static_cast<std::size_t>(child)];
                 Lanes<Number> enters;
-                // The farthest lies lowest on the stack. There are few: they are put in one by one.
+                // There are few: they are put into their order one by one.
                 const std::size_t bottom = waiting;
                 for (unsigned met = hit_boxes(node, wide, min, max, enters); met; met &= met - 1) {
                     const auto i = static_cast<std::size_t>(std::countr_zero(met));
+                    const Number at = enters[i];
                     std::size_t place = waiting++;
-                    for (; place > bottom && stack[place - 1].enters < enters[i]; --place)
-                        stack[place] = stack[place - 1];
-                    stack[place] = {node.child[i], enters[i]};
+                    for (; place > bottom && waiting_enters[place - 1] < at; --place) {
+                        waiting_enters[place] = waiting_enters[place - 1];
+                        waiting_child[place] = waiting_child[place - 1];
+                    }
+                    waiting_enters[place] = at;
+                    waiting_child[place] = node.child[i];
                 }
                 continue;
             }
             ++found.sphere_tests;
-            const WideLeaf& leaf = leaves[static_cast<std::size_t>(~next.child)];
+            const WideLeaf& leaf = leaves[static_cast<std::size_t>(~child)];
             for (unsigned met = may_hit(leaf, ray); met; met &= met - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(met));
                 const auto t = hit_sphere(leaf.sphere(i), ray, within);
