@@ -2,7 +2,6 @@
 // What a ray costs in each structure, how that grows, what a good tree costs to build, and the
 // whole against the classic way.
 
-#include <chrono>
 #include <rt/counting_world.hpp>
 #include <rt/flat_tree.hpp>
 #include <rt/render_pixel.hpp>
@@ -15,20 +14,6 @@
 #include "variants.hpp"
 
 namespace bvh {
-
-// The time of one call in nanoseconds, the median of several.
-template <class Work>
-double once_ns(Work work, int runs = 3) {
-    using Clock = std::chrono::steady_clock;
-    std::vector<double> times;
-    for (int i = 0; i < runs; ++i) {
-        const auto start = Clock::now();
-        work();
-        times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count());
-    }
-    std::sort(times.begin(), times.end());
-    return times[times.size() / 2];
-}
 
 // A picture of a scene, small enough for the slowest world.
 struct Shot {
@@ -111,6 +96,8 @@ inline void study_structures(study::Report& report) {
             cloud.ns_per_ray(tree), "time per ray / ns");
         row("build-time", "8-wide float boxes", count, "spheres", bytes / count, "bytes per sphere",
             build * 1e-6, "time / ms");
+        row("growth", "8-wide float boxes, random rays", count, "spheres", bytes / count,
+            "bytes per sphere", cloud.ns_per_random_ray(tree), "time per ray / ns");
         if (count <= 100'000)
             row("growth", "tree sorted", count, "spheres", 0, "bytes per sphere",
                 cloud.ns_per_ray(make_tree(cloud.spheres, split_in_half)), "time per ray / ns");
