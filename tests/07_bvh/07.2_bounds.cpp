@@ -98,6 +98,9 @@ TEST_CASE("07.2 no ray hits a sphere and misses its box", "[07.2][hard]") {
         const Vec3 d = turn({1, slope, rng.uniform(-1, 1)});
         hits += check(sphere, {tip - any_size(rng, -8, 4) * d, d});
         hits += check(sphere, any_ray(only, rng, i));
+        // From the origin, where the ray's own share of the margin is 0.
+        const Sphere there{any_size(rng, -2, 4) * d - turn({0, sphere.radius, 0}), sphere.radius};
+        hits += check(there, {{0, 0, 0}, d});
     }
     INFO("the test itself is wrong if few of its rays hit");
     CHECK(hits > 15000);

@@ -86,11 +86,12 @@ TEST_CASE("07.3 half of the spheres go to the left", "[07.3]") {
 }
 
 TEST_CASE("07.3 middles decide and not corners", "[07.3]") {
-    // All lows are equal along x, where the boxes are long; the middles are apart along y.
+    // The corners are far apart along x, but all middles are at x = 0; they are apart along y.
     std::vector<Box> boxes;
     for (int i = 0; i < 8; ++i) {
         const Real y = static_cast<Real>((i * 5) % 8) * 3;
-        boxes.push_back({{-40, y, 0}, {40, y + 1, 1}});
+        const Real wide = static_cast<Real>(40 + 10 * i);
+        boxes.push_back({{-wide, y, 0}, {wide, y + 1, 1}});
     }
     auto order = numbers(8);
     REQUIRE(rt::split_in_half(order, boxes) == 4);

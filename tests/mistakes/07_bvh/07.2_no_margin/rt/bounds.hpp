@@ -9,9 +9,7 @@ namespace rt {
 // The box around a sphere, grown by hit_margin times the largest coordinate in it, so that no
 // rounding of the tests lets a ray hit the sphere and miss the box.
 inline Box bounds_of(const Sphere& sphere) {
-    const Real margin = hit_margin * (max_component(sphere.center) + sphere.radius);
-    const Real reach = sphere.radius + 0 * margin;
-    const Vec3 half{reach, reach, reach};
+    const Vec3 half{sphere.radius, sphere.radius, sphere.radius};
     return {sphere.center - half, sphere.center + half};
 }
 
