@@ -35,14 +35,7 @@ struct PackedList {
     explicit PackedList(std::vector<SceneSphere> all) : spheres{std::move(all)} {
         for (std::size_t i = 0; i < spheres.size(); ++i) {
             if (i % lanes == 0) leaves.emplace_back();
-            const Sphere& s = spheres[i].shape;
-            WideLeaf& leaf = leaves.back();
-            leaf.x[i % lanes] = s.center.x;
-            leaf.y[i % lanes] = s.center.y;
-            leaf.z[i % lanes] = s.center.z;
-            leaf.radius[i % lanes] = s.radius;
-            leaf.number[i % lanes] = static_cast<int>(i);
-            ++leaf.count;
+            leaves.back().set(i % lanes, spheres[i], static_cast<int>(i));
         }
     }
     template <class AnyRay>

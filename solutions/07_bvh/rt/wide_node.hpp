@@ -7,7 +7,7 @@
 #include <rt/box.hpp>
 #include <rt/compiler.hpp>
 #include <rt/slab_ray.hpp>
-#include <rt/sphere.hpp>
+#include <rt/sphere_list.hpp>
 
 namespace rt {
 
@@ -85,12 +85,20 @@ RT_NOT_INLINED unsigned hit_boxes(const WideNode<Number>& node, const WideRay<Nu
     return bits_of(met);
 }
 
-// A leaf with up to eight spheres. Places that are not used hold zeros.
+// A leaf with up to eight spheres, their numbers in the scene and their materials: all that a hit
+// needs. Places that are not used have the number -1.
 struct alignas(64) WideLeaf {
     Lanes<Real> x{}, y{}, z{}, radius{};
-    Lanes<std::int32_t> number{};
-    std::int32_t count = 0;
+    Lanes<std::int32_t> number{-1, -1, -1, -1, -1, -1, -1, -1}, material{};
 
+    void set(std::size_t i, const SceneSphere& sphere, int its_number) {
+        x[i] = sphere.shape.center.x;
+        y[i] = sphere.shape.center.y;
+        z[i] = sphere.shape.center.z;
+        radius[i] = sphere.shape.radius;
+        number[i] = its_number;
+        material[i] = sphere.material;
+    }
     Sphere sphere(std::size_t i) const { return {{x[i], y[i], z[i]}, radius[i]}; }
 };
 
@@ -104,9 +112,9 @@ RT_NOT_INLINED inline unsigned may_hit(const WideLeaf& leaf, const Ray& ray) {
         const Real fx = o.x - leaf.x[i], fy = o.y - leaf.y[i], fz = o.z - leaf.z[i];
         const Real mx = fy * d.z - fz * d.y, my = fz * d.x - fx * d.z, mz = fx * d.y - fy * d.x;
         const Real quarter = a * (leaf.radius[i] * leaf.radius[i]) - (mx * mx + my * my + mz * mz);
-        met[i] = quarter >= 0;
+        met[i] = (quarter >= 0) & (leaf.number[i] >= 0);
     }
-    return bits_of(met) & ((1u << leaf.count) - 1u);
+    return bits_of(met);
 }
 
 }  // namespace rt

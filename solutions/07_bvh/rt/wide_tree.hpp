@@ -17,13 +17,14 @@ namespace rt {
 // is enough for boxes, also where Real is double.
 template <class Number>
 struct WideTreeOf {
-    std::vector<SceneSphere> spheres;
     std::vector<WideNode<Number>> nodes;  // the first is the root; none without spheres
     std::vector<WideLeaf> leaves;
 
     struct Found {
-        int nearest = -1;
+        int nearest = -1;  // the number of the sphere
         Real t = 0;
+        const WideLeaf* leaf = nullptr;  // where it is, and its place there
+        std::size_t place = 0;
         int box_tests = 0, sphere_tests = 0;  // eight at once count as one
     };
 
@@ -72,6 +73,8 @@ struct WideTreeOf {
                 if (!t) continue;
                 if (found.nearest >= 0 && *t == found.t && leaf.number[i] < found.nearest) continue;
                 found.nearest = leaf.number[i];
+                found.leaf = &leaf;
+                found.place = i;
                 found.t = within.max = *t;
                 max = scaled(with_origin(within).max);
             }
@@ -84,9 +87,8 @@ struct WideTreeOf {
         const Ray ray{any_ray.origin, any_ray.direction};
         const Found found = search(ray, within);
         if (found.nearest < 0) return {};
-        const SceneSphere& sphere = spheres[static_cast<std::size_t>(found.nearest)];
-        Hit hit = surface_hit(sphere.shape, ray, found.t);
-        hit.material = sphere.material;
+        Hit hit = surface_hit(found.leaf->sphere(found.place), ray, found.t);
+        hit.material = found.leaf->material[found.place];
         return hit;
     }
 };
@@ -99,10 +101,11 @@ class WideBuilder {
   public:
     using Items = std::span<BuildItem<Number>>;
 
-    explicit WideBuilder(WideTreeOf<Number>& tree) : tree_{tree} {
+    WideBuilder(WideTreeOf<Number>& tree, std::span<const SceneSphere> spheres)
+        : tree_{tree}, spheres_{spheres} {
         std::vector<BuildItem<Number>> items;
-        items.reserve(tree.spheres.size());
-        for (const SceneSphere& sphere : tree.spheres) items.push_back(item_of(sphere.shape));
+        items.reserve(spheres.size());
+        for (const SceneSphere& sphere : spheres) items.push_back(item_of(sphere.shape));
         for (std::size_t i = 0; i < items.size(); ++i) items[i].number = static_cast<int>(i);
         tree.leaves.reserve(items.size() / 5);
         tree.nodes.reserve(items.size() / 25 + 1);
@@ -136,15 +139,8 @@ class WideBuilder {
 
     std::int32_t add_leaf(Items items) {
         WideLeaf leaf;
-        for (const auto& item : items) {
-            const auto i = static_cast<std::size_t>(leaf.count++);
-            const Sphere& sphere = tree_.spheres[static_cast<std::size_t>(item.number)].shape;
-            leaf.x[i] = sphere.center.x;
-            leaf.y[i] = sphere.center.y;
-            leaf.z[i] = sphere.center.z;
-            leaf.radius[i] = sphere.radius;
-            leaf.number[i] = item.number;
-        }
+        for (std::size_t i = 0; i < items.size(); ++i)
+            leaf.set(i, spheres_[static_cast<std::size_t>(items[i].number)], items[i].number);
         tree_.leaves.push_back(leaf);
         return ~static_cast<std::int32_t>(tree_.leaves.size() - 1);
     }
@@ -193,12 +189,13 @@ class WideBuilder {
     }
 
     WideTreeOf<Number>& tree_;
+    std::span<const SceneSphere> spheres_;
 };
 
 template <class Number = float>
-WideTreeOf<Number> make_wide_tree(std::vector<SceneSphere> spheres) {
-    WideTreeOf<Number> tree{std::move(spheres), {}, {}};
-    WideBuilder<Number>{tree};
+WideTreeOf<Number> make_wide_tree(const std::vector<SceneSphere>& spheres) {
+    WideTreeOf<Number> tree;
+    WideBuilder<Number>{tree, spheres};
     return tree;
 }
 
