@@ -132,6 +132,16 @@ function(course_chapter chapter)
     endforeach()
   endif()
 
+  # What a chapter gives beyond its exercises has tests of its own.
+  file(GLOB given CONFIGURE_DEPENDS ${root}/tests/${chapter}/given/*.cpp)
+  if(given)
+    foreach(real double float)
+      course_checkpoint(${chapter}_given_${real} ${real} ${given} INCLUDE ${course_solutions})
+      add_test(NAME ${chapter}_given_${real} COMMAND ${chapter}_given_${real})
+      set_tests_properties(${chapter}_given_${real} PROPERTIES LABELS "solution;hard" TIMEOUT 600)
+    endforeach()
+  endif()
+
   # The program still draws the picture that the text shows, and refuses what it should.
   add_test(NAME ${chapter}.image
     COMMAND sh ${root}/tests/app/same_image.sh $<TARGET_FILE:${chapter}_solution>

@@ -9,3 +9,7 @@
 // Makes the compiler believe that somebody reads all of this value, and may have changed whatever
 // memory holds: neither it nor the work that led to it can be left out or done once for all.
 #define RT_KEEP(value) asm volatile("" : : "r"(&(value)) : "memory")
+
+// For a function of a few loops over arrays, which compilers turn into wide instructions where it
+// stands alone, but not always where it is copied into a larger loop.
+#define RT_NOT_INLINED [[gnu::noinline]]

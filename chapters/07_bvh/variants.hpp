@@ -1,0 +1,173 @@
+#pragma once
+// What only the study compares: other ways to split, and other ways to search.
+
+#include <bit>
+#include <ctime>
+#include <rt/binned_split.hpp>
+#include <rt/directions.hpp>
+#include <rt/flat_tree.hpp>
+#include <rt/wide_node.hpp>
+#include <study/report.hpp>
+
+#include "scene.hpp"
+
+namespace bvh {
+
+// The time of one call in nanoseconds, the median of several. It is the processor's time for this
+// program, in which others that run at the same time count less.
+template <class Work>
+double once_ns(Work work, int runs = 3) {
+    std::vector<double> times;
+    for (int i = 0; i < runs; ++i) {
+        const std::clock_t start = std::clock();
+        work();
+        times.push_back(1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    std::sort(times.begin(), times.end());
+    return times[times.size() / 2];
+}
+
+// The linear list with eight spheres at once.
+struct PackedList {
+    std::vector<SceneSphere> spheres;
+    std::vector<WideLeaf> leaves;
+
+    explicit PackedList(std::vector<SceneSphere> all) : spheres{std::move(all)} {
+        for (std::size_t i = 0; i < spheres.size(); ++i) {
+            if (i % lanes == 0) leaves.emplace_back();
+            leaves.back().set(i % lanes, spheres[i], static_cast<int>(i));
+        }
+    }
+    template <class AnyRay>
+    std::optional<Hit> hit(const AnyRay& any_ray, Interval within) const {
+        const Ray ray{any_ray.origin, any_ray.direction};
+        int nearest = -1;
+        for (const WideLeaf& leaf : leaves)
+            for (unsigned met = may_hit(leaf, ray); met; met &= met - 1) {
+                const auto i = static_cast<std::size_t>(std::countr_zero(met));
+                if (const auto t = hit_sphere(leaf.sphere(i), ray, within)) {
+                    within.max = *t;
+                    nearest = leaf.number[i];
+                }
+            }
+        if (nearest < 0) return {};
+        const SceneSphere& sphere = spheres[static_cast<std::size_t>(nearest)];
+        Hit hit = surface_hit(sphere.shape, ray, within.max);
+        hit.material = sphere.material;
+        return hit;
+    }
+};
+
+struct FlatInOrder {
+    const FlatTree& tree;
+
+    template <class AnyRay>
+    std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
+        return hit_of(tree.search_in_order(ray, within));
+    }
+};
+
+// Sorts along one axis and halves.
+inline int halve(std::span<int> order, std::span<const Box> boxes, int axis, int leaf) {
+    if (static_cast<int>(order.size()) <= leaf) return 0;
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+        return along(boxes[static_cast<std::size_t>(a)].center(), axis) <
+               along(boxes[static_cast<std::size_t>(b)].center(), axis);
+    });
+    return static_cast<int>(order.size() / 2);
+}
+
+struct SplitRandomAxis {
+    int operator()(std::span<int> order, std::span<const Box> boxes) const {
+        // As good as random: the bits of the first number, mixed.
+        const std::uint64_t bits = mix_bits(static_cast<std::uint64_t>(order[0]) ^ order.size());
+        return halve(order, boxes, static_cast<int>(bits % 3), leaf_size);
+    }
+};
+
+// split_in_half with leaves of another size.
+struct SplitLeaf {
+    int leaf;
+    int operator()(std::span<int> order, std::span<const Box> boxes) const {
+        Box middles;
+        for (const int i : order) {
+            const Vec3 middle = boxes[static_cast<std::size_t>(i)].center();
+            middles = join(middles, {middle, middle});
+        }
+        return halve(order, boxes, longest_axis(middles), leaf);
+    }
+};
+
+// The split of the wide tree, for a tree of two children.
+struct SplitBinned {
+    int operator()(std::span<int> order, std::span<const Box> boxes) const {
+        if (static_cast<int>(order.size()) <= 2) return 0;
+        std::vector<BuildItem<Real>> items;
+        for (const int i : order) {
+            const Box& b = boxes[static_cast<std::size_t>(i)];
+            items.push_back({{b.low.x, b.low.y, b.low.z}, {b.high.x, b.high.y, b.high.z}, i});
+        }
+        const auto left = binned_split(std::span{items}, false);
+        for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].number;
+        return static_cast<int>(left);
+    }
+};
+
+// Boxes and spheres tested for a ray of the picture, on the average.
+inline double tests_per_ray(const SphereTree& tree) {
+    const Camera camera = make_camera(scene_view(), 60, 42);
+    double sum = 0;
+    for (int y = 0; y < 42; ++y)
+        for (int x = 0; x < 60; ++x) {
+            const Search s = tree.search(primary_ray(camera, x, y, {Real(0.5), Real(0.5)}), {});
+            sum += s.box_tests + s.sphere_tests;
+        }
+    return sum / (60 * 42);
+}
+
+// Spheres spread evenly over a cube, the same share of it full for any number; rays of a picture of
+// it, row by row, and random ones.
+struct Cloud {
+    std::vector<SceneSphere> spheres;
+    std::vector<Ray> rays, random_rays;
+
+    explicit Cloud(int count) {
+        Rng rng{5, 5};
+        const auto anywhere = [&] {
+            const Real x = rng.uniform(-1, 1), y = rng.uniform(-1, 1), z = rng.uniform(-1, 1);
+            return Vec3{x, y, z};
+        };
+        const Real size = Real(0.5) / std::cbrt(static_cast<Real>(count));
+        for (int i = 0; i < count; ++i)
+            spheres.push_back({{anywhere(), size * rng.uniform(Real(0.2), 1)}, 0});
+        for (int i = 0; i < 20'000; ++i)
+            random_rays.push_back({anywhere(), uniform_direction(random_place(rng))});
+        View view;
+        view.from = {2, Real(1.5), 3};
+        view.at = {0, 0, 0};
+        view.vertical_fov = radians(35);
+        const Camera camera = make_camera(view, 320, 240);
+        for (int y = 0; y < 240; ++y)
+            for (int x = 0; x < 320; ++x)
+                rays.push_back(primary_ray(camera, x, y, {Real(0.5), Real(0.5)}));
+    }
+    template <class World>
+    double ns_per_ray(const World& world) const {
+        return ns(world, rays);
+    }
+    template <class World>
+    double ns_per_random_ray(const World& world) const {
+        return ns(world, random_rays);
+    }
+
+  private:
+    template <class World>
+    static double ns(const World& world, const std::vector<Ray>& rays) {
+        const auto all = [&] {
+            for (const Ray& ray : rays) study::keep(world.hit(ray, {}));
+        };
+        return once_ns(all, 3) / static_cast<double>(rays.size());
+    }
+};
+
+}  // namespace bvh

@@ -1,0 +1,31 @@
+#pragma once
+#include <algorithm>
+#include <memory>
+#include <rt/bounds.hpp>
+#include <rt/todo.hpp>
+#include <rt/tree.hpp>
+#include <span>
+
+namespace rt {
+
+// Both functions work on a part of the tree's order: numbers of spheres, of which boxes[number] is
+// the box. They move the numbers within it and copy nothing.
+
+// Exercise 07.3. Sorts the numbers by the middles of their boxes, along the axis along which these
+// middles lie farthest apart. Returns how many of them go to the left: half (rounded down), or 0
+// where leaf_size or fewer are there, for those need no split.
+inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {
+    return rt::todo("07.3", order, boxes);
+}
+
+// Exercise 07.3. The tree over this part of the order, which begins at the place `first` of the
+// whole. At least one number must be there. split(order, boxes) is split_in_half or another
+// function like it, and returns how many of the numbers go to the left, 0 for a leaf. From level
+// most_levels on call split_in_half in its place. The root is at level 0.
+template <class Split>
+std::unique_ptr<TreeNode> build_node(std::span<int> order, int first, std::span<const Box> boxes,
+                                     const Split& split, int level = 0) {
+    return rt::todo("07.3", order, first, boxes, split, level);
+}
+
+}  // namespace rt

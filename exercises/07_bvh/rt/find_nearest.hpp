@@ -1,0 +1,23 @@
+#pragma once
+#include <rt/search.hpp>
+#include <rt/todo.hpp>
+#include <rt/tree.hpp>
+
+namespace rt {
+
+// Exercise 07.4. Tests one sphere with search.meets_sphere(number), and remembers it in
+// search.nearest and search.within.max if its hit is nearer than what was found so far. Of equally
+// near spheres the one with the highest number counts, as in SphereList, in whatever order they
+// come.
+inline void try_sphere(int number, Search& search) {
+    rt::todo("07.4", number, search);
+}
+
+// Exercise 07.4. Tries every sphere below a node that may be hit nearer than what was found so far.
+// What lies in a box that the ray does not meet, by search.meets(box), is skipped. A leaf holds the
+// spheres search.order[place] for place = first, first + 1, ... count of them.
+inline void find_nearest(const TreeNode& node, Search& search) {
+    rt::todo("07.4", node, search);
+}
+
+}  // namespace rt

@@ -1,0 +1,60 @@
+#pragma once
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <rt/build.hpp>
+#include <rt/find_nearest.hpp>
+#include <rt/sphere_list.hpp>
+#include <vector>
+
+namespace rt {
+
+// Builds the hit of what a search has found, as SphereList does.
+inline std::optional<Hit> hit_of(const Search& search) {
+    if (search.nearest < 0) return {};
+    const SceneSphere& sphere = search.spheres[static_cast<std::size_t>(search.nearest)];
+    Hit hit = surface_hit(sphere.shape, search.ray, search.within.max);
+    hit.material = sphere.material;
+    return hit;
+}
+
+inline std::vector<Box> bounds_of(const std::vector<SceneSphere>& spheres) {
+    std::vector<Box> boxes;
+    boxes.reserve(spheres.size());
+    for (const SceneSphere& sphere : spheres) boxes.push_back(bounds_of(sphere.shape));
+    return boxes;
+}
+
+// A world of spheres in a tree of boxes (given). It gives the hits of SphereList, bit for bit.
+struct SphereTree {
+    std::vector<SceneSphere> spheres;
+    std::vector<int> order;          // the numbers of the spheres, leaf by leaf
+    std::unique_ptr<TreeNode> root;  // none without spheres
+
+    // The way of a ray through the tree.
+    template <class AnyRay>
+    Search search(const AnyRay& ray, Interval within) const {
+        Search search{spheres, order, {ray.origin, ray.direction}, within};
+        if (root) find_nearest(*root, search);
+        return search;
+    }
+
+    template <class AnyRay>
+    std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
+        return hit_of(search(ray, within));
+    }
+};
+
+// split is split_in_half, split_by_area or another function like them.
+template <class Split>
+SphereTree make_tree(std::vector<SceneSphere> spheres, const Split& split) {
+    SphereTree tree{std::move(spheres), {}, nullptr};
+    tree.order.resize(tree.spheres.size());
+    std::iota(tree.order.begin(), tree.order.end(), 0);
+    const std::vector<Box> boxes = bounds_of(tree.spheres);
+    if (!tree.order.empty())
+        tree.root = build_node(std::span{tree.order}, 0, std::span{boxes}, split);
+    return tree;
+}
+
+}  // namespace rt

@@ -1,0 +1,24 @@
+#pragma once
+#include <memory>
+#include <rt/box.hpp>
+
+namespace rt {
+
+// A node of a tree of boxes (given). An inner node has two children; a leaf has none, and holds
+// the spheres of the places first, first + 1, ... of the tree's order.
+struct TreeNode {
+    Box box;  // around all that is below
+    std::unique_ptr<TreeNode> left, right;
+    int first = 0, count = 0;
+
+    bool is_leaf() const { return !left; }
+};
+
+// Deeper than this, nodes are split in half whatever they hold. The tree of a million spheres then
+// has at most 64 + 20 levels, and no recursion over it can overflow the stack.
+inline constexpr int most_levels = 64;
+
+// What a leaf holds at most when it is split in half.
+inline constexpr int leaf_size = 4;
+
+}  // namespace rt

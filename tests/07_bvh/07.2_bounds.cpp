@@ -1,0 +1,107 @@
+#include <rt/bounds.hpp>
+
+#include "scenes.hpp"
+
+using namespace checkpoint;
+using rt::bounds_of;
+using rt::join;
+using rt::Sphere;
+
+TEST_CASE("07.2 the box around a sphere", "[07.2]") {
+    const Box box = bounds_of(Sphere{{1, 2, -3}, 4});
+    INFO("your " << checkpoint::text(box));
+    const Real near = rt::hit_margin * 16;
+    const auto check = [&](Real value, Real expected) {
+        HINT(expected, value, "center minus radius to center plus radius, a little more");
+        CHECK(std::abs(value - expected) <= near);
+    };
+    check(box.low.x, -3);
+    check(box.low.y, -2);
+    check(box.low.z, -7);
+    check(box.high.x, 5);
+    check(box.high.y, 6);
+    check(box.high.z, 1);
+}
+
+TEST_CASE("07.2 the margin is as wide as the proof asks", "[07.2]") {
+    rt::Rng rng{72, 1};
+    for (int i = 0; i < 1000; ++i) {
+        const Real size = any_size(rng, -6, 6);
+        const Sphere sphere{size * in_cube(rng), size * any_size(rng, -3, 3)};
+        const Box box = bounds_of(sphere);
+        const Real largest = rt::max_component(sphere.center) + sphere.radius;
+        const Real margin = rt::hit_margin * largest, rounding = 2 * rt::epsilon * largest;
+        INFO("sphere at " << checkpoint::text(sphere.center) << " of radius "
+                          << checkpoint::text(sphere.radius) << ", your " << checkpoint::text(box));
+        INFO("the margin on all sides is hit_margin * (max_component(center) + radius) = "
+             << margin << ", with the radius in it, and nothing absolute");
+        for (int axis = 0; axis < 3; ++axis) {
+            const Real center = rt::along(sphere.center, axis);
+            const Real below = (center - rt::along(box.low, axis)) - sphere.radius;
+            const Real above = (rt::along(box.high, axis) - center) - sphere.radius;
+            REQUIRE(std::abs(below - margin) <= rounding);
+            REQUIRE(std::abs(above - margin) <= rounding);
+        }
+    }
+}
+
+TEST_CASE("07.2 two boxes join to one", "[07.2]") {
+    const Box a{{0, 0, 0}, {1, 1, 1}}, b{{-2, Real(0.5), 3}, {Real(0.5), 5, 4}};
+    const Box expected{{-2, 0, 0}, {1, 5, 4}};
+    INFO("expected " << checkpoint::text(expected) << ", yours is "
+                     << checkpoint::text(join(a, b)));
+    INFO("the smaller of the lows and the larger of the highs, along each axis");
+    CHECK(join(a, b) == expected);
+    CHECK(join(b, a) == expected);
+    CHECK(join(a, a) == a);
+    const Box inside{{Real(0.25), Real(0.25), Real(0.25)}, {Real(0.5), Real(0.5), Real(0.5)}};
+    CHECK(join(a, inside) == a);
+    CHECK(join(inside, a) == a);
+}
+
+TEST_CASE("07.2 the empty box adds nothing", "[07.2][hard]") {
+    const Box a{{-5, -6, -7}, {-2, -3, -4}};
+    INFO("the empty box reaches from infinity to -infinity; it needs no case of its own");
+    CHECK(join(Box{}, a) == a);
+    CHECK(join(a, Box{}) == a);
+    CHECK(join(Box{}, Box{}).is_empty());
+}
+
+// The reason for the margin: whatever hit_sphere takes for a hit, the box test must let through.
+TEST_CASE("07.2 no ray hits a sphere and misses its box", "[07.2][hard]") {
+    rt::Rng rng{72, 2};
+    const auto check = [&](const Sphere& sphere, const Ray& ray) {
+        const auto t = rt::hit_sphere(sphere, ray, {});
+        if (!t) return false;
+        const Box box = bounds_of(sphere);
+        if (rt::hit_box(box, rt::slab_ray(ray), {0, std::max(Real(0), *t)})) return true;
+        INFO("sphere at " << checkpoint::text(sphere.center) << " of radius "
+                          << checkpoint::text(sphere.radius) << ", " << checkpoint::text(ray)
+                          << ": hit at t = " << checkpoint::text(*t));
+        INFO("your " << checkpoint::text(box) << " is missed");
+        REQUIRE(false);
+        return false;
+    };
+    int hits = 0;
+    for (int i = 0; i < 40000; ++i) {
+        const Real size = any_size(rng, -4, 4);
+        const Sphere sphere{size * in_cube(rng), any_size(rng, -2, 2)};
+        const Spheres only{{sphere, 0}};
+        // At the tip of the sphere along an axis its box is as near as it gets.
+        const int axis = i % 3;
+        const auto turn = [&](Vec3 v) {
+            for (int k = 0; k < axis; ++k) v = {v.z, v.x, v.y};
+            return v;
+        };
+        const Real slope = any_size(rng, -9, 0) * (rng.uniform() < Real(0.5) ? 1 : -1);
+        const Vec3 tip = sphere.center + turn({0, sphere.radius, 0});
+        const Vec3 d = turn({1, slope, rng.uniform(-1, 1)});
+        hits += check(sphere, {tip - any_size(rng, -8, 4) * d, d});
+        hits += check(sphere, any_ray(only, rng, i));
+        // From the origin, where the ray's own share of the margin is 0.
+        const Sphere there{any_size(rng, -2, 4) * d - turn({0, sphere.radius, 0}), sphere.radius};
+        hits += check(there, {{0, 0, 0}, d});
+    }
+    INFO("the test itself is wrong if few of its rays hit");
+    CHECK(hits > 15000);
+}

@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+#include <numeric>
+#include <rt/sphere_tree.hpp>
+
+#include "scenes.hpp"
+#include "tree_checks.hpp"
+
+using namespace checkpoint;
+
+// Counts what is taken from the heap.
+namespace {
+std::size_t allocations = 0, allocated_bytes = 0;
+}
+[[gnu::noinline]] void* operator new(std::size_t size) {
+    ++allocations;
+    allocated_bytes += size;
+    if (void* const memory = std::malloc(size ? size : 1)) return memory;
+    throw std::bad_alloc{};
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace {
+
+std::vector<int> numbers(std::size_t count) {
+    std::vector<int> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    return order;
+}
+
+std::vector<Box> boxes_at(const std::vector<Vec3>& middles) {
+    std::vector<Box> boxes;
+    for (const Vec3 m : middles) boxes.push_back({m - Vec3{1, 1, 1}, m + Vec3{1, 1, 1}});
+    return boxes;
+}
+
+std::unique_ptr<rt::TreeNode> tree_of(std::vector<int>& order, const std::vector<Box>& boxes) {
+    return rt::build_node(std::span{order}, 0, std::span{boxes}, rt::split_in_half);
+}
+
+}  // namespace
+
+TEST_CASE("07.3 a few spheres need no split", "[07.3]") {
+    for (int count = 1; count <= rt::leaf_size; ++count) {
+        const auto boxes = boxes_at(std::vector<Vec3>(static_cast<std::size_t>(count)));
+        auto order = numbers(boxes.size());
+        const int left = rt::split_in_half(order, boxes);
+        HINT(Real(0), static_cast<Real>(left), "up to leaf_size spheres stay together: return 0");
+        CHECK(left == 0);
+    }
+}
+
+TEST_CASE("07.3 half of the spheres go to the left", "[07.3]") {
+    for (const int axis : {0, 1, 2}) {
+        rt::Rng rng{73, static_cast<std::uint64_t>(axis)};
+        std::vector<Vec3> middles;
+        for (int i = 0; i < 41; ++i) {
+            Vec3 m = in_cube(rng);
+            (axis == 0 ? m.x : axis == 1 ? m.y : m.z) *= 8;
+            middles.push_back(m);
+        }
+        const auto boxes = boxes_at(middles);
+        auto order = numbers(boxes.size());
+        const int left = rt::split_in_half(order, boxes);
+        INFO("41 spheres, farthest apart along axis " << axis << "; yours: left " << left);
+        REQUIRE(left == 20);
+        CHECK(std::is_permutation(order.begin(), order.end(), numbers(41).begin()));
+        Real last_left = -rt::infinity, first_right = rt::infinity;
+        for (int i = 0; i < 41; ++i) {
+            const Real at = rt::along(
+                middles[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])], axis);
+            if (i < left)
+                last_left = std::max(last_left, at);
+            else
+                first_right = std::min(first_right, at);
+        }
+        INFO("no middle on the left may lie behind one on the right, along this axis");
+        CHECK(last_left <= first_right);
+    }
+}
+
+TEST_CASE("07.3 middles decide and not corners", "[07.3]") {
+    // The corners are far apart along x, but all middles are at x = 0; they are apart along y.
+    std::vector<Box> boxes;
+    for (int i = 0; i < 8; ++i) {
+        const Real y = static_cast<Real>((i * 5) % 8) * 3;
+        const Real wide = static_cast<Real>(40 + 10 * i);
+        boxes.push_back({{-wide, y, 0}, {wide, y + 1, 1}});
+    }
+    auto order = numbers(8);
+    REQUIRE(rt::split_in_half(order, boxes) == 4);
+    std::sort(order.begin(), order.begin() + 4);
+    const std::vector<int> left(order.begin(), order.begin() + 4);
+    INFO("the boxes are longest along x, but all their middles have the same x: sort along y");
+    CHECK(left == std::vector<int>{0, 2, 5, 7});
+}
+
+TEST_CASE("07.3 every sphere is in exactly one leaf", "[07.3]") {
+    for (const int count : {1, 2, 3, 4, 5, 10, 1000}) {
+        const auto boxes = rt::bounds_of(random_spheres(count));
+        auto order = numbers(boxes.size());
+        const auto root = tree_of(order, boxes);
+        INFO(count << " spheres");
+        check_tree(*root, order, boxes);
+        const int levels = levels_of(*root);
+        int expected = 1;
+        for (int n = count; n > rt::leaf_size; n = n - n / 2) ++expected;
+        HINT(static_cast<Real>(expected), static_cast<Real>(levels),
+             "each level halves the spheres, down to leaf_size");
+        CHECK(levels == expected);
+    }
+}
+
+TEST_CASE("07.3 the list is not copied", "[07.3]") {
+    const auto boxes = rt::bounds_of(random_spheres(2000));
+    auto order = numbers(boxes.size());
+    const std::size_t before = allocations, bytes_before = allocated_bytes;
+    const auto root = tree_of(order, boxes);
+    const std::size_t taken = allocations - before, bytes = allocated_bytes - bytes_before;
+    const std::size_t nodes = static_cast<std::size_t>(nodes_of(*root));
+    INFO(nodes << " nodes, but yours took memory from the heap " << taken << " times, " << bytes
+               << " bytes in all.\nHint: work on the span itself, first(n) and subspan(n) of it; "
+                  "std::vector and std::stable_sort take memory of their own");
+    CHECK(taken == nodes);
+    CHECK(bytes == nodes * sizeof(rt::TreeNode));
+}
+
+TEST_CASE("07.3 the root of a part knows its place", "[07.3]") {
+    const auto boxes = rt::bounds_of(random_spheres(9));
+    std::vector<int> order = numbers(9);
+    const auto root =
+        rt::build_node(std::span{order}.subspan(5), 5, std::span{boxes}, rt::split_in_half);
+    INFO("a leaf over the part of the order from place 5 on has first = 5");
+    REQUIRE(root->is_leaf());
+    CHECK(root->first == 5);
+    CHECK(root->count == 4);
+}
+
+TEST_CASE("07.3 hard scenes have sound trees", "[07.3][hard]") {
+    for (const NamedScene& scene : hard_scenes()) {
+        const auto boxes = rt::bounds_of(scene.spheres);
+        auto order = numbers(boxes.size());
+        INFO(scene.name);
+        check_tree(*tree_of(order, boxes), order, boxes);
+    }
+}
+
+TEST_CASE("07.3 bad splits do not make it deep", "[07.3][hard]") {
+    const auto boxes = rt::bounds_of(random_spheres(5000));
+    auto order = numbers(boxes.size());
+    const auto one_goes_left = [](std::span<int> part, std::span<const Box>) {
+        return part.size() > 1 ? 1 : 0;
+    };
+    const auto root = rt::build_node(std::span{order}, 0, std::span{boxes}, one_goes_left);
+    check_tree(*root, order, boxes);
+    const int levels = levels_of(*root);
+    INFO("a split that takes off one sphere at a time; yours has "
+         << levels
+         << " levels.\nHint: at level most_levels and deeper call split_in_half in its place");
+    CHECK(levels >= rt::most_levels);
+    CHECK(levels <= rt::most_levels + 13);
+}

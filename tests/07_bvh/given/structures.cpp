@@ -1,0 +1,121 @@
+// The structures that the chapter gives: each returns the hits of the linear list, bit for bit.
+
+#include <rt/flat_tree.hpp>
+#include <rt/split_by_area.hpp>
+#include <rt/wide_tree.hpp>
+
+#include "../scenes.hpp"
+#include "../tree_checks.hpp"
+
+using namespace checkpoint;
+
+namespace {
+
+struct All {
+    rt::SphereTree sorted, by_area;
+    rt::FlatTree flat;
+    rt::WideTreeOf<float> wide_float;
+    rt::WideTreeOf<Real> wide;
+
+    explicit All(const Spheres& spheres)
+        : sorted{rt::make_tree(spheres, rt::split_in_half)},
+          by_area{rt::make_tree(spheres, rt::split_by_area)},
+          flat{rt::make_flat(by_area)},
+          wide_float{rt::make_wide_tree<float>(spheres)},
+          wide{rt::make_wide_tree<Real>(spheres)} {}
+};
+
+void check_scene(const std::string& name, const Spheres& spheres, int rays) {
+    const All all{spheres};
+    rt::Rng rng{76, spheres.size()};
+    long wrong = 0;
+    std::string first;
+    for (int i = 0; i < rays; ++i) {
+        const Ray ray = any_ray(spheres, rng, i);
+        const Interval within = i % 16 == 1 ? Interval{Real(0.25), 2} : Interval{};
+        const Winner expected = linear(spheres, ray, within);
+        const auto compare = [&](const char* structure, const Winner& found) {
+            if (found.sphere == expected.sphere &&
+                (expected.sphere < 0 || same_bits(found.t, expected.t)))
+                return;
+            if (wrong++ == 0)
+                first = std::string(structure) + ", " + checkpoint::text(ray) + ": " + text(found) +
+                        " instead of " + text(expected);
+        };
+        const auto of = [](const rt::Search& s) { return Winner{s.nearest, s.within.max}; };
+        const auto wide_of = [](const auto& found) { return Winner{found.nearest, found.t}; };
+        compare("sorted tree", of(all.sorted.search(ray, within)));
+        compare("tree by area", of(all.by_area.search(ray, within)));
+        compare("flat in order", of(all.flat.search_in_order(ray, within)));
+        compare("flat nearest first", of(all.flat.search_nearest_first(ray, within)));
+        compare("8-wide in float", wide_of(all.wide_float.search(ray, within)));
+        compare("8-wide", wide_of(all.wide.search(ray, within)));
+    }
+    INFO(name << ": " << wrong << " wrong, the first: " << first);
+    CHECK(wrong == 0);
+}
+
+}  // namespace
+
+TEST_CASE("a million random rays find the same in every structure", "[given][rays]") {
+    for (const int count : {0, 1, 2, 3, 10})
+        check_scene(std::to_string(count) + " spheres", random_spheres(count), 100'000);
+    for (const NamedScene& scene : hard_scenes()) check_scene(scene.name, scene.spheres, 75'000);
+    check_scene("1000 spheres", random_spheres(1000), 45'000);
+    check_scene("10000 spheres", random_spheres(10'000), 5'000);
+}
+
+TEST_CASE("at any scale", "[given][rays]") {
+    // A power of two, about 10^-9 and 10^9: nothing is rounded otherwise.
+    for (const Real scale : {std::ldexp(Real(1), -30), std::ldexp(Real(1), 30)}) {
+        Spheres spheres = random_spheres(300);
+        for (SceneSphere& s : spheres) s.shape = {scale * s.shape.center, scale * s.shape.radius};
+        check_scene("300 spheres, scaled", spheres, 20'000);
+    }
+}
+
+TEST_CASE("an 8-wide tree holds every sphere once and its boxes contain it", "[given][wide]") {
+    auto scenes = hard_scenes();
+    scenes.push_back({"5000 spheres", random_spheres(5000)});
+    for (const NamedScene& scene : scenes) {
+        const auto tree = rt::make_wide_tree<float>(scene.spheres);
+        INFO(scene.name);
+        std::vector<int> seen(scene.spheres.size(), 0);
+        for (const auto& node : tree.nodes)
+            for (std::size_t i = 0; i < rt::lanes; ++i) {
+                if (!(node.low[0][i] <= node.high[0][i]) || node.child[i] >= 0) continue;
+                const rt::WideLeaf& leaf = tree.leaves[static_cast<std::size_t>(~node.child[i])];
+                for (std::size_t k = 0; k < rt::lanes; ++k) {
+                    if (leaf.number[k] < 0) continue;
+                    ++seen[static_cast<std::size_t>(leaf.number[k])];
+                    const Box box = rt::bounds_of(leaf.sphere(k));
+                    REQUIRE(static_cast<Real>(node.low[0][i]) <= box.low.x);
+                    REQUIRE(static_cast<Real>(node.low[1][i]) <= box.low.y);
+                    REQUIRE(static_cast<Real>(node.low[2][i]) <= box.low.z);
+                    REQUIRE(static_cast<Real>(node.high[0][i]) >= box.high.x);
+                    REQUIRE(static_cast<Real>(node.high[1][i]) >= box.high.y);
+                    REQUIRE(static_cast<Real>(node.high[2][i]) >= box.high.z);
+                }
+            }
+        for (const int times : seen) REQUIRE(times == 1);
+    }
+}
+
+TEST_CASE("a million spheres", "[given][million]") {
+    const Spheres spheres = random_spheres(1'000'000);
+    const rt::SphereTree tree = rt::make_tree(spheres, rt::split_in_half);
+    CHECK(levels_of(*tree.root) <= 19);
+    const auto wide = rt::make_wide_tree<float>(spheres);
+    const std::size_t bytes =
+        wide.nodes.size() * sizeof(wide.nodes[0]) + wide.leaves.size() * sizeof(wide.leaves[0]);
+    INFO(static_cast<double>(bytes) / 1e6 << " bytes a sphere, all that a hit needs included");
+    CHECK(bytes <= 120'000'000);
+    rt::Rng rng{77, 1};
+    for (int i = 0; i < 3000; ++i) {
+        const Ray ray = any_ray(spheres, rng, i);
+        const rt::Search found = tree.search(ray, {});
+        const auto wide_found = wide.search(ray, {});
+        REQUIRE(found.nearest == wide_found.nearest);
+        if (found.nearest >= 0) REQUIRE(same_bits(found.within.max, wide_found.t));
+    }
+}

@@ -1,0 +1,74 @@
+#pragma once
+// What holds for every tree of boxes.
+
+#include <algorithm>
+#include <rt/bounds.hpp>
+#include <rt/tree.hpp>
+#include <vector>
+
+#include "scenes.hpp"
+
+namespace checkpoint {
+
+inline int levels_of(const rt::TreeNode& node) {
+    if (node.is_leaf()) return 1;
+    return 1 + std::max(levels_of(*node.left), levels_of(*node.right));
+}
+
+inline int nodes_of(const rt::TreeNode& node) {
+    return node.is_leaf() ? 1 : 1 + nodes_of(*node.left) + nodes_of(*node.right);
+}
+
+inline void check_node(const rt::TreeNode& node, const std::vector<int>& order,
+                       const std::vector<Box>& boxes, std::vector<int>& leaves_of) {
+    if (node.is_leaf()) {
+        INFO("a leaf of " << node.count << " from place " << node.first << " on");
+        REQUIRE_FALSE(node.right);
+        REQUIRE(node.count >= 1);
+        REQUIRE(node.first >= 0);
+        REQUIRE(static_cast<std::size_t>(node.first + node.count) <= order.size());
+        for (int place = node.first; place < node.first + node.count; ++place) {
+            const auto sphere = static_cast<std::size_t>(order[static_cast<std::size_t>(place)]);
+            ++leaves_of[sphere];
+            if (node.box.contains(boxes[sphere])) continue;
+            INFO("its " << text(node.box) << " does not contain its sphere's "
+                        << text(boxes[sphere]));
+            REQUIRE(node.box.contains(boxes[sphere]));
+        }
+        return;
+    }
+    REQUIRE(node.right);
+    for (const rt::TreeNode* child : {node.left.get(), node.right.get()})
+        if (!node.box.contains(child->box)) {
+            INFO("a node's " << text(node.box) << " does not contain its child's "
+                             << text(child->box));
+            REQUIRE(node.box.contains(child->box));
+        }
+    const Box both = rt::join(node.left->box, node.right->box);
+    if (!(both == node.box)) {
+        INFO("a node's " << text(node.box) << " is larger than its children's " << text(both));
+        REQUIRE(node.box == both);
+    }
+    check_node(*node.left, order, boxes, leaves_of);
+    check_node(*node.right, order, boxes, leaves_of);
+}
+
+// Every sphere is in exactly one leaf, and each box contains what is below it, with nothing to
+// spare.
+inline void check_tree(const rt::TreeNode& root, const std::vector<int>& order,
+                       const std::vector<Box>& boxes) {
+    std::vector<int> sorted = order;
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        INFO("the order must still hold every number once");
+        REQUIRE(sorted[i] == static_cast<int>(i));
+    }
+    std::vector<int> leaves_of(boxes.size(), 0);
+    check_node(root, order, boxes, leaves_of);
+    for (std::size_t i = 0; i < leaves_of.size(); ++i) {
+        INFO("sphere " << i << " is in " << leaves_of[i] << " leaves, not in 1");
+        REQUIRE(leaves_of[i] == 1);
+    }
+}
+
+}  // namespace checkpoint
