@@ -13,6 +13,9 @@ TEST_CASE("05.1 a mirror turns the part along the normal around", "[05.1]") {
             "surface, twice throws it back";
         if (computed == -expected)
             hint = "`incoming` points at the surface, the result away from it";
+        else if (length(unit(exact(expected)) - exact(computed)).high <=
+                 static_cast<double>(rt::rounding_bound(16)))
+            hint = "do not normalize: a long vector has a long mirror image";
         HINT(expected, computed, hint);
         CHECK(computed == expected);
     };

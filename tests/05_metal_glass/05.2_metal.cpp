@@ -71,8 +71,9 @@ TEST_CASE("05.2 fuzz spreads the light as far as it says", "[05.2]") {
         }
         INFO("fuzz " << fuzz << ", light from straight above: the average direction is ("
                      << x.mean() << ", " << y.mean() << ", " << z.mean() << "), expected (0, "
-                     << 1 - fuzz * fuzz / 3 << ", 0)\nHint: normalize(mirror + fuzz * s), s by "
-                     << "uniform_direction(place)");
+                     << 1 - fuzz * fuzz / 3
+                     << ", 0)\nHint: above_horizon(mirror + fuzz * s, normal), s by "
+                     << "uniform_direction(place): the sum is folded, not s alone");
         CHECK(std::abs(y.mean() - (1 - fuzz * fuzz / 3)) <= 4 * y.standard_error() + rounding);
         CHECK(std::abs(x.mean()) <= 4 * x.standard_error() + rounding);
         CHECK(std::abs(z.mean()) <= 4 * z.standard_error() + rounding);
@@ -147,10 +148,11 @@ TEST_CASE("05.2 no direction points below the surface even by rounding", "[05.2]
         const Real height = std::scalbn(rng.uniform(-1, 1), -(i % 70));
         const Vec3 v = rounded(along + exact(height) * exact(normal));
         const Vec3 computed = rt::above_horizon(v, normal);
-        INFO("above_horizon(" << text(v) << ", " << text(normal) << ") = " << text(computed)
-                              << "\nHint: a height that is smaller than its own rounding error may "
-                                 "have either sign; lift it above that error, rounding_bound(16) * "
-                                 "length(v)");
+        INFO("above_horizon("
+             << text(v) << ", " << text(normal) << ") = " << text(computed)
+             << "\nHint: a height that is smaller than its own rounding error may "
+                "have either sign; lift it above that error, to least = rounding_bound(16) * "
+                "length(v): v + (max(|h|, least) - h) n");
         REQUIRE(rt::dot(computed, normal) > 0);
         REQUIRE(in_epsilon(length(exact(computed)) - Exact(1)) <= 2);
         // and it is lifted by no more than rounding makes necessary
@@ -163,7 +165,14 @@ TEST_CASE("05.2 no direction points below the surface even by rounding", "[05.2]
 TEST_CASE("05.2 fuzz may cancel the mirror direction", "[05.2][hard]") {
     // The place (0, 0) stands for a uniform direction of +z in the reference; others may do it
     // elsewhere. A zero vector must not reach normalize, and tiny ones must keep length 1.
-    CHECK(rt::above_horizon({0, 0, 0}, floor_normal) == floor_normal);
+    {
+        INFO(
+            "above_horizon((0, 0, 0), (0, 1, 0)): expected the normal\nHint: normalize knows no "
+            "direction of the zero vector; ask for v == Vec3{} first, and return the normal");
+        const Vec3 computed = rt::above_horizon({0, 0, 0}, floor_normal);
+        INFO("yours gives " << text(computed));
+        CHECK((computed == floor_normal));
+    }
     for (const Vec3 mirror : {Vec3{0, 0, -1}, Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{-1, 0, 0}})
         for (const Real x : {Real(0), real(0.25), real(0.5), 1 - rt::epsilon / 2})
             for (const Real y : {Real(0), real(0.25), real(0.5), real(0.75)}) {

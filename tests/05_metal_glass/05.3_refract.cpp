@@ -32,7 +32,11 @@ TEST_CASE("05.3 head on light goes straight on", "[05.3]") {
     for (const double eta : {0.4, 1 / 1.5, 1.5, 2.5}) {
         const Vec3 computed = refract_or_fail({0, -1, 0}, floor_normal, real(eta));
         INFO("eta = " << eta);
-        HINT((Vec3{0, -1, 0}), computed, "the result points to the other side: minus the normal");
+        const char* hint =
+            "head on nothing runs along the surface: d + c n is zero, with c = -(d . n) greater "
+            "than 0";
+        if (computed.y > 0) hint = "the result points to the other side: minus the normal";
+        HINT((Vec3{0, -1, 0}), computed, hint);
         CHECK(computed == Vec3{0, -1, 0});
     }
 }
@@ -171,6 +175,51 @@ TEST_CASE("05.3 at the critical angle and 1 ulp around it the branch is right", 
                 REQUIRE(in_epsilon(length(exact(*refracted)) - Exact(1)) <= 6);
                 REQUIRE(dot(exact(*refracted), exact(normal)).high <= 0);
             }
+        }
+    }
+}
+
+TEST_CASE("05.3 a large ratio of indices does not blur the critical angle", "[05.3][hard]") {
+    // Near the critical angle light arrives almost head on here. d + c n cancels, and eta magnifies
+    // what was rounded; the cross product does not care.
+    rt::Rng rng{53, 5};
+    for (const double ratio : {10.0, 40.0, 160.0}) {
+        const Real eta = real(ratio);
+        const Exact s = Exact(1) / exact(eta), c = sqrt((Exact(1) - s) * (Exact(1) + s));
+        for (int i = 0; i < 1000; ++i) {
+            const Vec3 normal = random_unit(rng);
+            const ExactVec3 along = unit(cross(exact(normal), exact(random_unit(rng))));
+            const Vec3 incoming = rounded(s * along - c * exact(normal));
+            // Both as stored, and for directions of length exactly 1. Cross product and length
+            // round by less than 4 epsilon together; within them both answers are right.
+            const Exact as_stored =
+                exact(eta) * length(cross(exact(incoming), exact(normal))) - Exact(1);
+            const Exact as_unit = exact(eta) * sine(incoming, normal) - Exact(1);
+            const double excess = in_epsilon(as_stored);
+            if (excess < 4) continue;
+            const auto refracted = rt::refract(incoming, normal, eta);
+            INFO("eta = " << text(eta) << ", incoming " << text(incoming) << ", normal "
+                          << text(normal) << ": eta * sine - 1 = " << as_stored.high);
+            if (as_stored.high > 0 && as_unit.high > 0) {
+                INFO(
+                    "Hint: look a second time within rounding_bound(8) * (1 + eta) of 0, at both "
+                    "sides: the rounding error grows with eta");
+                REQUIRE(!refracted.has_value());
+            }
+            if (as_stored.high < 0 && as_unit.high < 0) {
+                INFO(
+                    "Hint: light goes through. The second look replaces 1 - a . a, whichever sign "
+                    "that had; the rounding error grows with eta");
+                REQUIRE(refracted.has_value());
+            }
+            if (!refracted || excess < 16) continue;
+            const Exact cosine = -dot(exact(*refracted), exact(normal));
+            const Exact expected = -as_stored * (Exact(2) + as_stored);
+            INFO("Hint: with e = eta * sine - 1, the square of the cosine is -e (1 + eta * sine)");
+            INFO("the square of the cosine behind: expected "
+                 << expected.high << ", but yours gives " << (cosine * cosine).high);
+            // 4 of 16 epsilon
+            REQUIRE(std::abs((cosine * cosine - expected).high) <= expected.high / 4);
         }
     }
 }
