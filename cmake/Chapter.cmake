@@ -23,7 +23,7 @@ endfunction()
 function(course_checkpoint target real)
   course_program(${target} ${real} ${ARGN})
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tests/support)
-  target_link_libraries(${target} PRIVATE checkpoint_${real})
+  target_link_libraries(${target} PRIVATE checkpoint_${real} catch_main)
   target_precompile_headers(${target} REUSE_FROM checkpoint_${real})
 endfunction()
 
@@ -65,6 +65,7 @@ function(course_mistake chapter folder)
   course_checkpoint(${target} double ${source} INCLUDE ${folder} ${course_solutions})
   set_target_properties(${target} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
+  target_compile_options(${target} PRIVATE -O1)  # there are many of them
   add_test(NAME ${target} COMMAND ${target} "${caught_by}")
   set_tests_properties(${target} PROPERTIES LABELS mistakes TIMEOUT 60
     PASS_REGULAR_EXPRESSION "test cases: +1 \\|( +0 passed \\|)? +1 failed"
@@ -149,7 +150,8 @@ function(course_chapter chapter)
   add_test(NAME ${chapter}.bad_input
     COMMAND sh ${root}/tests/app/bad_input.sh $<TARGET_FILE:${chapter}_solution>)
   add_test(NAME ${chapter}.float_program
-    COMMAND ${chapter}_solution_float --quiet --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
+    COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
+            --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
   set_tests_properties(${chapter}.image ${chapter}.bad_input ${chapter}.float_program
                        PROPERTIES LABELS solution TIMEOUT 300)
 endfunction()

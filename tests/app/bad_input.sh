@@ -112,14 +112,14 @@ if [ -c /dev/full ]; then
 fi
 limited() { (ulimit -f 8 && exec "$@"); }
 wrapper=limited
-refuses 1 'room' --width 200 --height 200 --out new.ppm
-refuses 1 'room' --width 200 --height 200 --out old.ppm
+refuses 1 'room' --width 45 --height 45 --out new.ppm
+refuses 1 'room' --width 45 --height 45 --out old.ppm
 wrapper=''
 mkdir full
-if mount -t tmpfs -o size=16k tmpfs full 2>/dev/null; then
+if mount -t tmpfs -o size=8k tmpfs full 2>/dev/null; then
     echo 'an older image' >full/old.ppm
-    refuses 1 'room' --width 200 --height 200 --out full/new.ppm
-    refuses 1 'room' --width 200 --height 200 --out full/old.ppm
+    refuses 1 'room' --width 45 --height 45 --out full/new.ppm
+    refuses 1 'room' --width 45 --height 45 --out full/old.ppm
 fi
 
 # Studies.

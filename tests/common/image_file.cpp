@@ -1,3 +1,4 @@
+#include <stb_image.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -8,10 +9,6 @@
 
 #include "checkpoint.hpp"
 #include "temporary_folder.hpp"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#include <stb_image.h>
 
 namespace fs = std::filesystem;
 using checkpoint::read_file;

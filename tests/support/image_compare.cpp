@@ -1,7 +1,6 @@
 // image_compare A B: exit 0 when two image files show the same picture, which is when at most one
 // pixel in a thousand differs by more than one step of 255 in any channel. Else says how they
 // differ.
-#define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>
 
 #include <algorithm>
