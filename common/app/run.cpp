@@ -110,6 +110,8 @@ void run_study(const Program& program, const fs::path& folder, bool quiet) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) fail(error);
+    // Before the work starts, so that none is lost at its end.
+    if (::access(folder.c_str(), W_OK) != 0) fail({errno, std::generic_category()});
     study::Report report{program.name};
     program.study(report);
     try {

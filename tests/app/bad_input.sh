@@ -95,6 +95,9 @@ fi
 if [ "$(id -u)" -ne 0 ] || [ -n "$wrapper" ]; then
     refuses 1 'cannot be written to' --out read_only/image.png
     refuses 1 'cannot be replaced' --out old.ppm
+    if "$program" --help | grep -q -- --study; then
+        refuses 1 'cannot be written to' --study read_only
+    fi
 fi
 wrapper=''
 chmod 644 old.ppm
