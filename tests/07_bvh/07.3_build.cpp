@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <new>
 #include <numeric>
+#include <rt/compiler.hpp>
 #include <rt/sphere_tree.hpp>
 
 #include "scenes.hpp"
@@ -13,16 +14,19 @@ using namespace checkpoint;
 namespace {
 std::size_t allocations = 0, allocated_bytes = 0;
 }
-[[gnu::noinline]] void* operator new(std::size_t size) {
+RT_NOT_INLINED void* operator new(std::size_t size) {
     ++allocations;
     allocated_bytes += size;
     if (void* const memory = std::malloc(size ? size : 1)) return memory;
     throw std::bad_alloc{};
 }
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
+RT_NOT_INLINED void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return std::malloc(size ? size : 1);
+}
+RT_NOT_INLINED void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+RT_NOT_INLINED void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
