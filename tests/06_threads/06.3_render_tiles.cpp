@@ -181,14 +181,31 @@ TEST_CASE("06.3 pictures of few pixels or none", "[06.3][hard]") {
 }
 
 TEST_CASE("06.3 a tile as large as a number can be", "[06.3][hard]") {
-    const TileGrid grid{100, 50, std::numeric_limits<int>::max()};
-    REQUIRE(tile_count(grid) == 1);
-    INFO("100x50 pixels in tiles of " << grid.tile_size << ": " << text(tile_at(grid, 0))
-                                      << "\nHint: left + tile_size may be more than an int holds");
-    CHECK(tile_at(grid, 0) == Tile{0, 0, 100, 50});
-    const TileGrid odd{100, 50, std::numeric_limits<int>::max() / 2 + 30};
-    REQUIRE(tile_count(odd) == 1);
-    CHECK(tile_at(odd, 0) == Tile{0, 0, 100, 50});
+    constexpr int largest = std::numeric_limits<int>::max();
+    struct Case {
+        TileGrid grid;
+        std::vector<Tile> tiles;
+    };
+    const int wide = largest - 10, half = largest / 2 + 30;
+    const Case cases[] = {
+        {{100, 50, largest}, {{0, 0, 100, 50}}},
+        {{100, 50, half}, {{0, 0, 100, 50}}},
+        {{wide, 50, half}, {{0, 0, half, 50}, {half, 0, wide, 50}}},
+        {{50, wide, half}, {{0, 0, 50, half}, {0, half, 50, wide}}},
+    };
+    for (const auto& [grid, tiles] : cases) {
+        INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size);
+        {
+            INFO("Hint: width + tile_size may be more than an int holds");
+            REQUIRE(tile_count(grid) == static_cast<int>(tiles.size()));
+        }
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            const Tile tile = tile_at(grid, static_cast<int>(i));
+            INFO("tile " << i << " is expected at " << text(tiles[i]) << ", but yours is at "
+                         << text(tile) << "\nHint: left + tile_size may be more than an int holds");
+            CHECK(tile == tiles[i]);
+        }
+    }
 }
 
 TEST_CASE("06.3 an exception in a tile reaches the caller", "[06.3][hard]") {
