@@ -34,7 +34,8 @@ struct Result {
 };
 
 // Runs a program to its end. Its standard input is empty. An interruption of the companion ends it,
-// too. Throws std::system_error where the system refuses another process.
+// too. Threads may run programs at the same time. Throws std::system_error where the system refuses
+// another process.
 Result run_process(const Run& run);
 
 // How a run ended, for a person: "exit code 2", "no end after 20 s", "signal 11 (Segmentation
