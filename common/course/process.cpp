@@ -146,7 +146,10 @@ Result run_process(const Run& run) {
     std::vector<char*> command;
     for (std::string& word : words) command.push_back(word.data());
     command.push_back(nullptr);
-    const int err = run.output == Output::captured ? into.value : -1;
+    Descriptor nowhere;
+    if (run.output == Output::errors_hidden)
+        nowhere.value = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const int err = run.output == Output::captured ? into.value : nowhere.value;
 
     std::fflush(nullptr);  // else parts of the output would change places
     const EndedOnInterrupt guard;

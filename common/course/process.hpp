@@ -9,9 +9,10 @@ namespace course {
 
 // Where what a program prints goes.
 enum class Output {
-    shown,        // where the companion's own output goes
-    captured,     // into Result::output
-    errors_shown  // stdout captured, stderr shown
+    shown,         // where the companion's own output goes
+    captured,      // into Result::output
+    errors_shown,  // stdout captured, stderr shown
+    errors_hidden  // stdout captured, stderr dropped
 };
 
 struct Run {
