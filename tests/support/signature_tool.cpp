@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <app/errors.hpp>
+#include <course/check.hpp>
 #include <course/mistakes.hpp>
 #include <course/process.hpp>
 #include <cstdio>
@@ -12,8 +13,6 @@
 using namespace course;
 
 namespace {
-
-constexpr double most_seconds = 60;
 
 Signature run_mistake(const fs::path& folder, const std::string& name) {
     const Result result =
