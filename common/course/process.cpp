@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 std::atomic<pid_t> running_group = 0;
 
 extern "C" void end_running_group(int signal) {
-    if (const pid_t group = running_group) ::kill(-group, SIGKILL);
+    end_running();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
@@ -132,6 +132,10 @@ struct Descriptor {
 };
 
 }  // namespace
+
+void end_running() noexcept {
+    if (const pid_t group = running_group) ::kill(-group, SIGKILL);
+}
 
 Result run_process(const Run& run) {
     Descriptor from, into;
