@@ -40,6 +40,31 @@ function(course_exercise_tests checkpoint label)
   endforeach()
 endfunction()
 
+# The checkpoints on the learner's code: a program check.NN.k an exercise, so that one that does not
+# compile or crashes leaves the others alone, and NN_topic_checkpoint with all of them. The learner
+# waits for these after every change: compiling them quickly matters more than their speed.
+function(course_learners_checkpoints chapter)
+  cmake_parse_arguments(arg "" "" "INCLUDE;SOURCES" ${ARGN})
+  set(objects "")
+  foreach(source ${arg_SOURCES})
+    get_filename_component(name ${source} NAME)
+    string(REGEX MATCH "^[0-9]+\\.[0-9]+" id ${name})
+    set(tests tests.${id})
+    add_library(${tests} OBJECT ${source})
+    target_include_directories(${tests} PRIVATE ${arg_INCLUDE} ${CMAKE_SOURCE_DIR}/tests/support)
+    target_link_libraries(${tests} PRIVATE checkpoint_double)
+    target_precompile_headers(${tests} REUSE_FROM checkpoint_double)
+    target_compile_options(${tests} PRIVATE -O1)
+    add_executable(check.${id} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${tests}>)
+    target_link_libraries(check.${id} PRIVATE checkpoint_double catch_main)
+    set_target_properties(check.${id} PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/check)
+    list(APPEND objects $<TARGET_OBJECTS:${tests}>)
+  endforeach()
+  add_executable(${chapter}_checkpoint ${objects})
+  target_link_libraries(${chapter}_checkpoint PRIVATE checkpoint_double catch_main)
+endfunction()
+
 # Reads one line "key: value" of a file.
 function(course_read_line file key out)
   file(STRINGS ${file} line REGEX "^${key}: ")
@@ -104,13 +129,11 @@ function(course_chapter chapter)
   course_program(${chapter} double ${program} INCLUDE ${learner})
   course_program(${chapter}_solution double ${program} INCLUDE ${course_solutions})
   course_program(${chapter}_solution_float float ${program} INCLUDE ${course_solutions})
-  course_checkpoint(${chapter}_checkpoint double ${checkpoints} INCLUDE ${learner})
+  course_learners_checkpoints(${chapter} INCLUDE ${learner} SOURCES ${checkpoints})
   course_checkpoint(${chapter}_checkpoint_solution double ${checkpoints}
                     INCLUDE ${course_solutions})
   course_checkpoint(${chapter}_checkpoint_solution_float float ${checkpoints}
                     INCLUDE ${course_solutions})
-  # The learner waits for this one after every change: compiling it quickly matters more.
-  target_compile_options(${chapter}_checkpoint PRIVATE -O1)
 
   set(mine "")
   foreach(number ${COURSE_MINE})
@@ -147,14 +170,23 @@ function(course_chapter chapter)
   if(COURSE_MISTAKES)
     file(GLOB mistakes CONFIGURE_DEPENDS ${root}/tests/mistakes/${chapter}/*)
     foreach(folder ${mistakes})
-      course_mistake(${chapter} ${folder})
+      if(IS_DIRECTORY ${folder})  # beside them is signatures.json
+        course_mistake(${chapter} ${folder})
+        get_filename_component(name ${folder} NAME)
+        set_property(GLOBAL APPEND PROPERTY course_mistakes mistake.${name})
+      endif()
     endforeach()
+    add_test(NAME mistakes.recognised.${chapter}
+      COMMAND signature_tool --check ${CMAKE_BINARY_DIR}/mistakes ${chapter})
+    set_tests_properties(mistakes.recognised.${chapter} PROPERTIES LABELS mistakes TIMEOUT 300)
   endif()
 
   if(COURSE_MISTAKE_PICTURES)
     file(GLOB mistakes CONFIGURE_DEPENDS ${root}/tests/mistakes/${chapter}/*)
     foreach(folder ${mistakes})
-      course_mistake_picture(${chapter} ${folder})
+      if(IS_DIRECTORY ${folder})
+        course_mistake_picture(${chapter} ${folder})
+      endif()
     endforeach()
   endif()
 
@@ -198,6 +230,15 @@ function(course_finish)
   get_property(pictures GLOBAL PROPERTY course_mistake_pictures)
   if(pictures)
     add_custom_target(mistake_pictures DEPENDS ${pictures} compare_programs)
+  endif()
+  # To run after a mistake or a checkpoint has changed, and after a stub has: what they write belongs
+  # to the sources.
+  add_custom_target(shipped_stubs COMMAND stub_tool ${course_chapters})
+  if(COURSE_MISTAKES)
+    get_property(mistakes GLOBAL PROPERTY course_mistakes)
+    add_custom_target(mistake_signatures
+      COMMAND signature_tool --write ${CMAKE_BINARY_DIR}/mistakes ${course_chapters})
+    add_dependencies(mistake_signatures ${mistakes})
   endif()
   list(JOIN course_chapters "\n" lines)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/chapters.txt CONTENT "${lines}\n")

@@ -13,8 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double patience = 20;         // seconds for a picture
-constexpr double many_pixels = 57'600;  // 320 x 180
-constexpr int few_samples = 4;          // 2 x 2 cells, so that jitter has something to do
+constexpr double many_pixels = 36'864;  // 256 x 144
+constexpr int few_samples = 9;          // 3 x 3 cells, so that jitter has something to do
+constexpr int few_bounces = 5;          // so that what becomes of a path at its limit shows
 
 // A file that goes away.
 struct TemporaryFile {
@@ -55,6 +56,7 @@ DrawingOptions options_from_help(const std::string& help) {
     options.width = default_of("--width");
     options.height = default_of("--height");
     options.spp = default_of("--spp");
+    options.depth = default_of("--depth");
     options.has_seed = help.find("--seed") != std::string::npos;
     return options;
 }
@@ -68,6 +70,7 @@ DrawingOptions for_comparison(DrawingOptions options) {
         options.height = static_cast<int>(std::lround(options.height * scale));
     }
     options.spp = std::min(options.spp, few_samples);
+    options.depth = std::min(options.depth, few_bounces);
     return options;
 }
 
@@ -83,6 +86,7 @@ Picture draw_with(const fs::path& program, const DrawingOptions& options, std::u
     if (options.width > 0) add("--width", static_cast<std::uint64_t>(options.width));
     if (options.height > 0) add("--height", static_cast<std::uint64_t>(options.height));
     if (options.spp > 0) add("--spp", static_cast<std::uint64_t>(options.spp));
+    if (options.depth > 0) add("--depth", static_cast<std::uint64_t>(options.depth));
     if (options.has_seed) add("--seed", seed);
     run_for(command);
     std::ifstream in{file.path, std::ios::binary};

@@ -18,7 +18,7 @@ struct DrawingFailed : app::Failure {
 
 // What a program's --help says of its options; 0 where it has no such option.
 struct DrawingOptions {
-    int width = 0, height = 0, spp = 0;
+    int width = 0, height = 0, spp = 0, depth = 0;
     bool has_seed = false;
 };
 

@@ -29,9 +29,8 @@ using Clock = std::chrono::steady_clock;
 // The process groups that run now, for the handler of interruptions; 0 is none.
 std::atomic<pid_t> running_groups[16];
 
-extern "C" void end_running_groups(int signal) {
-    for (const auto& group : running_groups)
-        if (const pid_t id = group) ::kill(-id, SIGKILL);
+extern "C" void end_running_group(int signal) {
+    end_running();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
@@ -43,7 +42,7 @@ class EndedOnInterrupt {
         const std::lock_guard lock{mutex_};
         if (living_++ > 0) return;
         for (std::size_t i = 0; i < std::size(signals); ++i) {
-            before_[i] = std::signal(signals[i], end_running_groups);
+            before_[i] = std::signal(signals[i], end_running_group);
             if (before_[i] != SIG_DFL) std::signal(signals[i], before_[i]);
         }
     }
@@ -152,6 +151,11 @@ struct Descriptor {
 
 }  // namespace
 
+void end_running() noexcept {
+    for (const auto& group : running_groups)
+        if (const pid_t id = group) ::kill(-id, SIGKILL);
+}
+
 Result run_process(const Run& run) {
     Descriptor from, into;
     if (run.output != Output::shown) {
@@ -165,7 +169,10 @@ Result run_process(const Run& run) {
     std::vector<char*> command;
     for (std::string& word : words) command.push_back(word.data());
     command.push_back(nullptr);
-    const int err = run.output == Output::captured ? into.value : -1;
+    Descriptor nowhere;
+    if (run.output == Output::errors_hidden)
+        nowhere.value = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const int err = run.output == Output::captured ? into.value : nowhere.value;
 
     std::fflush(nullptr);  // else parts of the output would change places
     EndedOnInterrupt guard;
