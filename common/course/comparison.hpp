@@ -19,7 +19,9 @@ struct Comparison {
     bool sizes_differ = false;
     int pictures = 1;              // of each program, that the verdict rests on
     PictureTest test;              // of these
-    std::vector<TileTest> places;  // the tiles that differ
+    std::vector<TileTest> places;  // tiles whose light differs, and blocks where no tile tells
+    std::vector<TileTest> noise_places;  // the same of the noise
+    bool pixels_differ = false;          // though the light of each tile may be right
     bool pixel_noise_differs = false, tile_noise_differs = false;
     std::vector<Picture> mine, solution;  // all that were drawn
 
@@ -27,10 +29,10 @@ struct Comparison {
     std::vector<std::string> words() const;
 };
 
-// Compares in two steps. The first looks at all tiles, with 8 pictures of each program, and has a
-// low bar. What seems to differ there is tested with as many new pictures and the bar that counts:
-// of right programs one in a thousand is wronged, however often the first step errs, for the second
-// one divides this chance among the few places that it tests. `start` picks the seeds; none is used
+// Compares in two steps. The first looks at all places, with 8 pictures of each program, and has a
+// low bar. What seems to differ there is tested with new pictures and the bar that counts: of right
+// programs one in a thousand is wronged, however often the first step errs, for the second one
+// divides this chance among the few tests that it repeats. `start` picks the seeds; none is used
 // twice.
 Comparison compare(const Drawn& drawn, std::uint64_t start = 1);
 

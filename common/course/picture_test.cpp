@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <course/permutation.hpp>
 #include <course/picture_test.hpp>
 #include <course/student_t.hpp>
 #include <cstdlib>
@@ -94,42 +95,76 @@ std::vector<std::size_t> sort_out_still(const Both& both, TileTest& test, Pictur
     return noisy;
 }
 
-// The variance that the mean of a channel has from rounding to bytes.
-double rounding_variance(const Both& both, const std::vector<std::size_t>& pixels,
-                         std::size_t channel) {
-    double sum = 0;
-    for (const std::size_t pixel : pixels) {
-        const int byte = std::clamp<int>(both.byte(0, 3 * pixel + channel), 1, 254);
-        const double step = (light_of(static_cast<std::uint8_t>(byte + 1)) -
-                             light_of(static_cast<std::uint8_t>(byte - 1))) /
-                            2;
-        sum += step * step / 12;
-    }
-    const auto n = static_cast<double>(pixels.size());
-    return sum / (n * n * static_cast<double>(both.count()));
-}
+// Of the noisy pixels of a place, for each channel.
+struct Sums {
+    struct Channel {
+        std::vector<double> light, squares;  // of each picture; squared distances from the mean
+        double rounding = 0;                 // the variance that one picture's light has from it
+    };
+    std::array<Channel, 3> channels;
+    Products products;
 
-void test_noisy(const Both& both, const std::vector<std::size_t>& noisy, TileTest& test,
-                Variation& pixel_variation, Variation& tile_variation) {
-    const std::size_t count = both.count();
-    const auto n = static_cast<double>(noisy.size()), pictures = static_cast<double>(count);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        std::vector<double> light(count), means(count), squares(count);
-        for (const std::size_t pixel : noisy) {
+    explicit Sums(std::size_t pictures) : products{pictures} {
+        for (Channel& channel : channels) {
+            channel.light.resize(pictures);
+            channel.squares.resize(pictures);
+        }
+    }
+    void add(const Both& both, std::size_t pixel) {
+        const std::size_t count = both.count();
+        for (std::size_t c = 0; c < 3; ++c) {
+            Channel& channel = channels[c];
+            std::vector<double> light(count);
             double mean = 0;
             for (std::size_t k = 0; k < count; ++k) {
-                light[k] = light_of(both.byte(k, 3 * pixel + channel));
-                means[k] += light[k] / n;
-                mean += light[k] / pictures;
+                light[k] = light_of(both.byte(k, 3 * pixel + c));
+                mean += light[k] / static_cast<double>(count);
             }
-            for (std::size_t k = 0; k < count; ++k)
-                squares[k] += (light[k] - mean) * (light[k] - mean);
+            for (std::size_t k = 0; k < count; ++k) {
+                channel.light[k] += light[k];
+                light[k] -= mean;
+                channel.squares[k] += light[k] * light[k];
+            }
+            products.add(light);
+            const int byte = std::clamp<int>(both.byte(0, 3 * pixel + c), 1, 254);
+            const double two_steps = light_of(static_cast<std::uint8_t>(byte + 1)) -
+                                     light_of(static_cast<std::uint8_t>(byte - 1));
+            channel.rounding += two_steps * two_steps / 48;
         }
-        test.p[channel] = welch_p(mine_of(both, means), solution_of(both, means),
-                                  rounding_variance(both, noisy, channel));
-        pixel_variation.add(squares);
-        tile_variation.add(squared_distances(means));
     }
+    void add(const Sums& other) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t k = 0; k < channels[c].light.size(); ++k) {
+                channels[c].light[k] += other.channels[c].light[k];
+                channels[c].squares[k] += other.channels[c].squares[k];
+            }
+            channels[c].rounding += other.channels[c].rounding;
+        }
+    }
+};
+
+void test_sums(const Both& both, const Sums& sums, TileTest& test) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        const Sums::Channel& channel = sums.channels[c];
+        test.p[c] = welch_p(mine_of(both, channel.light), solution_of(both, channel.light),
+                            channel.rounding / static_cast<double>(both.count()));
+        const Sample mine = mine_of(both, channel.squares),
+                     solution = solution_of(both, channel.squares);
+        test.noise_p[c] = welch_p(mine, solution, channel.rounding * channel.rounding);
+        test.noise_ratio[c] = solution.mean > 0 ? mine.mean / solution.mean : 1;
+    }
+}
+
+double excess(const Both& both, const Products& products) {
+    std::vector<bool> mine(both.count());
+    std::fill(mine.begin(), mine.begin() + static_cast<long>(both.mine.size()), true);
+    const double between = products.between(mine);
+    // Of the total, all but what is between is within; the mean of n pictures has an nth of its
+    // variance.
+    const auto a = static_cast<double>(both.mine.size()),
+               b = static_cast<double>(both.solution.size());
+    const double within = (products.total() - between * a * b / (a + b)) / (a + b - 2);
+    return within > 0 ? between / within - (1 / a + 1 / b) : 0;
 }
 
 double mean_light(const Pictures& pictures, const Tile& tile, std::size_t channel) {
@@ -140,33 +175,62 @@ double mean_light(const Pictures& pictures, const Tile& tile, std::size_t channe
     return sum / static_cast<double>(pixels.size() * pictures.size());
 }
 
+TileTest untested(const Both& both, const Tile& tile) {
+    TileTest test;
+    test.tile = tile;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        test.mine[channel] = mean_light(both.mine, tile, channel);
+        test.solution[channel] = mean_light(both.solution, tile, channel);
+    }
+    return test;
+}
+
 }  // namespace
 
-std::vector<Tile> tiles_of(int width, int height) {
+std::vector<Tile> tiles_of(int width, int height, int side) {
     std::vector<Tile> tiles;
-    for (int top = 0; top < height; top += tile_side)
-        for (int left = 0; left < width; left += tile_side)
+    for (int top = 0; top < height; top += side)
+        for (int left = 0; left < width; left += side)
             tiles.push_back(
-                {left, top, std::min(tile_side, width - left), std::min(tile_side, height - top)});
+                {left, top, std::min(side, width - left), std::min(side, height - top)});
     return tiles;
 }
 
 PictureTest test_pictures(const Pictures& mine, const Pictures& solution) {
     const Both both{mine, solution};
+    const int width = both.width(), height = mine.front().height;
     PictureTest all;
     all.pixels = mine.front().pixels();
+    for (const Tile& block : tiles_of(width, height, block_side))
+        all.blocks.push_back(untested(both, block));
+    std::vector<Sums> block_sums(all.blocks.size(), Sums{both.count()});
+    const int blocks_a_row = (width + block_side - 1) / block_side;
+
     Variation pixel_variation{both.count()}, tile_variation{both.count()};
-    for (const Tile& tile : tiles_of(both.width(), mine.front().height)) {
-        TileTest test{tile};
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            test.mine[channel] = mean_light(mine, tile, channel);
-            test.solution[channel] = mean_light(solution, tile, channel);
-        }
+    Products products{both.count()};
+    for (const Tile& tile : tiles_of(width, height)) {
+        TileTest test = untested(both, tile);
+        Sums sums{both.count()};
         const auto noisy = sort_out_still(both, test, all);
-        if (!noisy.empty()) test_noisy(both, noisy, test, pixel_variation, tile_variation);
+        for (const std::size_t pixel : noisy) sums.add(both, pixel);
+        if (!noisy.empty() && mine.size() > 1) {
+            test_sums(both, sums, test);
+            for (const Sums::Channel& channel : sums.channels) {
+                pixel_variation.add(channel.squares);
+                tile_variation.add(squared_distances(channel.light));
+            }
+            products.add_scaled(sums.products);
+            test.pixel_excess = excess(both, sums.products);
+            const int block = tile.top / block_side * blocks_a_row + tile.left / block_side;
+            block_sums[static_cast<std::size_t>(block)].add(sums);
+        }
         all.still_differing += test.still_differing;
         all.tiles.push_back(test);
     }
+    if (mine.size() < 2) return all;
+    for (std::size_t i = 0; i < all.blocks.size(); ++i)
+        test_sums(both, block_sums[i], all.blocks[i]);
+    all.pixels_p = permutation_p(products, mine.size(), both.count());
     all.pixel_noise = pixel_variation.test(both);
     all.tile_noise = tile_variation.test(both);
     return all;

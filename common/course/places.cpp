@@ -3,6 +3,7 @@
 #include <course/places.hpp>
 #include <cstdio>
 #include <map>
+#include <set>
 
 namespace course {
 namespace {
@@ -54,8 +55,7 @@ std::string cast(const Light& light) {
         const double apart = own - (next + last) / 2;
         if (std::abs(apart) < 0.02 || std::abs(apart) < 3 * std::abs(next - last)) continue;
         if (std::abs(apart) < std::abs(light.relative()) / 4) continue;
-        return percent(apart) + (apart > 0 ? " too " : " too little ") +
-               (apart > 0 ? channels[i] : channels[i]);
+        return percent(apart) + (apart > 0 ? " too " : " too little ") + channels[i];
     }
     return {};
 }
@@ -70,6 +70,12 @@ std::string region_of(const Tile& tile, int width, int height) {
         return std::clamp((2 * start + size) * 3 / (2 * all), 0, 2);
     };
     return names[third(tile.top, tile.height, height)][third(tile.left, tile.width, width)];
+}
+
+std::vector<std::string> regions_of(const std::vector<TileTest>& tiles, int width, int height) {
+    std::set<std::string> regions;
+    for (const TileTest& tile : tiles) regions.insert(region_of(tile.tile, width, height));
+    return {regions.begin(), regions.end()};
 }
 
 std::string describe_difference(const std::vector<TileTest>& tiles) {

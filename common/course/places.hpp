@@ -10,6 +10,9 @@ namespace course {
 // The ninth of the picture in which the tile's middle lies: "lower left", "top", "middle", ...
 std::string region_of(const Tile& tile, int width, int height);
 
+// The regions in which these tiles lie, each once.
+std::vector<std::string> regions_of(const std::vector<TileTest>& tiles, int width, int height);
+
 // How the light of a place differs: "3.1 % too dark", "twice as bright as it should be", "drawn
 // differently, by 12 % on average". A channel that stands out is named: "3.1 % too dark, 8.0 % too
 // little blue". The tiles are of one place.
