@@ -62,17 +62,23 @@ TEST_CASE("a mistake is recognised by its failures, and only within its exercise
     const Signature a = signature_of({failing("01.1 x", "1 == 2"), failing("01.1 y", "1 == 2")});
     const Signature b = signature_of({failing("01.1 x", "5 == 6"), failing("01.1 z", "5 == 6")});
     const Signatures known{{"01.1_a", a}, {"01.1_b", b}, {"01.1_b_again", b}, {"01.2_a", a}};
-    using Names = std::vector<std::string>;
-    CHECK(recognise(known, "01.1", a) == Names{"01.1_a"});
-    CHECK(recognise(known, "01.1", b) == Names{"01.1_b", "01.1_b_again"});
-    CHECK(recognise(known, "01.2", a) == Names{"01.2_a"});
+    using Names = std::vector<LookAlikes>;
+    CHECK(recognise(known, "01.1", a) == Names{{"01.1_a"}});
+    CHECK(recognise(known, "01.1", b) == Names{{"01.1_b", "01.1_b_again"}});
+    CHECK(recognise(known, "01.2", a) == Names{{"01.2_a"}});
     CHECK(recognise(known, "01.3", a).empty());
     CHECK(recognise(known, "01.1", {}).empty());
     CHECK(recognise(known, "01.1", signature_of({failing("01.1 q", "7 == 8")})).empty());
-    // Nearly: one failure more.
+    // Both at once.
     CHECK(recognise(known, "01.1",
                     signature_of({failing("01.1 x", "1 == 2"), failing("01.1 y", "1 == 2"),
-                                  failing("01.1 q", "7 == 8")})) == Names{"01.1_a"});
+                                  failing("01.1 x", "5 == 6"), failing("01.1 z", "5 == 6")})) ==
+          Names{{"01.1_a"}, {"01.1_b", "01.1_b_again"}});
+    // Too far from both.
+    CHECK(recognise(known, "01.1",
+                    signature_of({failing("01.1 x", "1 == 2"), failing("01.1 y", "1 == 2"),
+                                  failing("01.1 q", "7 == 8")}))
+              .empty());
 }
 
 TEST_CASE("every mistake has a signature that was written down", "[signature]") {
