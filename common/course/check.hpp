@@ -2,6 +2,7 @@
 // Checking the learner's answers: build, run, judge, remember.
 
 #include <course/exercise.hpp>
+#include <course/mistakes.hpp>
 #include <course/test_report.hpp>
 
 namespace course {
@@ -19,10 +20,10 @@ enum class Verdict {
 struct Checked {
     Exercise exercise;
     Verdict verdict = Verdict::to_write;
-    std::vector<TestCase> tests;        // as far as they were run
-    std::string trouble;                // what kept it from running to the end
-    std::string missing;                // waiting: the exercise that it needs
-    std::vector<std::string> mistakes;  // that it looks like
+    std::vector<TestCase> tests;       // as far as they were run
+    std::string trouble;               // what kept it from running to the end
+    std::string missing;               // waiting: the exercise that it needs
+    std::vector<LookAlikes> mistakes;  // that it looks like
 };
 
 // Seconds after which an exercise's checkpoints are stopped.

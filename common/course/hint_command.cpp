@@ -2,6 +2,7 @@
 #include <course/commands.hpp>
 #include <course/exercise.hpp>
 #include <course/hints.hpp>
+#include <course/plain_text.hpp>
 #include <course/state.hpp>
 #include <course/terminal.hpp>
 #include <cstdio>
@@ -36,11 +37,11 @@ int hint(const Course& course, const Arguments& arguments) {
                     exercise.id.c_str(), exercise.section().c_str(), solution_of(exercise).c_str());
         return app::done;
     }
-    std::printf("%s\n%s\n",
+    std::printf("%s\n%s",
                 bold(exercise.id + ' ' + exercise.title + ", hint " + std::to_string(number + 1) +
                      " of " + std::to_string(all.size()))
                     .c_str(),
-                all[static_cast<std::size_t>(number)].c_str());
+                plain_text(all[static_cast<std::size_t>(number)]).c_str());
     return app::done;
 }
 

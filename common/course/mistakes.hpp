@@ -20,11 +20,13 @@ fs::path signatures_file(const Course& course, const Chapter& chapter);
 Signatures read_signatures(const Course& course, const Chapter& chapter);  // empty where missing
 std::string to_text(const Signatures& signatures);
 
-// The mistakes whose signature this one is: one and those that look the same from outside, or none.
-// Of those that are not the same, the most alike is taken where it is alike enough and no other is
-// nearly as much.
-std::vector<std::string> recognise(const Signatures& known, const std::string& exercise,
-                                   const Signature& signature);
+// Mistakes that look the same from outside: one of them it is.
+using LookAlikes = std::vector<std::string>;
+
+// The mistake that an answer looks like; or the two that were made at once; or nothing, where no
+// mistake is alike enough or several are nearly as much.
+std::vector<LookAlikes> recognise(const Signatures& known, const std::string& exercise,
+                                  const Signature& signature);
 
 // What mistake.txt says. Throws app::Failure where it is missing.
 Mistake read_mistake(const Course& course, const Chapter& chapter, const std::string& name);

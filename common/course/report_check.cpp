@@ -102,11 +102,15 @@ std::string failing_cases(const Checked& checked) {
 
 std::string what_it_looks_like(const Course& course, const Checked& checked) {
     std::string text;
-    for (const std::string& name : checked.mistakes) {
-        const Mistake mistake = read_mistake(course, checked.exercise.chapter, name);
-        text += "\n  " + yellow((text.empty() ? "This looks like: " : "or: ") + mistake.title) +
-                '\n' + wrapped(mistake.explanation, "    ");
-    }
+    for (const LookAlikes& alike : checked.mistakes)
+        for (const std::string& name : alike) {
+            const Mistake mistake = read_mistake(course, checked.exercise.chapter, name);
+            const char* const start = text.empty()            ? "This looks like: "
+                                      : name == alike.front() ? "and like: "
+                                                              : "or like: ";
+            text += "\n  " + yellow(start + mistake.title) + '\n' +
+                    wrapped(mistake.explanation, "    ");
+        }
     return text;
 }
 

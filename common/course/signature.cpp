@@ -70,16 +70,22 @@ Signature signature_of(const std::vector<TestCase>& tests) {
             signature.what.insert(short_hash(where));
         }
     }
-    while (signature.what.size() > most_kept) signature.what.erase(--signature.what.end());
+    keep_sample(signature.what);
     return signature;
 }
 
 double similarity(const Signature& a, const Signature& b) {
+    // Where it is a matter of luck which values come, none were written down.
+    if (a.what.empty() || b.what.empty()) return overlap(a.where, b.where);
     return (overlap(a.where, b.where) + sampled_overlap(a.what, b.what)) / 2;
 }
 
 bool operator==(const Signature& a, const Signature& b) {
     return a.where == b.where && a.what == b.what;
+}
+
+void keep_sample(std::set<std::string>& hashes) {
+    while (hashes.size() > most_kept) hashes.erase(--hashes.end());
 }
 
 std::string with_rounded_numbers(const std::string& text) {

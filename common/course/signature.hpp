@@ -26,6 +26,9 @@ double similarity(const Signature& a, const Signature& b);
 
 bool operator==(const Signature& a, const Signature& b);
 
+// Keeps the smallest of many hashes.
+void keep_sample(std::set<std::string>& hashes);
+
 // A text with its numbers rounded to three digits.
 std::string with_rounded_numbers(const std::string& text);
 

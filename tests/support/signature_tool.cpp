@@ -64,11 +64,14 @@ int check(const Course& course, const fs::path& folder, const Chapter& chapter) 
     for (const std::string& name : names) {
         const std::string exercise = name.substr(0, name.find('_'));
         const auto found = recognise(known, exercise, run_mistake(folder, name));
-        alone += found.size() == 1;
-        if (std::find(found.begin(), found.end(), name) != found.end()) continue;
+        if (found.size() == 1 &&
+            std::find(found[0].begin(), found[0].end(), name) != found[0].end()) {
+            alone += found[0].size() == 1;
+            continue;
+        }
         ++unknown;
         std::printf("%s is taken for %s\n", name.c_str(),
-                    found.empty() ? "no known mistake" : found[0].c_str());
+                    found.empty() ? "no known mistake" : found[0][0].c_str());
     }
     for (const auto& [name, signature] : known)
         if (std::find(names.begin(), names.end(), name) == names.end()) {
