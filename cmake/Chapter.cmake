@@ -115,6 +115,46 @@ function(course_mistake_picture chapter folder)
   set_tests_properties(${target} PROPERTIES LABELS pictures TIMEOUT 120)
 endfunction()
 
+# What `course certify` measures of a chapter: on the solution, on the learner's own code of all
+# chapters up to this one, and on some mistakes, each of which must make the right line fail.
+function(course_certificate chapter)
+  set(source ${CMAKE_SOURCE_DIR}/tests/certify/${chapter}.cpp)
+  if(NOT EXISTS ${source})
+    return()
+  endif()
+  list(TRANSFORM course_solutions REPLACE "/solutions/" "/exercises/" OUTPUT_VARIABLE exercises)
+  course_program(certify.${chapter} double ${source} INCLUDE ${exercises} ${course_solutions}
+                 ${CMAKE_SOURCE_DIR}/tests/support)
+  course_program(certify.${chapter}_solution double ${source}
+                 INCLUDE ${course_solutions} ${CMAKE_SOURCE_DIR}/tests/support)
+  set_target_properties(certify.${chapter} PROPERTIES EXCLUDE_FROM_ALL ON)
+  # Other tests run at the same time: speeds say nothing.
+  add_test(NAME certify.${chapter} COMMAND certify.${chapter}_solution --no-timing)
+  set_tests_properties(certify.${chapter} PROPERTIES LABELS solution TIMEOUT 300
+    FAIL_REGULAR_EXPRESSION "FAILS")
+  if(NOT COURSE_MISTAKES)
+    return()
+  endif()
+  foreach(mistake 01.1_in_float 01.3_no_root 02.2_whole_angle 02.3_turned_over 04.2_half_lambert
+                  04.3_uniform_hemisphere 05.2_absorbs_below 05.3_clamps_total_reflection
+                  05.4_schlick_inner_cosine 06.3_skips_the_first 06.4_neighbours_alike
+                  07.3_drops_the_middle)
+    set(folder ${CMAKE_SOURCE_DIR}/tests/mistakes/${chapter}/${mistake})
+    if(NOT EXISTS ${folder})
+      continue()
+    endif()
+    string(REGEX MATCH "^[0-9]+\\.[0-9]+" id ${mistake})
+    set(target certify.mistake.${mistake})
+    course_program(${target} double ${source}
+                   INCLUDE ${folder} ${course_solutions} ${CMAKE_SOURCE_DIR}/tests/support)
+    set_target_properties(${target} PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
+    add_test(NAME ${target} COMMAND ${target} --no-timing)
+    set_tests_properties(${target} PROPERTIES LABELS mistakes TIMEOUT 120
+      PASS_REGULAR_EXPRESSION "FAILS\t${id}")
+  endforeach()
+endfunction()
+
 function(course_chapter chapter)
   set(root ${CMAKE_SOURCE_DIR})
   list(APPEND course_chapters ${chapter})
@@ -189,6 +229,8 @@ function(course_chapter chapter)
       endif()
     endforeach()
   endif()
+
+  course_certificate(${chapter})
 
   # What a chapter gives beyond its exercises has tests of its own.
   file(GLOB given CONFIGURE_DEPENDS ${root}/tests/${chapter}/given/*.cpp)
