@@ -18,11 +18,12 @@ int compare(const Course& course, const Arguments& arguments) {
 
     Comparison found;
     try {
-        found = compare(drawn_by(course.program(chapter.name),
-                                 course.program(chapter.name + "_solution")));
+        found = compare(
+            drawn_by(course.program(chapter.name), course.program(chapter.name + "_solution")));
     } catch (const DrawingFailed& failed) {
         std::fprintf(stderr, "course: %s\n", failed.what());
-        const bool to_write = !failed.result.signal && failed.result.exit_code == app::still_to_write;
+        const bool to_write =
+            !failed.result.signal && failed.result.exit_code == app::still_to_write;
         return to_write ? app::still_to_write : app::could_not;
     }
     const auto words = found.words();
@@ -31,7 +32,8 @@ int compare(const Course& course, const Arguments& arguments) {
     make_folder(course.out());
     const fs::path path = course.out() / (chapter.name + "_compare.png");
     rt::replace_file(path, rt::encode_png(compare_picture(found)));
-    std::printf("Both and their difference are in %s\n", path.lexically_relative(course.root).c_str());
+    std::printf("Both and their difference are in %s\n",
+                path.lexically_relative(course.root).c_str());
     return found.same ? app::done : app::could_not;
 }
 

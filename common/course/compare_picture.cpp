@@ -16,8 +16,8 @@ Real sum(Color c) {
     return c.r + c.g + c.b;
 }
 
-// Black where nothing differs; the color says in which way, its strength by how much: full at half of
-// the light.
+// Black where nothing differs; the color says in which way, its strength by how much: full at half
+// of the light.
 Color heat(Color mine, Color solution) {
     const Color d = mine - solution;
     const Real apart = std::abs(d.r) + std::abs(d.g) + std::abs(d.b);
@@ -38,13 +38,11 @@ Image heat_map(const Comparison& comparison, const Image& mine, const Image& sol
                                [&](int x, int y) { return gray(solution.at(x, y)); });
     const auto paint = [&](const Tile& tile, auto color_at) {
         for (int y = tile.top; y < tile.top + tile.height; ++y)
-            for (int x = tile.left; x < tile.left + tile.width; ++x)
-                map.at(x, y) += color_at(x, y);
+            for (int x = tile.left; x < tile.left + tile.width; ++x) map.at(x, y) += color_at(x, y);
     };
     if (comparison.mine.size() == 1) {
-        paint({0, 0, map.width(), map.height()}, [&](int x, int y) {
-            return heat(mine.at(x, y), solution.at(x, y));
-        });
+        paint({0, 0, map.width(), map.height()},
+              [&](int x, int y) { return heat(mine.at(x, y), solution.at(x, y)); });
         return map;
     }
     // A pixel's own difference would be mostly noise.
@@ -71,8 +69,8 @@ void write(Image& sheet, int left, std::string_view text) {
             const rt::Vec2 p{(static_cast<Real>(x - left) + Real(0.5)) / unit,
                              (static_cast<Real>(y - 8) + Real(0.5)) / unit};
             if (p.x > app::letter_advance * static_cast<Real>(text.size())) break;
-            const Real cover = std::clamp(
-                Real(1.3) - unit * app::distance_to_text(p, text), Real(0), Real(1));
+            const Real cover =
+                std::clamp(Real(1.3) - unit * app::distance_to_text(p, text), Real(0), Real(1));
             sheet.at(x, y) = mix(sheet.at(x, y), ink, cover);
         }
 }

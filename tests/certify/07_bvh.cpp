@@ -82,7 +82,7 @@ void growth(Certificate& certificate) {
     certificate.shows("07.5", "a ray among 100,000 spheres", large.nanoseconds, "ns");
     certificate.at_most("07.5", "tests a ray among 10,000 spheres", middle.tests, 500, "");
     // A logarithm grows by 5/3 from 10^3 to 10^5; the number of spheres by 100. Boxes overlap, and
-    // a ray meets more of them the smaller they are: four times is still far from linear.
+    // a ray meets more of them the smaller they are: six times is still far from linear.
     certificate.at_most("07.5", "tests a ray, 100,000 spheres against 1,000",
                         large.tests / small.tests, 6, "times");
 }
