@@ -179,6 +179,15 @@ function(course_chapter chapter)
     endforeach()
   endif()
 
+  # Scripts that check what the text says.
+  file(GLOB scripts CONFIGURE_DEPENDS ${root}/tests/${chapter}/*.sh)
+  foreach(script ${scripts})
+    get_filename_component(name ${script} NAME_WE)
+    add_test(NAME ${chapter}.${name} COMMAND sh ${script} ${root})
+    set_tests_properties(${chapter}.${name} PROPERTIES LABELS solution TIMEOUT 120
+                         SKIP_RETURN_CODE 77)
+  endforeach()
+
   # The program still draws the picture that the text shows, and refuses what it should.
   add_test(NAME ${chapter}.image
     COMMAND sh ${root}/tests/app/same_image.sh $<TARGET_FILE:${chapter}_solution>

@@ -1,6 +1,7 @@
 #pragma once
 // The picture: what is where in memory, one chain in two memories, and what that costs in time.
 
+#include <functional>
 #include <rt/binary_tree.hpp>
 #include <rt/canvas.hpp>
 #include <rt/gradient.hpp>
@@ -187,24 +188,31 @@ inline void draw_chain(Sheet& sheet, const Box& box) {
     const std::vector<Link> links = gathered(chain.first());
     const Real left = box.left + 18, pitch = (box.width - 36) / 47, base = box.top + 152,
                lower = base + 30;
-    const auto draw = [&](const std::vector<Link>& memory, const Link* first, Real line,
-                          Real sign) {
-        const auto place = [&](const Link* link) {
-            return left + pitch * static_cast<Real>(link - memory.data());
-        };
-        Real done = 0;
-        for (const Link* link = first; link && link->next && done < 48; link = link->next, ++done) {
-            const Real from = place(link), to = place(link->next);
-            sheet.arc(from, to, line, sign * std::max<Real>(5, std::abs(to - from) * Real(0.3)),
-                      along_rainbow(done / 47), Real(1.2), Real(0.85));
+    const auto draw = [&](const std::vector<Link>& memory, Real line, Real sign) {
+        // The places that the chain goes through, as long as it stays in this memory.
+        std::vector<Real> places;
+        const Link* link = memory.data();
+        const std::less<const Link*> before;
+        while (places.size() < memory.size() && link && !before(link, memory.data()) &&
+               before(link, memory.data() + memory.size())) {
+            places.push_back(left + pitch * static_cast<Real>(link - memory.data()));
+            link = link->next;
         }
-        done = 0;
-        for (const Link* link = first; link && done < 48; link = link->next, ++done)
-            sheet.box({place(link) - 3, sign > 0 ? line + 2 : line - 8, 6, 6},
-                      along_rainbow(done / 47), 1, 1);
+        const auto color = [&](std::size_t i) { return along_rainbow(static_cast<Real>(i) / 47); };
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            const Real height = std::max<Real>(5, std::abs(places[i] - places[i - 1]) * Real(0.3));
+            sheet.arc(places[i - 1], places[i], line, sign * height, color(i - 1), Real(1.2),
+                      Real(0.85));
+        }
+        for (std::size_t i = 0; i < memory.size(); ++i)
+            sheet.box(
+                {left + pitch * static_cast<Real>(i) - 3, sign > 0 ? line + 2 : line - 8, 6, 6},
+                faint, Real(0.5), 1);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            sheet.box({places[i] - 3, sign > 0 ? line + 2 : line - 8, 6, 6}, color(i), 1, 1);
     };
-    draw(chain.links, chain.first(), base, 1);
-    if (!links.empty()) draw(links, links.data(), lower, -1);
+    draw(chain.links, base, 1);
+    draw(links, lower, -1);
     sheet.words(left - 4, box.top + 28, 6, "SCATTERED", faint);
     sheet.words(left - 4, lower + 14, 6, "GATHERED", faint);
 }

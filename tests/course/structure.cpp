@@ -291,7 +291,7 @@ TEST_CASE("every link and image of the texts leads somewhere", "[structure]") {
     for (const fs::path& document : documents) {
         if (!fs::exists(document)) continue;
         std::string text = read(document);
-        text = std::regex_replace(text, std::regex{"```[^`]*```|`[^`\n]*`"}, "");
+        text = std::regex_replace(text, std::regex{"```[\\s\\S]*?```|`[^`\n]*`"}, "");
         auto targets = matches(text, "\\]\\(([^)\\s]*)\\)");
         for (const std::string& source : matches(text, "(?:src|href)=\"([^\"]*)\""))
             targets.push_back(source);
