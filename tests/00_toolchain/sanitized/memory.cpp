@@ -8,13 +8,17 @@
 
 int main() {
     {
-        rt::Canvas<int> canvas{30, 20, 1};
-        rt::Canvas<int> copy = canvas;
-        copy = copy;
+        const rt::Canvas<int> canvas{30, 20, 1};
+        const rt::Canvas<int> copy = canvas;
+    }
+    {
+        rt::Canvas<int> copy{30, 20, 1};
+        copy = static_cast<const rt::Canvas<int>&>(copy);
         copy.at(3, 4) = 7;
         rt::Canvas<int> moved = std::move(copy);
         copy = rt::flipped(std::move(moved));
-        if (rt::largest(copy) != 7) return 1;
+        const int& pixel = rt::largest(copy);
+        if (pixel != 7) return 1;
     }
     {
         auto root = rt::make_tree<rt::RangeNode>(0, 100);
