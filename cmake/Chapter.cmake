@@ -7,13 +7,30 @@
 #   a mistake                tests/mistakes/N/MISTAKE, solutions up to N, common
 #
 # Solutions of later chapters are never among them, so no chapter can use what comes after it.
+#
+# Nearly everything is in headers. Where a chapter's solution has rt/NAME.cpp as well, the same rule
+# decides: the first folder of the list that has an rt/NAME.cpp gives the one that is compiled. Only
+# the chapter's own targets compile it. A learner's .cpp may still lack its definition; to link all
+# the same, the learner's targets get a library of chapters/NN_topic/missing/*.cpp, definitions that
+# throw rt::todo. Of a library a linker takes only what is undefined after all other files.
 
 set(course_chapters "")   # all chapters so far
 set(course_solutions "")  # their solution folders
+set(course_sources "")    # the NAME.cpp that the solution of the chapter at hand has in rt/
 
 # course_program(target real sources... INCLUDE folders...): a program on common, in one precision.
 function(course_program target real)
   cmake_parse_arguments(arg "" "" "INCLUDE" ${ARGN})
+  foreach(name ${course_sources})
+    foreach(folder ${arg_INCLUDE})
+      if(EXISTS ${folder}/rt/${name})
+        list(APPEND arg_UNPARSED_ARGUMENTS ${folder}/rt/${name})
+        # It is compiled as it stands, with no header that it does not name.
+        set_source_files_properties(${folder}/rt/${name} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+        break()
+      endif()
+    endforeach()
+  endforeach()
   add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
   target_include_directories(${target} PRIVATE ${arg_INCLUDE})
   target_link_libraries(${target} PRIVATE common_${real})
@@ -162,7 +179,14 @@ function(course_chapter chapter)
   set(course_chapters ${course_chapters} PARENT_SCOPE)
   set(course_solutions ${course_solutions} PARENT_SCOPE)
 
-  set(program ${root}/chapters/${chapter}/main.cpp)
+  file(GLOB program CONFIGURE_DEPENDS ${root}/chapters/${chapter}/*.cpp)
+  foreach(source ${program})
+    if(source MATCHES "_fast_math\\.cpp$")  # measured beside the same code without
+      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -ffast-math)
+    endif()
+  endforeach()
+  file(GLOB course_sources RELATIVE ${root}/solutions/${chapter}/rt CONFIGURE_DEPENDS
+       ${root}/solutions/${chapter}/rt/*.cpp)
   file(GLOB checkpoints CONFIGURE_DEPENDS ${root}/tests/${chapter}/*.cpp)
   set(learner ${root}/exercises/${chapter} ${course_solutions})
 
@@ -185,6 +209,18 @@ function(course_chapter chapter)
   endforeach()
   if(mine)
     course_program(${chapter}_mine double ${program} INCLUDE ${mine} ${course_solutions})
+  endif()
+
+  file(GLOB missing CONFIGURE_DEPENDS ${root}/chapters/${chapter}/missing/*.cpp)
+  if(missing)
+    add_library(${chapter}_missing STATIC ${missing})
+    target_include_directories(${chapter}_missing PRIVATE ${course_solutions})
+    target_link_libraries(${chapter}_missing PUBLIC common_double)
+    foreach(target ${chapter} ${chapter}_checkpoint ${chapter}_mine)
+      if(TARGET ${target})
+        target_link_libraries(${target} PRIVATE ${chapter}_missing)
+      endif()
+    endforeach()
   endif()
 
   set(ids "")
@@ -241,6 +277,15 @@ function(course_chapter chapter)
       set_tests_properties(${chapter}_given_${real} PROPERTIES LABELS "solution;hard" TIMEOUT 600)
     endforeach()
   endif()
+
+  # Scripts that check what the text says.
+  file(GLOB scripts CONFIGURE_DEPENDS ${root}/tests/${chapter}/*.sh)
+  foreach(script ${scripts})
+    get_filename_component(name ${script} NAME_WE)
+    add_test(NAME ${chapter}.${name} COMMAND sh ${script} ${root})
+    set_tests_properties(${chapter}.${name} PROPERTIES LABELS solution TIMEOUT 120
+                         SKIP_RETURN_CODE 77)
+  endforeach()
 
   # The program still draws the picture that the text shows, and refuses what it should.
   add_test(NAME ${chapter}.image
