@@ -71,7 +71,7 @@ std::string first_lines(const std::string& text, int count) {
 
 std::string describe(const FailedAssertion& failure) {
     std::string text;
-    if (!failure.messages.empty()) text += wrapped(failure.messages, "    ");
+    for (const std::string& message : failure.messages) text += wrapped(message, "    ");
     if (!failure.expression.empty() && failure.expression != "FAIL") {
         text += wrapped("checked: " + failure.expression, "    ");
         const bool says_more = failure.expanded != "false" && !failure.expanded.empty() &&

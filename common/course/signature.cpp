@@ -16,15 +16,22 @@ std::string short_hash(const std::string& text) {
 }
 
 // Hints are advice, and are worded anew now and then: they are no part of what happened.
-std::string without_hints(const std::string& messages) {
+std::string without_hints(const std::string& message) {
     std::string kept;
-    for (std::size_t at = 0; at < messages.size();) {
-        const auto end = std::min(messages.find('\n', at), messages.size());
-        const std::string line = messages.substr(at, end - at);
+    for (std::size_t at = 0; at < message.size();) {
+        const auto end = std::min(message.find('\n', at), message.size());
+        const std::string line = message.substr(at, end - at);
         if (line.rfind("Hint:", 0) != 0) kept += line + '\n';
         at = end + 1;
     }
     return kept;
+}
+
+// Of an assertion's messages the one next to it: those before may speak of other functions.
+std::string last_message(const FailedAssertion& failure) {
+    for (auto message = failure.messages.rbegin(); message != failure.messages.rend(); ++message)
+        if (const std::string kept = without_hints(*message); !kept.empty()) return kept;
+    return "";
 }
 
 // The share that both have of what either has.
@@ -62,7 +69,7 @@ Signature signature_of(const std::vector<TestCase>& tests) {
             signature.what.insert(
                 short_hash(where + '\n' +
                            with_rounded_numbers(failure.expanded + '\n' + failure.exception + '\n' +
-                                                without_hints(failure.messages))));
+                                                last_message(failure))));
         }
         if (!test.ended || !test.crash.empty()) {
             const std::string where = test.name + "\nnever ended";
@@ -94,6 +101,8 @@ std::string with_rounded_numbers(const std::string& text) {
         const auto byte = [&](std::size_t at) {
             return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
         };
+        // The sign of what is not a number depends on the compiler.
+        if (text.compare(i, 4, "-nan") == 0) ++i;
         const bool in_word = i > 0 && (std::isalnum(byte(i - 1)) || text[i - 1] == '_');
         const bool number = std::isdigit(byte(i)) || (text[i] == '.' && std::isdigit(byte(i + 1)));
         if (!number || in_word) {
