@@ -34,12 +34,16 @@ std::string last_message(const FailedAssertion& failure) {
     return "";
 }
 
+std::size_t common(const std::set<std::string>& a, const std::set<std::string>& b) {
+    std::size_t count = 0;
+    for (const std::string& item : a) count += b.count(item);
+    return count;
+}
+
 // The share that both have of what either has.
 double overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
-    std::size_t common = 0;
-    for (const std::string& item : a) common += b.count(item);
-    const std::size_t either = a.size() + b.size() - common;
-    return either == 0 ? 0 : static_cast<double>(common) / static_cast<double>(either);
+    const std::size_t both = common(a, b), either = a.size() + b.size() - both;
+    return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either);
 }
 
 // The same, estimated from samples of the smallest: the smallest of either are an even sample of
@@ -48,13 +52,13 @@ double sampled_overlap(const std::set<std::string>& a, const std::set<std::strin
     if (a.size() < most_kept && b.size() < most_kept) return overlap(a, b);
     std::set<std::string> either = a;
     either.insert(b.begin(), b.end());
-    std::size_t seen = 0, common = 0;
+    std::size_t seen = 0, both = 0;
     for (const std::string& item : either) {
         if (seen == most_kept) break;
         ++seen;
-        common += a.count(item) && b.count(item);
+        both += a.count(item) && b.count(item);
     }
-    return static_cast<double>(common) / static_cast<double>(seen);
+    return static_cast<double>(both) / static_cast<double>(seen);
 }
 
 }  // namespace
@@ -82,8 +86,14 @@ Signature signature_of(const std::vector<TestCase>& tests) {
 }
 
 double similarity(const Signature& a, const Signature& b) {
-    // Where it is a matter of luck which values come, none were written down.
-    if (a.what.empty() || b.what.empty()) return overlap(a.where, b.where);
+    // Where it is a matter of luck which values come, none were written down, and where something
+    // fails only what fails always: it is there, and whatever else is counts little.
+    if (a.what.empty() || b.what.empty()) {
+        const std::size_t fewest = std::min(a.where.size(), b.where.size());
+        return fewest == 0 ? 0
+                           : 0.8 * static_cast<double>(common(a.where, b.where)) /
+                                 static_cast<double>(fewest);
+    }
     return (overlap(a.where, b.where) + sampled_overlap(a.what, b.what)) / 2;
 }
 
