@@ -78,6 +78,16 @@ std::string first_lines(const std::string& text, int count) {
     return kept;
 }
 
+// Catch2 shows whole numbers in hexadecimal as well: "3210 (0xc8a)".
+std::string without_hexadecimal(std::string text) {
+    for (auto at = text.find(" (0x"); at != std::string::npos; at = text.find(" (0x", at)) {
+        const auto end = text.find_first_not_of("0123456789abcdef", at + 4);
+        if (end == std::string::npos || text[end] != ')') break;
+        text.erase(at, end + 1 - at);
+    }
+    return text;
+}
+
 std::string describe(const FailedAssertion& failure) {
     std::string text;
     for (const std::string& message : failure.messages) text += wrapped(message, "    ");
@@ -85,7 +95,7 @@ std::string describe(const FailedAssertion& failure) {
         text += wrapped("checked: " + failure.expression, "    ");
         const bool says_more = failure.expanded != "false" && !failure.expanded.empty() &&
                                failure.expression.find(failure.expanded) == std::string::npos;
-        if (says_more) text += wrapped("came as: " + failure.expanded, "    ");
+        if (says_more) text += wrapped("came as: " + without_hexadecimal(failure.expanded), "    ");
     }
     if (!failure.exception.empty()) text += wrapped("it threw: " + failure.exception, "    ");
     return text;

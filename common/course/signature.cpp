@@ -86,13 +86,13 @@ Signature signature_of(const std::vector<TestCase>& tests) {
 }
 
 double similarity(const Signature& a, const Signature& b) {
-    // Where it is a matter of luck which values come, none were written down, and where something
-    // fails only what fails always: it is there, and whatever else is counts little.
+    // Where it is a matter of luck which values come, none were written down, and of what fails
+    // only what fails always: that is there, and what else is counts less.
     if (a.what.empty() || b.what.empty()) {
-        const std::size_t fewest = std::min(a.where.size(), b.where.size());
-        return fewest == 0 ? 0
-                           : 0.8 * static_cast<double>(common(a.where, b.where)) /
-                                 static_cast<double>(fewest);
+        const auto fewest = static_cast<double>(std::min(a.where.size(), b.where.size()));
+        if (fewest == 0) return 0;
+        const double contained = static_cast<double>(common(a.where, b.where)) / fewest;
+        return (contained + overlap(a.where, b.where)) / 2;
     }
     return (overlap(a.where, b.where) + sampled_overlap(a.what, b.what)) / 2;
 }
