@@ -24,6 +24,15 @@ std::string files_of(const Exercise& exercise) {
     return files;
 }
 
+// Says so where a file is gone.
+std::string missing_files(const Course& course, const Exercise& exercise) {
+    for (const fs::path& file : exercise.files)
+        if (!fs::exists(course.root / file))
+            return "  " + red(file.string() + " is gone") + ": ./course reset " + exercise.id +
+                   " brings it back\n";
+    return "";
+}
+
 std::string verdict_text(const Checked& checked) {
     const int all = static_cast<int>(checked.tests.size()), passed = passed_cases(checked);
     switch (checked.verdict) {
@@ -69,14 +78,24 @@ std::string first_lines(const std::string& text, int count) {
     return kept;
 }
 
+// Catch2 shows whole numbers in hexadecimal as well: "3210 (0xc8a)".
+std::string without_hexadecimal(std::string text) {
+    for (auto at = text.find(" (0x"); at != std::string::npos; at = text.find(" (0x", at)) {
+        const auto end = text.find_first_not_of("0123456789abcdef", at + 4);
+        if (end == std::string::npos || text[end] != ')') break;
+        text.erase(at, end + 1 - at);
+    }
+    return text;
+}
+
 std::string describe(const FailedAssertion& failure) {
     std::string text;
-    if (!failure.messages.empty()) text += wrapped(failure.messages, "    ");
+    for (const std::string& message : failure.messages) text += wrapped(message, "    ");
     if (!failure.expression.empty() && failure.expression != "FAIL") {
         text += wrapped("checked: " + failure.expression, "    ");
         const bool says_more = failure.expanded != "false" && !failure.expanded.empty() &&
                                failure.expression.find(failure.expanded) == std::string::npos;
-        if (says_more) text += wrapped("came as: " + failure.expanded, "    ");
+        if (says_more) text += wrapped("came as: " + without_hexadecimal(failure.expanded), "    ");
     }
     if (!failure.exception.empty()) text += wrapped("it threw: " + failure.exception, "    ");
     return text;
@@ -162,11 +181,12 @@ std::string details(const Course& course, const Checked& checked) {
     return text;
 }
 
-std::string next_step(const Course&, const Exercise* next) {
+std::string next_step(const Course& course, const Exercise* next) {
     if (!next) return "All exercises are done. The last step: ./course certify\n";
     return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
            std::to_string(next->minutes) + " minutes\n  read   " + next->section() + "\n  write  " +
-           files_of(*next) + "\n  check  ./course check " + next->id + '\n';
+           files_of(*next) + "\n  check  ./course check " + next->id + '\n' +
+           missing_files(course, *next);
 }
 
 std::string chapter_done(const Chapter& chapter) {

@@ -37,7 +37,7 @@ int run(const Course& course, const Arguments& arguments) {
     const Result result = run_process({.command = command, .output = Output::shown});
     if (result.signal != 0) throw app::Failure(chapter.name + " ended: " + how_it_ended(result));
     if (result.exit_code == app::still_to_write)
-        std::fprintf(stderr, "Write it, then ./course check %s; ./course hint helps.\n",
+        std::fprintf(stderr, "Which exercises are left: ./course check %s\n",
                      chapter.number().c_str());
     return result.exit_code;
 }
