@@ -80,12 +80,12 @@ TEST_CASE("the picture of a comparison shows both and where they differ", "[pict
         stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()),
                               static_cast<int>(png.size()), &width, &height, &channels, 3);
     REQUIRE(pixels);
-    // Seven times as large, side by side, 12 pixels apart, below a line of words.
-    CHECK(width == 3 * 64 * 7 + 4 * 12);
-    CHECK(height == 32 * 7 + 34 + 12);
+    // Eight times as large, side by side, 12 pixels apart, below a line of words.
+    CHECK(width == 3 * 64 * 8 + 4 * 12);
+    CHECK(height == 32 * 8 + 34 + 12);
     const auto at = [&](int panel, int x, int y, int channel) {
         return int(
-            pixels[3 * ((34 + 7 * y) * width + 12 + panel * (64 * 7 + 12) + 7 * x) + channel]);
+            pixels[3 * ((34 + 8 * y) * width + 12 + panel * (64 * 8 + 12) + 8 * x) + channel]);
     };
     CHECK(at(0, 8, 24, 0) == 64);
     CHECK(at(1, 8, 24, 0) == 128);
