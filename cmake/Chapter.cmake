@@ -213,7 +213,7 @@ function(course_chapter chapter)
       if(IS_DIRECTORY ${folder})  # beside them is signatures.json
         course_mistake(${chapter} ${folder})
         get_filename_component(name ${folder} NAME)
-        set_property(GLOBAL APPEND PROPERTY course_mistakes mistake.${name})
+        set_property(GLOBAL APPEND PROPERTY course_mistakes.${chapter} mistake.${name})
       endif()
     endforeach()
     add_test(NAME mistakes.recognised.${chapter}
@@ -277,10 +277,14 @@ function(course_finish)
   # to the sources.
   add_custom_target(shipped_stubs COMMAND stub_tool ${course_chapters})
   if(COURSE_MISTAKES)
-    get_property(mistakes GLOBAL PROPERTY course_mistakes)
-    add_custom_target(mistake_signatures
-      COMMAND signature_tool --write ${CMAKE_BINARY_DIR}/mistakes ${course_chapters})
-    add_dependencies(mistake_signatures ${mistakes})
+    add_custom_target(mistake_signatures)
+    foreach(chapter ${course_chapters})  # a target each, to run side by side
+      add_custom_target(mistake_signatures.${chapter}
+        COMMAND signature_tool --write ${CMAKE_BINARY_DIR}/mistakes ${chapter})
+      get_property(mistakes GLOBAL PROPERTY course_mistakes.${chapter})
+      add_dependencies(mistake_signatures.${chapter} ${mistakes})
+      add_dependencies(mistake_signatures mistake_signatures.${chapter})
+    endforeach()
   endif()
   list(JOIN course_chapters "\n" lines)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/chapters.txt CONTENT "${lines}\n")

@@ -34,17 +34,26 @@ bool is_wrong(const Checked& checked) {
            checked.verdict != Verdict::waiting;
 }
 
-// Chapters of which these are all exercises, all of them passed.
-void print_chapters_done(const Course& course, const std::vector<Checked>& all) {
+// The chapters among these whose exercises are all done.
+std::vector<Chapter> chapters_done(const Course& course, const std::vector<Checked>& all) {
     const State state = read_state(course);
+    std::vector<Chapter> done;
     std::string last;
     for (const Checked& checked : all) {
         const Chapter& chapter = checked.exercise.chapter;
         if (chapter.name == last) continue;
         last = chapter.name;
-        if (!first_not_done(course, state, exercises(course, chapter)))
-            print('\n' + chapter_done(chapter));
+        if (!first_not_done(course, state, exercises(course, chapter))) done.push_back(chapter);
     }
+    return done;
+}
+
+void print_chapters_done(const std::vector<Chapter>& done) {
+    if (done.size() == 1) print('\n' + chapter_done(done[0]));
+    if (done.size() < 2) return;
+    std::string numbers;
+    for (const Chapter& chapter : done) numbers += ' ' + chapter.number();
+    print("\n" + green("Done, every checkpoint passes:" + numbers) + '\n');
 }
 
 }  // namespace
@@ -74,7 +83,7 @@ int check(const Course& course, const Arguments& arguments) {
         print('\n' + details(course, *shown));
         return wrong ? app::could_not : app::still_to_write;
     }
-    print_chapters_done(course, all);
+    print_chapters_done(chapters_done(course, all));
     if (shown != all.end()) {
         print('\n' + next_step(course, &shown->exercise));
         return app::still_to_write;

@@ -36,9 +36,9 @@ std::vector<Candidate> candidates(const Signatures& known, const std::string& ex
     std::vector<Candidate> found;
     for (const auto& [name, candidate] : known) {
         if (name.rfind(exercise + '_', 0) != 0) continue;
-        const auto twin = std::find_if(found.begin(), found.end(), [&](const Candidate& other) {
-            return *other.signature == candidate;
-        });
+        const auto twin = std::find_if(
+            found.begin(), found.end(),
+            [&, &like = candidate](const Candidate& other) { return *other.signature == like; });
         if (twin != found.end())
             twin->names.push_back(name);
         else

@@ -24,6 +24,15 @@ std::string files_of(const Exercise& exercise) {
     return files;
 }
 
+// Says so where a file is gone.
+std::string missing_files(const Course& course, const Exercise& exercise) {
+    for (const fs::path& file : exercise.files)
+        if (!fs::exists(course.root / file))
+            return "  " + red(file.string() + " is gone") + ": ./course reset " + exercise.id +
+                   " brings it back\n";
+    return "";
+}
+
 std::string verdict_text(const Checked& checked) {
     const int all = static_cast<int>(checked.tests.size()), passed = passed_cases(checked);
     switch (checked.verdict) {
@@ -71,7 +80,7 @@ std::string first_lines(const std::string& text, int count) {
 
 std::string describe(const FailedAssertion& failure) {
     std::string text;
-    if (!failure.messages.empty()) text += wrapped(failure.messages, "    ");
+    for (const std::string& message : failure.messages) text += wrapped(message, "    ");
     if (!failure.expression.empty() && failure.expression != "FAIL") {
         text += wrapped("checked: " + failure.expression, "    ");
         const bool says_more = failure.expanded != "false" && !failure.expanded.empty() &&
@@ -162,11 +171,12 @@ std::string details(const Course& course, const Checked& checked) {
     return text;
 }
 
-std::string next_step(const Course&, const Exercise* next) {
+std::string next_step(const Course& course, const Exercise* next) {
     if (!next) return "All exercises are done. The last step: ./course certify\n";
     return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
            std::to_string(next->minutes) + " minutes\n  read   " + next->section() + "\n  write  " +
-           files_of(*next) + "\n  check  ./course check " + next->id + '\n';
+           files_of(*next) + "\n  check  ./course check " + next->id + '\n' +
+           missing_files(course, *next);
 }
 
 std::string chapter_done(const Chapter& chapter) {

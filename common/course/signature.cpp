@@ -16,23 +16,34 @@ std::string short_hash(const std::string& text) {
 }
 
 // Hints are advice, and are worded anew now and then: they are no part of what happened.
-std::string without_hints(const std::string& messages) {
+std::string without_hints(const std::string& message) {
     std::string kept;
-    for (std::size_t at = 0; at < messages.size();) {
-        const auto end = std::min(messages.find('\n', at), messages.size());
-        const std::string line = messages.substr(at, end - at);
+    for (std::size_t at = 0; at < message.size();) {
+        const auto end = std::min(message.find('\n', at), message.size());
+        const std::string line = message.substr(at, end - at);
         if (line.rfind("Hint:", 0) != 0) kept += line + '\n';
         at = end + 1;
     }
     return kept;
 }
 
+// Of an assertion's messages the one next to it: those before may speak of other functions.
+std::string last_message(const FailedAssertion& failure) {
+    for (auto message = failure.messages.rbegin(); message != failure.messages.rend(); ++message)
+        if (const std::string kept = without_hints(*message); !kept.empty()) return kept;
+    return "";
+}
+
+std::size_t common(const std::set<std::string>& a, const std::set<std::string>& b) {
+    std::size_t count = 0;
+    for (const std::string& item : a) count += b.count(item);
+    return count;
+}
+
 // The share that both have of what either has.
 double overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
-    std::size_t common = 0;
-    for (const std::string& item : a) common += b.count(item);
-    const std::size_t either = a.size() + b.size() - common;
-    return either == 0 ? 0 : static_cast<double>(common) / static_cast<double>(either);
+    const std::size_t both = common(a, b), either = a.size() + b.size() - both;
+    return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either);
 }
 
 // The same, estimated from samples of the smallest: the smallest of either are an even sample of
@@ -41,13 +52,13 @@ double sampled_overlap(const std::set<std::string>& a, const std::set<std::strin
     if (a.size() < most_kept && b.size() < most_kept) return overlap(a, b);
     std::set<std::string> either = a;
     either.insert(b.begin(), b.end());
-    std::size_t seen = 0, common = 0;
+    std::size_t seen = 0, both = 0;
     for (const std::string& item : either) {
         if (seen == most_kept) break;
         ++seen;
-        common += a.count(item) && b.count(item);
+        both += a.count(item) && b.count(item);
     }
-    return static_cast<double>(common) / static_cast<double>(seen);
+    return static_cast<double>(both) / static_cast<double>(seen);
 }
 
 }  // namespace
@@ -62,7 +73,7 @@ Signature signature_of(const std::vector<TestCase>& tests) {
             signature.what.insert(
                 short_hash(where + '\n' +
                            with_rounded_numbers(failure.expanded + '\n' + failure.exception + '\n' +
-                                                without_hints(failure.messages))));
+                                                last_message(failure))));
         }
         if (!test.ended || !test.crash.empty()) {
             const std::string where = test.name + "\nnever ended";
@@ -75,8 +86,14 @@ Signature signature_of(const std::vector<TestCase>& tests) {
 }
 
 double similarity(const Signature& a, const Signature& b) {
-    // Where it is a matter of luck which values come, none were written down.
-    if (a.what.empty() || b.what.empty()) return overlap(a.where, b.where);
+    // Where it is a matter of luck which values come, none were written down, and where something
+    // fails only what fails always: it is there, and whatever else is counts little.
+    if (a.what.empty() || b.what.empty()) {
+        const std::size_t fewest = std::min(a.where.size(), b.where.size());
+        return fewest == 0 ? 0
+                           : 0.8 * static_cast<double>(common(a.where, b.where)) /
+                                 static_cast<double>(fewest);
+    }
     return (overlap(a.where, b.where) + sampled_overlap(a.what, b.what)) / 2;
 }
 
@@ -94,6 +111,8 @@ std::string with_rounded_numbers(const std::string& text) {
         const auto byte = [&](std::size_t at) {
             return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
         };
+        // The sign of what is not a number depends on the compiler.
+        if (text.compare(i, 4, "-nan") == 0) ++i;
         const bool in_word = i > 0 && (std::isalnum(byte(i - 1)) || text[i - 1] == '_');
         const bool number = std::isdigit(byte(i)) || (text[i] == '.' && std::isdigit(byte(i + 1)));
         if (!number || in_word) {

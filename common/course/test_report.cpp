@@ -105,7 +105,7 @@ std::vector<TestCase> read_report(const std::string& xml) {
             expression_failed = tags.attribute("success") != "true";
             current.expression = tags.attribute("type");
         } else if (tags.name == "/Info" || tags.name == "/Warning") {
-            current.messages += (current.messages.empty() ? "" : "\n") + tags.before;
+            current.messages.push_back(tags.before);
         } else if (tags.name == "/Original") {
             current.expression += "( " + one_line(tags.before) + " )";
         } else if (tags.name == "/Expanded") {
@@ -121,11 +121,10 @@ std::vector<TestCase> read_report(const std::string& xml) {
                 current = {};
         } else if (tags.name == "/Failure") {
             current.expression = "FAIL";
-            current.messages += (current.messages.empty() ? "" : "\n") + tags.before;
+            current.messages.push_back(tags.before);
             failed();
         } else if (tags.name == "/FatalErrorCondition") {
             test.crash = one_line(tags.before);
-            if (!in_expression) failed();
         } else if (tags.name == "/StdOut") {
             test.output = tags.before;
         } else if (tags.name == "OverallResult") {

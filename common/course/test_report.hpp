@@ -8,10 +8,10 @@ namespace course {
 
 // An assertion that did not hold, or an exception that nobody expected.
 struct FailedAssertion {
-    std::string expression;  // as the test's source has it: "CHECK( a == b )"
-    std::string expanded;    // with the values: "1 == 2"
-    std::string exception;   // what was thrown, where something was
-    std::string messages;    // what the test says of it: expected, computed, hints
+    std::string expression;             // as the test's source has it: "CHECK( a == b )"
+    std::string expanded;               // with the values: "1 == 2"
+    std::string exception;              // what was thrown, where something was
+    std::vector<std::string> messages;  // what the test says of it: expected, computed, hints
 };
 
 struct TestCase {

@@ -12,7 +12,7 @@ TestCase failing(const std::string& name, const std::string& expanded,
     TestCase test;
     test.name = name;
     test.ended = true;
-    test.failures.push_back({"CHECK( a == b )", expanded, "", messages});
+    test.failures.push_back({"CHECK( a == b )", expanded, "", {messages}});
     return test;
 }
 
@@ -21,6 +21,7 @@ TestCase failing(const std::string& name, const std::string& expanded,
 TEST_CASE("numbers are rounded and names are not", "[signature]") {
     CHECK(with_rounded_numbers("210.0 == 3210 (0xc8a)") == "210 == 3.21e+03 (3.21e+03)");
     CHECK(with_rounded_numbers("0.30000000000000004 != 0.3") == "0.3 != 0.3");
+    CHECK(with_rounded_numbers("(-nan, nan)") == "(nan, nan)");
     CHECK(with_rounded_numbers("vec3 v1.x -4.5e-200 1e400 .25") == "vec3 v1.x -4.5e-200 inf 0.25");
 }
 
@@ -53,7 +54,7 @@ TEST_CASE("what is still to be written is no mistake", "[signature]") {
     TestCase test;
     test.name = "01.1 x";
     test.ended = true;
-    test.failures.push_back({"", "", "exercise 01.1 is still to be written: somewhere", ""});
+    test.failures.push_back({"", "", "exercise 01.1 is still to be written: somewhere", {}});
     CHECK(signature_of({test}).where.empty());
     CHECK(recognise({{"01.1_a", {}}}, "01.1", signature_of({test})).empty());
 }

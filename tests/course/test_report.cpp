@@ -49,7 +49,7 @@ TEST_CASE("a report of Catch2 2 and of Catch2 3 is read", "[test_report]") {
         CHECK(tests[0].failures[0].expression == "CHECK( computed == vector<int>{2} )");
         CHECK(tests[0].failures[0].expanded == "3 == 2");
         CHECK(tests[0].failures[0].messages ==
-              "expected 2, but yours gives 3.\nHint: look \"here\"");
+              std::vector<std::string>{"expected 2, but yours gives 3.\nHint: look \"here\""});
         CHECK(tests[1].passed);
         CHECK(tests[1].output == "here I am");
     }
