@@ -296,6 +296,11 @@ function(course_chapter chapter)
   add_test(NAME ${chapter}.float_program
     COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
             --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
+  # `course compare` does not call right code wrong; see tests/support/compare_programs.cpp for more
+  # runs. A still picture takes one.
+  add_test(NAME ${chapter}.compare
+    COMMAND compare_programs alarms 1 $<TARGET_FILE:${chapter}_solution>)
+  set_tests_properties(${chapter}.compare PROPERTIES LABELS solution TIMEOUT 600)
   set_tests_properties(${chapter}.image ${chapter}.bad_input ${chapter}.float_program
                        PROPERTIES LABELS solution TIMEOUT 300)
 endfunction()

@@ -65,7 +65,7 @@ Image heat_map(const Comparison& comparison, const Image& mine, const Image& sol
 void write(Image& sheet, int left, std::string_view text) {
     constexpr Real unit = 4;  // pixels
     for (int y = 4; y < head - 2; ++y)
-        for (int x = left; x < sheet.width(); ++x) {
+        for (int x = std::max(0, left - 4); x < sheet.width(); ++x) {
             const rt::Vec2 p{(static_cast<Real>(x - left) + Real(0.5)) / unit,
                              (static_cast<Real>(y - 8) + Real(0.5)) / unit};
             if (p.x > app::letter_advance * static_cast<Real>(text.size())) break;
@@ -82,7 +82,7 @@ Image compare_picture(const Comparison& comparison) {
     const int width = solution.width(), height = solution.height();
     const Image map = comparison.sizes_differ ? Image{width, height, other}
                                               : heat_map(comparison, mine, solution);
-    const int scale = std::max(1, 480 / width);  // small pictures are shown with large pixels
+    const int scale = (479 + width) / width;  // small pictures are shown with large pixels
     const Image* const shown[] = {&mine, &solution, &map};
     const char* const names[] = {"YOURS", "SOLUTION",
                                  comparison.same ? "NO DIFFERENCE" : "DIFFERENCE"};

@@ -10,8 +10,8 @@ namespace {
 
 // Pictures of each program. Where much is suspected, few more are enough.
 constexpr int first_step = 8, second_step = 16, short_second_step = 8;
-constexpr double screening = 0.001;  // of each test of the first step
-constexpr double wronged = 0.001;    // right programs that the second step calls wrong
+constexpr double screening = 1.0 / 1000;  // of each test of the first step
+constexpr double wronged = 1.0 / 1000;    // right programs that the second step calls wrong
 
 // Seeds that have nothing to do with each other, so that no simple way to use them makes pictures
 // alike.
@@ -187,7 +187,8 @@ Comparison compare(const Drawn& drawn, std::uint64_t start) {
     if (comparison.test.still_differs()) {
         add_still_places(comparison);
         for (const TileTest& tile : comparison.test.tiles)
-            if (tile.still_differing == 0 && *std::min_element(tile.p.begin(), tile.p.end()) < 1e-9)
+            if (tile.still_differing == 0 &&
+                *std::min_element(tile.p.begin(), tile.p.end()) < wronged / 1'000'000)
                 comparison.places.push_back(tile);
         return comparison;
     }

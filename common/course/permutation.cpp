@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <course/permutation.hpp>
 #include <random>
+#include <rt/real.hpp>
 #include <rt/rng.hpp>
 
 namespace course {
@@ -39,7 +40,7 @@ double permutation_p(const Products& products, std::size_t mine, std::size_t all
     std::vector<bool> dealt(all);
     std::fill(dealt.begin(), dealt.begin() + static_cast<long>(mine), true);
     // What is the same but for rounding counts as at least as far.
-    const double observed = products.between(dealt) * (1 - 1e-9);
+    const double observed = products.between(dealt) * (1 - 4096 * double{rt::epsilon});
     if (!(observed > 0)) return 1;
     long tried = 0, as_far = 0;
     const auto look = [&] {

@@ -87,7 +87,7 @@ std::string describe_difference(const std::vector<TileTest>& tiles) {
     if (std::abs(Light::sum(light.mine) - all) < light.apart / 3 && color.empty())
         return "drawn differently, by " + percent(apart) + " on average";
     std::string text;
-    if (std::abs(light.relative()) >= 0.001 || color.empty()) text = brightness(light);
+    if (std::abs(light.relative()) >= 1.0 / 1000 || color.empty()) text = brightness(light);
     if (!color.empty()) text += (text.empty() ? "" : ", ") + color;
     return text;
 }

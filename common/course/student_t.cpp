@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <course/student_t.hpp>
+#include <limits>
 
 namespace course {
 namespace {
@@ -8,7 +9,7 @@ namespace {
 // The continued fraction of I_x(a, b), which converges fast for x < (a + 1) / (a + b + 2);
 // evaluated from the front by Lentz's method.
 double beta_fraction(double a, double b, double x) {
-    constexpr double tiny = 1e-300;
+    constexpr double tiny = std::numeric_limits<double>::min();
     const auto away_from_zero = [](double value) { return std::abs(value) < tiny ? tiny : value; };
     double c = 1, d = 1 / away_from_zero(1 - (a + b) * x / (a + 1)), value = d;
     const auto take = [&](double term) {
@@ -19,7 +20,9 @@ double beta_fraction(double a, double b, double x) {
     };
     for (int m = 1; m < 10'000; ++m) {
         take(m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m)));
-        if (take(-(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1))) < 1e-15) break;
+        if (take(-(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1))) <
+            4 * std::numeric_limits<double>::epsilon())
+            break;
     }
     return value;
 }
