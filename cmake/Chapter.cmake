@@ -18,20 +18,27 @@ set(course_chapters "")   # all chapters so far
 set(course_solutions "")  # their solution folders
 set(course_sources "")    # the NAME.cpp that the solution of the chapter at hand has in rt/
 
-# course_program(target real sources... INCLUDE folders...): a program on common, in one precision.
-function(course_program target real)
-  cmake_parse_arguments(arg "" "" "INCLUDE" ${ARGN})
+# course_sources_of(out folders...): of each rt/NAME.cpp of the chapter at hand the one that counts.
+function(course_sources_of out)
+  set(sources "")
   foreach(name ${course_sources})
-    foreach(folder ${arg_INCLUDE})
+    foreach(folder ${ARGN})
       if(EXISTS ${folder}/rt/${name})
-        list(APPEND arg_UNPARSED_ARGUMENTS ${folder}/rt/${name})
+        list(APPEND sources ${folder}/rt/${name})
         # It is compiled as it stands, with no header that it does not name.
         set_source_files_properties(${folder}/rt/${name} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
         break()
       endif()
     endforeach()
   endforeach()
-  add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
+  set(${out} "${sources}" PARENT_SCOPE)
+endfunction()
+
+# course_program(target real sources... INCLUDE folders...): a program on common, in one precision.
+function(course_program target real)
+  cmake_parse_arguments(arg "" "" "INCLUDE" ${ARGN})
+  course_sources_of(sources ${arg_INCLUDE})
+  add_executable(${target} ${arg_UNPARSED_ARGUMENTS} ${sources})
   target_include_directories(${target} PRIVATE ${arg_INCLUDE})
   target_link_libraries(${target} PRIVATE common_${real})
 endfunction()
@@ -312,7 +319,12 @@ function(course_finish)
   list(TRANSFORM programs APPEND _solution_float OUTPUT_VARIABLE float_solutions)
   list(TRANSFORM programs APPEND _checkpoint_solution OUTPUT_VARIABLE checkpoints)
   list(TRANSFORM programs APPEND _checkpoint_solution_float OUTPUT_VARIABLE float_checkpoints)
-  list(TRANSFORM programs APPEND _mine OUTPUT_VARIABLE mine)
+  set(mine "")  # chapters before the first chosen one have none
+  foreach(chapter ${course_chapters})
+    if(TARGET ${chapter}_mine)
+      list(APPEND mine ${chapter}_mine)
+    endif()
+  endforeach()
   add_custom_target(solution_programs DEPENDS ${solutions} ${float_solutions})
   add_custom_target(solution_checkpoints_double DEPENDS ${checkpoints})
   add_custom_target(solution_checkpoints DEPENDS solution_checkpoints_double ${float_checkpoints})

@@ -89,7 +89,11 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
         sheet.box(b, color, Real(0.10), 4);
         sheet.box({b.left, b.top, 3, b.height}, color, 1, 1);
         sheet.words(b.left + 12, b.top + 9, 8, name, color);
-        sheet.words(b.left + 12 + Sheet::width_of(name, 8) + 12, b.top + 11, 5, what, faint);
+        // Beside the name, where no arrow comes down; else below.
+        if (height < 100)
+            sheet.words(b.left + 12 + Sheet::width_of(name, 8) + 12, b.top + 11, 5, what, faint);
+        else
+            sheet.words(b.left + 14, b.bottom() - 13, 5, what, faint);
         return b;
     };
     sheet.words(box.right() - 12 - Sheet::width_of("HIGH ADDRESSES", 5), box.top + 13, 5,
@@ -115,7 +119,7 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
     const Box shade = draw_cells(sheet, left + 300, stack.top + 36, "SHADE", {""}, gold);
 
     // The pixels themselves, small.
-    const Box pixels{left + 14, heap.top + 42, 132, 132 * Real(9) / 16};
+    const Box pixels{left + 14, heap.top + 34, 132, 132 * Real(9) / 16};
     sheet.paint(
         pixels,
         [&](Vec2 p) {
@@ -132,7 +136,7 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
     sheet.frame(pixels, mint, Real(0.8), 1);
     sheet.words(pixels.left, pixels.bottom() + 9, 6,
                 number(static_cast<int>(show.canvas.size())) + " PIXELS", mint);
-    sheet.words(pixels.left, pixels.bottom() + 23, 6,
+    sheet.words(pixels.left, pixels.bottom() + 21, 6,
                 number(static_cast<int>(show.canvas.size() * sizeof(Color))) + " BYTES", faint);
 
     const Box tree{left + 176, heap.top + 42, width - 188, 88};
@@ -241,6 +245,8 @@ inline void draw_steps(Sheet& sheet, const Box& box, const std::vector<Steps>& a
         const Real x = plot.left + plot.width * static_cast<Real>(i) / 4;
         sheet.words_around({x, plot.bottom() + 13}, 6, sizes[i], faint);
     }
+    sheet.words_around({plot.left + plot.width / 2, plot.bottom() + 25}, 5, "BYTES OF THE CHAIN",
+                       faint);
     if (!by_machine)
         for (const Level& level : levels) {
             if (level.bytes > largest_size) continue;
@@ -259,7 +265,7 @@ inline void draw_steps(Sheet& sheet, const Box& box, const std::vector<Steps>& a
     curve(&Steps::scattered, rose);
     sheet.words(plot.left + 12, plot.bottom() - 26, 6, "GATHERED", mint);
     const Vec2 middle = place(1 << 18, 1);
-    sheet.words(middle.x - 66, plot.top + plot.height * Real(0.46), 6, "SCATTERED", rose);
+    sheet.words(middle.x - 66, plot.top + plot.height * Real(0.40), 6, "SCATTERED", rose);
 }
 
 inline void draw_objects(Sheet& sheet, const Box& box, const Objects& objects, bool by_machine) {

@@ -96,7 +96,7 @@ class Sheet {
     // A pointer: a dot, a curve with vertical or horizontal ends, and the head of an arrow.
     void arrow(Vec2 from, Vec2 leave, Vec2 arrive, Vec2 to, Color color,
                Real thickness = Real(1.6)) {
-        constexpr int pieces = 24;
+        constexpr int pieces = 48;
         const auto at = [&](Real t) {
             const Real s = 1 - t, a = s * s * s, b = 3 * s * s * t, c = 3 * s * t * t,
                        d = t * t * t;

@@ -125,7 +125,7 @@ TEST_CASE("00.3 a tree is made of halves", "[00.3]") {
         {
             const Tree root = rt::make_tree<WatchedNode>(100, 100 + count);
             INFO("a tree over " << count << " things, from 100 on");
-            REQUIRE(root != nullptr);
+            REQUIRE((root != nullptr));
             CHECK(root->first == 100);
             CHECK(root->last == 100 + count);
             std::vector<int> things;
@@ -145,7 +145,7 @@ TEST_CASE("00.3 a tree is made of halves", "[00.3]") {
 
 TEST_CASE("00.3 a tree of nothing is empty", "[00.3]") {
     const Watch watch;
-    CHECK(rt::make_tree<WatchedNode>(5, 5) == nullptr);
+    CHECK((rt::make_tree<WatchedNode>(5, 5) == nullptr));
     INFO("Hint: the root of an empty tree is nullptr; no node may be made for it");
     CHECK(Watch::made == 0);
 }

@@ -34,12 +34,14 @@ void check_gathered(const std::vector<Link>& links, int count) {
     for (std::size_t i = 0; i < links.size(); ++i) {
         INFO("link " << i << ": the values must come in the order of the chain");
         REQUIRE(links[i].value == static_cast<Real>(i + 1));
-        const Link* const expected = i + 1 < links.size() ? &links[i + 1] : nullptr;
-        INFO("next is " << links[i].next << " instead of " << expected
-                        << ".\nHint: each link leads to the one behind it in the same vector, the "
-                           "last to nullptr. A vector that grows moves all its links to another "
-                           "place: connect them when all are there");
-        REQUIRE(links[i].next == expected);
+        const bool is_last = i + 1 == links.size();
+        const bool leads_on = links[i].next == (is_last ? nullptr : &links[i + 1]);
+        INFO("link " << i << " of " << links.size() << " leads elsewhere, not to "
+                     << (is_last ? "nullptr" : "the link behind it")
+                     << ".\nHint: each link leads to the one behind it in the same vector, the "
+                        "last to nullptr. A vector that grows moves all its links to another "
+                        "place: connect them when all are there");
+        REQUIRE(leads_on);
     }
 }
 

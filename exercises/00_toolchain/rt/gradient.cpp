@@ -1,4 +1,5 @@
 #include <rt/gradient.hpp>
+#include <rt/todo.hpp>
 
 namespace rt {
 
@@ -7,9 +8,14 @@ namespace rt {
 // lower corners by `across`, and both results by `down`. mix(a, b, t), which rt/color.hpp has, goes
 // from colour a to colour b as t goes from 0 to 1.
 //
-// As long as there is no definition here, the linker takes another one, from a library. Its body is
-// rt::todo("00.1"), which says that this exercise is still to be written. If it still says so when
-// you have written yours, then the linker does not take yours for the function that was declared:
-// compare name, namespace and parameters with gradient.hpp, down to each const and &.
+// As long as there is no definition, the linker takes another one, from a library, whose body says
+// that this exercise is still to be written. If it still says so when you have written yours, then
+// yours is not the function that was declared: compare name, namespace and parameters with
+// gradient.hpp, down to each const and &.
+
+// Replace these three lines by your definition. Nobody calls them: they mark the place.
+[[maybe_unused]] static void still_to_be_written() {
+    rt::todo("00.1");
+}
 
 }  // namespace rt
