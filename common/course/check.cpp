@@ -63,6 +63,13 @@ void run_tests(const Course& course, Checked& checked) {
         const bool is_own = missing == checked.exercise.id;
         checked.verdict = is_own ? Verdict::to_write : Verdict::waiting;
         if (!is_own) checked.missing = missing;
+        if (is_own && todos_left(course, checked.exercise) == 0) {
+            checked.verdict = Verdict::failing;
+            checked.trouble =
+                "Nothing of it says rt::todo any more, and still your function is not the one that "
+                "the checkpoints call. Compare its name, namespace and parameters with those that "
+                "were declared, down to each const and &.";
+        }
     } else if (tests.empty()) {
         throw app::Failure(target_of(checked.exercise) +
                            " ran no test case: " + how_it_ended(result));

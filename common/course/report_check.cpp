@@ -169,7 +169,8 @@ std::string details(const Course& course, const Checked& checked) {
             text += "It is still to be written: replace the lines that say rt::todo.\n";
             break;
         case Verdict::failing:
-            text += '\n' + failing_cases(checked);
+            text += '\n' + (checked.trouble.empty() ? failing_cases(checked)
+                                                    : wrapped(checked.trouble, "  "));
             break;
         case Verdict::passed:
             break;

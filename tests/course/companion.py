@@ -161,6 +161,8 @@ class Companion(unittest.TestCase):
         self.assertIn("01.1 the answer is right", said)
         self.write("one", "needs 01.2\n")
         self.assertIn("needs 01.2 first", self.course("check", "01.1", code=3))
+        self.write("two", "needs 01.2\n")  # the linker took the definition that throws
+        self.assertIn("still your function is not", self.course("check", "01.2", code=1))
 
     def test_check_stops_what_never_ends(self):
         self.write("one", "endless\n")
