@@ -148,7 +148,7 @@ function(course_mistake_picture chapter folder)
   set_property(GLOBAL APPEND PROPERTY course_mistake_pictures ${target})
   add_test(NAME ${target} COMMAND compare_programs differ $<TARGET_FILE:${target}>
                                   $<TARGET_FILE:${chapter}_solution>)
-  set_tests_properties(${target} PROPERTIES LABELS pictures TIMEOUT 120)
+  set_tests_properties(${target} PROPERTIES LABELS pictures TIMEOUT 600)
 endfunction()
 
 # What `course certify` measures of a chapter: on the solution, on the learner's own code of all
