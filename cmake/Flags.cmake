@@ -3,7 +3,12 @@ add_library(course_flags INTERFACE)
 target_compile_options(course_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow
   # Rounding stays as the source has it: the same picture from every compiler, machine and inlining.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Neither changes a result. std::sqrt need not set errno, and nobody asks whether a comparison has
+  # met a number that is not one: without that, loops over both stay scalar.
+  -fno-math-errno -fno-trapping-math
+  # "#pragma omp simd" before a loop is heard; it needs no library.
+  -fopenmp-simd)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 and 13 warn of "text" + std::string where nothing is wrong (GCC bug 105651).
   target_compile_options(course_flags INTERFACE -Wno-restrict)
