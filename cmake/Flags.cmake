@@ -4,9 +4,8 @@ target_compile_options(course_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow
   # Rounding stays as the source has it: the same picture from every compiler, machine and inlining.
   -ffp-contract=off
-  # Neither changes a result. std::sqrt need not set errno, and nobody asks whether a comparison has
-  # met a number that is not one: without that, loops over both stay scalar.
-  -fno-math-errno -fno-trapping-math
+  # std::sqrt need not set errno, which nobody reads: otherwise no loop around it becomes wide.
+  -fno-math-errno
   # "#pragma omp simd" before a loop is heard; it needs no library.
   -fopenmp-simd)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

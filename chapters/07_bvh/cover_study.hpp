@@ -56,14 +56,14 @@ inline void study_cover(study::Report& report) {
         matte.materials.push_back({{Real(0.5), Real(0.5), Real(0.5)}});
         all.materials.push_back(matte.materials.back());
     }
-    const auto [wide, narrow] = by_turns_ms([&] { mean = render_cover(cover, best, all); },
-                                            [&] { mean = render_cover(cover, best, matte); });
+    const auto times = by_turns_ms([&] { mean = render_cover(cover, best, all); },
+                                   [&] { mean = render_cover(cover, best, matte); });
     const auto materials = [&](const char* name, double ms) {
-        report.add({"materials", name, wide / ms, "times as fast", static_cast<double>(mean.g),
-                    "mean green", ms, "time / ms"});
+        report.add({"materials", name, times.first / ms, "times as fast",
+                    static_cast<double>(mean.g), "mean green", ms, "time / ms"});
     };
-    materials("matte, metal and glass", wide);
-    materials("matte alone", narrow);
+    materials("matte, metal and glass", times.first);
+    materials("matte alone", times.second);
 }
 
 }  // namespace bvh

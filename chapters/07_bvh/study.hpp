@@ -121,6 +121,18 @@ inline void study_structures(study::Report& report) {
             ns * 1e-6, "time / ms");
     }
 
+    // How many spheres a tree is worth having for.
+    for (const int few : {1, 2, 4, 8, 16, 32}) {
+        const Cloud cloud{few};
+        const SphereList all{cloud.spheres};
+        const WideTree tree = make_wide_tree<float>(cloud.spheres);
+        const auto world = [&](const char* name, double ns) {
+            row("few", name, few, "spheres", 0, "wide tests per ray", ns, "time per ray / ns");
+        };
+        world("linear list", cloud.ns_per_ray(all));
+        world("8-wide float boxes", cloud.ns_per_ray(tree));
+    }
+
     study_cover(report);
 }
 

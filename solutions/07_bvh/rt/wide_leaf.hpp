@@ -74,8 +74,8 @@ RT_NOT_INLINED inline bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real m
         const Real one = q == 0 ? Real(0) : c / q, other = q == 0 ? Real(0) : q / a;
         const Real low = one < other ? one : other, high = one < other ? other : one;
         // Every comparison with the root of a negative number is false.
-        const Real second = (min <= high) & (high <= max) ? high : WideLeaf::nothing;
-        const Real t = (min <= low) & (low <= max) ? low : second;
+        const Real second = ((min <= high) & (high <= max)) ? high : WideLeaf::nothing;
+        const Real t = ((min <= low) & (low <= max)) ? low : second;
         nearer[i] = t;
         nearest = t < nearest ? t : nearest;
     }
