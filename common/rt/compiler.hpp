@@ -13,3 +13,7 @@
 // For a function of a few loops over arrays, which compilers turn into wide instructions where it
 // stands alone, but not always where it is copied into a larger loop.
 #define RT_NOT_INLINED [[gnu::noinline]]
+
+// For a small function in the middle of a loop: it is always copied there, so that what it computes
+// stays in the processor's registers.
+#define RT_INLINED [[gnu::always_inline]] inline
