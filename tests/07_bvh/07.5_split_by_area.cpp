@@ -72,14 +72,14 @@ void check_split(const std::vector<Box>& boxes) {
     if (cost <= limit) return;
     std::string hint =
         "try every k from 1 to count - 1 along every axis: 1 * area(A) + k * area(left) + (count - "
-        "k) * area(right)";
+        "k) * area(right). In the end the numbers must be sorted along the axis that k belongs to";
     if (k == 0)
         hint =
             "a split is cheaper than a leaf here. The 1 counts area(A), when everything is "
             "multiplied by it, and A is around the boxes of this part";
     else if (limit >= leaf)
         hint = "a leaf is cheaper than any split: its cost is count * area(A)";
-    else
+    else if (order.size() > 10)  // with few spheres it may be chance
         for (int axis = 0; axis < 3; ++axis)
             if (cost_of(sorted_along(axis, boxes, order), k, boxes) <= limit)
                 hint = std::string{"this number is right for the order along "} + "xyz"[axis] +
@@ -87,7 +87,7 @@ void check_split(const std::vector<Box>& boxes) {
     INFO(boxes.size() << " spheres, yours puts " << left << " of them to the left, at a cost of "
                       << cost << "; the best costs " << best << ", a leaf " << leaf
                       << ".\nHint: " << hint);
-    CHECK(cost <= limit);
+    REQUIRE(cost <= limit);
 }
 
 Box cube(Vec3 middle, Real half) {
@@ -139,8 +139,8 @@ TEST_CASE("07.5 two groups are kept apart", "[07.5]") {
                 "Hint: after all three axes the numbers are "
                 "sorted along z; sort along the best axis once "
                 "more");
-        CHECK(std::none_of(order.begin(), order.begin() + 9, is_far));
-        CHECK(std::all_of(order.begin() + 9, order.end(), is_far));
+        REQUIRE((std::none_of(order.begin(), order.begin() + 9, is_far) &&
+                 std::all_of(order.begin() + 9, order.end(), is_far)));
     }
 }
 
@@ -238,9 +238,9 @@ TEST_CASE("07.5 equal middles keep the order that was measured", "[07.5][hard]")
 }
 
 TEST_CASE("07.5 many spheres do not take long", "[07.5][hard]") {
-    const auto boxes = rt::bounds_of(random_spheres(8000));
-    // Beside the time of the sorting, which any solution needs. It is less than 3 times as much,
-    // and 100 times with the boxes of one side computed anew for each k.
+    const auto boxes = rt::bounds_of(random_spheres(16000));
+    // Beside the time of the sorting, which any solution needs: little more than that, and 70 times
+    // as much with the boxes of one side computed anew for each k.
     double ratio = 0;
     int left = 0;
     for (int attempt = 0; attempt < 3; ++attempt) {
@@ -253,12 +253,12 @@ TEST_CASE("07.5 many spheres do not take long", "[07.5][hard]") {
         ratio = all / (sorting + 1.0 / CLOCKS_PER_SEC);
         if (ratio < 15) break;
     }
-    INFO("8000 spheres: yours takes " << ratio
-                                      << " times the time of sorting them.\nHint: let a box grow "
-                                         "by one sphere a step, from either end, and keep the "
-                                         "areas; the sorting is the longest part then");
+    INFO("16000 spheres: yours takes " << ratio
+                                       << " times the time of sorting them.\nHint: let a box grow "
+                                          "by one sphere a step, from either end, and keep the "
+                                          "areas; the sorting is the longest part then");
     CHECK(ratio < 15);
-    INFO("yours puts " << left << " of 8000 to the left");
-    CHECK(left > 2600);
-    CHECK(left < 5400);
+    INFO("yours puts " << left << " of 16000 to the left");
+    CHECK(left > 5300);
+    CHECK(left < 10700);
 }
