@@ -7,13 +7,30 @@
 #   a mistake                tests/mistakes/N/MISTAKE, solutions up to N, common
 #
 # Solutions of later chapters are never among them, so no chapter can use what comes after it.
+#
+# Nearly everything is in headers. Where a chapter's solution has rt/NAME.cpp as well, the same rule
+# decides: the first folder of the list that has an rt/NAME.cpp gives the one that is compiled. Only
+# the chapter's own targets compile it. A learner's .cpp may still lack its definition; to link all
+# the same, the learner's targets get a library of chapters/NN_topic/missing/*.cpp, definitions that
+# throw rt::todo. Of a library a linker takes only what is undefined after all other files.
 
 set(course_chapters "")   # all chapters so far
 set(course_solutions "")  # their solution folders
+set(course_sources "")    # the NAME.cpp that the solution of the chapter at hand has in rt/
 
 # course_program(target real sources... INCLUDE folders...): a program on common, in one precision.
 function(course_program target real)
   cmake_parse_arguments(arg "" "" "INCLUDE" ${ARGN})
+  foreach(name ${course_sources})
+    foreach(folder ${arg_INCLUDE})
+      if(EXISTS ${folder}/rt/${name})
+        list(APPEND arg_UNPARSED_ARGUMENTS ${folder}/rt/${name})
+        # It is compiled as it stands, with no header that it does not name.
+        set_source_files_properties(${folder}/rt/${name} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+        break()
+      endif()
+    endforeach()
+  endforeach()
   add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
   target_include_directories(${target} PRIVATE ${arg_INCLUDE})
   target_link_libraries(${target} PRIVATE common_${real})
@@ -38,6 +55,31 @@ function(course_exercise_tests checkpoint label)
     set_tests_properties(${checkpoint}.${id} ${checkpoint}.${id}.hard PROPERTIES
       FAIL_REGULAR_EXPRESSION "No tests ran")
   endforeach()
+endfunction()
+
+# The checkpoints on the learner's code: a program check.NN.k an exercise, so that one that does not
+# compile or crashes leaves the others alone, and NN_topic_checkpoint with all of them. The learner
+# waits for these after every change: compiling them quickly matters more than their speed.
+function(course_learners_checkpoints chapter)
+  cmake_parse_arguments(arg "" "" "INCLUDE;SOURCES" ${ARGN})
+  set(objects "")
+  foreach(source ${arg_SOURCES})
+    get_filename_component(name ${source} NAME)
+    string(REGEX MATCH "^[0-9]+\\.[0-9]+" id ${name})
+    set(tests tests.${id})
+    add_library(${tests} OBJECT ${source})
+    target_include_directories(${tests} PRIVATE ${arg_INCLUDE} ${CMAKE_SOURCE_DIR}/tests/support)
+    target_link_libraries(${tests} PRIVATE checkpoint_double)
+    target_precompile_headers(${tests} REUSE_FROM checkpoint_double)
+    target_compile_options(${tests} PRIVATE -O1)
+    add_executable(check.${id} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${tests}>)
+    target_link_libraries(check.${id} PRIVATE checkpoint_double catch_main)
+    set_target_properties(check.${id} PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/check)
+    list(APPEND objects $<TARGET_OBJECTS:${tests}>)
+  endforeach()
+  add_executable(${chapter}_checkpoint ${objects})
+  target_link_libraries(${chapter}_checkpoint PRIVATE checkpoint_double catch_main)
 endfunction()
 
 # Reads one line "key: value" of a file.
@@ -72,6 +114,64 @@ function(course_mistake chapter folder)
     FAIL_REGULAR_EXPRESSION "SIG[A-Z]+;AddressSanitizer;runtime error")
 endfunction()
 
+# A mistake that changes the picture: `course compare` must see that.
+function(course_mistake_picture chapter folder)
+  file(STRINGS ${folder}/mistake.txt changes REGEX "^changes picture: yes$")
+  if(NOT changes)
+    return()
+  endif()
+  get_filename_component(mistake ${folder} NAME)
+  set(target picture.${mistake})
+  course_program(${target} double ${CMAKE_SOURCE_DIR}/chapters/${chapter}/main.cpp
+                 INCLUDE ${folder} ${course_solutions})
+  set_target_properties(${target} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
+  set_property(GLOBAL APPEND PROPERTY course_mistake_pictures ${target})
+  add_test(NAME ${target} COMMAND compare_programs differ $<TARGET_FILE:${target}>
+                                  $<TARGET_FILE:${chapter}_solution>)
+  set_tests_properties(${target} PROPERTIES LABELS pictures TIMEOUT 120)
+endfunction()
+
+# What `course certify` measures of a chapter: on the solution, on the learner's own code of all
+# chapters up to this one, and on some mistakes, each of which must make the right line fail.
+function(course_certificate chapter)
+  set(source ${CMAKE_SOURCE_DIR}/tests/certify/${chapter}.cpp)
+  if(NOT EXISTS ${source})
+    return()
+  endif()
+  list(TRANSFORM course_solutions REPLACE "/solutions/" "/exercises/" OUTPUT_VARIABLE exercises)
+  course_program(certify.${chapter} double ${source} INCLUDE ${exercises} ${course_solutions}
+                 ${CMAKE_SOURCE_DIR}/tests/support)
+  course_program(certify.${chapter}_solution double ${source}
+                 INCLUDE ${course_solutions} ${CMAKE_SOURCE_DIR}/tests/support)
+  set_target_properties(certify.${chapter} PROPERTIES EXCLUDE_FROM_ALL ON)
+  # Other tests run at the same time: speeds say nothing.
+  add_test(NAME certify.${chapter} COMMAND certify.${chapter}_solution --no-timing)
+  set_tests_properties(certify.${chapter} PROPERTIES LABELS solution TIMEOUT 300
+    FAIL_REGULAR_EXPRESSION "FAILS")
+  if(NOT COURSE_MISTAKES)
+    return()
+  endif()
+  foreach(mistake 01.1_in_float 01.3_no_root 02.2_whole_angle 02.3_turned_over 04.2_half_lambert
+                  04.3_uniform_hemisphere 05.2_absorbs_below 05.3_clamps_total_reflection
+                  05.4_schlick_inner_cosine 06.3_skips_the_first 06.4_neighbours_alike
+                  07.3_drops_the_middle)
+    set(folder ${CMAKE_SOURCE_DIR}/tests/mistakes/${chapter}/${mistake})
+    if(NOT EXISTS ${folder})
+      continue()
+    endif()
+    string(REGEX MATCH "^[0-9]+\\.[0-9]+" id ${mistake})
+    set(target certify.mistake.${mistake})
+    course_program(${target} double ${source}
+                   INCLUDE ${folder} ${course_solutions} ${CMAKE_SOURCE_DIR}/tests/support)
+    set_target_properties(${target} PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
+    add_test(NAME ${target} COMMAND ${target} --no-timing)
+    set_tests_properties(${target} PROPERTIES LABELS mistakes TIMEOUT 120
+      PASS_REGULAR_EXPRESSION "FAILS\t${id}")
+  endforeach()
+endfunction()
+
 function(course_chapter chapter)
   set(root ${CMAKE_SOURCE_DIR})
   list(APPEND course_chapters ${chapter})
@@ -79,20 +179,25 @@ function(course_chapter chapter)
   set(course_chapters ${course_chapters} PARENT_SCOPE)
   set(course_solutions ${course_solutions} PARENT_SCOPE)
 
-  set(program ${root}/chapters/${chapter}/main.cpp)
+  file(GLOB program CONFIGURE_DEPENDS ${root}/chapters/${chapter}/*.cpp)
+  foreach(source ${program})
+    if(source MATCHES "_fast_math\\.cpp$")  # measured beside the same code without
+      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -ffast-math)
+    endif()
+  endforeach()
+  file(GLOB course_sources RELATIVE ${root}/solutions/${chapter}/rt CONFIGURE_DEPENDS
+       ${root}/solutions/${chapter}/rt/*.cpp)
   file(GLOB checkpoints CONFIGURE_DEPENDS ${root}/tests/${chapter}/*.cpp)
   set(learner ${root}/exercises/${chapter} ${course_solutions})
 
   course_program(${chapter} double ${program} INCLUDE ${learner})
   course_program(${chapter}_solution double ${program} INCLUDE ${course_solutions})
   course_program(${chapter}_solution_float float ${program} INCLUDE ${course_solutions})
-  course_checkpoint(${chapter}_checkpoint double ${checkpoints} INCLUDE ${learner})
+  course_learners_checkpoints(${chapter} INCLUDE ${learner} SOURCES ${checkpoints})
   course_checkpoint(${chapter}_checkpoint_solution double ${checkpoints}
                     INCLUDE ${course_solutions})
   course_checkpoint(${chapter}_checkpoint_solution_float float ${checkpoints}
                     INCLUDE ${course_solutions})
-  # The learner waits for this one after every change: compiling it quickly matters more.
-  target_compile_options(${chapter}_checkpoint PRIVATE -O1)
 
   set(mine "")
   foreach(number ${COURSE_MINE})
@@ -104,6 +209,18 @@ function(course_chapter chapter)
   endforeach()
   if(mine)
     course_program(${chapter}_mine double ${program} INCLUDE ${mine} ${course_solutions})
+  endif()
+
+  file(GLOB missing CONFIGURE_DEPENDS ${root}/chapters/${chapter}/missing/*.cpp)
+  if(missing)
+    add_library(${chapter}_missing STATIC ${missing})
+    target_include_directories(${chapter}_missing PRIVATE ${course_solutions})
+    target_link_libraries(${chapter}_missing PUBLIC common_double)
+    foreach(target ${chapter} ${chapter}_checkpoint ${chapter}_mine)
+      if(TARGET ${target})
+        target_link_libraries(${target} PRIVATE ${chapter}_missing)
+      endif()
+    endforeach()
   endif()
 
   set(ids "")
@@ -129,9 +246,27 @@ function(course_chapter chapter)
   if(COURSE_MISTAKES)
     file(GLOB mistakes CONFIGURE_DEPENDS ${root}/tests/mistakes/${chapter}/*)
     foreach(folder ${mistakes})
-      course_mistake(${chapter} ${folder})
+      if(IS_DIRECTORY ${folder})  # beside them is signatures.json
+        course_mistake(${chapter} ${folder})
+        get_filename_component(name ${folder} NAME)
+        set_property(GLOBAL APPEND PROPERTY course_mistakes mistake.${name})
+      endif()
+    endforeach()
+    add_test(NAME mistakes.recognised.${chapter}
+      COMMAND signature_tool --check ${CMAKE_BINARY_DIR}/mistakes ${chapter})
+    set_tests_properties(mistakes.recognised.${chapter} PROPERTIES LABELS mistakes TIMEOUT 300)
+  endif()
+
+  if(COURSE_MISTAKE_PICTURES)
+    file(GLOB mistakes CONFIGURE_DEPENDS ${root}/tests/mistakes/${chapter}/*)
+    foreach(folder ${mistakes})
+      if(IS_DIRECTORY ${folder})
+        course_mistake_picture(${chapter} ${folder})
+      endif()
     endforeach()
   endif()
+
+  course_certificate(${chapter})
 
   # What a chapter gives beyond its exercises has tests of its own.
   file(GLOB given CONFIGURE_DEPENDS ${root}/tests/${chapter}/given/*.cpp)
@@ -142,6 +277,15 @@ function(course_chapter chapter)
       set_tests_properties(${chapter}_given_${real} PROPERTIES LABELS "solution;hard" TIMEOUT 600)
     endforeach()
   endif()
+
+  # Scripts that check what the text says.
+  file(GLOB scripts CONFIGURE_DEPENDS ${root}/tests/${chapter}/*.sh)
+  foreach(script ${scripts})
+    get_filename_component(name ${script} NAME_WE)
+    add_test(NAME ${chapter}.${name} COMMAND sh ${script} ${root})
+    set_tests_properties(${chapter}.${name} PROPERTIES LABELS solution TIMEOUT 120
+                         SKIP_RETURN_CODE 77)
+  endforeach()
 
   # The program still draws the picture that the text shows, and refuses what it should.
   add_test(NAME ${chapter}.image
@@ -169,6 +313,19 @@ function(course_finish)
   add_custom_target(solution_checkpoints DEPENDS solution_checkpoints_double ${float_checkpoints})
   if(COURSE_MINE)
     add_custom_target(mine DEPENDS ${mine})
+  endif()
+  get_property(pictures GLOBAL PROPERTY course_mistake_pictures)
+  if(pictures)
+    add_custom_target(mistake_pictures DEPENDS ${pictures} compare_programs)
+  endif()
+  # To run after a mistake or a checkpoint has changed, and after a stub has: what they write belongs
+  # to the sources.
+  add_custom_target(shipped_stubs COMMAND stub_tool ${course_chapters})
+  if(COURSE_MISTAKES)
+    get_property(mistakes GLOBAL PROPERTY course_mistakes)
+    add_custom_target(mistake_signatures
+      COMMAND signature_tool --write ${CMAKE_BINARY_DIR}/mistakes ${course_chapters})
+    add_dependencies(mistake_signatures ${mistakes})
   endif()
   list(JOIN course_chapters "\n" lines)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/chapters.txt CONTENT "${lines}\n")

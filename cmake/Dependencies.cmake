@@ -46,6 +46,14 @@ if(NOT CLI11_FOUND)
   FetchContent_MakeAvailable(CLI11)
 endif()
 
+find_package(nlohmann_json 3 QUIET)
+if(NOT nlohmann_json_FOUND)
+  message(STATUS "nlohmann-json is not installed: fetching it")
+  FetchContent_Declare(nlohmann_json GIT_REPOSITORY https://github.com/nlohmann/json.git
+                                     GIT_TAG v3.11.3 GIT_SHALLOW ON)
+  FetchContent_MakeAvailable(nlohmann_json)
+endif()
+
 # stb's image headers: course_stb says where they are.
 add_library(course_stb INTERFACE)
 find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb)

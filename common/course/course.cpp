@@ -1,10 +1,14 @@
 #include <app/errors.hpp>
 #include <course/course.hpp>
+#include <cstdlib>
 #include <fstream>
 
 namespace course {
 
 Course this_course() {
+    // The tests try the companion on a small course of their own.
+    if (const char* const folder = std::getenv("COURSE_TEST_FOLDER"))
+        return {folder, fs::path{folder} / "build"};
     return {COURSE_ROOT, COURSE_BUILD};
 }
 

@@ -12,7 +12,20 @@ struct Command {
     int (*run)(const course::Course&, const course::Arguments&);
 };
 
+// The script ./course has the same lines in its help, and a test compares them.
 constexpr Command commands[] = {
+    {"list", "", "how far you are, and what comes next (so does ./course alone)", course::list},
+    {"check", "[NN | NN.k]", "build and try your answers: to all, a chapter, an exercise",
+     course::check},
+    {"watch", "[NN]", "check on every save, and move on by itself", course::watch},
+    {"hint", "NN.k", "the next of three hints: the idea, the formula, the shape of the code",
+     course::hint},
+    {"run", "NN [OPTIONS]", "draw the chapter's picture with your code", course::run},
+    {"compare", "NN", "your picture beside the solution's, and whether they are the same",
+     course::compare},
+    {"mine", "", "the final scene, drawn with your code where its checkpoints pass", course::mine},
+    {"certify", "", "the final test of your own code, with measured figures", course::certify},
+    {"reset", "NN.k", "put the exercise's stub back; what you wrote is kept", course::reset},
     {"demo", "", "render every chapter's picture, measure, and make the gallery out/index.html",
      course::demo},
     {"study", "[NN]", "measure what accuracy costs, and draw the plots", course::study},
@@ -21,12 +34,13 @@ constexpr Command commands[] = {
 int help() {
     std::puts("usage: course COMMAND\n");
     for (const Command& command : commands)
-        std::printf("  %-7s %-5s %s\n", command.name, command.arguments, command.summary);
+        std::printf("  %-7s %-12s %s\n", command.name, command.arguments, command.summary);
     return app::done;
 }
 
-int run(const course::Arguments& words) {
-    if (words.empty() || words[0] == "help" || words[0] == "--help") return help();
+int dispatch(const course::Arguments& words) {
+    if (words.empty()) return course::list(course::this_course(), {});
+    if (words[0] == "help" || words[0] == "--help" || words[0] == "-h") return help();
     std::string known;
     for (const Command& command : commands) {
         if (words[0] == command.name)
@@ -39,5 +53,5 @@ int run(const course::Arguments& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return app::run_or_explain("course", [&] { return run({argv + 1, argv + argc}); });
+    return app::run_or_explain("course", [&] { return dispatch({argv + 1, argv + argc}); });
 }

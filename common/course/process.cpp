@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
+#include <mutex>
 #include <sstream>
 #include <system_error>
 
@@ -25,34 +26,51 @@ using Clock = std::chrono::steady_clock;
     throw std::system_error(errno, std::generic_category(), what);
 }
 
-// The process group that runs now, for the handler of interruptions.
-std::atomic<pid_t> running_group = 0;
+// The process groups that run now, for the handler of interruptions; 0 is none.
+std::atomic<pid_t> running_groups[16];
 
 extern "C" void end_running_group(int signal) {
-    if (const pid_t group = running_group) ::kill(-group, SIGKILL);
+    end_running();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
 
-// While it lives, what interrupts the companion also ends the group.
+// While one lives, what interrupts the companion also ends the groups.
 class EndedOnInterrupt {
   public:
     EndedOnInterrupt() {
+        const std::lock_guard lock{mutex_};
+        if (living_++ > 0) return;
         for (std::size_t i = 0; i < std::size(signals); ++i) {
             before_[i] = std::signal(signals[i], end_running_group);
             if (before_[i] != SIG_DFL) std::signal(signals[i], before_[i]);
         }
     }
     ~EndedOnInterrupt() {
-        running_group = 0;
+        if (group_) *group_ = 0;
+        const std::lock_guard lock{mutex_};
+        if (--living_ > 0) return;
         for (std::size_t i = 0; i < std::size(signals); ++i) std::signal(signals[i], before_[i]);
     }
     EndedOnInterrupt(const EndedOnInterrupt&) = delete;
     EndedOnInterrupt& operator=(const EndedOnInterrupt&) = delete;
 
+    // A group beyond the sixteenth would live on after an interruption.
+    void watch(pid_t id) {
+        for (auto& group : running_groups) {
+            pid_t none = 0;
+            if (!group.compare_exchange_strong(none, id)) continue;
+            group_ = &group;
+            return;
+        }
+    }
+
   private:
     static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
-    void (*before_[std::size(signals)])(int);
+    static inline std::mutex mutex_;
+    static inline int living_ = 0;
+    static inline void (*before_[std::size(signals)])(int);
+    std::atomic<pid_t>* group_ = nullptr;
 };
 
 // Between fork and exec: only what POSIX allows there.
@@ -133,6 +151,11 @@ struct Descriptor {
 
 }  // namespace
 
+void end_running() noexcept {
+    for (const auto& group : running_groups)
+        if (const pid_t id = group) ::kill(-id, SIGKILL);
+}
+
 Result run_process(const Run& run) {
     Descriptor from, into;
     if (run.output != Output::shown) {
@@ -146,15 +169,18 @@ Result run_process(const Run& run) {
     std::vector<char*> command;
     for (std::string& word : words) command.push_back(word.data());
     command.push_back(nullptr);
-    const int err = run.output == Output::captured ? into.value : -1;
+    Descriptor nowhere;
+    if (run.output == Output::errors_hidden)
+        nowhere.value = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const int err = run.output == Output::captured ? into.value : nowhere.value;
 
     std::fflush(nullptr);  // else parts of the output would change places
-    const EndedOnInterrupt guard;
+    EndedOnInterrupt guard;
     const pid_t id = ::fork();
     if (id < 0) fail("fork");
     if (id == 0) become(command.data(), run.folder.c_str(), into.value, err);
     ::setpgid(id, id);  // here and there, since nobody knows who is first
-    running_group = id;
+    guard.watch(id);
     into.close();
     return Child{id, from.value}.wait(run.timeout);
 }

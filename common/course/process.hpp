@@ -9,9 +9,10 @@ namespace course {
 
 // Where what a program prints goes.
 enum class Output {
-    shown,        // where the companion's own output goes
-    captured,     // into Result::output
-    errors_shown  // stdout captured, stderr shown
+    shown,         // where the companion's own output goes
+    captured,      // into Result::output
+    errors_shown,  // stdout captured, stderr shown
+    errors_hidden  // stdout captured, stderr dropped
 };
 
 struct Run {
@@ -34,8 +35,14 @@ struct Result {
 };
 
 // Runs a program to its end. Its standard input is empty. An interruption of the companion ends it,
-// too. Throws std::system_error where the system refuses another process.
+// too. Threads may run programs at the same time. Throws std::system_error where the system refuses
+// another process.
 Result run_process(const Run& run);
+
+// Ends the program that runs now, if one does, with all that it started. For handlers of signals:
+// it does nothing that is not allowed there. An interruption does it by itself where nobody else
+// handles it.
+void end_running() noexcept;
 
 // How a run ended, for a person: "exit code 2", "no end after 20 s", "signal 11 (Segmentation
 // fault)".

@@ -1,0 +1,2 @@
+// What the function looks like from outside: its declaration.
+int shade(int x, int y, int channel);

@@ -1,0 +1,28 @@
+#pragma once
+// Chains that lead through scattered places.
+
+#include <rt/chain.hpp>
+#include <rt/rng.hpp>
+#include <vector>
+
+namespace toolchain {
+
+using namespace rt;
+
+// A chain through all places of one piece of memory, in random order. It starts at the first place.
+struct ScatteredChain {
+    explicit ScatteredChain(std::size_t count) : links(count) {
+        // Shuffled by Sattolo's method, a permutation is one single cycle.
+        std::vector<std::uint32_t> next(count);
+        for (std::size_t i = 0; i < count; ++i) next[i] = static_cast<std::uint32_t>(i);
+        Rng rng{7, 1};
+        for (std::size_t i = count; i-- > 1;) std::swap(next[i], next[rng() % i]);
+        for (std::size_t i = 0; i < count; ++i)
+            links[i] = {1, next[i] == 0 ? nullptr : &links[next[i]]};
+    }
+    const Link* first() const { return links.data(); }
+
+    std::vector<Link> links;
+};
+
+}  // namespace toolchain

@@ -1,0 +1,152 @@
+// Chapter 00: the first picture. A gradient, and on it what a program is made of: code, static
+// data, heap and stack, with arrows for pointers; and what it costs to jump about in memory. The
+// real addresses and times of this machine are printed.
+
+#include <app/run.hpp>
+#include <cstdio>
+#include <string>
+
+#include "address_map.hpp"
+#include "poster.hpp"
+#include "study.hpp"
+
+namespace {
+
+using namespace toolchain;
+
+// Static: there before main() begins, and as long as the program runs.
+const Corners dusk{from_hex(0x17153b), from_hex(0x5b2a86), from_hex(0xc8496b), from_hex(0xffb35c)};
+
+// How many of them are there?
+struct Counted {
+    inline static int alive = 0;
+    Counted() { ++alive; }
+    Counted(const Counted&) { ++alive; }
+    Counted& operator=(const Counted&) = default;
+    ~Counted() { --alive; }
+};
+
+// Filled as in school, y upwards; then turned, as row 0 of a picture is the top one. The canvas is
+// moved through flipped() and out of here: no pixel is copied.
+Canvas<Color> paint_dusk(int width, int height) {
+    Canvas<Color> canvas{width, height};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const Real across = (static_cast<Real>(x) + Real(0.5)) / static_cast<Real>(width);
+            const Real up = (static_cast<Real>(y) + Real(0.5)) / static_cast<Real>(height);
+            canvas.at(x, y) = gradient(dusk, across, 1 - up);
+        }
+    return flipped(std::move(canvas));
+}
+
+Canvas<Real> lightness(const Canvas<Color>& canvas) {
+    Canvas<Real> light{canvas.width(), canvas.height()};
+    std::transform(canvas.begin(), canvas.end(), light.begin(),
+                   [](const Color& c) { return c.r + c.g + c.b; });
+    return light;
+}
+
+std::string printed(const char* format, auto... values) {
+    char text[160];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+// The lines that show what the text speaks of.
+std::string facts(std::unique_ptr<RangeNode> root, const Canvas<Color>& canvas) {
+    std::string text;
+    const Canvas<Real> light = lightness(canvas);
+    const Real& lightest = largest(light);
+    const auto index = static_cast<int>(&lightest - light.begin());
+    text += printed(
+        "A reference   lightest is another name of pixel (%d, %d): its address is the "
+        "pixel's, %s\n",
+        index % light.width(), index / light.width(), hex(&lightest).c_str());
+    const int before = Counted::alive;
+    int inside = 0;
+    {
+        const Canvas<Counted> twelve{4, 3};
+        inside = Counted::alive;
+    }
+    text += printed(
+        "RAII          pixels alive: %d before the block, %d inside, %d after its "
+        "closing brace\n",
+        before, inside, Counted::alive);
+    const void* const held = root.get();
+    const std::unique_ptr<RangeNode> owner = std::move(root);
+    text += printed("A unique_ptr  root held %s; moved away it holds %s, and its new owner %s\n",
+                    hex(held).c_str(), hex(root.get()).c_str(), hex(owner.get()).c_str());
+    text += printed("A tree        over %d things has %d nodes and is %d deep\n",
+                    owner ? owner->last - owner->first : 0, count_nodes(owner.get()),
+                    depth_of(owner.get()));
+    return text;
+}
+
+app::Picture render(const app::Settings& settings, app::Progress& progress) {
+    const bool by_machine = settings.picked.front() == "machine";
+    const Canvas<Color> canvas = paint_dusk(64, 36);
+    std::unique_ptr<RangeNode> root = make_tree<RangeNode>(0, 8);
+    Color (*const shade)(const Corners&, Real, Real) = gradient;
+
+    const void* const code = reinterpret_cast<const void*>(shade);
+    const void* const left = root && root->left ? root->left.get() : nullptr;
+    const void* const right = root && root->right ? root->right.get() : nullptr;
+    std::vector<Thing> things{
+        {"stack", &canvas, "canvas: width, height, pixels", canvas.begin()},
+        {"stack", &root, "root, a unique_ptr", root.get()},
+        {"stack", &shade, "shade, a pointer to a function", code},
+        {"heap", canvas.begin(), std::to_string(canvas.size()) + " pixels", nullptr},
+        {"heap", root.get(), "node 0 ... 7", nullptr},
+        {"heap", root ? &root->left : nullptr, "  its left", left},
+        {"heap", root ? &root->right : nullptr, "  its right", right},
+        {"heap", left, "node 0 ... 3", nullptr},
+        {"heap", right, "node 4 ... 7", nullptr},
+        {"static", &dusk, "dusk, four colours", nullptr},
+        {"code", code, "gradient", nullptr},
+    };
+    const std::string map = draw_map(things);
+
+    const Canvas<Color> sky = paint_dusk(settings.width, settings.height);
+    progress.start(settings.height);
+    Image background = make_image(settings.width, settings.height, [&](int x, int y) {
+        if (x == 0) progress.step();
+        return sky.at(x, y);
+    });
+    Exhibits show{canvas, root.get(), model_steps(), {}, by_machine, {}};
+    if (by_machine) {
+        show.steps = measure_steps();
+        show.objects = measure_objects<64>();
+        for (const void* const address :
+             {static_cast<const void*>(&canvas), static_cast<const void*>(&root),
+              static_cast<const void*>(canvas.begin()), static_cast<const void*>(&dusk), code}) {
+            std::string text = hex(address);
+            std::transform(text.begin(), text.end(), text.begin(), [](unsigned char letter) {
+                return static_cast<char>(std::toupper(letter));
+            });
+            show.addresses.push_back(text);
+        }
+    }
+    Image image = draw_poster(std::move(background), show);
+    return {std::move(image), 0, [map, said = facts(std::move(root), canvas)] {
+                return "Where things are in this run:\n" + map + '\n' + said + '\n' +
+                       objects_table({measure_objects<16>(), measure_objects<256>(),
+                                      measure_objects<4096>()}) +
+                       '\n' + steps_table(measure_steps());
+            }};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return app::run(
+        argc, argv,
+        {.name = "00_toolchain",
+         .about = "A gradient, and on it where a program's things live in memory.",
+         .defaults = {.width = 960, .height = 540, .seed = {}},
+         .render = render,
+         .study = run_study,
+         .choices = {{"numbers",
+                      "The times and addresses in the picture: a model's (the same on every "
+                      "machine), or this machine's",
+                      {"model", "machine"}}}});
+}

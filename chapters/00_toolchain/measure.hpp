@@ -1,0 +1,165 @@
+#pragma once
+// What memory costs: this machine's times, and a model of them that is the same everywhere. All
+// times are processor time of this program.
+
+#include <ctime>
+#include <functional>
+#include <memory>
+#include <string>
+#include <study/report.hpp>
+
+#include "chains.hpp"
+
+namespace toolchain {
+
+// Times several pieces of work in turn, three rounds, so that whatever else the machine does
+// disturbs all alike. Each is repeated for some milliseconds; what takes long by itself is done
+// once a round, and what takes very long in the first round alone. Nanoseconds, the median of each.
+inline std::vector<double> in_turn_ns(const std::vector<std::function<void()>>& works) {
+    const std::clock_t enough = CLOCKS_PER_SEC / 500, long_enough = CLOCKS_PER_SEC / 10;
+    const auto ticks_of = [](const std::function<void()>& work, int calls) {
+        const std::clock_t start = std::clock();
+        for (int i = 0; i < calls; ++i) work();
+        return std::clock() - start;
+    };
+    std::vector<double> medians;
+    std::vector<int> calls(works.size(), 1);
+    std::vector<std::vector<double>> times(works.size());
+    for (int round = 0; round < 3; ++round)
+        for (std::size_t i = 0; i < works.size(); ++i) {
+            if (!times[i].empty() && times[i][0] * 1e-9 * CLOCKS_PER_SEC > long_enough) continue;
+            std::clock_t ticks = ticks_of(works[i], calls[i]);
+            while (ticks < enough) ticks = ticks_of(works[i], calls[i] *= 2);
+            times[i].push_back(1e9 * static_cast<double>(ticks) / CLOCKS_PER_SEC / calls[i]);
+        }
+    for (auto& of_one : times) {
+        std::sort(of_one.begin(), of_one.end());
+        medians.push_back(of_one[of_one.size() / 2]);
+    }
+    return medians;
+}
+
+// The time of one step along a chain that fills so much memory, and along a plain array.
+struct Steps {
+    double bytes = 0;
+    double array = 0, gathered = 0, scattered = 0;  // ns
+};
+
+constexpr double smallest = 1024, largest_size = 64.0 * 1024 * 1024;
+
+inline std::vector<Steps> measure_steps() {
+    std::vector<Steps> all;
+    for (double bytes = smallest; bytes <= largest_size; bytes *= 4) {
+        const auto count = static_cast<std::size_t>(bytes) / sizeof(Link);
+        const ScatteredChain chain{count};
+        const std::vector<Link> links = rt::gathered(chain.first());
+        const std::vector<Real> array(static_cast<std::size_t>(bytes) / sizeof(Real), 1);
+        const auto times = in_turn_ns({[&] {
+                                           Real sum = 0;
+                                           for (const Real value : array) sum += value;
+                                           study::keep(sum);
+                                       },
+                                       [&] { study::keep(rt::sum_along(links.data())); },
+                                       [&] { study::keep(rt::sum_along(chain.first())); }});
+        const auto steps = static_cast<double>(count);
+        all.push_back({bytes, times[0] / static_cast<double>(array.size()), times[1] / steps,
+                       times[2] / steps});
+    }
+    return all;
+}
+
+// A processor with three caches, in round numbers: up to so many bytes, a step takes so long.
+struct Level {
+    const char* name;
+    double bytes, ns;
+};
+inline constexpr Level levels[] = {{"L1", 32 * 1024.0, 1},
+                                   {"L2", 1024 * 1024.0, 4},
+                                   {"L3", 32 * 1024 * 1024.0, 15},
+                                   {"RAM", 1e30, 90}};
+
+// Of the places that a scattered chain visits, a cache that holds a tenth has the next one with
+// probability one tenth. Along gathered links the next ones are fetched ahead.
+inline double model_scattered_ns(double bytes) {
+    double time = 0, found = 0;
+    for (const Level& level : levels) {
+        const double within = std::min(1.0, level.bytes / bytes);
+        time += (within - found) * level.ns;
+        found = within;
+    }
+    return time;
+}
+
+inline std::vector<Steps> model_steps() {
+    std::vector<Steps> all;
+    for (double bytes = smallest; bytes <= largest_size; bytes *= 4)
+        all.push_back({bytes, 1, 1, model_scattered_ns(bytes)});
+    return all;
+}
+
+// A thousand objects of so many bytes, made and given up again: nanoseconds for each.
+struct Objects {
+    int bytes = 0;
+    double stack = 0, heap = 0, together = 0;  // ns
+};
+constexpr int object_count = 1000;
+
+template <int bytes>
+Objects measure_objects() {
+    struct Object {
+        unsigned char byte[bytes];
+    };
+    const auto times =
+        in_turn_ns({[] {
+                        for (int i = 0; i < object_count; ++i) {
+                            Object object;
+                            study::keep(object);
+                        }
+                    },
+                    [] {
+                        for (int i = 0; i < object_count; ++i) {
+                            const std::unique_ptr<Object> object{new Object};
+                            study::keep(*object);
+                        }
+                    },
+                    [] {
+                        const std::unique_ptr<Object[]> all{new Object[object_count]};
+                        for (int i = 0; i < object_count; ++i) study::keep(all[i]);
+                    }});
+    return {bytes, times[0] / object_count, times[1] / object_count, times[2] / object_count};
+}
+
+inline std::string size_text(double bytes) {
+    if (bytes < 1024) return std::to_string(static_cast<int>(bytes)) + " B";
+    if (bytes < 1024 * 1024) return std::to_string(static_cast<int>(bytes / 1024)) + " KiB";
+    return std::to_string(static_cast<int>(bytes / (1024 * 1024))) + " MiB";
+}
+
+inline std::string steps_table(const std::vector<Steps>& all) {
+    std::string text =
+        "Time of one step in ns, over the size of what is gone through:\n"
+        "              array   gathered chain   scattered chain\n";
+    for (const Steps& steps : all) {
+        char line[96];
+        std::snprintf(line, sizeof line, "%8s %10.2f %16.2f %17.2f\n",
+                      size_text(steps.bytes).c_str(), steps.array, steps.gathered, steps.scattered);
+        text += line;
+    }
+    return text;
+}
+
+inline std::string objects_table(const std::vector<Objects>& all) {
+    std::string text =
+        "Time of one object in ns, made and given up again:\n"
+        "              stack             heap   heap, 1000 at once\n";
+    for (const Objects& objects : all) {
+        char line[96];
+        std::snprintf(line, sizeof line, "%8s %10.2f %16.2f %20.2f\n",
+                      size_text(objects.bytes).c_str(), objects.stack, objects.heap,
+                      objects.together);
+        text += line;
+    }
+    return text;
+}
+
+}  // namespace toolchain

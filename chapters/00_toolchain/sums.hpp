@@ -1,0 +1,20 @@
+#pragma once
+// Ways to add up numbers, compiled as the standard of floating point has it, and with -ffast-math.
+
+#include <cstddef>
+#include <rt/real.hpp>
+
+namespace toolchain {
+
+using rt::Real;
+
+using Sum = Real (*)(const Real* terms, std::size_t count);
+
+struct Sums {
+    Sum naive, pairwise, compensated;
+};
+
+Sums strict_sums();     // strict_sums.cpp
+Sums fast_math_sums();  // sums_fast_math.cpp
+
+}  // namespace toolchain

@@ -1,0 +1,39 @@
+// Three ways to add up numbers. Two files compile this text, one of them with -ffast-math, so there
+// is no #pragma once, and the names are each file's own (an unnamed namespace). It includes
+// nothing that has functions: of an inline function that both files compile the linker keeps one,
+// and nobody could say which.
+
+namespace {
+
+using toolchain::Real;
+
+// One after the other. The k-th addition may be off by half a unit in the last place of the sum so
+// far, so the error may grow with the number of terms.
+Real naive(const Real* terms, std::size_t count) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += terms[i];
+    return sum;
+}
+
+// The sum of both halves' sums. Every term goes through log2(count) additions instead of count.
+// Short pieces are added up one after the other, for the calls cost time.
+Real pairwise(const Real* terms, std::size_t count) {
+    if (count <= 128) return naive(terms, count);
+    const std::size_t half = count / 2;
+    return pairwise(terms, half) + pairwise(terms + half, count - half);
+}
+
+// Kahan: what rounding took away from one addition goes into the next one. In real numbers `lost`
+// is always 0, which is why -ffast-math, that may calculate as if numbers were real, leaves it out.
+Real compensated(const Real* terms, std::size_t count) {
+    Real sum = 0, lost = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Real term = terms[i] - lost;
+        const Real next = sum + term;
+        lost = (next - sum) - term;
+        sum = next;
+    }
+    return sum;
+}
+
+}  // namespace

@@ -1,0 +1,19 @@
+# Exercise 00.1 where the learner's definition is not the one that was declared: it compiles, it links,
+# and the checkpoint says that the exercise is still to be written, and what to compare. Include after
+# the chapters.
+file(GLOB definitions CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/00_toolchain/linking/*.cpp)
+foreach(definition ${definitions})
+  get_filename_component(name ${definition} NAME_WE)
+  set(target 00_toolchain_linking.${name})
+  set_source_files_properties(${definition} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  course_checkpoint(${target} double ${CMAKE_SOURCE_DIR}/tests/00_toolchain/00.1_gradient.cpp
+                    ${definition} INCLUDE ${course_solutions})
+  target_link_libraries(${target} PRIVATE 00_toolchain_missing)
+  target_compile_options(${target} PRIVATE -O1)
+  set_target_properties(${target} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
+  add_test(NAME 00_toolchain.linking.${name} COMMAND ${target})
+  set_tests_properties(00_toolchain.linking.${name} PROPERTIES LABELS mistakes TIMEOUT 60
+    PASS_REGULAR_EXPRESSION "the linker found no function.*00.1 is still to be written"
+    FAIL_REGULAR_EXPRESSION "SIG[A-Z]+;passed")
+endforeach()

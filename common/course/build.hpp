@@ -1,0 +1,27 @@
+#pragma once
+// Building what a command needs, with the build that is there.
+
+#include <course/course.hpp>
+#include <string>
+#include <vector>
+
+namespace course {
+
+struct BuildResult {
+    bool ok = false;
+    std::string output;  // all that the build said
+};
+
+// Builds targets, in one step of the build; where one fails, the others are still built. Only one
+// course at a time builds: another one waits. Nothing is printed.
+BuildResult build(const Course& course, const std::vector<std::string>& targets);
+
+// The same for a target that must be there. Throws app::Failure with the first error.
+void must_build(const Course& course, const std::string& target);
+
+// The first error of a compiler or linker in a build's output: "file:line:column: error: what", and
+// in further lines the source that the compiler shows. The paths are relative to the course where
+// they are in it. Empty where there is none.
+std::string first_error(const Course& course, const std::string& output);
+
+}  // namespace course

@@ -1,0 +1,15 @@
+#pragma once
+#include <memory>
+
+namespace rt {
+
+// A node of a binary tree over things that are numbered: it stands for first, first + 1, ... last -
+// 1. It owns its two children; a leaf has none.
+struct RangeNode {
+    RangeNode(int first_thing, int end) : first{first_thing}, last{end} {}
+
+    int first, last;
+    std::unique_ptr<RangeNode> left, right;
+};
+
+}  // namespace rt

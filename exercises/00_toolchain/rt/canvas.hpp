@@ -1,0 +1,81 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <rt/todo.hpp>
+#include <stdexcept>
+#include <utility>
+
+namespace rt {
+
+// Exercise 00.2. A picture as a value. The object itself is three members: two numbers and the
+// address of its pixels, which are on the heap, row by row from the top. A canvas owns its pixels:
+// it makes them, it alone releases them, and a copy has pixels of its own. Pixel is any type that
+// can be copied.
+template <class Pixel>
+class Canvas {
+  public:
+    // Exercise 00.2, the constructor. Make size() pixels on the heap and give all of them the
+    // colour `fill`. Throw std::invalid_argument unless both sides are at least 1.
+    Canvas(int width, int height, const Pixel& fill = {}) { rt::todo("00.2", width, height, fill); }
+
+    // Exercise 00.2, the destructor. Release the pixels. (A destructor must not throw, so there is
+    // no todo in it: an empty one is a leak.)
+    ~Canvas() {}
+
+    // Exercise 00.2, the copy constructor. As many pixels of its own, with the same colours.
+    Canvas(const Canvas& other) { rt::todo("00.2", other); }
+
+    // Exercise 00.2, the move constructor. Take over the other canvas's pixels: copy none, and
+    // leave it with no pixels, 0 wide and 0 high. When it works write noexcept before its {, see
+    // the text.
+    Canvas(Canvas&& other) { rt::todo("00.2", other); }
+
+    // Exercise 00.2, assignment. `other` is a value: whoever calls has copied or moved into it
+    // already. Swap all three members with it, and return *this, the canvas itself.
+    Canvas& operator=(Canvas other) { rt::todo("00.2", other); }
+
+    // From here on all is given.
+    int width() const { return width_; }
+    int height() const { return height_; }
+    // Width times height, in a type that has room for it.
+    std::size_t size() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    }
+
+    // The pixel in column x of row y; both must lie inside.
+    Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
+    const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
+
+    // All pixels, for loops: for (const Pixel& pixel : canvas).
+    Pixel* begin() { return pixels_; }
+    Pixel* end() { return pixels_ + size(); }
+    const Pixel* begin() const { return pixels_; }
+    const Pixel* end() const { return pixels_ + size(); }
+
+  private:
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(x);
+    }
+
+    int width_ = 0, height_ = 0;
+    Pixel* pixels_ = nullptr;
+};
+
+// Exercise 00.2. The canvas upside down: its first row becomes the last one. Takes and returns a
+// value; a canvas that is moved into it comes out again with the same memory, and no pixel is made
+// anew. std::swap(a, b) exchanges two pixels.
+template <class Pixel>
+Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
+    return rt::todo("00.2", canvas);
+}
+
+// Exercise 00.2. The largest pixel, by <; of several equal ones the first. The result is a
+// reference: the pixel itself and not a copy, good for as long as the canvas lives. The canvas must
+// not be empty.
+template <class Pixel>
+const Pixel& largest(const Canvas<Pixel>& canvas) {
+    rt::todo("00.2", canvas);
+}
+
+}  // namespace rt

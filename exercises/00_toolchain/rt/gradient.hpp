@@ -1,0 +1,19 @@
+#pragma once
+#include <rt/color.hpp>
+
+namespace rt {
+
+// The colours in the four corners of a picture.
+struct Corners {
+    Color top_left, top_right, bottom_left, bottom_right;
+};
+
+// The colour at one place of the picture: `across` runs from 0 at the left edge to 1 at the right
+// one, `down` from 0 at the top to 1 at the bottom. In the corners it is the corner's colour
+// exactly; in between it changes evenly along every row and along every column.
+//
+// This line is a declaration: it ends in a semicolon and has no body. The body, the definition, is
+// in gradient.cpp.
+Color gradient(const Corners& corners, Real across, Real down);
+
+}  // namespace rt

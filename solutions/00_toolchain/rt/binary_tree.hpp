@@ -1,0 +1,82 @@
+#pragma once
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace rt {
+
+// Node is any type with two members std::unique_ptr<Node> left, right, such as rt::RangeNode. An
+// empty tree is nullptr.
+
+// A balanced tree over the things first, first + 1, ... last - 1. Its root is made from
+// Node(first, last); where that is more than one thing, its left child is the tree over the first
+// half of them, and its right child the tree over the rest, which is one larger when the number is
+// odd. Of no things the tree is empty.
+template <class Node>
+std::unique_ptr<Node> make_tree(int first, int last) {
+    if (first >= last) return nullptr;
+    auto root = std::make_unique<Node>(first, last);
+    if (last - first > 1) {
+        // Not (first + last) / 2, whose sum may not fit an int.
+        const int middle = first + (last - first) / 2;
+        root->left = make_tree<Node>(first, middle);
+        root->right = make_tree<Node>(middle, last);
+    }
+    return root;
+}
+
+// The number of nodes. With calls of itself this function would be two lines,
+//   if (!root) return 0;
+//   return 1 + count_nodes(root->left.get()) + count_nodes(root->right.get());
+// but each call that waits for another one takes room on the stack, and a tree may be a million
+// nodes deep. So the list of what is still to be done is on the heap.
+template <class Node>
+int count_nodes(const Node* root) {
+    int count = 0;
+    std::vector<const Node*> to_do{root};
+    while (!to_do.empty()) {
+        const Node* const node = to_do.back();
+        to_do.pop_back();
+        if (!node) continue;
+        ++count;
+        to_do.push_back(node->left.get());
+        to_do.push_back(node->right.get());
+    }
+    return count;
+}
+
+// The number of nodes on the longest way from the root to a leaf: 0 for an empty tree, 1 for a
+// root alone.
+template <class Node>
+int depth_of(const Node* root) {
+    int deepest = 0;
+    std::vector<std::pair<const Node*, int>> to_do{{root, 1}};
+    while (!to_do.empty()) {
+        const auto [node, depth] = to_do.back();
+        to_do.pop_back();
+        if (!node) continue;
+        deepest = std::max(deepest, depth);
+        to_do.emplace_back(node->left.get(), depth + 1);
+        to_do.emplace_back(node->right.get(), depth + 1);
+    }
+    return deepest;
+}
+
+// Destroys a tree node by node, so that no destructor runs inside of another one's. Left to
+// itself, a node's destructor destroys its children, theirs destroy the grandchildren, and so on:
+// the same tower on the stack.
+template <class Node>
+void take_apart(std::unique_ptr<Node> root) {
+    std::vector<std::unique_ptr<Node>> to_do;
+    to_do.push_back(std::move(root));
+    while (!to_do.empty()) {
+        const std::unique_ptr<Node> node = std::move(to_do.back());
+        to_do.pop_back();
+        if (!node) continue;
+        to_do.push_back(std::move(node->left));
+        to_do.push_back(std::move(node->right));
+    }  // here the node goes, and it has no children any more
+}
+
+}  // namespace rt

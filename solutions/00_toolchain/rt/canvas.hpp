@@ -1,0 +1,99 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+namespace rt {
+
+// A picture as a value. The object itself is three members: two numbers and the address of its
+// pixels, which are on the heap, row by row from the top. A canvas owns its pixels: it makes them,
+// it alone releases them, and a copy has pixels of its own. Pixel is any type that can be copied.
+template <class Pixel>
+class Canvas {
+  public:
+    // All pixels have the colour `fill`. Throws std::invalid_argument unless both sides are at
+    // least 1.
+    Canvas(int width, int height, const Pixel& fill = {}) {
+        // Before anything is taken: an object whose constructor throws is never destroyed.
+        if (width < 1 || height < 1)
+            throw std::invalid_argument("a canvas needs at least 1x1 pixels");
+        width_ = width;
+        height_ = height;
+        pixels_ = new Pixel[size()];
+        std::fill(begin(), end(), fill);
+    }
+
+    ~Canvas() { delete[] pixels_; }
+
+    // A copy: as many pixels of its own, with the same colours.
+    Canvas(const Canvas& other)
+        : width_{other.width_}, height_{other.height_}, pixels_{new Pixel[other.size()]} {
+        std::copy(other.begin(), other.end(), begin());
+    }
+
+    // A move: the pixels change their owner, none is copied, and the other canvas is left with no
+    // pixels, 0 wide and 0 high. It cannot fail: noexcept says so to those who ask, such as
+    // std::vector, which would rather copy otherwise.
+    Canvas(Canvas&& other) noexcept
+        : width_{std::exchange(other.width_, 0)},
+          height_{std::exchange(other.height_, 0)},
+          pixels_{std::exchange(other.pixels_, nullptr)} {}
+
+    // Assignment. `other` is a value: whoever calls has copied or moved into it already. What this
+    // canvas had goes there in exchange, and is released with it at the end of the function.
+    Canvas& operator=(Canvas other) noexcept {
+        std::swap(width_, other.width_);
+        std::swap(height_, other.height_);
+        std::swap(pixels_, other.pixels_);
+        return *this;
+    }
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    // Width times height, in a type that has room for it.
+    std::size_t size() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    }
+
+    // The pixel in column x of row y; both must lie inside.
+    Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
+    const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
+
+    // All pixels, for loops: for (const Pixel& pixel : canvas).
+    Pixel* begin() { return pixels_; }
+    Pixel* end() { return pixels_ + size(); }
+    const Pixel* begin() const { return pixels_; }
+    const Pixel* end() const { return pixels_ + size(); }
+
+  private:
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(x);
+    }
+
+    int width_ = 0, height_ = 0;
+    Pixel* pixels_ = nullptr;
+};
+
+// The canvas upside down: its first row becomes the last one. Takes and returns a value; a canvas
+// that is moved into it comes out again with the same memory, and no pixel is made anew.
+template <class Pixel>
+Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
+    for (int y = 0; y < canvas.height() / 2; ++y)
+        for (int x = 0; x < canvas.width(); ++x)
+            std::swap(canvas.at(x, y), canvas.at(x, canvas.height() - 1 - y));
+    return canvas;
+}
+
+// The largest pixel, by <; of several equal ones the first. The result is a reference: the pixel
+// itself and not a copy, good for as long as the canvas lives. The canvas must not be empty.
+template <class Pixel>
+const Pixel& largest(const Canvas<Pixel>& canvas) {
+    const Pixel* found = canvas.begin();
+    for (const Pixel& pixel : canvas)
+        if (*found < pixel) found = &pixel;
+    return *found;
+}
+
+}  // namespace rt

@@ -1,0 +1,168 @@
+#pragma once
+// What the checkpoints of this chapter watch memory with: a pixel and a node that note when they
+// are made, copied and destroyed. What they are asked to release is kept until the end of the test
+// case, so that wrong code, which uses what is gone or releases it twice, fails instead of
+// crashing.
+
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <new>
+#include <set>
+
+namespace checkpoint {
+
+// Of one test case: declare it first, so that it goes last.
+class Watch {
+  public:
+    Watch() {
+        forget();
+        released_twice = dead_uses = copies = made = deepest_destructor = 0;
+    }
+    ~Watch() { forget(); }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+    // Objects and blocks of memory that have been made and not destroyed.
+    static int live_objects() { return static_cast<int>(objects.size()); }
+    static int live_blocks() {
+        return static_cast<int>(
+            std::count_if(blocks.begin(), blocks.end(), [](const auto& b) { return b.second; }));
+    }
+
+    inline static int released_twice = 0;      // objects and blocks
+    inline static int dead_uses = 0;           // of an object that is no more
+    inline static int copies = 0;              // of objects
+    inline static int made = 0;                // objects, copies among them
+    inline static int deepest_destructor = 0;  // destructors that ran inside of each other
+
+    static void* take(std::size_t size) {
+        void* const block = std::malloc(size ? size : 1);
+        if (!block) throw std::bad_alloc{};
+        blocks[block] = true;
+        return block;
+    }
+    static void release(void* block) {
+        if (!block) return;
+        const auto found = blocks.find(block);
+        if (found == blocks.end() || !found->second)
+            ++released_twice;
+        else
+            found->second = false;  // and its memory stays
+    }
+    static void begin(const void* object) {
+        objects.insert(object);
+        ++made;
+    }
+    static void end(const void* object) {
+        if (objects.erase(object) == 0) ++released_twice;
+    }
+    static void use(const void* object) { dead_uses += objects.count(object) == 0; }
+    static void copy_from(const void* object) {
+        use(object);
+        ++copies;
+    }
+
+  private:
+    static void forget() {
+        for (const auto& block : blocks) std::free(block.first);
+        blocks.clear();
+        objects.clear();
+    }
+
+    inline static std::map<void*, bool> blocks;  // is it in use?
+    inline static std::set<const void*> objects;
+};
+
+// A pixel that is watched.
+class WatchedPixel {
+  public:
+    WatchedPixel(int value = 0) : value_{value} { Watch::begin(this); }
+    WatchedPixel(const WatchedPixel& other) : value_{other.value_} {
+        Watch::copy_from(&other);
+        Watch::begin(this);
+    }
+    WatchedPixel& operator=(const WatchedPixel& other) {
+        Watch::use(this);
+        Watch::copy_from(&other);
+        value_ = other.value_;
+        return *this;
+    }
+    ~WatchedPixel() { Watch::end(this); }
+
+    int value() const {
+        Watch::use(this);
+        return value_;
+    }
+    friend bool operator==(const WatchedPixel& a, const WatchedPixel& b) {
+        return a.value() == b.value();
+    }
+    friend bool operator<(const WatchedPixel& a, const WatchedPixel& b) {
+        return a.value() < b.value();
+    }
+
+    static void* operator new(std::size_t size) { return Watch::take(size); }
+    static void* operator new[](std::size_t size) { return Watch::take(size); }
+    static void* operator new(std::size_t, void* place) { return place; }
+    static void operator delete(void* block) { Watch::release(block); }
+    static void operator delete[](void* block) { Watch::release(block); }
+
+  private:
+    int value_;
+};
+
+// A node of a tree that is watched.
+class WatchedNode {
+    // Destroyed after the children: what is destroyed in between is destroyed inside.
+    struct Level {
+        ~Level() { --depth; }
+        inline static int depth = 0;
+    } level_;
+
+  public:
+    WatchedNode(int first_thing, int end) : first{first_thing}, last{end} { Watch::begin(this); }
+    WatchedNode(const WatchedNode&) = delete;
+    WatchedNode& operator=(const WatchedNode&) = delete;
+    ~WatchedNode() {
+        Watch::end(this);
+        Watch::deepest_destructor = std::max(Watch::deepest_destructor, ++Level::depth);
+    }
+
+    static void* operator new(std::size_t size) { return Watch::take(size); }
+    static void operator delete(void* block) { Watch::release(block); }
+
+    int first, last;
+    std::unique_ptr<WatchedNode> left, right;
+};
+
+// True where work() returns true. It runs in a process of its own with 8 MiB of stack, as is usual,
+// so that the checkpoint survives when it does not.
+template <class Work>
+bool survives(Work work) {
+    const pid_t child = fork();
+    if (child == 0) {
+        rlimit limit{};
+        getrlimit(RLIMIT_STACK, &limit);
+        limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, rlim_t{8} << 20);
+        setrlimit(RLIMIT_STACK, &limit);
+        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL}) signal(number, SIG_DFL);
+        alarm(20);
+        bool fine = false;
+        try {
+            fine = work();
+        } catch (...) {
+        }
+        _exit(fine ? 0 : 1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace checkpoint

@@ -1,0 +1,11 @@
+#include <rt/gradient.hpp>
+
+namespace rt {
+
+Color gradient(const Corners& corners, Real across, Real down) {
+    const Color top = mix(corners.top_left, corners.top_right, down);
+    const Color bottom = mix(corners.bottom_left, corners.bottom_right, down);
+    return mix(top, bottom, across);
+}
+
+}  // namespace rt

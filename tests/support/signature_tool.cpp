@@ -1,0 +1,105 @@
+// signature_tool --write|--check FOLDER CHAPTER...: runs the mistakes of these chapters, which
+// were built into FOLDER, and writes down what fails in each; or checks that each is recognised by
+// what was written down: as itself, or as one that looks the same from outside.
+
+#include <algorithm>
+#include <app/errors.hpp>
+#include <course/check.hpp>
+#include <course/mistakes.hpp>
+#include <course/process.hpp>
+#include <cstdio>
+#include <rt/image_file.hpp>
+
+using namespace course;
+
+namespace {
+
+Signature run_mistake(const fs::path& folder, const std::string& name) {
+    const Result result =
+        run_process({.command = {(folder / ("mistake." + name)).string(), "-r", "xml"},
+                     .output = Output::errors_hidden,
+                     .timeout = most_seconds});
+    if (result.exit_code == 127) throw app::Failure("mistake." + name + " is not built");
+    return signature_of(read_report(result.output));
+}
+
+std::vector<std::string> names_of_mistakes(const Course& course, const Chapter& chapter) {
+    std::vector<std::string> names;
+    const fs::path folder = course.root / "tests/mistakes" / chapter.name;
+    if (!fs::exists(folder)) return names;
+    for (const auto& entry : fs::directory_iterator{folder})
+        if (entry.is_directory()) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+// Threads make some mistakes fail now here and now there: what fails every time counts.
+Signature what_always_fails(const fs::path& folder, const std::string& name) {
+    Signature always = run_mistake(folder, name);
+    for (int again = 0; again < 2; ++again) {
+        const Signature once_more = run_mistake(folder, name);
+        const auto keep_common = [](std::set<std::string>& kept,
+                                    const std::set<std::string>& other) {
+            for (auto it = kept.begin(); it != kept.end();)
+                it = other.count(*it) ? std::next(it) : kept.erase(it);
+        };
+        keep_common(always.where, once_more.where);
+        keep_common(always.what, once_more.what);
+    }
+    return always;
+}
+
+void write(const Course& course, const fs::path& folder, const Chapter& chapter) {
+    Signatures signatures;
+    for (const std::string& name : names_of_mistakes(course, chapter))
+        signatures[name] = what_always_fails(folder, name);
+    rt::replace_file(signatures_file(course, chapter), to_text(signatures));
+    std::printf("%s: %zu signatures\n", chapter.name.c_str(), signatures.size());
+}
+
+int check(const Course& course, const fs::path& folder, const Chapter& chapter) {
+    const Signatures known = read_signatures(course, chapter);
+    int unknown = 0, alone = 0;
+    const std::vector<std::string> names = names_of_mistakes(course, chapter);
+    for (const std::string& name : names) {
+        const std::string exercise = name.substr(0, name.find('_'));
+        const auto found = recognise(known, exercise, run_mistake(folder, name));
+        if (found.size() == 1 &&
+            std::find(found[0].begin(), found[0].end(), name) != found[0].end()) {
+            alone += found[0].size() == 1;
+            continue;
+        }
+        ++unknown;
+        std::printf("%s is taken for %s\n", name.c_str(),
+                    found.empty() ? "no known mistake" : found[0][0].c_str());
+    }
+    for (const auto& [name, signature] : known)
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            ++unknown;
+            std::printf("%s has a signature, and is gone\n", name.c_str());
+        }
+    std::printf("%s: %zu mistakes, %d not recognised, %d told from all others\n",
+                chapter.name.c_str(), names.size(), unknown, alone);
+    if (unknown) std::puts("cmake --build build --target mistake_signatures writes them anew");
+    return unknown ? app::could_not : app::done;
+}
+
+int run(const std::vector<std::string>& words) {
+    if (words.size() < 3 || (words[0] != "--write" && words[0] != "--check"))
+        throw app::UsageError("usage: signature_tool --write|--check FOLDER CHAPTER...");
+    const Course course = this_course();
+    int worst = app::done;
+    for (std::size_t i = 2; i < words.size(); ++i) {
+        if (words[0] == "--write")
+            write(course, words[1], {words[i]});
+        else
+            worst = std::max(worst, check(course, words[1], {words[i]}));
+    }
+    return worst;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return app::run_or_explain("signature_tool", [&] { return run({argv + 1, argv + argc}); });
+}
