@@ -59,8 +59,10 @@ inline void check_node(const rt::TreeNode& node, const std::vector<int>& order,
     REQUIRE(node.right);
     for (const rt::TreeNode* child : {node.left.get(), node.right.get()})
         if (!node.box.contains(child->box)) {
-            INFO("a node's " << text(node.box) << " does not contain its child's "
-                             << text(child->box));
+            INFO("a node's "
+                 << text(node.box) << " does not contain its child's " << text(child->box)
+                 << ".\nHint: join boxes[number] of all numbers in order, and pass boxes "
+                    "on as it is: it belongs to the whole scene");
             REQUIRE(node.box.contains(child->box));
         }
     const Box both = rt::join(node.left->box, node.right->box);
