@@ -12,16 +12,16 @@ namespace {
 const Box unit{{0, 0, 0}, {1, 1, 1}};
 constexpr Interval ahead{0, infinity};
 
-// A ray without a margin: for small whole numbers all is exact.
-SlabRay bare(Vec3 origin, Vec3 direction) {
-    return {origin, {1 / direction.x, 1 / direction.y, 1 / direction.z}, 0};
+// A ray with a margin of its own, mostly none: for small whole numbers all is exact.
+SlabRay bare(Vec3 origin, Vec3 direction, Real margin = 0) {
+    return {origin, {1 / direction.x, 1 / direction.y, 1 / direction.z}, margin};
 }
 
 void check(const Box& box, Vec3 origin, Vec3 direction, Interval within, bool expected,
-           const char* hint) {
-    const bool met = hit_box(box, bare(origin, direction), within);
+           const char* hint, Real margin = 0) {
+    const bool met = hit_box(box, bare(origin, direction, margin), within);
     INFO(checkpoint::text(box) << ", " << checkpoint::text(Ray{origin, direction}) << ", t from "
-                               << within.min << " to " << within.max);
+                               << within.min << " to " << within.max << ", margin " << margin);
     INFO("expected " << (expected ? "a hit" : "no hit") << ", but yours gives "
                      << (met ? "a hit" : "no hit") << ".\nHint: " << hint);
     CHECK(met == expected);
@@ -134,19 +134,21 @@ TEST_CASE("07.1 empty boxes and empty intervals are never hit", "[07.1][hard]") 
 }
 
 TEST_CASE("07.1 the margin makes the box larger", "[07.1][hard]") {
-    SlabRay ray = bare({-1, Real(1.5), Real(0.5)}, {1, Real(0.0625), 0});
-    INFO("the ray passes 0.56 above the box; margins of 1 and 1/4");
-    CHECK_FALSE(hit_box(unit, ray, ahead));
-    ray.margin = 1;
-    CHECK(hit_box(unit, ray, ahead));
-    ray.margin = Real(0.25);
-    CHECK_FALSE(hit_box(unit, ray, ahead));
+    const Vec3 above{-1, Real(1.5), Real(0.5)}, flat{1, Real(0.0625), 0};
+    const char* const hint =
+        "the ray passes a little more than 1/2 above the box: a margin of 1 reaches it, of 1/2 "
+        "not. The low plane goes down by the margin and the high one up, once";
+    check(unit, above, flat, ahead, false, hint, 0);
+    check(unit, above, flat, ahead, false, hint, Real(0.25));
+    check(unit, above, flat, ahead, false, hint, Real(0.5));
+    check(unit, above, flat, ahead, true, hint, 1);
     for (const Real way : {Real(1), Real(-1)}) {
-        SlabRay up = bare({Real(0.5), Real(0.5) - 2 * way, Real(-0.5)}, {0, way, 0});
-        up.margin = Real(0.5);
-        INFO("straight up or down in the face of the grown box");
-        CHECK(hit_box(unit, up, ahead));
-        CHECK(hit_box(unit, up, {0, 1}));
+        const Vec3 from{Real(0.5), Real(0.5) - 2 * way, Real(-0.5)};
+        const char* const in_face =
+            "straight up or down in a face of the grown box, which begins at t = 1: the low plane "
+            "goes down and the high one up, whichever of them the ray comes to first";
+        check(unit, from, {0, way, 0}, ahead, true, in_face, Real(0.5));
+        check(unit, from, {0, way, 0}, {0, 1}, true, in_face, Real(0.5));
     }
 }
 
@@ -181,8 +183,10 @@ TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
         const Box box{point(low), point(high)};
         const Interval within{static_cast<Real>(min) / 2, static_cast<Real>(max) / 2};
         if (hit_box(box, bare(point(o), point(d)), within) != expected) {
+            const bool zero = d[0] == 0 || d[1] == 0 || d[2] == 0;
             check(box, point(o), point(d), within, expected,
-                  "all numbers here are exact: touching counts, and so do both ends");
+                  zero ? "a component of the direction is 0: see the cases with zeros and faces"
+                       : "all numbers here are exact: touching counts, and so do both ends");
             return;
         }
     }

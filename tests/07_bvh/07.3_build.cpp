@@ -44,8 +44,30 @@ std::vector<Box> boxes_at(const std::vector<Vec3>& middles) {
     return boxes;
 }
 
+// What a learner sees of these two if the program dies in them.
+int split_in_half(std::span<int> order, const std::vector<Box>& boxes) {
+    INFO(
+        "Hint, if this crashes: a and b of the lambda are numbers of spheres already, boxes[a] and "
+        "not boxes[order[a]]; and it compares with < and never with <=");
+    return rt::split_in_half(order, boxes);
+}
+
 std::unique_ptr<rt::TreeNode> tree_of(std::vector<int>& order, const std::vector<Box>& boxes) {
+    INFO(
+        "Hint, if this crashes: does split_in_half pass? Then: boxes is passed on as it is, of the "
+        "order a part; and a leaf has no children to build");
     return rt::build_node(std::span{order}, 0, std::span{boxes}, rt::split_in_half);
+}
+
+std::vector<int> first_sorted(std::span<const int> order, std::size_t count) {
+    std::vector<int> first(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
+    std::sort(first.begin(), first.end());
+    return first;
+}
+
+int largest_leaf(const rt::TreeNode& node) {
+    if (node.is_leaf()) return node.count;
+    return std::max(largest_leaf(*node.left), largest_leaf(*node.right));
 }
 
 }  // namespace
@@ -54,7 +76,7 @@ TEST_CASE("07.3 a few spheres need no split", "[07.3]") {
     for (int count = 1; count <= rt::leaf_size; ++count) {
         const auto boxes = boxes_at(std::vector<Vec3>(static_cast<std::size_t>(count)));
         auto order = numbers(boxes.size());
-        const int left = rt::split_in_half(order, boxes);
+        const int left = split_in_half(order, boxes);
         HINT(Real(0), static_cast<Real>(left), "up to leaf_size spheres stay together: return 0");
         CHECK(left == 0);
     }
@@ -71,7 +93,7 @@ TEST_CASE("07.3 half of the spheres go to the left", "[07.3]") {
         }
         const auto boxes = boxes_at(middles);
         auto order = numbers(boxes.size());
-        const int left = rt::split_in_half(order, boxes);
+        const int left = split_in_half(order, boxes);
         INFO("41 spheres, farthest apart along axis " << axis << "; yours: left " << left);
         REQUIRE(left == 20);
         CHECK(std::is_permutation(order.begin(), order.end(), numbers(41).begin()));
@@ -98,11 +120,53 @@ TEST_CASE("07.3 middles decide and not corners", "[07.3]") {
         boxes.push_back({{-wide, y, 0}, {wide, y + 1, 1}});
     }
     auto order = numbers(8);
-    REQUIRE(rt::split_in_half(order, boxes) == 4);
-    std::sort(order.begin(), order.begin() + 4);
-    const std::vector<int> left(order.begin(), order.begin() + 4);
-    INFO("the boxes are longest along x, but all their middles have the same x: sort along y");
-    CHECK(left == std::vector<int>{0, 2, 5, 7});
+    REQUIRE(split_in_half(order, boxes) == 4);
+    {
+        INFO("the boxes are longest along x, but all their middles have the same x: sort along y");
+        CHECK(first_sorted(order, 4) == std::vector<int>{0, 2, 5, 7});
+    }
+    // All are apart along x, every second one so wide that its corners are out of the row.
+    boxes.clear();
+    for (int i = 0; i < 8; ++i) {
+        const Real x = static_cast<Real>(3 * i), wide = i % 2 == 0 ? Real(1) : Real(100);
+        boxes.push_back({{x - wide, 0, 0}, {x + wide, 1, 1}});
+    }
+    order = {7, 2, 5, 0, 3, 6, 1, 4};
+    REQUIRE(split_in_half(order, boxes) == 4);
+    INFO("the middles are at x = 0, 3, 6 ... 21: sort by box.center(), and by neither corner");
+    CHECK(first_sorted(order, 4) == std::vector<int>{0, 1, 2, 3});
+}
+
+TEST_CASE("07.3 the axis depends on this part alone", "[07.3]") {
+    // Eight boxes far apart along x, which are none of ours; ours are apart along y.
+    std::vector<Vec3> middles;
+    for (int i = 0; i < 8; ++i) middles.push_back({static_cast<Real>(100 * i), 0, 0});
+    for (int i = 0; i < 8; ++i) middles.push_back({500, static_cast<Real>((i * 5) % 8) * 3, 0});
+    const auto boxes = boxes_at(middles);
+    auto order = numbers(16);
+    REQUIRE(split_in_half(std::span{order}.subspan(8), boxes) == 4);
+    INFO(
+        "boxes has 16 boxes, but order only the numbers 8 to 15, whose middles have the same x: "
+        "sort along y");
+    INFO(
+        "Hint: for (int number : order) take boxes[number]; start from the empty box, Box{}, as a "
+        "box at (0, 0, 0) is none of them");
+    CHECK(first_sorted(std::span{order}.subspan(8), 4) == std::vector<int>{8, 10, 13, 15});
+}
+
+TEST_CASE("07.3 the box of a node is around its part alone", "[07.3]") {
+    std::vector<Vec3> middles;
+    for (int i = 0; i < 9; ++i) middles.push_back({static_cast<Real>(10 * i), 5, 5});
+    const auto boxes = boxes_at(middles);
+    std::vector<int> order{0, 2, 4, 6, 1, 8, 7, 5, 3};
+    const auto root =
+        rt::build_node(std::span{order}.subspan(5), 5, std::span{boxes}, rt::split_in_half);
+    const Box expected{{29, 4, 4}, {81, 6, 6}};
+    INFO("the numbers 8, 7, 5, 3: expected a " << checkpoint::text(expected) << ", but yours is a "
+                                               << checkpoint::text(root->box));
+    INFO(
+        "Hint: for (int number : order) join boxes[number], to the node's box, which starts empty");
+    CHECK(root->box == expected);
 }
 
 TEST_CASE("07.3 every sphere is in exactly one leaf", "[07.3]") {
@@ -125,7 +189,8 @@ TEST_CASE("07.3 the list is not copied", "[07.3]") {
     const auto boxes = rt::bounds_of(random_spheres(2000));
     auto order = numbers(boxes.size());
     const std::size_t before = allocations, bytes_before = allocated_bytes;
-    const auto root = tree_of(order, boxes);
+    // Not by tree_of, whose hint takes memory, too.
+    const auto root = rt::build_node(std::span{order}, 0, std::span{boxes}, rt::split_in_half);
     const std::size_t taken = allocations - before, bytes = allocated_bytes - bytes_before;
     const std::size_t nodes = static_cast<std::size_t>(nodes_of(*root));
     INFO(nodes << " nodes, but yours took memory from the heap " << taken << " times, " << bytes
@@ -163,10 +228,18 @@ TEST_CASE("07.3 bad splits do not make it deep", "[07.3][hard]") {
     };
     const auto root = rt::build_node(std::span{order}, 0, std::span{boxes}, one_goes_left);
     check_tree(*root, order, boxes);
-    const int levels = levels_of(*root);
+    const int levels = levels_of(*root), largest = largest_leaf(*root);
+    {
+        INFO(
+            "a split that takes off one sphere at a time; your largest leaf has "
+            << largest << " spheres, expected " << rt::leaf_size << " at most.\nHint: at level "
+            << "most_levels and deeper call split_in_half, and go on while it returns more than 0");
+        CHECK(largest <= rt::leaf_size);
+    }
     INFO("a split that takes off one sphere at a time; yours has "
          << levels
          << " levels.\nHint: at level most_levels and deeper call split_in_half in its place");
     CHECK(levels >= rt::most_levels);
-    CHECK(levels <= rt::most_levels + 13);
+    // 64 are taken off, and halves of the other 4936 have 4 or fewer after 11 levels.
+    CHECK(levels <= rt::most_levels + 12);
 }

@@ -19,6 +19,24 @@ inline int nodes_of(const rt::TreeNode& node) {
     return node.is_leaf() ? 1 : 1 + nodes_of(*node.left) + nodes_of(*node.right);
 }
 
+// How many spheres the leaves hold. From left to right they must follow each other in the order.
+inline int check_places(const rt::TreeNode& node, int first) {
+    if (!node.is_leaf()) {
+        REQUIRE(node.right);
+        const int left = check_places(*node.left, first);
+        return left + check_places(*node.right, first + left);
+    }
+    if (node.first != first || node.count < 1) {
+        INFO("a leaf holds " << node.count << " spheres from place " << node.first
+                             << " on; expected 1 or more from place " << first
+                             << " on, where the leaves to the left of it end.\nHint: the right "
+                                "part begins at first + how many went to the left");
+        REQUIRE(node.first == first);
+        REQUIRE(node.count >= 1);
+    }
+    return node.count;
+}
+
 inline void check_node(const rt::TreeNode& node, const std::vector<int>& order,
                        const std::vector<Box>& boxes, std::vector<int>& leaves_of) {
     if (node.is_leaf()) {
@@ -32,7 +50,8 @@ inline void check_node(const rt::TreeNode& node, const std::vector<int>& order,
             ++leaves_of[sphere];
             if (node.box.contains(boxes[sphere])) continue;
             INFO("its " << text(node.box) << " does not contain its sphere's "
-                        << text(boxes[sphere]));
+                        << text(boxes[sphere])
+                        << ".\nHint: join boxes[number] of all numbers in order, and no others");
             REQUIRE(node.box.contains(boxes[sphere]));
         }
         return;
@@ -40,13 +59,16 @@ inline void check_node(const rt::TreeNode& node, const std::vector<int>& order,
     REQUIRE(node.right);
     for (const rt::TreeNode* child : {node.left.get(), node.right.get()})
         if (!node.box.contains(child->box)) {
-            INFO("a node's " << text(node.box) << " does not contain its child's "
-                             << text(child->box));
+            INFO("a node's "
+                 << text(node.box) << " does not contain its child's " << text(child->box)
+                 << ".\nHint: join boxes[number] of all numbers in order, and pass boxes "
+                    "on as it is: it belongs to the whole scene");
             REQUIRE(node.box.contains(child->box));
         }
     const Box both = rt::join(node.left->box, node.right->box);
     if (!(both == node.box)) {
-        INFO("a node's " << text(node.box) << " is larger than its children's " << text(both));
+        INFO("a node's " << text(node.box) << " is larger than its children's " << text(both)
+                         << ".\nHint: join boxes[number] of the numbers in order, and no others");
         REQUIRE(node.box == both);
     }
     check_node(*node.left, order, boxes, leaves_of);
@@ -62,6 +84,13 @@ inline void check_tree(const rt::TreeNode& root, const std::vector<int>& order,
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         INFO("the order must still hold every number once");
         REQUIRE(sorted[i] == static_cast<int>(i));
+    }
+    const int held = check_places(root, 0);
+    {
+        INFO("the leaves hold " << held << " spheres of " << order.size()
+                                << ".\nHint: a leaf's count is order.size(); first(n) and "
+                                   "subspan(n) meet without a gap");
+        REQUIRE(static_cast<std::size_t>(held) == order.size());
     }
     std::vector<int> leaves_of(boxes.size(), 0);
     check_node(root, order, boxes, leaves_of);

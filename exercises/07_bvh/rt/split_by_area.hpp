@@ -14,12 +14,12 @@ inline Real surface_area(const Box& box) {
 }
 
 // Exercise 07.5. Sorts the numbers of spheres so that the best split is between the first k of them
-// and the rest, and returns k; 0 where a leaf is cheaper than any split. Candidates are all splits
+// and the rest, and returns k; 0 where no split is cheaper than a leaf. Candidates are all splits
 // of the spheres sorted by the middles of their boxes along x, along y and along z. The cost of a
-// split, in tests that a ray which meets the box A around all can expect, is
+// split, in tests that a ray which meets the box A around this part can expect, is
 //     1 + (k area(left box) + (count - k) area(right box)) / area(A)
-// and that of a leaf is count. At least one number must be there; the time must grow as
-// count log(count).
+// and that of a leaf is count. As in build.hpp, only boxes[number] of the numbers in order count.
+// At least one number must be there; the time must grow as count log(count).
 // Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     return rt::todo("07.5", order, boxes);

@@ -1,0 +1,70 @@
+#pragma once
+#include <algorithm>
+#include <rt/bounds.hpp>
+#include <rt/box.hpp>
+#include <span>
+#include <vector>
+
+namespace rt {
+
+// The area of a box's six faces; 0 for the empty box.
+inline Real surface_area(const Box& box) {
+    const Vec3 size = box.size();
+    return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+}
+
+// Sorts the numbers of spheres so that the best split is between the first k of them and the rest,
+// and returns k; 0 where a leaf is cheaper than any split. The cost of a split is what a ray that
+// meets the box around all can expect: one unit for the two boxes, and a unit for each sphere of a
+// child, as likely as the child is met: its area over the area of the whole box.
+// Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
+inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
+    const auto box_of = [&](std::size_t place) -> const Box& {
+        return boxes[static_cast<std::size_t>(order[place])];
+    };
+    const auto sort_along = [&](int axis) {
+        const auto middle = [&](int sphere) {
+            return along(boxes[static_cast<std::size_t>(sphere)].center(), axis);
+        };
+        // Middles at one place stay in the order of their numbers, so that sorting once more along
+        // the best axis gives what was measured.
+        std::sort(order.begin(), order.end(), [&](int a, int b) {
+            const Real of_a = middle(a), of_b = middle(b);
+            return of_a < of_b;
+        });
+    };
+    const std::size_t count = order.size();
+    if (count < 2) return 0;
+
+    // Costs are multiplied by the area of the whole box: nothing is divided.
+    Box whole;
+    for (std::size_t i = 0; i < count; ++i) whole = join(whole, box_of(i));
+    const Real box_cost = surface_area(whole);
+    Real best_cost = static_cast<Real>(count) * surface_area(whole);  // of a leaf
+    std::size_t best_left = 0;
+    int best_axis = 0;
+
+    std::vector<Real> right_area(count);
+    for (int axis = 0; axis < 3; ++axis) {
+        sort_along(axis);
+        Box right, left;
+        for (std::size_t i = count; i-- > 1;) {
+            right = join(right, box_of(i));
+            right_area[i] = surface_area(right);
+        }
+        for (std::size_t k = 1; k < count; ++k) {
+            left = join(left, box_of(k - 1));
+            const Real cost = box_cost + static_cast<Real>(k) * surface_area(left) +
+                              static_cast<Real>(count - k) * right_area[k];
+            if (cost < best_cost) {
+                best_cost = cost;
+                best_left = k;
+                best_axis = axis;
+            }
+        }
+    }
+    if (best_left != 0 && best_axis != 2) sort_along(best_axis);
+    return static_cast<int>(best_left);
+}
+
+}  // namespace rt
