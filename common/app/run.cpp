@@ -77,8 +77,16 @@ std::string count(double number, const char* unit) {
 }
 
 void draw_picture(const Program& program, const Settings& settings, const fs::path& path,
-                  bool quiet) {
+                  bool explain, bool quiet) {
     check_output(path);
+    // The report must not end up in an image that goes to the standard output.
+    std::error_code none;
+    std::FILE* const out =
+        !fs::exists(path, none) || fs::is_regular_file(path, none) ? stdout : stderr;
+    if (explain && !quiet) {
+        std::fputs(program.explain(settings).c_str(), out);
+        std::fflush(out);
+    }
     const auto start = std::chrono::steady_clock::now();
     Picture picture;
     {
@@ -90,8 +98,6 @@ void draw_picture(const Program& program, const Settings& settings, const fs::pa
     write_image(program, path, picture.image);
     if (quiet) return;
     const auto rays = static_cast<double>(picture.rays);
-    // The report must not end up in an image that goes to the standard output.
-    std::FILE* const out = fs::is_regular_file(path) ? stdout : stderr;
     std::fprintf(out, "%s: %dx%d pixels in %.3f s", path.string().c_str(), picture.image.width(),
                  picture.image.height(), seconds.count());
     if (picture.rays)
@@ -126,7 +132,7 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
     Settings settings = program.defaults;
     std::string out = program.name + ".png", study_folder;
     std::uint64_t seed = settings.seed.value_or(0);
-    bool quiet = false;
+    bool quiet = false, explain = false;
 
     CLI::App options{program.name + ": " + program.about};
     options.set_help_flag("--help", "Show this text and stop");
@@ -153,6 +159,9 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
                         program.choices[i].about)
             ->check(CLI::IsMember(program.choices[i].words))
             ->capture_default_str();
+    if (!program.reads.empty()) options.add_option("file", settings.file, program.reads);
+    if (program.explain)
+        options.add_flag("--explain", explain, "Say what the program is about to do, and why");
     options.add_flag("--quiet", quiet, "Print nothing but errors");
     if (program.study)
         options.add_option("--study", study_folder,
@@ -166,6 +175,9 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
         throw UsageError(std::string(error.what()) + "; --help lists what there is");
     }
     if (settings.seed) settings.seed = seed;
+    for (const CLI::Option* const option : options.get_options())
+        if (option->count() > 0) settings.given.insert(option->get_single_name());
+    if (options.count("file") > 0 && settings.file.empty()) throw UsageError("file: needs a name");
     if (std::int64_t{settings.width} * settings.height > max_pixels)
         throw UsageError("--width " + std::to_string(settings.width) + " times --height " +
                          std::to_string(settings.height) + " is more than " +
@@ -174,7 +186,7 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
     if (program.study && options.count("--study") > 0)
         run_study(program, study_folder, quiet);
     else
-        draw_picture(program, settings, out, quiet);
+        draw_picture(program, settings, out, explain, quiet);
     return done;
 }
 

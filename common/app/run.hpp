@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <rt/image.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ struct Settings {
     std::optional<std::uint64_t> seed = {};  // of everything random
     // The word that was picked of each of the program's choices, in their order.
     std::vector<std::string> picked = {};
+    // The file that the program was given to read; empty if none.
+    std::string file = {};
+    // The options that the person set, without the dashes: what a file says gives way to them.
+    std::set<std::string> given = {};
 };
 
 // An option of one program alone, which takes one of a few words: --ending sky|black|roulette.
@@ -73,6 +78,10 @@ struct Program {
     // How a .ppm file is encoded, where the chapter brings its own way.
     std::string (*encode_ppm)(const rt::Image&) = nullptr;
     std::vector<Choice> choices = {};
+    // What the file is that may be named without an option; empty if the program reads none.
+    std::string reads = {};
+    // What --explain prints before the picture is drawn; without it there is no such option.
+    std::string (*explain)(const Settings&) = nullptr;
 };
 
 // Runs the program as main() should. Every error is one line on stderr.
