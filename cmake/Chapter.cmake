@@ -79,7 +79,7 @@ function(course_chapter chapter)
   set(course_chapters ${course_chapters} PARENT_SCOPE)
   set(course_solutions ${course_solutions} PARENT_SCOPE)
 
-  set(program ${root}/chapters/${chapter}/main.cpp)
+  file(GLOB program CONFIGURE_DEPENDS ${root}/chapters/${chapter}/*.cpp)
   file(GLOB checkpoints CONFIGURE_DEPENDS ${root}/tests/${chapter}/*.cpp)
   set(learner ${root}/exercises/${chapter} ${course_solutions})
 

@@ -1,0 +1,93 @@
+// Chapter 08: a scene file, or the course's final scene, drawn by the narrowest renderer that has
+// all the effects that it needs.
+
+#include <app/errors.hpp>
+#include <app/run.hpp>
+#include <atomic>
+#include <rt/choose_renderer.hpp>
+#include <rt/effects_of.hpp>
+#include <rt/render_tiles.hpp>
+#include <rt/renderers.hpp>
+#include <thread>
+
+#include "final_scene.hpp"
+#include "scene_file.hpp"
+#include "study.hpp"
+
+namespace {
+
+using namespace rt;
+
+// The scene that the person asked for, with the settings from the command line.
+SceneDescription open_scene(const app::Settings& settings) {
+    SceneDescription scene =
+        settings.file.empty() ? effects::final_scene() : scene_file::read(settings.file);
+    RenderSettings& chosen = scene.settings;
+    const auto given = [&](const char* option) { return settings.given.count(option) > 0; };
+    if (given("width")) chosen.width = settings.width;
+    if (given("height")) chosen.height = settings.height;
+    if (given("spp")) chosen.samples_per_pixel = settings.spp;
+    if (given("depth")) chosen.depth = settings.depth;
+    if (given("seed")) chosen.seed = *settings.seed;
+    return scene;
+}
+
+std::string explain(const app::Settings& settings) {
+    const SceneDescription scene = open_scene(settings);
+    const Effects needed = effects_of(scene);
+    const Effects chosen = renderer_effects[narrowest(needed, renderer_effects)];
+    const std::size_t spheres = scene.spheres.size();
+    return "scene:    " + (settings.file.empty() ? "the final scene" : settings.file) + ", " +
+           std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
+           "\nneeds:    " + names(needed) + "\nrenderer: " + names(chosen) + ", one of " +
+           std::to_string(renderer_effects.size()) + "\nunused:   " +
+           names(without(chosen, needed)) + "\nleft out: " + names(without(with_all, chosen)) +
+           '\n';
+}
+
+app::Picture render(const app::Settings& settings, app::Progress& progress) {
+    const SceneDescription scene = open_scene(settings);
+    const RenderSettings& chosen = scene.settings;
+    const std::size_t renderer = narrowest(effects_of(scene), renderer_effects);
+    const PixelShader shade =
+        renderer_makers[renderer](scene, chosen.width, chosen.height,
+                                  {chosen.samples_per_pixel, chosen.depth, chosen.seed});
+
+    Image image{chosen.width, chosen.height};
+    std::atomic<std::uint64_t> all_rays = 0;
+    const TileGrid grid{chosen.width, chosen.height, 16};
+    progress.start(tile_count(grid));
+    render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
+        std::uint64_t rays = 0;
+        for (int y = tile.top; y < tile.bottom; ++y)
+            for (int x = tile.left; x < tile.right; ++x) {
+                image.at(x, y) = shade(x, y, rays);
+                assert(is_finite(image.at(x, y)));
+            }
+        all_rays += rays;
+        progress.step();
+    });
+    return {std::move(image), all_rays};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // What a scene file says; the final scene says the same.
+    const RenderSettings usual;
+    app::Settings defaults;
+    defaults.width = usual.width;
+    defaults.height = usual.height;
+    defaults.spp = usual.samples_per_pixel;
+    defaults.depth = usual.depth;
+    defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    defaults.seed = usual.seed;
+    return app::run(argc, argv,
+                    {.name = "08_effects",
+                     .about = "a scene, drawn by a renderer that has its effects and no others",
+                     .defaults = defaults,
+                     .render = render,
+                     .study = effects::study_effects,
+                     .reads = "The scene file, .json; without it the final scene is drawn",
+                     .explain = explain});
+}
