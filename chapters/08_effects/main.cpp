@@ -40,18 +40,17 @@ std::string explain(const app::Settings& settings) {
     return "scene:    " + (settings.file.empty() ? "the final scene" : settings.file) + ", " +
            std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
            "\nneeds:    " + names(needed) + "\nrenderer: " + names(chosen) + ", one of " +
-           std::to_string(renderer_effects.size()) + "\nunused:   " +
-           names(without(chosen, needed)) + "\nleft out: " + names(without(with_all, chosen)) +
-           '\n';
+           std::to_string(renderer_effects.size()) +
+           "\nunused:   " + names(without(chosen, needed)) +
+           "\nleft out: " + names(without(with_all, chosen)) + '\n';
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = open_scene(settings);
     const RenderSettings& chosen = scene.settings;
     const std::size_t renderer = narrowest(effects_of(scene), renderer_effects);
-    const PixelShader shade =
-        renderer_makers[renderer](scene, chosen.width, chosen.height,
-                                  {chosen.samples_per_pixel, chosen.depth, chosen.seed});
+    const PixelShader shade = renderer_makers[renderer](
+        scene, chosen.width, chosen.height, {chosen.samples_per_pixel, chosen.depth, chosen.seed});
 
     Image image{chosen.width, chosen.height};
     std::atomic<std::uint64_t> all_rays = 0;

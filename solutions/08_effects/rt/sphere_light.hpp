@@ -4,18 +4,12 @@
 #include <rt/directions.hpp>
 #include <rt/dot.hpp>
 #include <rt/length.hpp>
+#include <rt/light_sample.hpp>
 #include <rt/orthonormal_basis.hpp>
 #include <rt/sphere.hpp>
 #include <rt/vec2.hpp>
 
 namespace rt {
-
-// A direction from a point to a light, chosen at random.
-struct LightSample {
-    Vec3 direction;     // length 1
-    Real distance = 0;  // to the light's surface
-    Real density = 0;   // per solid angle, with which the direction was chosen
-};
 
 // 1 - cos a, where a is the angle between the direction to the light's middle and to its rim, as
 // seen from a point outside of it at this distance from the middle. From sin a = radius / distance,
@@ -60,9 +54,9 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
     const Real height = place.x * whole;
     const Real cosine = 1 - height, sine = std::sqrt(height * (2 - height));
     const Real angle = 2 * pi * place.y;
-    const Vec3 direction = normalize(orthonormal_basis(apart / distance)
-                                         .to_world({sine * std::cos(angle),
-                                                    sine * std::sin(angle), cosine}));
+    const Vec3 direction =
+        normalize(orthonormal_basis(apart / distance)
+                      .to_world({sine * std::cos(angle), sine * std::sin(angle), cosine}));
     // The near root of t^2 - 2 d cosine t + d^2 - r^2, over d: its discriminant is the difference
     // of the squared sines, whole (2 - whole) - height (2 - height).
     const Real root = std::sqrt((whole - height) * (2 - whole - height));
