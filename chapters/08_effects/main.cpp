@@ -21,7 +21,7 @@ using namespace rt;
 // The scene that the person asked for, with the settings from the command line.
 SceneDescription open_scene(const app::Settings& settings) {
     SceneDescription scene =
-        settings.file.empty() ? effects::final_scene() : scene_file::read(settings.file);
+        settings.file.empty() ? effects::final_scene() : effects::read_scene(settings.file);
     RenderSettings& chosen = scene.settings;
     const auto given = [&](const char* option) { return settings.given.count(option) > 0; };
     if (given("width")) chosen.width = settings.width;
@@ -52,21 +52,31 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const PixelShader shade = renderer_makers[renderer](
         scene, chosen.width, chosen.height, {chosen.samples_per_pixel, chosen.depth, chosen.seed});
 
-    Image image{chosen.width, chosen.height};
+    Image image = app::unfinished_image(chosen.width, chosen.height);
     std::atomic<std::uint64_t> all_rays = 0;
+    std::atomic<std::int64_t> pixels_done = 0;
+    const app::Interruption interruption;
     const TileGrid grid{chosen.width, chosen.height, 16};
     progress.start(tile_count(grid));
     render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
         std::uint64_t rays = 0;
+        std::int64_t done = 0;
         for (int y = tile.top; y < tile.bottom; ++y)
-            for (int x = tile.left; x < tile.right; ++x) {
+            for (int x = tile.left; x < tile.right && interruption.signal() == 0; ++x) {
                 image.at(x, y) = shade(x, y, rays);
                 assert(is_finite(image.at(x, y)));
+                ++done;
             }
         all_rays += rays;
+        pixels_done += done;
         progress.step();
     });
-    return {std::move(image), all_rays};
+    app::Picture picture{std::move(image), all_rays};
+    if (const int signal = interruption.signal()) {
+        const auto all = static_cast<double>(picture.image.pixels().size());
+        picture.stopped = {signal, static_cast<double>(pixels_done) / all};
+    }
+    return picture;
 }
 
 }  // namespace
@@ -88,5 +98,6 @@ int main(int argc, char** argv) {
                      .render = render,
                      .study = effects::study_effects,
                      .reads = "The scene file, .json; without it the final scene is drawn",
-                     .explain = explain});
+                     .explain = explain,
+                     .can_be_stopped = true});
 }

@@ -9,7 +9,7 @@
 #include "placing.hpp"
 #include "scene_value.hpp"
 
-namespace scene_file {
+namespace effects {
 namespace {
 
 namespace fs = std::filesystem;
@@ -364,15 +364,15 @@ class Reader {
 
 }  // namespace
 
-SceneDescription parse(const std::string& text, const std::string& name, const fs::path& folder,
-                       const Limits& limits) {
+SceneDescription parse_scene(const std::string& text, const std::string& name,
+                             const fs::path& folder, const Limits& limits) {
     return Reader{name, folder, limits}.read(app::parse_json(text, name));
 }
 
-SceneDescription read(const fs::path& file) {
+SceneDescription read_scene(const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path{"."};
-    return parse(app::read_input_file(file, file.string(), app::max_json_bytes), file.string(),
-                 folder);
+    return parse_scene(app::read_input_file(file, file.string(), app::max_json_bytes),
+                       file.string(), folder);
 }
 
-}  // namespace scene_file
+}  // namespace effects

@@ -5,7 +5,7 @@
 #include <rt/scene.hpp>
 #include <string>
 
-namespace scene_file {
+namespace effects {
 
 // What a file may ask for at most, so that a slip does not fill the memory.
 struct Limits {
@@ -15,10 +15,10 @@ struct Limits {
 
 // The scene that a file describes. Throws app::UsageError, one line with the file, the place in it
 // and what is allowed, for a file that cannot be read or does not hold to the format.
-rt::SceneDescription read(const std::filesystem::path& file);
+rt::SceneDescription read_scene(const std::filesystem::path& file);
 
 // The scene of a text. `name` stands for it in messages; image files are looked for in `folder`.
-rt::SceneDescription parse(const std::string& text, const std::string& name,
-                           const std::filesystem::path& folder, const Limits& limits = {});
+rt::SceneDescription parse_scene(const std::string& text, const std::string& name,
+                                 const std::filesystem::path& folder, const Limits& limits = {});
 
-}  // namespace scene_file
+}  // namespace effects

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace scene_file {
+namespace effects {
 
 using rt::Color;
 using rt::Real;
@@ -215,4 +215,4 @@ class Value {
     const std::string* file_;
 };
 
-}  // namespace scene_file
+}  // namespace effects

@@ -5,6 +5,12 @@
 
 namespace app {
 
+// Why a picture is not finished, and how much of it is.
+struct Stopped {
+    int signal = 0;
+    double share_done = 0;  // 0 to 1
+};
+
 // While one lives, the first Ctrl-C (SIGINT) or SIGTERM does not end the program: it is noted here,
 // and whoever works looks from time to time. The next one ends the program as usual. Who chose to
 // ignore a signal (nohup) still does. There may be one at a time.

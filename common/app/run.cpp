@@ -4,6 +4,8 @@
 #include <app/run.hpp>
 #include <charconv>
 #include <chrono>
+#include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <rt/image_file.hpp>
@@ -76,8 +78,9 @@ std::string count(double number, const char* unit) {
     return text;
 }
 
-void draw_picture(const Program& program, const Settings& settings, const fs::path& path,
-                  bool explain, bool quiet) {
+// Returns the program's exit code.
+int draw_picture(const Program& program, const Settings& settings, const fs::path& path,
+                 bool explain, bool quiet) {
     check_output(path);
     // The report must not end up in an image that goes to the standard output.
     std::error_code none;
@@ -96,7 +99,13 @@ void draw_picture(const Program& program, const Settings& settings, const fs::pa
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
     write_image(program, path, picture.image);
-    if (quiet) return;
+    if (picture.stopped) {
+        std::fprintf(stderr, "%s: stopped by %s; %s shows the %.0f %% that are done\n",
+                     program.name.c_str(), picture.stopped->signal == SIGINT ? "Ctrl-C" : "SIGTERM",
+                     path.string().c_str(), std::floor(100 * picture.stopped->share_done));
+        return stopped_by + picture.stopped->signal;
+    }
+    if (quiet) return done;
     const auto rays = static_cast<double>(picture.rays);
     std::fprintf(out, "%s: %dx%d pixels in %.3f s", path.string().c_str(), picture.image.width(),
                  picture.image.height(), seconds.count());
@@ -105,6 +114,7 @@ void draw_picture(const Program& program, const Settings& settings, const fs::pa
                      count(rays / seconds.count(), "rays/s").c_str());
     std::fputc('\n', out);
     if (picture.words) std::fputs(picture.words().c_str(), out);
+    return done;
 }
 
 void run_study(const Program& program, const fs::path& folder, bool quiet) {
@@ -136,6 +146,12 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
 
     CLI::App options{program.name + ": " + program.about};
     options.set_help_flag("--help", "Show this text and stop");
+    std::string codes =
+        "Exit codes: 0 done, 1 could not, 2 bad usage or input, 3 an exercise is "
+        "still to be written";
+    if (program.can_be_stopped)
+        codes += ", 130 stopped by Ctrl-C (143 by SIGTERM): the image shows what was done";
+    options.footer(codes);
     options.add_option("--out", out, "The image file, .png or .ppm")->capture_default_str();
     const auto add = [&](const char* name, int& value, const char* what, int high) {
         if (value == 0) return;  // this program has no such setting
@@ -183,10 +199,9 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
                          std::to_string(settings.height) + " is more than " +
                          std::to_string(max_pixels) + " pixels");
 
-    if (program.study && options.count("--study") > 0)
-        run_study(program, study_folder, quiet);
-    else
-        draw_picture(program, settings, out, explain, quiet);
+    if (!program.study || options.count("--study") == 0)
+        return draw_picture(program, settings, out, explain, quiet);
+    run_study(program, study_folder, quiet);
     return done;
 }
 

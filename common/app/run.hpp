@@ -3,6 +3,7 @@
 // saying how long it took, and ending with the right exit code.
 
 #include <app/errors.hpp>
+#include <app/interrupt.hpp>
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
@@ -66,6 +67,9 @@ struct Picture {
     std::uint64_t rays = 0;
     // More to print below the line about the image. Called only where something is printed.
     std::function<std::string()> words = {};
+    // What stopped the work before all was done; unfinished pixels are as unfinished_image has
+    // them.
+    std::optional<Stopped> stopped = {};
 };
 
 // A chapter's program.
@@ -82,6 +86,8 @@ struct Program {
     std::string reads = {};
     // What --explain prints before the picture is drawn; without it there is no such option.
     std::string (*explain)(const Settings&) = nullptr;
+    // Whether render() looks out for an Interruption; else Ctrl-C ends the program at once.
+    bool can_be_stopped = false;
 };
 
 // Runs the program as main() should. Every error is one line on stderr.

@@ -1,0 +1,9 @@
+#include "final_scene.hpp"
+
+namespace effects {
+
+rt::SceneDescription final_scene() {
+    return {};
+}
+
+}  // namespace effects
