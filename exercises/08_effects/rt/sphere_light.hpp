@@ -11,7 +11,7 @@
 namespace rt {
 
 // Exercise 08.3. 1 - cos a, where a is the angle between the direction to a light's middle and to
-// its rim, as seen from a point outside of it: 0 < radius < distance. Within 5 units in the last
+// its rim, as seen from a point outside of it: 0 < radius < distance. Within 7 units in the last
 // place, for lights that are small and far as well; 0 where the result is too small for a number.
 inline Real cone_height(Real radius, Real distance) {
     return rt::todo("08.3", radius, distance);

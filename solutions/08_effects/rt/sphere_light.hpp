@@ -13,7 +13,8 @@ namespace rt {
 
 // 1 - cos a, where a is the angle between the direction to the light's middle and to its rim, as
 // seen from a point outside of it at this distance from the middle. From sin a = radius / distance,
-// without the cancellation of 1 - cos a for lights that are small or far.
+// without the cancellation of 1 - cos a for lights that are small or far. Within 7 units in the
+// last place; 0 where the result is too small for a number.
 inline Real cone_height(Real radius, Real distance) {
     const Real sine = radius / distance;
     // (d - r) (d + r) / d^2 instead of 1 - sine^2, which cancels close to the light.
@@ -41,11 +42,12 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
     const Real distance = length(apart), radius = light.radius;
     if (distance <= radius) {
         const Vec3 direction = uniform_direction(place);
-        const Real along = dot(apart, direction);
-        const Real product = (radius - distance) * (radius + distance);
+        // All lengths divided by the radius, so that no product overflows.
+        const Real along = dot(apart / radius, direction);
+        const Real product = (radius - distance) / radius * ((radius + distance) / radius);
         const Real root = std::sqrt(along * along + product);
         // The far root of t^2 - 2 along t - product, by the one of its two forms that adds.
-        const Real far = along > 0 ? along + root : product / (root - along);
+        const Real far = radius * (along > 0 ? along + root : product / (root - along));
         return LightSample{direction, far, 1 / (4 * pi)};
     }
     const Real whole = cone_height(radius, distance);
