@@ -21,9 +21,10 @@ Exact exact_height(Real radius, Real distance) {
 }
 
 // The formula rounds 7 times on its way at most, so that it is right within 7 units.
-void check_height(Real radius, Real distance) {
+// A scale that is a power of two rounds nothing.
+void check_height(Real radius, Real distance, Real scale = 1) {
     const Exact expected = exact_height(radius, distance);
-    const Real height = rt::cone_height(radius, distance);
+    const Real height = rt::cone_height(scale * radius, scale * distance);
     if (error_in_ulp(height, expected) <= 7) return;
     INFO("radius " << text(radius) << ", distance " << text(distance) << ", off by "
                    << error_in_ulp(height, expected) << " units in the last place");
@@ -204,9 +205,9 @@ TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]")
 }
 
 TEST_CASE("08.3 huge and tiny scenes overflow nowhere", "[08.3][hard]") {
-    for (const Real scale : {for_this_precision(Real(1e30), Real(1e300)),
-                             for_this_precision(Real(1e-30), Real(1e-300))}) {
-        check_height(scale, 3 * scale);
+    const int power = std::is_same_v<Real, float> ? 100 : 1000;
+    for (const Real scale : {std::ldexp(Real(1), power), std::ldexp(Real(1), -power)}) {
+        check_height(1, 3, scale);
         for_each_place(4, [&](Vec2 place) {
             check_sample({{0, 3 * scale, scale}, scale}, {0, 0, 0}, place);
             check_sample({{0, scale, scale}, 2 * scale}, {0, 0, 0}, place);

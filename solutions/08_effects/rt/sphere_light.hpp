@@ -24,13 +24,14 @@ inline Real cone_height(Real radius, Real distance) {
 }
 
 // The density, per solid angle, with which sample_light chooses a direction that meets the light:
-// 1 / its solid angle. 0 where the light is so small that its solid angle is 0 after rounding.
+// 1 / its solid angle. 0 where that is too small for a number.
 inline Real light_density(const Sphere& light, Vec3 from) {
     const Real distance = length(light.center - from);
     // Seen from inside, it is everywhere.
     if (distance <= light.radius) return 1 / (4 * pi);
     const Real height = cone_height(light.radius, distance);
-    return height > 0 ? 1 / (2 * pi * height) : 0;
+    // Of a number with few digits left, one over it could be infinite.
+    return std::isnormal(height) ? 1 / (2 * pi * height) : 0;
 }
 
 // A direction to a sphere that shines: every direction in which it is seen from the point is
@@ -51,7 +52,7 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
         return LightSample{direction, far, 1 / (4 * pi)};
     }
     const Real whole = cone_height(radius, distance);
-    if (!(whole > 0)) return {};
+    if (!std::isnormal(whole)) return {};
     // Archimedes once more: heights of a cap are spread evenly. 1 - cos of the angle to the middle:
     const Real height = place.x * whole;
     const Real cosine = 1 - height, sine = std::sqrt(height * (2 - height));
