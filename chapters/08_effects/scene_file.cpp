@@ -143,7 +143,7 @@ class Reader {
             file.fail("is " + shown + ", which is too large; all images of a scene may have " +
                       std::to_string(limits_.image_pixels) + " pixels together");
         } catch (const std::runtime_error&) {
-            file.fail("is " + shown + ", which is no image that can be read; PNG and JPEG can");
+            file.fail("is " + shown + ", which is no PNG image that can be read; only PNG is");
         }
     }
 
@@ -154,10 +154,10 @@ class Reader {
         const auto found = table.find(wanted);
         if (found != table.end()) return found->second;
         std::vector<std::string> known;
-        for (const auto& [key, value] : table) known.push_back(app::quoted(key));
+        for (const auto& [key, value] : table) known.push_back(key);
         name.fail("is " + app::quoted(wanted) + ", and there is no such " + kind +
                   (known.empty() ? "; \"" + kind + "s\" holds none"
-                                 : Value::meant(app::quoted(wanted), known, "there are ")));
+                                 : Value::meant(wanted, known, "there are ")));
     }
 
     Material read_material(const Value& value) {

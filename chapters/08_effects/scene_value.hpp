@@ -197,7 +197,9 @@ class Value {
         if (!nearest.empty()) return "; did you mean " + app::quoted(nearest) + '?';
         constexpr std::size_t most = 12;  // more are no help
         if (words.empty() || words.size() > most) return "";
-        return "; " + otherwise + list_of(words);
+        std::vector<std::string> in_quotes;
+        for (const std::string& word : words) in_quotes.push_back(app::quoted(word));
+        return "; " + otherwise + list_of(in_quotes);
     }
 
   private:

@@ -34,8 +34,12 @@ std::string reason(std::string_view what) {
     skip_past("] ");
     if (what.rfind("parse error", 0) == 0) skip_past(": ");
     constexpr std::size_t most = 160;
-    if (what.size() <= most) return std::string{what};
-    return std::string{what.substr(0, most)} + " ...";
+    std::string said{what.substr(0, most)};
+    if (what.size() > most) said += " ...";
+    if (said.find("expected") == std::string::npos && said.find("literal") != std::string::npos)
+        said += "; numbers, texts in quotes, [ ... ], { ... }, true, false and null are allowed";
+    if (said.find("overflow") != std::string::npos) said += "; 1e308 is about the largest";
+    return said;
 }
 
 // Puts the values together as the parser meets them.
@@ -182,6 +186,8 @@ std::string nearest_word(const std::string& wrong, const std::vector<std::string
     std::size_t best = wrong.size() / 3 + 1;
     if (wrong.size() > 40) return {};
     for (const std::string& word : words) {
+        // Who leaves out the end means the word.
+        if (wrong.size() >= 3 && word.rfind(wrong, 0) == 0) return word;
         // Levenshtein's distance, one row of the table at a time.
         std::vector<std::size_t> row(word.size() + 1);
         std::iota(row.begin(), row.end(), std::size_t{0});

@@ -112,15 +112,14 @@ std::string encode_ppm(const Image& image) {
 }
 
 Image decode_image(const std::string& bytes, int most_pixels) {
-    // The library knows more kinds of files, but less well.
+    // The library is compiled with a reader that the tests need, too.
     const bool is_png = bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0;
-    const bool is_jpeg = bytes.rfind("\xff\xd8\xff", 0) == 0;
     const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
     int width = 0, height = 0, channels = 0;
-    if (!(is_png || is_jpeg) || !stbi_info_from_memory(data, size, &width, &height, &channels) ||
-        width < 1 || height < 1)
-        throw std::runtime_error("no PNG or JPEG image");
+    if (!is_png || !stbi_info_from_memory(data, size, &width, &height, &channels) || width < 1 ||
+        height < 1)
+        throw std::runtime_error("no PNG image");
     if (std::int64_t{width} * height > most_pixels)
         throw std::length_error("the image has too many pixels");
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels{
