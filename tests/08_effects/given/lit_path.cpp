@@ -77,8 +77,8 @@ void check_same(const Mean& a, const Mean& b) {
 }
 
 const rt::Lambertian white{{1, 1, 1}}, gray_matte{{Real(0.5), Real(0.5), Real(0.5)}};
-// A floor so large that it is flat where the light is seen.
-const rt::Sphere floor_ball{{0, Real(-1e4), 0}, Real(1e4)};
+// A floor: it is convex, so that no light comes to it from itself.
+const rt::Sphere floor_ball{{0, -10, 0}, 10};
 const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
 
 }  // namespace
