@@ -1,7 +1,7 @@
 #pragma once
 #include <rt/directions.hpp>
 #include <rt/lens_ray.hpp>
-#include <rt/primary_ray.hpp>
+#include <rt/render_pixel.hpp>
 #include <rt/timed_ray.hpp>
 
 namespace rt {

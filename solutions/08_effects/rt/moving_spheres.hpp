@@ -27,8 +27,8 @@ inline Sphere sphere_at(const MovingSphere& sphere, Real time) {
 inline Box bounds_of(const MovingSphere& sphere) {
     const Sphere end = sphere_at(sphere, 1);
     // Every place between is rounded twice; the bounds of spheres that are larger by that hold it.
-    const Real larger = rounding_bound(4) * std::max(max_component(sphere.shape.center),
-                                                     max_component(end.center));
+    const Real larger =
+        rounding_bound(4) * std::max(max_component(sphere.shape.center), max_component(end.center));
     return join(bounds_of(Sphere{sphere.shape.center, sphere.shape.radius + larger}),
                 bounds_of(Sphere{end.center, end.radius + larger}));
 }

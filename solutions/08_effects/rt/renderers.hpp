@@ -17,11 +17,11 @@ inline constexpr Effects with_all{true, true, true, true, true, true, true, true
 
 inline constexpr auto renderer_effects = [] {
     // Materials: matte alone, with metal, with glass, all.
-    constexpr std::array<Effects, 4> materials{{{},
-                                                {.mirror = true, .fuzz = true},
-                                                {.glass = true},
-                                                {.mirror = true, .fuzz = true, .glass = true,
-                                                 .texture = true}}};
+    constexpr std::array<Effects, 4> materials{
+        {{},
+         {.mirror = true, .fuzz = true},
+         {.glass = true},
+         {.mirror = true, .fuzz = true, .glass = true, .texture = true}}};
     std::array<Effects, 64> all{};
     for (std::size_t i = 0; i < all.size(); ++i) {
         all[i] = materials[i % 4];
@@ -48,6 +48,7 @@ PixelShader make_shader(const SceneDescription& scene, int width, int height,
 
 inline constexpr auto renderer_makers = []<std::size_t... number>(std::index_sequence<number...>) {
     return std::array<MakeShader, sizeof...(number)>{make_shader<renderer_effects[number]>...};
-}(std::make_index_sequence<renderer_effects.size()>{});
+}
+(std::make_index_sequence<renderer_effects.size()>{});
 
 }  // namespace rt

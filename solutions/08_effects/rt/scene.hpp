@@ -4,8 +4,8 @@
 #include <rt/camera.hpp>
 #include <rt/color.hpp>
 #include <rt/dielectric.hpp>
-#include <rt/image.hpp>
 #include <rt/fog.hpp>
+#include <rt/image.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/lens.hpp>
 #include <rt/metal.hpp>

@@ -4,22 +4,17 @@
 #include <rt/directions.hpp>
 #include <rt/dot.hpp>
 #include <rt/length.hpp>
+#include <rt/light_sample.hpp>
 #include <rt/orthonormal_basis.hpp>
 #include <rt/sphere.hpp>
 #include <rt/vec2.hpp>
 
 namespace rt {
 
-// A direction from a point to a light, chosen at random.
-struct LightSample {
-    Vec3 direction;     // length 1
-    Real distance = 0;  // to the light's surface
-    Real density = 0;   // per solid angle, with which the direction was chosen
-};
-
 // 1 - cos a, where a is the angle between the direction to the light's middle and to its rim, as
 // seen from a point outside of it at this distance from the middle. From sin a = radius / distance,
-// without the cancellation of 1 - cos a for lights that are small or far.
+// without the cancellation of 1 - cos a for lights that are small or far. Within 7 units in the
+// last place; 0 where the result is too small for a number.
 inline Real cone_height(Real radius, Real distance) {
     const Real sine = radius / distance;
     // (d - r) (d + r) / d^2 instead of 1 - sine^2, which cancels close to the light.
@@ -29,13 +24,14 @@ inline Real cone_height(Real radius, Real distance) {
 }
 
 // The density, per solid angle, with which sample_light chooses a direction that meets the light:
-// 1 / its solid angle. 0 where the light is so small that its solid angle is 0 after rounding.
+// 1 / its solid angle. 0 where that is too small for a number.
 inline Real light_density(const Sphere& light, Vec3 from) {
     const Real distance = length(light.center - from);
     // Seen from inside, it is everywhere.
     if (distance <= light.radius) return 1 / (4 * pi);
     const Real height = cone_height(light.radius, distance);
-    return height > 0 ? 1 / (2 * pi * height) : 0;
+    // Of a number with few digits left, one over it could be infinite.
+    return std::isnormal(height) ? 1 / (2 * pi * height) : 0;
 }
 
 // A direction to a sphere that shines: every direction in which it is seen from the point is
@@ -47,22 +43,23 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
     const Real distance = length(apart), radius = light.radius;
     if (distance <= radius) {
         const Vec3 direction = uniform_direction(place);
-        const Real along = dot(apart, direction);
-        const Real product = (radius - distance) * (radius + distance);
+        // All lengths divided by the radius, so that no product overflows.
+        const Real along = dot(apart / radius, direction);
+        const Real product = (radius - distance) / radius * ((radius + distance) / radius);
         const Real root = std::sqrt(along * along + product);
         // The far root of t^2 - 2 along t - product, by the one of its two forms that adds.
-        const Real far = along > 0 ? along + root : product / (root - along);
+        const Real far = radius * (along > 0 ? along + root : product / (root - along));
         return LightSample{direction, far, 1 / (4 * pi)};
     }
     const Real whole = cone_height(radius, distance);
-    if (!(whole > 0)) return {};
+    if (!std::isnormal(whole)) return {};
     // Archimedes once more: heights of a cap are spread evenly. 1 - cos of the angle to the middle:
     const Real height = place.x * whole;
     const Real cosine = 1 - height, sine = std::sqrt(height * (2 - height));
     const Real angle = 2 * pi * place.y;
-    const Vec3 direction = normalize(orthonormal_basis(apart / distance)
-                                         .to_world({sine * std::cos(angle),
-                                                    sine * std::sin(angle), cosine}));
+    const Vec3 direction =
+        normalize(orthonormal_basis(apart / distance)
+                      .to_world({sine * std::cos(angle), sine * std::sin(angle), cosine}));
     // The near root of t^2 - 2 d cosine t + d^2 - r^2, over d: its discriminant is the difference
     // of the squared sines, whole (2 - whole) - height (2 - height).
     const Real root = std::sqrt((whole - height) * (2 - whole - height));
