@@ -178,7 +178,8 @@ TEST_CASE("what is no JSON is refused with line and column", "[scene_file]") {
     REFUSED("{\"a\": 01}", "s.json:1:8: ", "expected");
     REFUSED("// a remark\n{}", "s.json:1:1: ", "are allowed");
     REFUSED("{\"\xff\": 1}", "s.json:1:3: ", "UTF-8");
-    REFUSED(std::string("{\"a\": \0}", 8), "s.json:1:7: ", "are allowed");
+    REFUSED(std::string("{\"a\": \0}", 8), "s.json:1:7: ", "has none");
+    REFUSED(std::string("{}\0", 3), "s.json:1:3: ", "has none");
     REFUSED("{\"a\": \"" + std::string(10'000, 'x'), "s.json:1:", "closing quote");
 }
 
