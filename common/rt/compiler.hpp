@@ -13,3 +13,7 @@
 // For a function of a few loops over arrays, which compilers turn into wide instructions where it
 // stands alone, but not always where it is copied into a larger loop.
 #define RT_NOT_INLINED [[gnu::noinline]]
+
+// For a function that is the whole of a hot loop: what it calls is copied into it, however many
+// loops of its kind the program has, so that none of them runs slower than it would alone.
+#define RT_INLINES_ALL [[gnu::flatten]]

@@ -1,4 +1,5 @@
 #pragma once
+#include <rt/compiler.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/effects.hpp>
 #include <rt/eyes.hpp>
@@ -21,8 +22,6 @@ struct Parts {
 
     static constexpr bool metal = effects.mirror || effects.fuzz;
     static constexpr bool one_material = !metal && !effects.glass && !effects.texture;
-    // An alternative that is not used costs nothing: std::visit jumps through a table, however long
-    // it is. So there are four sets, and not sixteen.
     using Materials =
         Either<one_material, MaterialList<Lambertian>,
                Either<!effects.glass && !effects.texture, MaterialSet<Lambertian, Mirror, Metal>,
@@ -58,10 +57,12 @@ class Renderer {
     }
 
     // The color of a pixel, which depends on the scene, the quality and the pixel alone.
-    Color operator()(int column, int row) const { return pixel(world_, column, row); }
+    RT_INLINES_ALL Color operator()(int column, int row) const {
+        return pixel(world_, column, row);
+    }
 
     // The same, and counts the rays.
-    Color operator()(int column, int row, std::uint64_t& rays) const {
+    RT_INLINES_ALL Color operator()(int column, int row, std::uint64_t& rays) const {
         return pixel(CountingWorld<typename Parts<effects>::World>{world_, rays}, column, row);
     }
 

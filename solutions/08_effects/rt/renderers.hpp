@@ -10,25 +10,34 @@ namespace rt {
 // The color of a pixel; the rays that it took are added to `rays`.
 using PixelShader = std::function<Color(int column, int row, std::uint64_t& rays)>;
 
-// The renderers that are compiled (given), one for each of these sets of effects. All 256 would
-// take minutes and megabytes. These are the products of four choices, each of which has few ways to
-// go: materials, camera, world, and what lies between the surfaces.
+// The renderers that are compiled (given), each for one of these sets of effects: 22 of the 256
+// that there could be. Four choices are left free that are worth it, and of their products only
+// those where something is gained:
+//   camera     pinhole or lens
+//   materials  matte alone, with metal, with glass, all: with one material nothing has to be looked
+//              up; an alternative that is not used costs little more than its place in a table
+//   motion, lights, fog   each there or not; all materials with them
 inline constexpr Effects with_all{true, true, true, true, true, true, true, true};
 
 inline constexpr auto renderer_effects = [] {
-    // Materials: matte alone, with metal, with glass, all.
-    constexpr std::array<Effects, 4> materials{
-        {{},
-         {.mirror = true, .fuzz = true},
-         {.glass = true},
-         {.mirror = true, .fuzz = true, .glass = true, .texture = true}}};
-    std::array<Effects, 64> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        all[i] = materials[i % 4];
-        all[i].lens = i / 4 % 2 == 1;
-        all[i].motion = i / 8 % 2 == 1;
-        all[i].lights = i / 16 % 2 == 1;
-        all[i].fog = i / 32 == 1;
+    const Effects all_materials{.mirror = true, .fuzz = true, .glass = true, .texture = true};
+    const std::array<Effects, 4> materials{
+        {{}, {.mirror = true, .fuzz = true}, {.glass = true}, all_materials}};
+    std::array<Effects, 22> all{};
+    std::size_t count = 0;
+    for (const bool lens : {false, true}) {
+        for (Effects effects : materials) {
+            effects.lens = lens;
+            all[count++] = effects;
+        }
+        for (int beyond = 1; beyond < 8; ++beyond) {
+            Effects effects = all_materials;
+            effects.lens = lens;
+            effects.motion = beyond & 1;
+            effects.lights = beyond & 2;
+            effects.fog = beyond & 4;
+            all[count++] = effects;
+        }
     }
     return all;
 }();
