@@ -53,8 +53,9 @@ void Neighbours::add(const Ball& ball) {
     balls_.push_back(ball);
 }
 
-bool Neighbours::has_room_for(const Ball& ball) const {
+bool Neighbours::has_room_for(const Ball& ball) {
     const auto all_clear = [&](const std::vector<int>& numbers) {
+        steps_ += static_cast<std::int64_t>(numbers.size());
         return std::none_of(numbers.begin(), numbers.end(), [&](int i) {
             return overlap(ball, balls_[static_cast<std::size_t>(i)]);
         });
@@ -73,6 +74,7 @@ bool Neighbours::has_room_for(const Ball& ball) const {
         for (std::int64_t x = low(ball.x); x <= high(ball.x); ++x)
             for (std::int64_t y = low(ball.y); y <= high(ball.y); ++y)
                 for (std::int64_t z = low(ball.z); z <= high(ball.z); ++z) {
+                    ++steps_;
                     const auto found = grid.balls.find(key_of(x, y, z));
                     if (found != grid.balls.end() && !all_clear(found->second)) return false;
                 }
@@ -115,13 +117,10 @@ Rule galaxy(Ball space, int arms, double turns, double width) {
     };
 }
 
-std::vector<Ball> scatter(int count, double low, double high, const Rule& rule,
-                          const std::vector<Ball>& there, std::uint64_t seed) {
+std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbours& there,
+                          std::uint64_t seed) {
     constexpr std::int64_t tries = 30;  // for each ball, on the average
     rt::Rng random{seed, 8};
-    Neighbours neighbours;
-    for (const Ball& ball : there) neighbours.add(ball);
-
     std::vector<double> radii(static_cast<std::size_t>(count));
     for (double& radius : radii) {
         const double size = uniform(random);
@@ -132,9 +131,10 @@ std::vector<Ball> scatter(int count, double low, double high, const Rule& rule,
 
     std::vector<Ball> placed;
     for (std::int64_t left = tries * count; left > 0 && placed.size() < radii.size(); --left) {
+        if (there.is_tired()) break;
         const Ball ball = rule(radii[placed.size()], random);
-        if (!neighbours.has_room_for(ball)) continue;
-        neighbours.add(ball);
+        if (!there.has_room_for(ball)) continue;
+        there.add(ball);
         placed.push_back(ball);
     }
     return placed;

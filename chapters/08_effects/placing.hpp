@@ -38,7 +38,9 @@ inline double uniform(rt::Rng& random, double low, double high) {
 class Neighbours {
   public:
     void add(const Ball& ball);
-    bool has_room_for(const Ball& ball) const;
+    bool has_room_for(const Ball& ball);
+    // How much was looked at so far, and whether that is more than anybody will wait for.
+    bool is_tired() const { return steps_ > 100'000'000; }
 
   private:
     // Spheres whose diameters lie between half a cell's side and all of it.
@@ -48,6 +50,7 @@ class Neighbours {
     };
     std::vector<Grid> grids_;
     std::vector<Ball> balls_;
+    std::int64_t steps_ = 0;
 };
 
 // A place for a ball of this radius, anywhere that the rule allows.
@@ -64,10 +67,10 @@ Rule in_ball(Ball space);
 Rule galaxy(Ball space, int arms, double turns, double width);
 
 // This many balls by a rule, the largest first, none of which overlaps another or one of those that
-// are there. Their radii lie between low and high, most of them near low. Fewer come back where
-// there is no more room.
-std::vector<Ball> scatter(int count, double low, double high, const Rule& rule,
-                          const std::vector<Ball>& there, std::uint64_t seed);
+// are there, to which it is added. Their radii lie between low and high, most of them near low.
+// Fewer come back where there is no more room.
+std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbours& there,
+                          std::uint64_t seed);
 
 // Resting on a floor like a sunflower's seeds: number i stands at i times the golden angle, so that
 // all have the same room. The radii grow from `inner` in the middle to `outer` at the rim.

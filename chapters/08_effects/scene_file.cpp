@@ -242,6 +242,7 @@ class Reader {
         read_velocity(sphere, material, to.velocity);
         to.material = use(material);
         scene_.spheres.push_back(to);
+        there_.add(placing::ball_of(to.shape));
     }
 
     void read_group(const Value& group) {
@@ -270,10 +271,11 @@ class Reader {
         std::vector<placing::Ball> balls;
         if (rule == "sunflower") {
             balls = placing::sunflower(count, space, low, high);
+            for (const placing::Ball& ball : balls) there_.add(ball);
         } else {
             const auto seed = group.find("seed");
             balls = placing::scatter(count, std::min(low, high), std::max(low, high),
-                                     placing_rule(rule, group, space), there(),
+                                     placing_rule(rule, group, space), there_,
                                      seed ? seed->whole(0, max_seed) : 1);
             if (static_cast<int>(balls.size()) < count)
                 wanted.fail("is " + std::to_string(count) + ", but only " +
@@ -307,14 +309,6 @@ class Reader {
                        std::to_string(ends.size()));
         return {static_cast<double>(ends[0].number(lengths)),
                 static_cast<double>(ends[1].number(lengths))};
-    }
-
-    // The spheres so far.
-    std::vector<placing::Ball> there() const {
-        std::vector<placing::Ball> balls;
-        for (const SphereDescription& sphere : scene_.spheres)
-            balls.push_back(placing::ball_of(sphere.shape));
-        return balls;
     }
 
     void add(const std::vector<placing::Ball>& balls, const Value& group) {
@@ -358,6 +352,7 @@ class Reader {
     const Limits& limits_;
     int pixels_left_ = limits_.image_pixels;
     SceneDescription scene_;
+    placing::Neighbours there_;  // all spheres so far
     std::map<std::string, Texture> textures_;
     std::map<std::string, Material> materials_;
 };

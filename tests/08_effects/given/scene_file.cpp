@@ -373,7 +373,9 @@ TEST_CASE("no two spheres of a group overlap, nor one that was there before", "[
         {"galaxy", placing::galaxy(space, 3, 1.5, 0.3)}};
     for (const auto& [name, rule] : rules) {
         INFO(name);
-        auto balls = placing::scatter(400, 0.05, 0.4, rule, {there}, 1);
+        placing::Neighbours neighbours;
+        neighbours.add(there);
+        auto balls = placing::scatter(400, 0.05, 0.4, rule, neighbours, 1);
         CHECK(balls.size() == 400);
         balls.push_back(there);
         int overlaps = 0;
@@ -389,16 +391,20 @@ TEST_CASE("no two spheres of a group overlap, nor one that was there before", "[
 
 TEST_CASE("each rule places its spheres where it says", "[scene_file]") {
     const placing::Ball space{1, 2, 3, 6};
+    const auto scattered = [](const placing::Rule& rule) {
+        placing::Neighbours none;
+        return placing::scatter(200, 0.05, 0.2, rule, none, 1);
+    };
     const auto from_center = [&](const placing::Ball& b) {
         return std::hypot(b.x - space.x, b.y - space.y, b.z - space.z);
     };
-    for (const auto& b : placing::scatter(200, 0.05, 0.2, placing::on_plane(space), {}, 1)) {
+    for (const auto& b : scattered(placing::on_plane(space))) {
         CHECK(std::abs(b.y - (space.y + b.radius)) < 1e-12);
         CHECK(std::hypot(b.x - space.x, b.z - space.z) <= space.radius);
     }
-    for (const auto& b : placing::scatter(200, 0.05, 0.2, placing::on_sphere(space), {}, 1))
+    for (const auto& b : scattered(placing::on_sphere(space)))
         CHECK(std::abs(from_center(b) - (space.radius + b.radius)) < 1e-12);
-    for (const auto& b : placing::scatter(200, 0.05, 0.2, placing::in_ball(space), {}, 1))
+    for (const auto& b : scattered(placing::in_ball(space)))
         CHECK(from_center(b) + b.radius < space.radius + 1e-12);
     const auto seeds = placing::sunflower(500, space, 0.1, 0.3);
     CHECK(seeds.size() == 500);
@@ -408,7 +414,8 @@ TEST_CASE("each rule places its spheres where it says", "[scene_file]") {
 
 TEST_CASE("the same seed places the same spheres, another one others", "[scene_file]") {
     const auto first = [](std::uint64_t seed) {
-        return placing::scatter(9, 0.1, 0.2, placing::in_ball({0, 0, 0, 5}), {}, seed).front().x;
+        placing::Neighbours none;
+        return placing::scatter(9, 0.1, 0.2, placing::in_ball({0, 0, 0, 5}), none, seed).front().x;
     };
     CHECK(first(1) == first(1));
     CHECK(first(1) != first(2));
