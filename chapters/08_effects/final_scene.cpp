@@ -1,9 +1,9 @@
 #include "final_scene.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <rt/rng.hpp>
-#include <rt/transform.hpp>
 
 #include "placing.hpp"
 
@@ -11,81 +11,112 @@ namespace effects {
 namespace {
 
 using namespace rt;
+using placing::Ball;
 
-constexpr double lake = 40, wave_length = 6.6;
+constexpr double lake_radius = 40;
+constexpr int pearls = 16'000;
 
 // How high the lake stands at this distance from where the drop fell.
 double ripple(double distance) {
+    constexpr double wave_length = 6.6, reach = 15;
     return 1.5 * std::cos(2 * std::numbers::pi * distance / wave_length) *
-           std::exp(-distance / 15) * std::min(1.0, distance / 2.5);
+           std::exp(-distance / reach) * std::min(1.0, distance / 2.5);
+}
+
+class Composition {
+  public:
+    SceneDescription scene;
+
+    int material(const MaterialDescription& description) {
+        scene.materials.push_back(description);
+        return static_cast<int>(scene.materials.size() - 1);
+    }
+    void add(const Ball& ball, int of) {
+        scene.spheres.push_back({placing::sphere_of(ball), of, {}});
+    }
+};
+
+// Hills behind each other, the farther the paler, and the sun that sets between them. A hill is the
+// top of a large sphere.
+void add_horizon(Composition& picture) {
+    struct Hill {
+        double x, z, top, radius;
+        std::uint32_t color;
+    };
+    constexpr Hill hills[] = {{0, -320, 21, 170, 0x8d6685},  {262, -310, 19, 150, 0x8d6685},
+                              {70, -230, 7, 120, 0x6b4f7c},  {165, -225, 5, 110, 0x6b4f7c},
+                              {-42, -190, 7, 110, 0x4d3f6c}, {215, -190, 6, 110, 0x4d3f6c}};
+    for (const Hill& hill : hills)
+        picture.add({hill.x, hill.top - hill.radius, hill.z, hill.radius},
+                    picture.material(Lambertian{from_hex(hill.color)}));
+    picture.add({150, 19.5, -300, 21}, picture.material(Emitter{{3, Real(0.8), Real(0.17)}}));
+}
+
+// A ball of glass, as a drop that has just fallen, and droplets that it has splashed up.
+void add_drop(Composition& picture, int glass) {
+    picture.add({0, 2.9, 0, 2.3}, glass);
+    for (int i = 0; i < 18; ++i) {
+        const double angle = 2.39996 * i, distance = 3.1 + 0.9 * std::sin(1.7 * i);
+        picture.add({distance * std::cos(angle), 3.1 + 1.1 * std::sin(2.9 * i),
+                     distance * std::sin(angle), 0.185 + 0.065 * std::cos(4.1 * i)},
+                    glass);
+    }
+}
+
+// The lake: pearls on the spirals of a sunflower, lifted by the ripples and colored by their
+// height, from deep water to the crests.
+void add_lake(Composition& picture, int glass) {
+    // Still water below the pearls, and as far as the hills.
+    picture.add({0, -2001, 0, 2000},
+                picture.material(Metal{{Real(0.30), Real(0.34), Real(0.48)}, Real(0.12)}));
+
+    constexpr std::array<std::uint32_t, 6> colors{0x14213d, 0x1f4e79, 0x2a8c9e,
+                                                  0x7cc6b8, 0xf2d0a4, 0xf08a5d};
+    std::array<int, colors.size()> matte{}, metal{};
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const Color color = from_hex(colors[i]);
+        matte[i] = picture.material(Lambertian{color});
+        metal[i] = picture.material(Metal{mix(color, {1, 1, 1}, Real(0.35)), Real(0.08)});
+    }
+    Rng random{8, 8};
+    for (Ball pearl : placing::sunflower(pearls, {0, 0, 0, lake_radius}, 0.2, 0.3)) {
+        pearl.y = ripple(std::hypot(pearl.x, pearl.z));
+        const double tone = 0.31 + 0.52 * pearl.y + 0.22 * placing::uniform(random);
+        const auto color = static_cast<std::size_t>(std::clamp(tone, 0.0, 0.999) * colors.size());
+        const auto lot = random() % 100;
+        picture.add(pearl, lot < 5 ? glass : lot < 35 ? metal[color] : matte[color]);
+    }
+}
+
+// Few and not too small, so that each is found often enough.
+void add_lanterns(Composition& picture) {
+    const int flame = picture.material(Emitter{{Real(2.6), Real(0.95), Real(0.24)}});
+    constexpr Ball lanterns[] = {{-6, 1.9, 4, 0.3},   {6.8, 2.1, 5, 0.3},   {-9, 2.8, -8, 0.34},
+                                 {9, 3.2, -10, 0.34}, {-2.4, 2.0, 9, 0.26}, {15, 2.4, -2, 0.3},
+                                 {20, 3.6, -18, 0.4}};
+    for (const Ball& lantern : lanterns) picture.add(lantern, flame);
+    // Two close to the lens, which melt to disks.
+    const int glow = picture.material(Emitter{{Real(1.25), Real(0.5), Real(0.16)}});
+    picture.add({-4.25, 5.98, 20.1, 0.13}, glow);
+    picture.add({-0.2, 5.9, 20.4, 0.13}, glow);
 }
 
 }  // namespace
 
 SceneDescription final_scene() {
-    SceneDescription scene;
-    scene.camera.view.from = {Real(-4), Real(7.8), Real(25)};
-    scene.camera.view.at = {Real(4), Real(3.3), 0};
+    Composition picture;
+    SceneDescription& scene = picture.scene;
+    scene.camera.view.from = {-4, Real(7.8), 25};
+    scene.camera.view.at = {4, Real(3.85), 0};
     scene.camera.view.vertical_fov = radians(29);
-    scene.camera.lens = {Real(0.34), Real(25)};
-    scene.sky = {{Real(1.5), Real(0.58), Real(0.36)}, {Real(0.03), Real(0.09), Real(0.34)}};
-    scene.settings.width = 800;
-    scene.settings.height = 450;
+    scene.camera.lens = {Real(0.34), 25};
+    scene.sky = {{Real(1.6), Real(0.62), Real(0.38)}, {Real(0.04), Real(0.11), Real(0.4)}};
 
-    const auto material = [&](const MaterialDescription& description) {
-        scene.materials.push_back(description);
-        return static_cast<int>(scene.materials.size() - 1);
-    };
-    const auto add = [&](Vec3 center, double radius, int of) {
-        scene.spheres.push_back({{center, static_cast<Real>(radius)}, of, {}});
-    };
-
-    add({0, -2001, 0}, 2000, material(Metal{{Real(0.30), Real(0.34), Real(0.48)}, Real(0.12)}));
-
-    // The drop, of glass, and the sun behind it.
-    const int glass = material(Dielectric{Real(1.5)});
-    add({0, Real(2.9), 0}, 2.3, glass);
-    add({Real(150), Real(21), -300}, 23, material(Emitter{{Real(3.0), Real(0.95), Real(0.24)}}));
-    const auto hill = [&](double x, double z, double radius, double top, std::uint32_t color) {
-        add({static_cast<Real>(x), static_cast<Real>(top - radius), static_cast<Real>(z)}, radius, material(Lambertian{from_hex(color)}));
-    };
-    hill(0, -320, 170, 21, 0x8d6685);
-    hill(262, -310, 150, 19, 0x8d6685);
-    hill(70, -230, 120, 7, 0x6b4f7c);
-    hill(165, -225, 110, 5, 0x6b4f7c);
-    hill(-42, -190, 110, 7, 0x4d3f6c);
-    hill(215, -190, 110, 6, 0x4d3f6c);
-
-    // The lake: pearls on the spirals of a sunflower, from deep water to the crests.
-    constexpr std::uint32_t palette[] = {0x14213d, 0x1f4e79, 0x2a8c9e, 0x7cc6b8, 0xf2d0a4, 0xf08a5d};
-    int matte[std::size(palette)], metal[std::size(palette)];
-    for (std::size_t i = 0; i < std::size(palette); ++i) {
-        matte[i] = material(Lambertian{from_hex(palette[i])});
-        metal[i] = material(Metal{mix(from_hex(palette[i]), Color{1, 1, 1}, Real(0.35)), Real(0.08)});
-    }
-    Rng random{8, 8};
-    for (placing::Ball ball : placing::sunflower(16'000, {0, 0, 0, lake}, 0.2, 0.3)) {
-        const double distance = std::hypot(ball.x, ball.z);
-        const double height = ripple(distance);
-        ball.y = height;
-        const double tone = 0.42 + 0.52 * height + 0.22 * (placing::uniform(random) - 0.5);
-        const auto color = static_cast<std::size_t>(
-            std::clamp(tone * static_cast<double>(std::size(palette)), 0.0,
-                       static_cast<double>(std::size(palette)) - 0.001));
-        const auto lot = random() % 100;
-        const int of = lot < 5 ? glass : lot < 35 ? metal[color] : matte[color];
-        const Sphere s = placing::sphere_of(ball);
-        add(s.center, ball.radius, of);
-    }
-
-    // Lanterns above the water.
-    const int lantern = material(Emitter{{Real(2.6), Real(0.95), Real(0.24)}});
-    constexpr double lanterns[][4] = {{-6, 1.9, 4, 0.3},    {6.5, 2.1, 4, 0.3},  {-9, 2.6, -8, 0.34},
-                                      {9, 3.2, -10, 0.34},  {-2.4, 2.0, 9, 0.26}, {15, 2.4, -2, 0.3},
-                                      {20, 3.6, -18, 0.4},
-                                      {-5.9, 5.5, 18.2, 0.14}, {1.6, 5.4, 18.6, 0.13}, {-0.6, 5.9, 18.9, 0.1}};
-    for (const auto& [x, y, z, radius] : lanterns)
-        add({static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)}, radius, lantern);
+    const int glass = picture.material(Dielectric{Real(1.5)});
+    add_horizon(picture);
+    add_drop(picture, glass);
+    add_lake(picture, glass);
+    add_lanterns(picture);
     return scene;
 }
 

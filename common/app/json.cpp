@@ -153,6 +153,10 @@ std::string read_input_file(const fs::path& path, const std::string& name, std::
 Json parse_json(const std::string& text, const std::string& name) {
     if (text.find_first_not_of(" \t\r\n") == std::string::npos)
         throw UsageError(name + " is empty; a JSON object { ... } is wanted");
+    // The parser would take it for the end.
+    if (const auto zero = text.find('\0'); zero != std::string::npos)
+        throw UsageError(name + ':' + line_and_column(text, zero + 1) +
+                         ": a byte of zero; a JSON text has none");
     Builder builder{text, name};
     nlohmann::json::sax_parse(text, &builder);
     return std::move(builder.result);
