@@ -167,15 +167,11 @@ inline void study_effects(study::Report& report) {
     const auto shader = [&](const SceneDescription& scene, const Effects& effects) {
         return renderer_makers[narrowest(effects, renderer_effects)](scene, width, rows, {4, 8, 1});
     };
-    const auto time_of = [&](const PixelShader& shade, std::uint64_t& rays) {
-        rays = 0;
-        return study::time_ns(
-            [&] {
-                rays = 0;
-                for (int y = 0; y < rows; ++y)
-                    for (int x = 0; x < width; ++x) study::keep(shade(x, y, rays));
-            },
-            3);
+    const auto draw = [&](const PixelShader& shade) {
+        std::uint64_t rays = 0;
+        for (int y = 0; y < rows; ++y)
+            for (int x = 0; x < width; ++x) study::keep(shade(x, y, rays));
+        return rays;
     };
     const SceneDescription matte = scene_with("matte");
     for (const NamedEffect& effect : all_effects) {
@@ -186,11 +182,17 @@ inline void study_effects(study::Report& report) {
             {{"absent", shader(matte, {})},
              {"compiled in", shader(matte, one)},
              {"present", shader(scene, one)}}};
+        std::array<std::vector<double>, 3> times;
+        for (int round = 0; round < 7; ++round)
+            for (std::size_t i = 0; i < 3; ++i) {
+                std::uint64_t rays = 1;
+                const double ns = bvh::once_ns([&] { rays = draw(variants[i].second); }, 1);
+                times[i].push_back(ns / static_cast<double>(rays));
+            }
         std::array<double, 3> per_ray{};
         for (std::size_t i = 0; i < 3; ++i) {
-            std::uint64_t rays = 1;
-            const double ns = time_of(variants[i].second, rays);
-            per_ray[i] = ns / static_cast<double>(rays);
+            std::nth_element(times[i].begin(), times[i].begin() + 3, times[i].end());
+            per_ray[i] = times[i][3];
             row("effects", (std::string(effect.name) + ", " + variants[i].first).c_str(),
                 static_cast<double>(i), "absent, compiled in, present", per_ray[i] / per_ray[0],
                 "times the time without", per_ray[i], "time per ray / ns");

@@ -16,7 +16,6 @@ namespace rt {
 // without the cancellation of 1 - cos a for lights that are small or far. Within 7 units in the
 // last place; 0 where the result is too small for a number.
 inline Real cone_height(Real radius, Real distance) {
-    const Real sine = radius / distance;
     // (d - r) (d + r) / d^2 instead of 1 - sine^2, which cancels close to the light.
     const Real cosine =
         std::sqrt((distance - radius) / distance * ((distance + radius) / distance));
