@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace rt;
 
-constexpr Range angles{0.001, 179}, speeds{-1e9, 1e9};
+constexpr Range angles{0.001, 179};
 constexpr std::uint64_t max_seed = std::uint64_t{1} << 53;  // beyond, a double has gaps
 
 struct Texture {
