@@ -4,7 +4,6 @@
 #include <optional>
 #include <rt/binned_split.hpp>
 #include <rt/bounds.hpp>
-#include <rt/compiler.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/tree.hpp>
@@ -29,7 +28,7 @@ struct WideTreeOf {
         int box_tests = 0, sphere_tests = 0;  // eight at once count as one
     };
 
-    RT_NOT_INLINED Found search(const Ray& ray, Interval within) const {
+    Found search(const Ray& ray, Interval within) const {
         Found found;
         if (nodes.empty()) return found;
         // What waits, the nearest on top: a child, and where the ray enters its box. A split in two

@@ -57,28 +57,35 @@ class Renderer {
     }
 
     // The color of a pixel, which depends on the scene, the quality and the pixel alone.
-    RT_INLINES_ALL Color operator()(int column, int row) const {
-        return pixel(world_, column, row);
-    }
+    Color operator()(int column, int row) const { return pixel(world_, column, row); }
 
     // The same, and counts the rays.
-    RT_INLINES_ALL Color operator()(int column, int row, std::uint64_t& rays) const {
+    Color operator()(int column, int row, std::uint64_t& rays) const {
         return pixel(CountingWorld<typename Parts<effects>::World>{world_, rays}, column, row);
     }
 
   private:
     template <class World>
     Color pixel(const World& world, int column, int row) const {
-        if constexpr (effects.lights || effects.fog) {
-            Rng random = pixel_rng(quality_.seed, column, row);
-            return pixel_average(quality_.samples_per_pixel, random, [&](Vec2 offset) {
-                return lit_path_radiance(make_ray(eye_, column, row, offset, random), world,
-                                         materials_, sky_, lights_, fog_, SkyEnding{},
-                                         quality_.depth, random);
-            });
-        } else {
-            return render_pixel(eye_, world, materials_, sky_, SkyEnding{}, quality_, column, row);
-        }
+        if constexpr (effects.lights || effects.fog)
+            return lit_pixel(world, column, row);
+        else
+            return plain_pixel(world, column, row);
+    }
+
+    template <class World>
+    RT_INLINES_ALL Color plain_pixel(const World& world, int column, int row) const {
+        return render_pixel(eye_, world, materials_, sky_, SkyEnding{}, quality_, column, row);
+    }
+
+    // The same with the loop of this chapter.
+    template <class World>
+    Color lit_pixel(const World& world, int column, int row) const {
+        Rng random = pixel_rng(quality_.seed, column, row);
+        return pixel_average(quality_.samples_per_pixel, random, [&](Vec2 offset) {
+            return lit_path_radiance(make_ray(eye_, column, row, offset, random), world, materials_,
+                                     sky_, lights_, fog_, SkyEnding{}, quality_.depth, random);
+        });
     }
 
     static void set_eye(Camera& eye, const CameraDescription& camera, int width, int height, bool) {

@@ -43,7 +43,7 @@ struct SphereDescription {
 
 // What a picture is made with, unless the person asks for something else.
 struct RenderSettings {
-    int width = 800, height = 450;  // pixels
+    int width = 640, height = 360;  // pixels
     int samples_per_pixel = 64;
     int depth = 16;  // the most bounces of a path
     std::uint64_t seed = 1;
