@@ -29,6 +29,12 @@ SceneDescription open_scene(const app::Settings& settings) {
     if (given("spp")) chosen.samples_per_pixel = settings.spp;
     if (given("depth")) chosen.depth = settings.depth;
     if (given("seed")) chosen.seed = *settings.seed;
+    // One side may be the file's, and the other the command line's.
+    constexpr std::int64_t most_pixels = 1 << 26;
+    if (std::int64_t{chosen.width} * chosen.height > most_pixels)
+        throw app::UsageError(std::to_string(chosen.width) + "x" + std::to_string(chosen.height) +
+                              " are more than " + std::to_string(most_pixels) +
+                              " pixels; make --width or --height smaller");
     return scene;
 }
 
