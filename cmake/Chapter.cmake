@@ -290,11 +290,15 @@ function(course_chapter chapter)
 
   course_certificate(${chapter})
 
-  # What a chapter gives beyond its exercises has tests of its own.
+  # What a chapter gives beyond its exercises has tests of its own, and so have the program's parts.
   file(GLOB given CONFIGURE_DEPENDS ${root}/tests/${chapter}/given/*.cpp)
+  set(parts ${program})
+  list(FILTER parts EXCLUDE REGEX "/main\\.cpp$")
   if(given)
     foreach(real double float)
-      course_checkpoint(${chapter}_given_${real} ${real} ${given} INCLUDE ${course_solutions})
+      course_checkpoint(${chapter}_given_${real} ${real} ${given} ${parts}
+                        INCLUDE ${course_solutions} ${root}/chapters/${chapter})
+      target_compile_definitions(${chapter}_given_${real} PRIVATE COURSE_ROOT="${root}")
       add_test(NAME ${chapter}_given_${real} COMMAND ${chapter}_given_${real})
       set_tests_properties(${chapter}_given_${real} PROPERTIES LABELS "solution;hard" TIMEOUT 600)
     endforeach()

@@ -46,12 +46,19 @@ if(NOT CLI11_FOUND)
   FetchContent_MakeAvailable(CLI11)
 endif()
 
-find_package(nlohmann_json 3 QUIET)
+# Scene files are JSON, and so is what the companion remembers.
+find_package(nlohmann_json QUIET)
 if(NOT nlohmann_json_FOUND)
   message(STATUS "nlohmann-json is not installed: fetching it")
-  FetchContent_Declare(nlohmann_json GIT_REPOSITORY https://github.com/nlohmann/json.git
-                                     GIT_TAG v3.11.3 GIT_SHALLOW ON)
-  FetchContent_MakeAvailable(nlohmann_json)
+  # The release's archive of headers: the repository is a thousand times as large.
+  if(POLICY CMP0135)
+    cmake_policy(SET CMP0135 NEW)  # what is unpacked is as old as the unpacking
+  endif()
+  set(JSON_SystemInclude ON)  # its warnings are not ours
+  FetchContent_Declare(json
+    URL https://github.com/nlohmann/json/releases/download/v3.11.3/json.tar.xz
+    URL_HASH SHA256=d6c65aca6b1ed68e7a182f4757257b107ae403032760ed6ef121c9d55e81757d)
+  FetchContent_MakeAvailable(json)
 endif()
 
 # stb's image headers: course_stb says where they are.

@@ -4,6 +4,8 @@
 #include <app/run.hpp>
 #include <charconv>
 #include <chrono>
+#include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <rt/image_file.hpp>
@@ -76,9 +78,18 @@ std::string count(double number, const char* unit) {
     return text;
 }
 
-void draw_picture(const Program& program, const Settings& settings, const fs::path& path,
-                  bool quiet) {
+// Returns the program's exit code.
+int draw_picture(const Program& program, const Settings& settings, const fs::path& path,
+                 bool explain, bool quiet) {
     check_output(path);
+    // The report must not end up in an image that goes to the standard output.
+    std::error_code none;
+    std::FILE* const out =
+        !fs::exists(path, none) || fs::is_regular_file(path, none) ? stdout : stderr;
+    if (explain && !quiet) {
+        std::fputs(program.explain(settings).c_str(), out);
+        std::fflush(out);
+    }
     const auto start = std::chrono::steady_clock::now();
     Picture picture;
     {
@@ -88,10 +99,14 @@ void draw_picture(const Program& program, const Settings& settings, const fs::pa
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
     write_image(program, path, picture.image);
-    if (quiet) return;
+    if (picture.stopped) {
+        std::fprintf(stderr, "%s: stopped by %s; %s shows the %.0f %% that are done\n",
+                     program.name.c_str(), picture.stopped->signal == SIGINT ? "Ctrl-C" : "SIGTERM",
+                     path.string().c_str(), std::floor(100 * picture.stopped->share_done));
+        return stopped_by + picture.stopped->signal;
+    }
+    if (quiet) return done;
     const auto rays = static_cast<double>(picture.rays);
-    // The report must not end up in an image that goes to the standard output.
-    std::FILE* const out = fs::is_regular_file(path) ? stdout : stderr;
     std::fprintf(out, "%s: %dx%d pixels in %.3f s", path.string().c_str(), picture.image.width(),
                  picture.image.height(), seconds.count());
     if (picture.rays)
@@ -99,6 +114,7 @@ void draw_picture(const Program& program, const Settings& settings, const fs::pa
                      count(rays / seconds.count(), "rays/s").c_str());
     std::fputc('\n', out);
     if (picture.words) std::fputs(picture.words().c_str(), out);
+    return done;
 }
 
 void run_study(const Program& program, const fs::path& folder, bool quiet) {
@@ -126,10 +142,16 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
     Settings settings = program.defaults;
     std::string out = program.name + ".png", study_folder;
     std::uint64_t seed = settings.seed.value_or(0);
-    bool quiet = false;
+    bool quiet = false, explain = false;
 
     CLI::App options{program.name + ": " + program.about};
     options.set_help_flag("--help", "Show this text and stop");
+    std::string codes =
+        "Exit codes: 0 done, 1 could not, 2 bad usage or input, 3 an exercise is "
+        "still to be written";
+    if (program.can_be_stopped)
+        codes += ", 130 stopped by Ctrl-C (143 by SIGTERM): the image shows what was done";
+    options.footer(codes);
     options.add_option("--out", out, "The image file, .png or .ppm")->capture_default_str();
     const auto add = [&](const char* name, int& value, const char* what, int high) {
         if (value == 0) return;  // this program has no such setting
@@ -153,6 +175,9 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
                         program.choices[i].about)
             ->check(CLI::IsMember(program.choices[i].words))
             ->capture_default_str();
+    if (!program.reads.empty()) options.add_option("file", settings.file, program.reads);
+    if (program.explain)
+        options.add_flag("--explain", explain, "Say what the program is about to do, and why");
     options.add_flag("--quiet", quiet, "Print nothing but errors");
     if (program.study)
         options.add_option("--study", study_folder,
@@ -166,15 +191,17 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
         throw UsageError(std::string(error.what()) + "; --help lists what there is");
     }
     if (settings.seed) settings.seed = seed;
+    for (const CLI::Option* const option : options.get_options())
+        if (option->count() > 0) settings.given.insert(option->get_single_name());
+    if (options.count("file") > 0 && settings.file.empty()) throw UsageError("file: needs a name");
     if (std::int64_t{settings.width} * settings.height > max_pixels)
         throw UsageError("--width " + std::to_string(settings.width) + " times --height " +
                          std::to_string(settings.height) + " is more than " +
                          std::to_string(max_pixels) + " pixels");
 
-    if (program.study && options.count("--study") > 0)
-        run_study(program, study_folder, quiet);
-    else
-        draw_picture(program, settings, out, quiet);
+    if (!program.study || options.count("--study") == 0)
+        return draw_picture(program, settings, out, explain, quiet);
+    run_study(program, study_folder, quiet);
     return done;
 }
 

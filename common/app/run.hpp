@@ -3,12 +3,14 @@
 // saying how long it took, and ending with the right exit code.
 
 #include <app/errors.hpp>
+#include <app/interrupt.hpp>
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <rt/image.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,10 @@ struct Settings {
     std::optional<std::uint64_t> seed = {};  // of everything random
     // The word that was picked of each of the program's choices, in their order.
     std::vector<std::string> picked = {};
+    // The file that the program was given to read; empty if none.
+    std::string file = {};
+    // The options that the person set, without the dashes: what a file says gives way to them.
+    std::set<std::string> given = {};
 };
 
 // An option of one program alone, which takes one of a few words: --ending sky|black|roulette.
@@ -61,6 +67,9 @@ struct Picture {
     std::uint64_t rays = 0;
     // More to print below the line about the image. Called only where something is printed.
     std::function<std::string()> words = {};
+    // What stopped the work before all was done; unfinished pixels are as unfinished_image has
+    // them.
+    std::optional<Stopped> stopped = {};
 };
 
 // A chapter's program.
@@ -73,6 +82,12 @@ struct Program {
     // How a .ppm file is encoded, where the chapter brings its own way.
     std::string (*encode_ppm)(const rt::Image&) = nullptr;
     std::vector<Choice> choices = {};
+    // What the file is that may be named without an option; empty if the program reads none.
+    std::string reads = {};
+    // What --explain prints before the picture is drawn; without it there is no such option.
+    std::string (*explain)(const Settings&) = nullptr;
+    // Whether render() looks out for an Interruption; else Ctrl-C ends the program at once.
+    bool can_be_stopped = false;
 };
 
 // Runs the program as main() should. Every error is one line on stderr.

@@ -1,12 +1,15 @@
+#include <stb_image.h>
 #include <stb_image_write.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
+#include <memory>
 #include <random>
 #include <rt/image_file.hpp>
 #include <stdexcept>
@@ -106,6 +109,29 @@ std::string encode_ppm(const Image& image) {
     const auto bytes = to_bytes(image);
     return "P6\n" + std::to_string(image.width()) + ' ' + std::to_string(image.height()) +
            "\n255\n" + std::string(bytes.begin(), bytes.end());
+}
+
+Image decode_image(const std::string& bytes, int most_pixels) {
+    // The library is compiled with a reader that the tests need, too.
+    const bool is_png = bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0;
+    const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
+    int width = 0, height = 0, channels = 0;
+    if (!is_png || !stbi_info_from_memory(data, size, &width, &height, &channels) || width < 1 ||
+        height < 1)
+        throw std::runtime_error("no PNG image");
+    if (std::int64_t{width} * height > most_pixels)
+        throw std::length_error("the image has too many pixels");
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels{
+        stbi_load_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free};
+    if (!pixels) throw std::runtime_error("the image file is broken");
+    return make_image(width, height, [&](int x, int y) {
+        const stbi_uc* const p = pixels.get() + 3 * (std::ptrdiff_t{y} * width + x);
+        const auto channel = [](stbi_uc byte) {
+            return srgb_decode(static_cast<Real>(byte) / 255);
+        };
+        return Color{channel(p[0]), channel(p[1]), channel(p[2])};
+    });
 }
 
 void replace_file(const fs::path& path, const std::string& bytes) {

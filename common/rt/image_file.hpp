@@ -10,6 +10,12 @@ namespace rt {
 std::string encode_png(const Image& image);
 std::string encode_ppm(const Image& image);  // the binary form, P6
 
+// The picture in the bytes of a PNG file, as linear light; transparency is left out. JPEG is not
+// read: fuzzing found that the library, as systems package it, writes beyond an array there.
+// Throws std::length_error when it has more than this many pixels, std::runtime_error when it is no
+// PNG file or a broken one.
+Image decode_image(const std::string& bytes, int most_pixels);
+
 // Replaces the file as a whole: the bytes go to a new file beside it, which then takes its name, so
 // that a reader sees the old file or the new one, never a part. A path that is no regular file (a
 // device, a pipe) is written to directly.

@@ -1,3 +1,16 @@
-// The one place where the implementation of the image library is compiled.
+// The one place where the implementation of the image library is compiled, with the kinds of files
+// that are read.
+#include <cstdlib>
+
+// A small file can claim to unpack to anything: enough for 2^23 pixels of 16 bytes is enough.
+constexpr std::size_t most_bytes = std::size_t{1} << 27;
+#define STBI_MALLOC(size) ((size) <= most_bytes ? std::malloc(size) : nullptr)
+#define STBI_REALLOC(old, size) ((size) <= most_bytes ? std::realloc(old, size) : nullptr)
+#define STBI_FREE(old) std::free(old)
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_ONLY_PNM
+#include <stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb_image_write.h>

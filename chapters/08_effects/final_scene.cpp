@@ -1,0 +1,123 @@
+#include "final_scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <rt/rng.hpp>
+
+#include "placing.hpp"
+
+namespace effects {
+namespace {
+
+using namespace rt;
+using placing::Ball;
+
+constexpr double lake_radius = 40;
+constexpr int pearls = 16'000;
+
+// How high the lake stands at this distance from where the drop fell.
+double ripple(double distance) {
+    constexpr double wave_length = 6.6, reach = 15;
+    return 1.5 * std::cos(2 * std::numbers::pi * distance / wave_length) *
+           std::exp(-distance / reach) * std::min(1.0, distance / 2.5);
+}
+
+class Composition {
+  public:
+    SceneDescription scene;
+
+    int material(const MaterialDescription& description) {
+        scene.materials.push_back(description);
+        return static_cast<int>(scene.materials.size() - 1);
+    }
+    void add(const Ball& ball, int of) {
+        scene.spheres.push_back({placing::sphere_of(ball), of, {}});
+    }
+};
+
+// Hills behind each other, the farther the paler, and the sun that sets between them. A hill is the
+// top of a large sphere.
+void add_horizon(Composition& picture) {
+    struct Hill {
+        double x, z, top, radius;
+        std::uint32_t color;
+    };
+    constexpr Hill hills[] = {{0, -320, 21, 170, 0x8d6685},  {262, -310, 19, 150, 0x8d6685},
+                              {70, -230, 7, 120, 0x6b4f7c},  {165, -225, 5, 110, 0x6b4f7c},
+                              {-42, -190, 7, 110, 0x4d3f6c}, {215, -190, 6, 110, 0x4d3f6c}};
+    for (const Hill& hill : hills)
+        picture.add({hill.x, hill.top - hill.radius, hill.z, hill.radius},
+                    picture.material(Lambertian{from_hex(hill.color)}));
+    picture.add({150, 19.5, -300, 21}, picture.material(Emitter{{3, Real(0.8), Real(0.17)}}));
+}
+
+// A ball of glass, as a drop that has just fallen, and droplets that it has splashed up.
+void add_drop(Composition& picture, int glass) {
+    picture.add({0, 2.9, 0, 2.3}, glass);
+    for (int i = 0; i < 18; ++i) {
+        const double angle = 2.39996 * i, distance = 3.1 + 0.9 * std::sin(1.7 * i);
+        picture.add({distance * std::cos(angle), 3.1 + 1.1 * std::sin(2.9 * i),
+                     distance * std::sin(angle), 0.185 + 0.065 * std::cos(4.1 * i)},
+                    glass);
+    }
+}
+
+// The lake: pearls on the spirals of a sunflower, lifted by the ripples and colored by their
+// height, from deep water to the crests.
+void add_lake(Composition& picture, int glass) {
+    // Still water below the pearls, and as far as the hills.
+    picture.add({0, -2001, 0, 2000},
+                picture.material(Metal{{Real(0.30), Real(0.34), Real(0.48)}, Real(0.12)}));
+
+    constexpr std::array<std::uint32_t, 6> colors{0x14213d, 0x1f4e79, 0x2a8c9e,
+                                                  0x7cc6b8, 0xf2d0a4, 0xf08a5d};
+    std::array<int, colors.size()> matte{}, metal{};
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const Color color = from_hex(colors[i]);
+        matte[i] = picture.material(Lambertian{color});
+        metal[i] = picture.material(Metal{mix(color, {1, 1, 1}, Real(0.35)), Real(0.08)});
+    }
+    Rng random{8, 8};
+    for (Ball pearl : placing::sunflower(pearls, {0, 0, 0, lake_radius}, 0.2, 0.3)) {
+        pearl.y = ripple(std::hypot(pearl.x, pearl.z));
+        const double tone = 0.31 + 0.52 * pearl.y + 0.22 * placing::uniform(random);
+        const auto color = static_cast<std::size_t>(std::clamp(tone, 0.0, 0.999) * colors.size());
+        const auto lot = random() % 100;
+        picture.add(pearl, lot < 5 ? glass : lot < 35 ? metal[color] : matte[color]);
+    }
+}
+
+// Few and not too small, so that each is found often enough.
+void add_lanterns(Composition& picture) {
+    const int flame = picture.material(Emitter{{Real(2.6), Real(0.95), Real(0.24)}});
+    constexpr Ball lanterns[] = {{-6, 1.9, 4, 0.3},   {6.8, 2.1, 5, 0.3},   {-9, 2.8, -8, 0.34},
+                                 {9, 3.2, -10, 0.34}, {-2.4, 2.0, 9, 0.26}, {15, 2.4, -2, 0.3},
+                                 {20, 3.6, -18, 0.4}};
+    for (const Ball& lantern : lanterns) picture.add(lantern, flame);
+    // Two close to the lens, which melt to disks.
+    const int glow = picture.material(Emitter{{Real(1.25), Real(0.5), Real(0.16)}});
+    picture.add({-4.25, 5.98, 20.1, 0.13}, glow);
+    picture.add({-0.2, 5.9, 20.4, 0.13}, glow);
+}
+
+}  // namespace
+
+SceneDescription final_scene() {
+    Composition picture;
+    SceneDescription& scene = picture.scene;
+    scene.camera.view.from = {-4, Real(7.8), 25};
+    scene.camera.view.at = {4, Real(3.85), 0};
+    scene.camera.view.vertical_fov = radians(29);
+    scene.camera.lens = {Real(0.34), 25};
+    scene.sky = {{Real(1.6), Real(0.62), Real(0.38)}, {Real(0.04), Real(0.11), Real(0.4)}};
+
+    const int glass = picture.material(Dielectric{Real(1.5)});
+    add_horizon(picture);
+    add_drop(picture, glass);
+    add_lake(picture, glass);
+    add_lanterns(picture);
+    return scene;
+}
+
+}  // namespace effects

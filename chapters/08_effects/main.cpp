@@ -1,0 +1,109 @@
+// Chapter 08: a scene file, or the course's final scene, drawn by the narrowest renderer that has
+// all the effects that it needs.
+
+#include <app/errors.hpp>
+#include <app/run.hpp>
+#include <atomic>
+#include <rt/choose_renderer.hpp>
+#include <rt/effects_of.hpp>
+#include <rt/render_tiles.hpp>
+#include <rt/renderers.hpp>
+#include <thread>
+
+#include "final_scene.hpp"
+#include "scene_file.hpp"
+#include "study.hpp"
+
+namespace {
+
+using namespace rt;
+
+// The scene that the person asked for, with the settings from the command line.
+SceneDescription open_scene(const app::Settings& settings) {
+    SceneDescription scene =
+        settings.file.empty() ? effects::final_scene() : effects::read_scene(settings.file);
+    RenderSettings& chosen = scene.settings;
+    const auto given = [&](const char* option) { return settings.given.count(option) > 0; };
+    if (given("width")) chosen.width = settings.width;
+    if (given("height")) chosen.height = settings.height;
+    if (given("spp")) chosen.samples_per_pixel = settings.spp;
+    if (given("depth")) chosen.depth = settings.depth;
+    if (given("seed")) chosen.seed = *settings.seed;
+    // One side may be the file's, and the other the command line's.
+    constexpr std::int64_t most_pixels = 1 << 26;
+    if (std::int64_t{chosen.width} * chosen.height > most_pixels)
+        throw app::UsageError(std::to_string(chosen.width) + "x" + std::to_string(chosen.height) +
+                              " are more than " + std::to_string(most_pixels) +
+                              " pixels; make --width or --height smaller");
+    return scene;
+}
+
+std::string explain(const app::Settings& settings) {
+    const SceneDescription scene = open_scene(settings);
+    const Effects needed = effects_of(scene);
+    const Effects chosen = renderer_effects[narrowest(needed, renderer_effects)];
+    const std::size_t spheres = scene.spheres.size();
+    return "scene:    " + (settings.file.empty() ? "the final scene" : settings.file) + ", " +
+           std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
+           "\nneeds:    " + names(needed) + "\nrenderer: " + names(chosen) + ", one of " +
+           std::to_string(renderer_effects.size()) +
+           "\nunused:   " + names(without(chosen, needed)) +
+           "\nleft out: " + names(without(with_all, chosen)) + '\n';
+}
+
+app::Picture render(const app::Settings& settings, app::Progress& progress) {
+    const SceneDescription scene = open_scene(settings);
+    const RenderSettings& chosen = scene.settings;
+    const std::size_t renderer = narrowest(effects_of(scene), renderer_effects);
+    const PixelShader shade = renderer_makers[renderer](
+        scene, chosen.width, chosen.height, {chosen.samples_per_pixel, chosen.depth, chosen.seed});
+
+    Image image = app::unfinished_image(chosen.width, chosen.height);
+    std::atomic<std::uint64_t> all_rays = 0;
+    std::atomic<std::int64_t> pixels_done = 0;
+    const app::Interruption interruption;
+    const TileGrid grid{chosen.width, chosen.height, 16};
+    progress.start(tile_count(grid));
+    render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
+        std::uint64_t rays = 0;
+        std::int64_t done = 0;
+        for (int y = tile.top; y < tile.bottom; ++y)
+            for (int x = tile.left; x < tile.right && interruption.signal() == 0; ++x) {
+                image.at(x, y) = shade(x, y, rays);
+                assert(is_finite(image.at(x, y)));
+                ++done;
+            }
+        all_rays += rays;
+        pixels_done += done;
+        progress.step();
+    });
+    app::Picture picture{std::move(image), all_rays};
+    if (const int signal = interruption.signal()) {
+        const auto all = static_cast<double>(picture.image.pixels().size());
+        picture.stopped = {signal, static_cast<double>(pixels_done) / all};
+    }
+    return picture;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // What a scene file says; the final scene says the same.
+    const RenderSettings usual;
+    app::Settings defaults;
+    defaults.width = usual.width;
+    defaults.height = usual.height;
+    defaults.spp = usual.samples_per_pixel;
+    defaults.depth = usual.depth;
+    defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    defaults.seed = usual.seed;
+    return app::run(argc, argv,
+                    {.name = "08_effects",
+                     .about = "a scene, drawn by a renderer that has its effects and no others",
+                     .defaults = defaults,
+                     .render = render,
+                     .study = effects::study_effects,
+                     .reads = "The scene file, .json; without it the final scene is drawn",
+                     .explain = explain,
+                     .can_be_stopped = true});
+}

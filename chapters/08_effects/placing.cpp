@@ -1,0 +1,155 @@
+#include "placing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace placing {
+namespace {
+
+// A cell's three whole coordinates in one number. Cells that share one are searched together: that
+// takes longer and is as right.
+std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z) {
+    const auto bits = [](std::int64_t c) { return static_cast<std::uint64_t>(c); };
+    return rt::mix_bits(rt::mix_bits(rt::mix_bits(bits(x)) ^ bits(y)) ^ bits(z));
+}
+
+std::int64_t cell_of(double coordinate, double cell) {
+    return static_cast<std::int64_t>(std::floor(coordinate / cell));
+}
+
+// Balls may touch: a thousandth of the smaller one's radius may be rounding.
+bool overlap(const Ball& a, const Ball& b) {
+    const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    const double apart = a.radius + b.radius - std::min(a.radius, b.radius) / 1000;
+    return x * x + y * y + z * z < apart * apart;
+}
+
+// At a distance from the middle of the space, in a random direction.
+Ball around(const Ball& space, double distance, double radius, rt::Rng& random) {
+    const double y = uniform(random, -1, 1), angle = uniform(random, 0, 2 * std::numbers::pi);
+    const double flat = distance * std::sqrt((1 - y) * (1 + y));
+    return {space.x + flat * std::cos(angle), space.y + distance * y,
+            space.z + flat * std::sin(angle), radius};
+}
+
+// Around 0, more often near it; never beyond 1.
+double around_zero(rt::Rng& random) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += uniform(random, -1, 1);
+    return sum / 3;
+}
+
+}  // namespace
+
+void Neighbours::add(const Ball& ball) {
+    const double cell = std::exp2(std::ceil(std::log2(2 * ball.radius)));
+    auto grid =
+        std::find_if(grids_.begin(), grids_.end(), [&](const Grid& g) { return g.cell == cell; });
+    if (grid == grids_.end()) grid = grids_.insert(grids_.end(), {cell, {}});
+    grid->balls[key_of(cell_of(ball.x, cell), cell_of(ball.y, cell), cell_of(ball.z, cell))]
+        .push_back(static_cast<int>(balls_.size()));
+    balls_.push_back(ball);
+}
+
+bool Neighbours::has_room_for(const Ball& ball) {
+    const auto all_clear = [&](const std::vector<int>& numbers) {
+        steps_ += static_cast<std::int64_t>(numbers.size());
+        return std::none_of(numbers.begin(), numbers.end(), [&](int i) {
+            return overlap(ball, balls_[static_cast<std::size_t>(i)]);
+        });
+    };
+    for (const Grid& grid : grids_) {
+        // The middles of this grid's balls that may overlap lie at most this far away.
+        const double reach = ball.radius + grid.cell / 2;
+        // Small balls around a large one: looking at all of them is quicker.
+        if (reach > 4 * grid.cell) {
+            for (const auto& [key, numbers] : grid.balls)
+                if (!all_clear(numbers)) return false;
+            continue;
+        }
+        const auto low = [&](double c) { return cell_of(c - reach, grid.cell); };
+        const auto high = [&](double c) { return cell_of(c + reach, grid.cell); };
+        for (std::int64_t x = low(ball.x); x <= high(ball.x); ++x)
+            for (std::int64_t y = low(ball.y); y <= high(ball.y); ++y)
+                for (std::int64_t z = low(ball.z); z <= high(ball.z); ++z) {
+                    ++steps_;
+                    const auto found = grid.balls.find(key_of(x, y, z));
+                    if (found != grid.balls.end() && !all_clear(found->second)) return false;
+                }
+    }
+    return true;
+}
+
+Rule on_plane(Ball space) {
+    return [=](double radius, rt::Rng& random) -> Ball {
+        const double distance = space.radius * std::sqrt(uniform(random));
+        const double angle = uniform(random, 0, 2 * std::numbers::pi);
+        return {space.x + distance * std::cos(angle), space.y + radius,
+                space.z + distance * std::sin(angle), radius};
+    };
+}
+
+Rule on_sphere(Ball space) {
+    return [=](double radius, rt::Rng& random) {
+        return around(space, space.radius + radius, radius, random);
+    };
+}
+
+Rule in_ball(Ball space) {
+    return [=](double radius, rt::Rng& random) {
+        const double most = std::max(0.0, space.radius - radius);
+        return around(space, most * std::cbrt(uniform(random)), radius, random);
+    };
+}
+
+Rule galaxy(Ball space, int arms, double turns, double width) {
+    return [=](double radius, rt::Rng& random) -> Ball {
+        const double way = std::sqrt(uniform(random));  // from the middle to the rim
+        const auto arm = static_cast<double>(random() % static_cast<unsigned>(arms));
+        const double angle = 2 * std::numbers::pi * (turns * way + arm / arms);
+        const double x = way * std::cos(angle) + width * around_zero(random);
+        const double z = way * std::sin(angle) + width * around_zero(random);
+        const double y = width * (1 - 0.8 * way) * around_zero(random);  // thin at the rim
+        return {space.x + space.radius * x, space.y + space.radius * y, space.z + space.radius * z,
+                radius};
+    };
+}
+
+std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbours& there,
+                          std::uint64_t seed) {
+    constexpr std::int64_t tries = 30;  // for each ball, on the average
+    rt::Rng random{seed, 8};
+    std::vector<double> radii(static_cast<std::size_t>(count));
+    for (double& radius : radii) {
+        const double size = uniform(random);
+        radius = low + (high - low) * size * size;
+    }
+    // Small ones find room between the large ones.
+    std::sort(radii.begin(), radii.end(), std::greater<>{});
+
+    std::vector<Ball> placed;
+    for (std::int64_t left = tries * count; left > 0 && placed.size() < radii.size(); --left) {
+        if (there.is_tired()) break;
+        const Ball ball = rule(radii[placed.size()], random);
+        if (!there.has_room_for(ball)) continue;
+        there.add(ball);
+        placed.push_back(ball);
+    }
+    return placed;
+}
+
+std::vector<Ball> sunflower(int count, Ball space, double inner, double outer) {
+    constexpr double golden_angle = 2 * std::numbers::pi * (2 - std::numbers::phi);
+    std::vector<Ball> balls;
+    for (int i = 0; i < count; ++i) {
+        const double way = std::sqrt((i + 0.5) / count);
+        const double radius = inner + (outer - inner) * way, angle = i * golden_angle;
+        balls.push_back({space.x + space.radius * way * std::cos(angle), space.y + radius,
+                         space.z + space.radius * way * std::sin(angle), radius});
+    }
+    return balls;
+}
+
+}  // namespace placing

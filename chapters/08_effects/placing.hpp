@@ -1,0 +1,79 @@
+#pragma once
+// Rules that place many spheres: at random without overlaps, or in order like a sunflower's seeds.
+
+#include <cstdint>
+#include <functional>
+#include <rt/rng.hpp>
+#include <rt/sphere.hpp>
+#include <unordered_map>
+#include <vector>
+
+namespace placing {
+
+// A sphere in double, whatever the precision of the renderer: both are given the same scene.
+struct Ball {
+    double x = 0, y = 0, z = 0;
+    double radius = 0;
+};
+
+inline rt::Sphere sphere_of(const Ball& b) {
+    using rt::Real;
+    return {{static_cast<Real>(b.x), static_cast<Real>(b.y), static_cast<Real>(b.z)},
+            static_cast<Real>(b.radius)};
+}
+inline Ball ball_of(const rt::Sphere& s) {
+    return {double{s.center.x}, double{s.center.y}, double{s.center.z}, double{s.radius}};
+}
+
+// A random number in [0, 1), the same in both precisions; and one in [low, high).
+inline double uniform(rt::Rng& random) {
+    return static_cast<double>(random()) * 0x1p-32;
+}
+inline double uniform(rt::Rng& random, double low, double high) {
+    return low + (high - low) * uniform(random);
+}
+
+// Says whether a sphere keeps clear of those that are there: it looks only at what lies near, in a
+// grid of cubes for each size of spheres. Spheres may touch.
+class Neighbours {
+  public:
+    void add(const Ball& ball);
+    bool has_room_for(const Ball& ball);
+    // How much was looked at so far, and whether that is more than anybody will wait for.
+    bool is_tired() const { return steps_ > 100'000'000; }
+
+  private:
+    // Spheres whose diameters lie between half a cell's side and all of it.
+    struct Grid {
+        double cell = 1;
+        std::unordered_map<std::uint64_t, std::vector<int>> balls;
+    };
+    std::vector<Grid> grids_;
+    std::vector<Ball> balls_;
+    std::int64_t steps_ = 0;
+};
+
+// A place for a ball of this radius, anywhere that the rule allows.
+using Rule = std::function<Ball(double radius, rt::Rng& random)>;
+
+// In all rules, `space` is where: resting on the round floor of this radius around its middle;
+Rule on_plane(Ball space);
+// resting on the surface of the ball;
+Rule on_sphere(Ball space);
+// floating inside of the ball;
+Rule in_ball(Ball space);
+// along the arms of a galaxy that lies flat in the ball: each arm makes this many turns from the
+// middle to the rim. Arms are as wide, and the middle is as thick, as `width` times the radius.
+Rule galaxy(Ball space, int arms, double turns, double width);
+
+// This many balls by a rule, the largest first, none of which overlaps another or one of those that
+// are there, to which it is added. Their radii lie between low and high, most of them near low.
+// Fewer come back where there is no more room.
+std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbours& there,
+                          std::uint64_t seed);
+
+// Resting on a floor like a sunflower's seeds: number i stands at i times the golden angle, so that
+// all have the same room. The radii grow from `inner` in the middle to `outer` at the rim.
+std::vector<Ball> sunflower(int count, Ball space, double inner, double outer);
+
+}  // namespace placing

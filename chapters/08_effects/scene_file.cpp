@@ -1,0 +1,373 @@
+#include "scene_file.hpp"
+
+#include <algorithm>
+#include <map>
+#include <rt/image_file.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "placing.hpp"
+#include "scene_value.hpp"
+
+namespace effects {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace rt;
+
+constexpr Range angles{0.001, 179};
+constexpr std::uint64_t max_seed = std::uint64_t{1} << 53;  // beyond, a double has gaps
+
+struct Texture {
+    std::optional<CheckeredMatte> checker;
+    PictureMatte picture;
+};
+
+// A named material. Where its colour is drawn by lot, each sphere gets a material of its own.
+struct Material {
+    MaterialDescription description;
+    std::optional<std::pair<Color, Color>> between = {};
+    int index = -1;  // in the scene, once a sphere is made of it
+};
+
+class Reader {
+  public:
+    Reader(const std::string& name, const fs::path& folder, const Limits& limits)
+        : name_{name}, folder_{folder}, limits_{limits} {}
+
+    SceneDescription read(const app::Json& json) {
+        const Value whole{json, "", name_};
+        whole.with_keys({"about", "camera", "sky", "fog", "textures", "materials", "spheres",
+                         "groups", "render"});
+        if (const auto about = whole.find("about")) about->text("a sentence");
+        read_camera(whole.at("camera"));
+        scene_.sky = {{1, 1, 1}, from_hex(0x7fb2ff)};
+        if (const auto sky = whole.find("sky")) read_sky(*sky);
+        if (const auto fog = whole.find("fog")) read_fog(*fog);
+        if (const auto textures = whole.find("textures"))
+            for (const auto& [key, texture] : textures->members("textures by name"))
+                textures_.emplace(key, read_texture(texture));
+        for (const auto& [key, material] : whole.at("materials").members("materials by name"))
+            materials_.emplace(key, read_material(material));
+        if (const auto spheres = whole.find("spheres"))
+            for (const Value& sphere : spheres->list("spheres")) read_sphere(sphere);
+        if (const auto groups = whole.find("groups"))
+            for (const Value& group : groups->list("groups")) read_group(group);
+        if (const auto render = whole.find("render")) read_render(*render);
+        return std::move(scene_);
+    }
+
+  private:
+    void read_camera(const Value& camera) {
+        camera.with_keys({"look_from", "look_at", "up", "vfov_deg", "lens", "shutter"});
+        CameraDescription& to = scene_.camera;
+        to.view.from = camera.at("look_from").vec3();
+        to.view.at = camera.at("look_at").vec3();
+        if (to.view.at == to.view.from)
+            camera.at("look_at").fail("must be another point than look_from");
+        to.view.up = camera.vec3("up", {0, 1, 0});
+        if (to.view.up == Vec3{}) camera.at("up").fail("must be a direction, not [0, 0, 0]");
+        to.view.vertical_fov = radians(camera.number("vfov_deg", angles, 40));
+        to.shutter = camera.number("shutter", {0, 1e6}, 0);
+        if (const auto lens = camera.find("lens")) {
+            lens->with_keys({"aperture", "focus_distance"});
+            to.lens.aperture = lens->at("aperture").number({0, lengths.high});
+            const Vec3 ahead = to.view.at - to.view.from;
+            to.lens.focus_distance =
+                lens->number("focus_distance", lengths, std::hypot(ahead.x, ahead.y, ahead.z));
+        }
+    }
+
+    void read_sky(const Value& sky) {
+        sky.with_keys({"below", "above"});
+        scene_.sky = {sky.at("below").color(light), sky.at("above").color(light)};
+    }
+
+    void read_fog(const Value& value) {
+        value.with_keys({"center", "radius", "density", "color", "forwardness"});
+        Fog fog;
+        fog.region = {value.at("center").vec3(), value.at("radius").number(lengths)};
+        fog.density = value.at("density").number({0, 1e9});
+        fog.albedo = value.color("color", {1, 1, 1}, shares);
+        fog.forwardness = value.number("forwardness", {-0.99, 0.99}, 0);
+        scene_.fog = fog;
+    }
+
+    Texture read_texture(const Value& texture) {
+        texture.with_keys({"type", "even", "odd", "size", "file"});
+        Texture result;
+        if (texture.at("type").word({"checker", "image"}) == "image") {
+            texture.with_keys({"type", "file"});
+            result.picture.image = static_cast<int>(scene_.images.size());
+            scene_.images.push_back(read_image(texture.at("file")));
+        } else {
+            texture.with_keys({"type", "even", "odd", "size"});
+            result.checker = {texture.at("even").color(shares), texture.at("odd").color(shares),
+                              texture.number("size", lengths, 1)};
+        }
+        return result;
+    }
+
+    // Only what lies in the scene's folder, so that a scene from someone else shows nothing that
+    // lies outside.
+    Image read_image(const Value& file) {
+        const std::string& given = file.text("the name of an image file");
+        const fs::path path{given};
+        const std::string shown = app::quoted(given);
+        if (given.empty() || given.find('\0') != std::string::npos)
+            file.fail("must name an image file in the scene's folder");
+        const bool leaves =
+            path.is_absolute() || std::find(path.begin(), path.end(), fs::path{".."}) != path.end();
+        std::error_code error;
+        const fs::path home = fs::canonical(folder_, error);
+        const fs::path found = error ? fs::path{} : fs::weakly_canonical(home / path, error);
+        // Links may lead outside, too.
+        const bool inside =
+            !error &&
+            std::mismatch(home.begin(), home.end(), found.begin(), found.end()).first == home.end();
+        if (leaves || !inside)
+            file.fail("is " + shown +
+                      ", which leads out of the scene's folder; only files in it "
+                      "are read");
+        std::string bytes;
+        try {
+            bytes = app::read_input_file(found, shown, 64 << 20);
+        } catch (const app::UsageError& wrong) {
+            file.fail(std::string{"names an image: "} + wrong.what());
+        }
+        try {
+            Image image = decode_image(bytes, pixels_left_);
+            pixels_left_ -= image.width() * image.height();
+            return image;
+        } catch (const std::length_error&) {
+            file.fail("is " + shown + ", which is too large; all images of a scene may have " +
+                      std::to_string(limits_.image_pixels) + " pixels together");
+        } catch (const std::runtime_error&) {
+            file.fail("is " + shown + ", which is no PNG image that can be read; only PNG is");
+        }
+    }
+
+    // The one that is named, or an error that says which there are.
+    template <class Table>
+    static auto& named(Table& table, const Value& name, const std::string& kind) {
+        const std::string& wanted = name.text("the name of a " + kind);
+        const auto found = table.find(wanted);
+        if (found != table.end()) return found->second;
+        std::vector<std::string> known;
+        for (const auto& [key, value] : table) known.push_back(key);
+        name.fail("is " + app::quoted(wanted) + ", and there is no such " + kind +
+                  (known.empty() ? "; \"" + kind + "s\" holds none"
+                                 : Value::meant(wanted, known, "there are ")));
+    }
+
+    Material read_material(const Value& value) {
+        value.with_keys({"type", "color", "texture", "fuzz", "index", "strength"});
+        const std::string& type = value.at("type").word({"matte", "metal", "glass", "light"});
+        Material material;
+        const auto read_color = [&] {
+            const Value color = value.at("color");
+            if (!color.is_object()) return color.color(shares);
+            const std::vector<Value> ends =
+                color.with_keys({"between"}).at("between").list("two colours");
+            if (ends.size() != 2)
+                color.at("between").fail("must be a list of two colours, not of " +
+                                         std::to_string(ends.size()));
+            material.between = {ends[0].color(shares), ends[1].color(shares)};
+            return material.between->first;
+        };
+        if (type == "metal") {
+            value.with_keys({"type", "color", "fuzz"});
+            material.description = Metal{read_color(), value.number("fuzz", shares, 0)};
+        } else if (type == "glass") {
+            value.with_keys({"type", "index"});
+            material.description = Dielectric{value.number("index", {0.1, 10}, Real(1.5))};
+        } else if (type == "light") {
+            value.with_keys({"type", "color", "strength"});
+            const Real strength = value.number("strength", light, 1);
+            material.description = Emitter{strength * value.at("color").color(light)};
+        } else if (const auto texture = value.find("texture")) {
+            value.with_keys({"type", "texture"});
+            const Texture& chosen = named(textures_, *texture, "texture");
+            if (chosen.checker)
+                material.description = *chosen.checker;
+            else
+                material.description = chosen.picture;
+        } else {
+            value.with_keys({"type", "color"});
+            material.description = Lambertian{read_color()};
+        }
+        return material;
+    }
+
+    // The index of a material for one sphere. Which color it gets is decided by the sphere's number
+    // alone.
+    int use(Material& material) {
+        if (material.between || material.index < 0) {
+            material.index = static_cast<int>(scene_.materials.size());
+            scene_.materials.push_back(material.description);
+        }
+        if (material.between) {
+            Rng random{scene_.spheres.size(), 80};
+            const auto [a, b] = *material.between;
+            const auto lot = [&](Real low, Real high) {
+                return low + (high - low) * static_cast<Real>(placing::uniform(random));
+            };
+            const Color color{lot(a.r, b.r), lot(a.g, b.g), lot(a.b, b.b)};
+            MaterialDescription& own = scene_.materials.back();
+            if (auto* const matte = std::get_if<Lambertian>(&own)) matte->albedo = color;
+            if (auto* const metal = std::get_if<Metal>(&own)) metal->albedo = color;
+        }
+        return material.index;
+    }
+
+    // How many more spheres there may be.
+    int room() const { return limits_.spheres - static_cast<int>(scene_.spheres.size()); }
+
+    void read_velocity(const Value& of, const Material& material, Vec3& velocity) const {
+        const auto given = of.find("velocity");
+        if (!given) return;
+        velocity = given->vec3();
+        if (velocity != Vec3{} && std::holds_alternative<Emitter>(material.description))
+            given->fail("must be [0, 0, 0] or absent: a light does not move");
+    }
+
+    void read_sphere(const Value& sphere) {
+        sphere.with_keys({"center", "radius", "material", "velocity"});
+        if (room() < 1)
+            sphere.fail("is one too many; a scene may have " + std::to_string(limits_.spheres) +
+                        " spheres");
+        SphereDescription to;
+        to.shape = {sphere.at("center").vec3(), sphere.at("radius").number(lengths)};
+        Material& material = named(materials_, sphere.at("material"), "material");
+        read_velocity(sphere, material, to.velocity);
+        to.material = use(material);
+        scene_.spheres.push_back(to);
+        there_.add(placing::ball_of(to.shape));
+    }
+
+    void read_group(const Value& group) {
+        std::vector<std::string> keys{"rule",   "count",     "center",  "extent",
+                                      "radius", "materials", "velocity"};
+        std::vector<std::string> all = keys;
+        all.insert(all.end(), {"seed", "arms", "turns", "width"});
+        group.with_keys(all);
+        const std::string& rule =
+            group.at("rule").word({"plane", "sphere", "ball", "galaxy", "sunflower"});
+        if (rule != "sunflower") keys.push_back("seed");
+        if (rule == "galaxy") keys.insert(keys.end(), {"arms", "turns", "width"});
+        group.with_keys(keys);
+
+        const Value wanted = group.at("count");
+        const auto count =
+            static_cast<int>(wanted.whole(1, static_cast<std::uint64_t>(limits_.spheres)));
+        if (count > room())
+            wanted.fail("is " + std::to_string(count) + ", and a scene may have " +
+                        std::to_string(limits_.spheres) + " spheres, of which " +
+                        std::to_string(room()) + " are left");
+        const Vec3 center = group.vec3("center", {});
+        const placing::Ball space = placing::ball_of({center, group.at("extent").number(lengths)});
+        const auto [low, high] = radii(group.at("radius"));
+
+        std::vector<placing::Ball> balls;
+        if (rule == "sunflower") {
+            balls = placing::sunflower(count, space, low, high);
+            for (const placing::Ball& ball : balls) there_.add(ball);
+        } else {
+            const auto seed = group.find("seed");
+            balls = placing::scatter(count, std::min(low, high), std::max(low, high),
+                                     placing_rule(rule, group, space), there_,
+                                     seed ? seed->whole(0, max_seed) : 1);
+            if (static_cast<int>(balls.size()) < count)
+                wanted.fail("is " + std::to_string(count) + ", but only " +
+                            std::to_string(balls.size()) +
+                            " find room without overlapping; ask for fewer or smaller spheres, or "
+                            "a larger extent");
+        }
+        add(balls, group);
+    }
+
+    static placing::Rule placing_rule(const std::string& rule, const Value& group,
+                                      const placing::Ball& space) {
+        if (rule == "plane") return placing::on_plane(space);
+        if (rule == "sphere") return placing::on_sphere(space);
+        if (rule == "ball") return placing::in_ball(space);
+        const auto arms = group.find("arms");
+        return placing::galaxy(space, arms ? static_cast<int>(arms->whole(1, 100)) : 2,
+                               static_cast<double>(group.number("turns", {-100, 100}, 1)),
+                               static_cast<double>(group.number("width", shares, Real(0.25))));
+    }
+
+    // One radius for all, or [smallest, largest].
+    static std::pair<double, double> radii(const Value& value) {
+        if (!value.is_list()) {
+            const auto radius = static_cast<double>(value.number(lengths));
+            return {radius, radius};
+        }
+        const std::vector<Value> ends = value.list("two radii");
+        if (ends.size() != 2)
+            value.fail("must be a radius or a list of two, not a list of " +
+                       std::to_string(ends.size()));
+        return {static_cast<double>(ends[0].number(lengths)),
+                static_cast<double>(ends[1].number(lengths))};
+    }
+
+    void add(const std::vector<placing::Ball>& balls, const Value& group) {
+        const std::vector<Value> names = group.at("materials").list("names of materials");
+        if (names.empty()) group.at("materials").fail("must name one material or more");
+        std::vector<Material*> choice;
+        SphereDescription sphere;
+        for (const Value& name : names) {
+            choice.push_back(&named(materials_, name, "material"));
+            read_velocity(group, *choice.back(), sphere.velocity);
+        }
+        for (const placing::Ball& ball : balls) {
+            Rng random{scene_.spheres.size(), 81};
+            sphere.shape = placing::sphere_of(ball);
+            sphere.material = use(*choice[random() % choice.size()]);
+            scene_.spheres.push_back(sphere);
+        }
+    }
+
+    void read_render(const Value& render) {
+        render.with_keys({"width", "height", "spp", "depth", "seed"});
+        RenderSettings& to = scene_.settings;
+        const auto read = [&](const char* key, int& setting, std::uint64_t most) {
+            if (const auto value = render.find(key))
+                setting = static_cast<int>(value->whole(1, most));
+        };
+        read("width", to.width, 65'536);
+        read("height", to.height, 65'536);
+        read("spp", to.samples_per_pixel, 1'000'000);
+        read("depth", to.depth, 1'000'000);
+        constexpr std::int64_t most_pixels = 1 << 26;
+        if (std::int64_t{to.width} * to.height > most_pixels)
+            render.fail("asks for " + std::to_string(to.width) + " times " +
+                        std::to_string(to.height) + " pixels; " + std::to_string(most_pixels) +
+                        " are allowed");
+        if (const auto seed = render.find("seed")) to.seed = seed->whole(0, max_seed);
+    }
+
+    const std::string& name_;
+    const fs::path& folder_;
+    const Limits& limits_;
+    int pixels_left_ = limits_.image_pixels;
+    SceneDescription scene_;
+    placing::Neighbours there_;  // all spheres so far
+    std::map<std::string, Texture> textures_;
+    std::map<std::string, Material> materials_;
+};
+
+}  // namespace
+
+SceneDescription parse_scene(const std::string& text, const std::string& name,
+                             const fs::path& folder, const Limits& limits) {
+    return Reader{name, folder, limits}.read(app::parse_json(text, name));
+}
+
+SceneDescription read_scene(const fs::path& file) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path{"."};
+    return parse_scene(app::read_input_file(file, file.string(), app::max_json_bytes),
+                       file.string(), folder);
+}
+
+}  // namespace effects

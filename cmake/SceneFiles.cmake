@@ -1,0 +1,26 @@
+# Chapter 08's program and its scene files; and their fuzzer. Include after the chapters.
+set(program $<TARGET_FILE:08_effects_solution>)
+set(scenes ${CMAKE_SOURCE_DIR}/chapters/08_effects/scenes)
+set(app_tests ${CMAKE_SOURCE_DIR}/tests/app)
+
+add_test(NAME 08_effects.bad_scenes COMMAND sh ${app_tests}/bad_scenes.sh ${program})
+add_test(NAME 08_effects.stopped COMMAND sh ${app_tests}/stopped.sh ${program} ${scenes})
+# In float, where numbers are sooner too large or too small.
+add_test(NAME 08_effects.scenes_in_float
+  COMMAND sh ${app_tests}/all_scenes.sh $<TARGET_FILE:08_effects_solution_float> ${scenes})
+set_tests_properties(08_effects.bad_scenes 08_effects.stopped 08_effects.scenes_in_float
+                     PROPERTIES LABELS solution TIMEOUT 300)
+
+# The fuzzer is built by clang++ with -DRT_SANITIZE=fuzzer-no-link,address,undefined; see .ci/run.
+if(NOT RT_SANITIZE MATCHES "fuzzer")
+  return()
+endif()
+set(fuzz ${CMAKE_SOURCE_DIR}/tests/08_effects/fuzz)
+set(chapter ${CMAKE_SOURCE_DIR}/chapters/08_effects)
+course_program(fuzz_scene_file double ${fuzz}/fuzz_scene_file.cpp ${chapter}/scene_file.cpp
+               ${chapter}/placing.cpp INCLUDE ${chapter} ${course_solutions})
+target_compile_definitions(fuzz_scene_file PRIVATE FUZZ_FOLDER="${fuzz}/seeds")
+target_link_options(fuzz_scene_file PRIVATE -fsanitize=fuzzer)
+# The reader of image files has to stand it, too. That it copies nothing from nowhere is harmless.
+target_compile_options(course_stb_code PRIVATE -fsanitize=${RT_SANITIZE}
+  -fno-sanitize-recover=all -fno-sanitize=nonnull-attribute)

@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <app/errors.hpp>
+#include <app/json.hpp>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string line_and_column(std::string_view text, std::size_t offset) {
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const auto last_break = before.rfind('\n');
+    const std::size_t column =
+        before.size() - (last_break == std::string_view::npos ? 0 : last_break + 1);
+    return std::to_string(line) + ':' + std::to_string(std::max<std::size_t>(column, 1));
+}
+
+// What the parser has to say, without its own numbers and a place that is given in front.
+std::string reason(std::string_view what) {
+    const auto skip_past = [&](std::string_view mark) {
+        const auto at = what.find(mark);
+        if (at != std::string_view::npos) what.remove_prefix(at + mark.size());
+    };
+    skip_past("] ");
+    if (what.rfind("parse error", 0) == 0) skip_past(": ");
+    constexpr std::size_t most = 160;
+    std::string said{what.substr(0, most)};
+    if (what.size() > most) said += " ...";
+    if (said.find("expected") == std::string::npos && said.find("literal") != std::string::npos)
+        said += "; numbers, texts in quotes, [ ... ], { ... }, true, false and null are allowed";
+    if (said.find("overflow") != std::string::npos) said += "; 1e308 is about the largest";
+    return said;
+}
+
+// Puts the values together as the parser meets them.
+class Builder : public nlohmann::json_sax<nlohmann::json> {
+  public:
+    Builder(const std::string& text, const std::string& name) : text_{text}, name_{name} {}
+
+    Json result;
+
+    bool null() override { return add({}); }
+    bool boolean(bool value) override { return add({Json::Kind::boolean, value ? 1.0 : 0.0}); }
+    bool number_integer(std::int64_t value) override {
+        return add({Json::Kind::number, static_cast<double>(value)});
+    }
+    bool number_unsigned(std::uint64_t value) override {
+        return add({Json::Kind::number, static_cast<double>(value)});
+    }
+    bool number_float(double value, const std::string&) override {
+        return add({Json::Kind::number, value});
+    }
+    bool string(std::string& value) override {
+        return add({Json::Kind::text, 0, std::move(value)});
+    }
+    bool binary(nlohmann::json::binary_t&) override { return false; }  // never in a text
+
+    bool start_object(std::size_t) override { return open(Json::Kind::object); }
+    bool start_array(std::size_t) override { return open(Json::Kind::list); }
+    bool end_array() override { return close(); }
+    bool end_object() override {
+        const std::vector<std::string>& keys = open_.back().keys;
+        std::vector<std::string_view> sorted(keys.begin(), keys.end());
+        std::sort(sorted.begin(), sorted.end());
+        const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+        if (twice != sorted.end())
+            throw UsageError(name_ + ": " + path_of_member(path(), std::string{*twice}) +
+                             " is there twice; every key may stand in its object once");
+        return close();
+    }
+    bool key(std::string& value) override {
+        open_.back().keys.push_back(std::move(value));
+        return true;
+    }
+    bool parse_error(std::size_t position, const std::string&,
+                     const nlohmann::json::exception& error) override {
+        throw UsageError(name_ + ':' + line_and_column(text_, position) + ": " +
+                         reason(error.what()));
+    }
+
+  private:
+    // Of the innermost open object.
+    std::string path() const {
+        std::string path;
+        for (std::size_t i = 0; i + 1 < open_.size(); ++i)
+            path = open_[i].kind == Json::Kind::object ? path_of_member(path, open_[i].keys.back())
+                                                       : path_of_item(path, open_[i].items.size());
+        return path;
+    }
+    bool add(Json value) {
+        (open_.empty() ? result : open_.back().items.emplace_back()) = std::move(value);
+        return true;
+    }
+    bool open(Json::Kind kind) {
+        open_.push_back({kind});
+        if (open_.size() > max_json_depth)
+            throw UsageError(name_ + ": " + path() + " lies too deep; objects and lists may lie " +
+                             std::to_string(max_json_depth) + " deep in each other");
+        return true;
+    }
+    bool close() {
+        Json done = std::move(open_.back());
+        open_.pop_back();
+        return add(std::move(done));
+    }
+
+    const std::string& text_;
+    const std::string& name_;
+    std::vector<Json> open_;  // objects and lists, from the outermost one
+};
+
+}  // namespace
+
+std::string read_input_file(const fs::path& path, const std::string& name, std::size_t most) {
+    const auto refuse = [&](const std::string& why) { throw UsageError(name + ' ' + why); };
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) {
+        if (error && error != std::errc::no_such_file_or_directory)
+            refuse("cannot be read (" + error.message() + "); name a file that can");
+        refuse("is not there; name a file that is");
+    }
+    if (fs::is_directory(status)) refuse("is a folder; name a file in it");
+    if (!fs::is_regular_file(status)) refuse("is a device or a pipe; name a regular file");
+
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    const std::unique_ptr<std::FILE, Close> file{std::fopen(path.c_str(), "rb")};
+    if (!file)
+        refuse(std::string{"cannot be read ("} + std::strerror(errno) + "); name a file that can");
+    std::string bytes;
+    char buffer[1 << 14];
+    for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {
+        bytes.append(buffer, got);
+        if (bytes.size() > most)
+            refuse("is too large; " + std::to_string(most >> 20) + " MiB are allowed");
+    }
+    if (std::ferror(file.get())) refuse("cannot be read; name a file that can");
+    return bytes;
+}
+
+Json parse_json(const std::string& text, const std::string& name) {
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        throw UsageError(name + " is empty; a JSON object { ... } is wanted");
+    // The parser would take it for the end.
+    if (const auto zero = text.find('\0'); zero != std::string::npos)
+        throw UsageError(name + ':' + line_and_column(text, zero + 1) +
+                         ": a byte of zero; a JSON text has none");
+    Builder builder{text, name};
+    nlohmann::json::sax_parse(text, &builder);
+    return std::move(builder.result);
+}
+
+std::string path_of_member(const std::string& parent, const std::string& key) {
+    const bool plain =
+        !key.empty() && key.size() <= 40 && std::all_of(key.begin(), key.end(), [](char c) {
+            return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
+                   c == '_' || c == '-';
+        });
+    if (!plain) return parent + '[' + quoted(key) + ']';
+    return parent.empty() ? key : parent + '.' + key;
+}
+
+std::string path_of_item(const std::string& parent, std::size_t index) {
+    return parent + '[' + std::to_string(index) + ']';
+}
+
+std::string quoted(const std::string& text) {
+    constexpr std::size_t most = 40;
+    if (text.size() <= most) return '"' + text + '"';
+    std::size_t end = most;  // of a whole character: further bytes of one are 10xxxxxx
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+    return '"' + text.substr(0, end) + "...\"";
+}
+
+std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words) {
+    std::string nearest;
+    // A third of the letters may be wrong. What is longer than a word is no slip of one.
+    std::size_t best = wrong.size() / 3 + 1;
+    if (wrong.size() > 40) return {};
+    for (const std::string& word : words) {
+        // Who leaves out the end means the word.
+        if (wrong.size() >= 3 && word.rfind(wrong, 0) == 0) return word;
+        // Levenshtein's distance, one row of the table at a time.
+        std::vector<std::size_t> row(word.size() + 1);
+        std::iota(row.begin(), row.end(), std::size_t{0});
+        for (std::size_t i = 0; i < wrong.size(); ++i) {
+            std::size_t diagonal = std::exchange(row[0], i + 1);
+            for (std::size_t j = 0; j < word.size(); ++j) {
+                const std::size_t changed = diagonal + (wrong[i] != word[j]);
+                diagonal = row[j + 1];
+                row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+            }
+        }
+        if (row.back() < best || (row.back() == best && nearest.empty())) {
+            best = row.back();
+            nearest = word;
+        }
+    }
+    return nearest;
+}
+
+}  // namespace app

@@ -1,0 +1,46 @@
+#pragma once
+// Strict reading of JSON files that people write: every error says where it is and what is allowed.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace app {
+
+// A value of a JSON text.
+struct Json {
+    enum class Kind { null, boolean, number, text, list, object };
+
+    Kind kind = Kind::null;
+    double number = 0;                   // of a boolean 0 or 1
+    std::string text = {};               // of a text
+    std::vector<Json> items = {};        // of a list; of an object the members' values
+    std::vector<std::string> keys = {};  // of an object: as many as items, none of them twice
+};
+
+inline constexpr std::size_t max_json_bytes = 4 << 20;
+inline constexpr int max_json_depth = 16;
+
+// The whole of a regular file of at most `most` bytes. Throws UsageError, with `name` in front,
+// where it is missing, a folder, a device, too large, or cannot be read.
+std::string read_input_file(const std::filesystem::path& path, const std::string& name,
+                            std::size_t most);
+
+// The value that a text holds. Throws UsageError that begins with `name`, line and column where the
+// text is no JSON (RFC 8259, so neither comments nor NaN), a number does not fit a double, or it is
+// nested deeper than max_json_depth; with `name` and the path where an object has a key twice.
+Json parse_json(const std::string& text, const std::string& name);
+
+// Where a value stands in a file, as people write it: spheres[3].material, materials["a b"].
+std::string path_of_member(const std::string& parent, const std::string& key);
+std::string path_of_item(const std::string& parent, std::size_t index);
+
+// What a person wrote, in quotes, and no more of it than helps.
+std::string quoted(const std::string& text);
+
+// The word that was probably meant: the nearest one by single-letter changes, none where no word
+// is near.
+std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words);
+
+}  // namespace app

@@ -1,0 +1,18 @@
+#pragma once
+#include <rt/effects.hpp>
+#include <rt/scene.hpp>
+#include <rt/todo.hpp>
+
+namespace rt {
+
+// Exercise 08.1. The effects without which the picture of this scene would be another one. What is
+// in the scene but cannot be seen is not among them: a material that no sphere is made of, a light
+// whose radiance is 0, fog of density 0, a lens of aperture 0, a sphere that moves while the
+// shutter is open for a time of 0. Metal is a mirror where its fuzz is 0. A material is a variant:
+// std::get_if<Metal>(&material) points to the Metal that it holds, and is null where it holds
+// another type. A scene without spheres is allowed.
+inline Effects effects_of(const SceneDescription& scene) {
+    return rt::todo("08.1", scene);
+}
+
+}  // namespace rt

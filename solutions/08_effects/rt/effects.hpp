@@ -1,0 +1,65 @@
+#pragma once
+#include <array>
+#include <string>
+
+namespace rt {
+
+// What a scene may call for beyond matte spheres, a pinhole and the sky. An effect costs time only
+// in a renderer that has it.
+struct Effects {
+    bool mirror = false;   // metal without fuzz
+    bool fuzz = false;     // metal with fuzz
+    bool glass = false;    // reflects and refracts
+    bool texture = false;  // an albedo that changes over the surface
+    bool lens = false;     // an aperture that is not 0
+    bool motion = false;   // spheres that move while the shutter is open
+    bool lights = false;   // spheres that shine
+    bool fog = false;      // a medium that scatters between the surfaces
+
+    friend constexpr bool operator==(const Effects&, const Effects&) = default;
+};
+
+struct NamedEffect {
+    const char* name;
+    bool Effects::*member;
+};
+
+inline constexpr std::array<NamedEffect, 8> all_effects{{{"mirror", &Effects::mirror},
+                                                         {"fuzz", &Effects::fuzz},
+                                                         {"glass", &Effects::glass},
+                                                         {"texture", &Effects::texture},
+                                                         {"lens", &Effects::lens},
+                                                         {"motion", &Effects::motion},
+                                                         {"lights", &Effects::lights},
+                                                         {"fog", &Effects::fog}}};
+
+// How many effects there are among these.
+constexpr int count(const Effects& effects) {
+    int sum = 0;
+    for (const NamedEffect& effect : all_effects) sum += effects.*effect.member ? 1 : 0;
+    return sum;
+}
+
+// True when each of `needed` is among `present`.
+constexpr bool covers(const Effects& present, const Effects& needed) {
+    for (const NamedEffect& effect : all_effects)
+        if (needed.*effect.member && !(present.*effect.member)) return false;
+    return true;
+}
+
+// Those of a that are not among b.
+constexpr Effects without(Effects a, const Effects& b) {
+    for (const NamedEffect& effect : all_effects)
+        if (b.*effect.member) a.*effect.member = false;
+    return a;
+}
+
+// Such as "mirror, glass, lens"; "none" without any.
+inline std::string names(const Effects& effects) {
+    std::string all;
+    for (const NamedEffect& effect : all_effects)
+        if (effects.*effect.member) all += (all.empty() ? "" : ", ") + std::string{effect.name};
+    return all.empty() ? "none" : all;
+}
+
+}  // namespace rt

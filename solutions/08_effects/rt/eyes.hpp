@@ -1,0 +1,36 @@
+#pragma once
+#include <rt/directions.hpp>
+#include <rt/lens_ray.hpp>
+#include <rt/render_pixel.hpp>
+#include <rt/timed_ray.hpp>
+
+namespace rt {
+
+// A camera with a lens (given). Where the lens has no opening, no place on it is drawn.
+struct LensCamera {
+    Camera camera;
+    Lens lens;
+};
+
+template <class Random>
+Ray make_ray(const LensCamera& eye, int column, int row, Vec2 offset, Random& random) {
+    if (!(eye.lens.aperture > 0)) return primary_ray(eye.camera, column, row, offset);
+    return lens_ray(eye.camera, eye.lens, column, row, offset, random_place(random));
+}
+
+// A camera, with or without a lens, whose shutter is open for a while (given). Where nothing moves,
+// no time is drawn.
+template <class StillCamera>
+struct ShutterCamera {
+    StillCamera camera;
+    bool anything_moves = true;
+};
+
+template <class StillCamera, class Random>
+TimedRay make_ray(const ShutterCamera<StillCamera>& eye, int column, int row, Vec2 offset,
+                  Random& random) {
+    const Ray ray = make_ray(eye.camera, column, row, offset, random);
+    return {ray.origin, ray.direction, eye.anything_moves ? random.uniform() : Real(0)};
+}
+
+}  // namespace rt

@@ -1,0 +1,13 @@
+#pragma once
+#include <rt/vec3.hpp>
+
+namespace rt {
+
+// A direction from a point to a light, chosen at random (given).
+struct LightSample {
+    Vec3 direction;     // length 1
+    Real distance = 0;  // along it to the light's surface
+    Real density = 0;   // per solid angle, with which the direction was chosen
+};
+
+}  // namespace rt

@@ -1,0 +1,86 @@
+#pragma once
+#include <rt/lambertian.hpp>
+#include <rt/lights.hpp>
+#include <rt/material_set.hpp>
+#include <rt/mirror.hpp>
+#include <rt/moving_spheres.hpp>
+#include <rt/scene.hpp>
+#include <rt/sphere_list.hpp>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace rt {
+
+// The spheres of a scene, sorted into what renderers need (given).
+struct Prepared {
+    std::vector<SceneSphere> still;  // lights, too
+    std::vector<MovingSphere> moving;
+    std::vector<SphereLight> lights;  // light k is the sphere of material materials.size() + k
+};
+
+inline Prepared prepare_spheres(const SceneDescription& scene) {
+    Prepared prepared;
+    const Real shutter = scene.camera.shutter;
+    for (const SphereDescription& sphere : scene.spheres) {
+        const auto& material = scene.materials[static_cast<std::size_t>(sphere.material)];
+        const auto* const emitter = std::get_if<Emitter>(&material);
+        if (emitter && emitter->radiance != Color{}) {
+            const auto number = scene.materials.size() + prepared.lights.size();
+            prepared.still.push_back({sphere.shape, static_cast<int>(number)});
+            prepared.lights.push_back({sphere.shape, emitter->radiance});
+        } else if (shutter > 0 && sphere.velocity != Vec3{}) {
+            prepared.moving.push_back({sphere.shape, shutter * sphere.velocity, sphere.material});
+        } else {
+            prepared.still.push_back({sphere.shape, sphere.material});
+        }
+    }
+    return prepared;
+}
+
+// A material as a renderer knows it: sorted into those that draw random numbers and those that need
+// not, and its image found.
+using ReadyMaterial =
+    std::variant<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte>;
+
+inline ReadyMaterial ready(const MaterialDescription& material, const std::vector<Image>& images) {
+    struct Sort {
+        const std::vector<Image>& images;
+        ReadyMaterial operator()(const Metal& metal) const {
+            if (metal.fuzz == 0) return Mirror{metal.albedo};
+            return metal;
+        }
+        ReadyMaterial operator()(const PictureMatte& picture) const {
+            return ImageMatte{&images[static_cast<std::size_t>(picture.image)]};
+        }
+        // Only an emitter without light is ever asked what it reflects: nothing.
+        ReadyMaterial operator()(const Emitter&) const { return Lambertian{}; }
+        ReadyMaterial operator()(const Lambertian& matte) const { return matte; }
+        ReadyMaterial operator()(const Dielectric& glass) const { return glass; }
+        ReadyMaterial operator()(const CheckeredMatte& checker) const { return checker; }
+    };
+    return std::visit(Sort{images}, material);
+}
+
+template <class Element, class Material>
+Element as_element(const Material& material) {
+    // A type that the renderer does not have is that of a material that no sphere is made of.
+    if constexpr (std::is_constructible_v<Element, const Material&>)
+        return Element{material};
+    else
+        return Element{Lambertian{}};
+}
+
+// The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet.
+template <class Materials>
+Materials prepare_materials(const SceneDescription& scene) {
+    using Element = typename decltype(Materials::materials)::value_type;
+    Materials prepared;
+    for (const MaterialDescription& material : scene.materials)
+        prepared.materials.push_back(
+            std::visit([](const auto& kind) { return as_element<Element>(kind); },
+                       ready(material, scene.images)));
+    return prepared;
+}
+
+}  // namespace rt

@@ -1,0 +1,63 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <rt/effects.hpp>
+#include <rt/renderer.hpp>
+
+namespace rt {
+
+// The color of a pixel; the rays that it took are added to `rays`.
+using PixelShader = std::function<Color(int column, int row, std::uint64_t& rays)>;
+
+// The renderers that are compiled (given), each for one of these sets of effects: 22 of the 256
+// that there could be. Four choices are left free that are worth it, and of their products only
+// those where something is gained:
+//   camera     pinhole or lens
+//   materials  matte alone, with metal, with glass, all: with one material nothing has to be looked
+//              up; an alternative that is not used costs little more than its place in a table
+//   motion, lights, fog   each there or not; all materials with them
+inline constexpr Effects with_all{true, true, true, true, true, true, true, true};
+
+inline constexpr auto renderer_effects = [] {
+    const Effects all_materials{.mirror = true, .fuzz = true, .glass = true, .texture = true};
+    const std::array<Effects, 4> materials{
+        {{}, {.mirror = true, .fuzz = true}, {.glass = true}, all_materials}};
+    std::array<Effects, 22> all{};
+    std::size_t count = 0;
+    for (const bool lens : {false, true}) {
+        for (Effects effects : materials) {
+            effects.lens = lens;
+            all[count++] = effects;
+        }
+        for (int beyond = 1; beyond < 8; ++beyond) {
+            Effects effects = all_materials;
+            effects.lens = lens;
+            effects.motion = beyond & 1;
+            effects.lights = beyond & 2;
+            effects.fog = beyond & 4;
+            all[count++] = effects;
+        }
+    }
+    return all;
+}();
+
+// The scene made ready for renderer `number` of renderer_effects. The scene must outlive it.
+using MakeShader = PixelShader (*)(const SceneDescription& scene, int width, int height,
+                                   const Quality& quality);
+
+template <Effects effects>
+PixelShader make_shader(const SceneDescription& scene, int width, int height,
+                        const Quality& quality) {
+    auto renderer = std::make_shared<const Renderer<effects>>(scene, width, height, quality);
+    return [renderer](int column, int row, std::uint64_t& rays) {
+        return (*renderer)(column, row, rays);
+    };
+}
+
+inline constexpr auto renderer_makers = []<std::size_t... number>(std::index_sequence<number...>) {
+    return std::array<MakeShader, sizeof...(number)>{make_shader<renderer_effects[number]>...};
+}
+(std::make_index_sequence<renderer_effects.size()>{});
+
+}  // namespace rt

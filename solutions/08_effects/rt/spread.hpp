@@ -1,0 +1,69 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <rt/dielectric.hpp>
+#include <rt/dot.hpp>
+#include <rt/hit.hpp>
+#include <rt/lambertian.hpp>
+#include <rt/material_set.hpp>
+#include <rt/metal.hpp>
+#include <rt/mirror.hpp>
+#include <rt/textures.hpp>
+#include <type_traits>
+
+namespace rt {
+
+// The density, per solid angle, with which scatter() of a material takes a direction (given). 0 for
+// materials that light cannot be sampled for: mirrors and glass take one direction alone, and the
+// lobe of fuzz is met by the path itself.
+inline Real cosine_density(const Hit& hit, Vec3 direction) {
+    return std::max(Real(0), dot(facing_normal(hit), direction)) / pi;
+}
+inline Real scatter_density(const Lambertian&, const Hit& hit, Vec3 direction) {
+    return cosine_density(hit, direction);
+}
+inline Real scatter_density(const CheckeredMatte&, const Hit& hit, Vec3 direction) {
+    return cosine_density(hit, direction);
+}
+inline Real scatter_density(const ImageMatte&, const Hit& hit, Vec3 direction) {
+    return cosine_density(hit, direction);
+}
+inline Real scatter_density(const Mirror&, const Hit&, Vec3) {
+    return 0;
+}
+inline Real scatter_density(const Metal&, const Hit&, Vec3) {
+    return 0;
+}
+inline Real scatter_density(const Dielectric&, const Hit&, Vec3) {
+    return 0;
+}
+
+// The same for what was hit, whatever it is made of.
+template <class Material>
+Real scatter_density(const MaterialList<Material>& set, const Hit& hit, Vec3 direction) {
+    return scatter_density(set.materials[static_cast<std::size_t>(hit.material)], hit, direction);
+}
+template <class... Types>
+Real scatter_density(const MaterialSet<Types...>& set, const Hit& hit, Vec3 direction) {
+    return std::visit(
+        [&](const auto& material) { return scatter_density(material, hit, direction); },
+        set.materials[static_cast<std::size_t>(hit.material)]);
+}
+
+// True when the ray that made this hit came through glass, where there is no fog.
+template <class Material>
+bool came_through_glass(const MaterialList<Material>&, const Hit&) {
+    return std::is_same_v<Material, Dielectric>;
+}
+template <class... Types>
+bool came_through_glass(const MaterialSet<Types...>& set, const Hit& hit) {
+    if constexpr ((std::is_same_v<Types, Dielectric> || ...)) {
+        const auto number = static_cast<std::size_t>(hit.material);
+        return !hit.front && number < set.materials.size() &&
+               std::holds_alternative<Dielectric>(set.materials[number]);
+    } else {
+        return false;
+    }
+}
+
+}  // namespace rt

@@ -1,0 +1,237 @@
+#include <checkpoint.hpp>
+#include <rt/hit_sphere.hpp>
+#include <rt/sphere_light.hpp>
+#include <statistics.hpp>
+
+using namespace checkpoint;
+using rt::LightSample;
+using rt::Sphere;
+using rt::Vec2;
+
+namespace {
+
+Exact exact(Real x) {
+    return static_cast<double>(x);
+}
+
+Exact exact_height(Real radius, Real distance) {
+    const Exact r = exact(radius), d = exact(distance);
+    const Exact sine = r / d, cosine = sqrt((d - r) * (d + r)) / d;
+    return sine * sine / (Exact(1) + cosine);
+}
+
+// The formula rounds 7 times on its way at most, so that it is right within 7 units.
+// A scale that is a power of two rounds nothing.
+void check_height(Real radius, Real distance, Real scale = 1) {
+    const Exact expected = exact_height(radius, distance);
+    const Real height = rt::cone_height(scale * radius, scale * distance);
+    if (error_in_ulp(height, expected) <= 7) return;
+    INFO("radius " << text(radius) << ", distance " << text(distance) << ", off by "
+                   << error_in_ulp(height, expected) << " units in the last place");
+    HINT(expected, height,
+         "1 - cos a loses its digits where the light is small or far, and 1 - sin^2 a where it is "
+         "close: use 1 - cos a = sin^2 a / (1 + cos a), and (d - r) (d + r)");
+    CHECK(false);
+}
+
+template <class Check>
+void for_each_place(int n, Check check) {
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+            check(Vec2{(static_cast<Real>(i) + Real(0.5)) / static_cast<Real>(n),
+                       (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(n)});
+}
+
+LightSample sampled(const Sphere& light, Vec3 from, Vec2 place) {
+    const auto sample = rt::sample_light(light, from, place);
+    INFO("a light of radius " << text(light.radius) << " around " << text(light.center)
+                              << ", seen from " << text(from)
+                              << ": a sample is expected, but yours gives none");
+    REQUIRE(sample);
+    return *sample;
+}
+
+// The sample's direction leads to the light, and the distance to its surface.
+void check_sample(const Sphere& light, Vec3 from, Vec2 place) {
+    const LightSample sample = sampled(light, from, place);
+    const Vec3 apart = light.center - from;
+    const Real distance = rt::length(apart), scale = distance + light.radius;
+    INFO("a light of radius " << text(light.radius) << " around " << text(light.center)
+                              << ", seen from " << text(from) << ", place " << text(place.x) << ", "
+                              << text(place.y));
+    INFO("direction " << text(sample.direction) << ", distance " << text(sample.distance));
+    CHECK(std::abs(rt::length(sample.direction) - 1) <= rt::rounding_bound(10));
+    // At the rim the ray's place on the light changes with the root of what is rounded; what has to
+    // be right is the point's place along the normal.
+    const Vec3 point = sample.distance * sample.direction - apart;
+    INFO("the point there is " << text(rt::length(point)) << " from the light's middle");
+    CHECK(std::abs(rt::length(point) - light.radius) <= rt::rounding_bound(60) * scale);
+    // The near side: the one that is seen.
+    if (distance > light.radius) {
+        INFO("it must be the near side of the light");
+        CHECK(rt::dot(point, sample.direction) <= rt::rounding_bound(60) * scale);
+    }
+    const Real density = rt::light_density(light, from);
+    INFO("the sample's density is " << text(sample.density) << ", light_density gives "
+                                    << text(density));
+    CHECK(std::abs(sample.density - density) <= rt::rounding_bound(20) * density);
+}
+
+const Sphere usual{{2, 3, -1}, Real(0.7)};
+
+}  // namespace
+
+TEST_CASE("08.3 how high the cap is in which a light is seen", "[08.3]") {
+    // A light as far away as its diameter is seen at 30 degrees to each side.
+    HINT(Exact(1) - sqrt(Exact(3)) / Exact(2), rt::cone_height(1, 2), "sin a = radius / distance");
+    CHECK(std::abs(rt::cone_height(1, 2) - (1 - std::sqrt(Real(3)) / 2)) < 4 * rt::epsilon);
+    for (int i = 1; i < 60; ++i) check_height(static_cast<Real>(i) / 60, 1);
+    check_height(3, 5);
+}
+
+TEST_CASE("08.3 the density is one over the solid angle", "[08.3]") {
+    const Vec3 from{0, 0, 0};
+    const Real distance = rt::length(usual.center);
+    const Real expected =
+        1 / (2 * rt::pi * static_cast<Real>(exact_height(Real(0.7), distance).high));
+    const Real density = rt::light_density(usual, from);
+    INFO("expected " << text(expected) << ", but yours gives " << text(density)
+                     << ".\nHint: the solid angle of a cap is 2 pi times its height");
+    CHECK(std::abs(density - expected) <= rt::rounding_bound(30) * expected);
+    const Real inside = rt::light_density(usual, usual.center + Vec3{Real(0.2), 0, Real(0.1)});
+    INFO("from inside expected " << text(1 / (4 * rt::pi)) << ", but yours gives " << text(inside)
+                                 << ".\nHint: there the light is seen in every direction");
+    CHECK(std::abs(inside - 1 / (4 * rt::pi)) <= 4 * rt::epsilon);
+}
+
+TEST_CASE("08.3 each sample leads to the light", "[08.3]") {
+    for (const Vec3 from : {Vec3{0, 0, 0}, Vec3{2, 3, 4}, Vec3{2, 0, -1}, Vec3{-50, 20, 9}})
+        for_each_place(8, [&](Vec2 place) { check_sample(usual, from, place); });
+}
+
+TEST_CASE("08.3 the samples are spread evenly over the light as it is seen", "[08.3]") {
+    // Seen from the origin, straight above: rings of equal height of the cap, and sixths of a turn.
+    const Sphere light{{0, 5, 0}, 4};
+    const double height = exact_height(4, 5).high;
+    std::vector<long> observed(36);
+    std::vector<double> expected(36, 60 * 60 / 36.0);
+    for_each_place(60, [&](Vec2 place) {
+        const Vec3 d = sampled(light, {0, 0, 0}, place).direction;
+        const double ring = (1 - static_cast<double>(d.y)) / height;
+        const double turn = std::atan2(static_cast<double>(d.x), static_cast<double>(d.z)) /
+                                (2 * 3.14159265358979) +
+                            0.5;
+        const int i = std::clamp(static_cast<int>(6 * ring), 0, 5);
+        const int j = std::clamp(static_cast<int>(6 * turn), 0, 5);
+        ++observed[static_cast<std::size_t>(6 * i + j)];
+    });
+    const double statistic = chi_square(observed, expected);
+    INFO("36 parts of equal solid angle get 100 of 3600 places each; chi-square is "
+         << statistic << ", of right code below " << chi_square_limit(35)
+         << ".\nHint: the height of the cap, 1 - cos, is spread evenly, not the angle");
+    CHECK(statistic < chi_square_limit(35));
+}
+
+TEST_CASE("08.3 a facing light gives the irradiance of the textbook", "[08.3]") {
+    // E = pi L sin^2 a. Over places in the middle of equal strips the mean of cos / density is
+    // exact, since the cosine changes evenly with place.x.
+    const Real radiance = 3;
+    for (const Real distance : {Real(1.01), Real(2), Real(10), Real(1000)}) {
+        const Sphere light{{0, distance, 0}, 1};
+        Real sum = 0;
+        for_each_place(16, [&](Vec2 place) {
+            const LightSample sample = sampled(light, {0, 0, 0}, place);
+            sum += radiance * sample.direction.y / sample.density;
+        });
+        const Real expected = rt::pi * radiance / distance / distance;
+        INFO("a light of radius 1 and radiance 3 at distance " << text(distance));
+        HINT(exact(expected), sum / 256,
+             "each sample counts radiance * cosine / density; so 1 / density is the solid angle, "
+             "and the directions lie evenly in it");
+        CHECK(std::abs(sum / 256 - expected) <= rt::rounding_bound(400) * expected);
+    }
+}
+
+TEST_CASE("08.3 two ways to find the same light count once in total", "[08.3]") {
+    const auto check = [](Real density, Real other, Real expected) {
+        INFO("densities " << text(density) << " and " << text(other));
+        HINT(exact(expected), rt::shared_weight(density, other),
+             "density^2 / (density^2 + other^2)");
+        CHECK(std::abs(rt::shared_weight(density, other) - expected) <= 4 * rt::epsilon);
+    };
+    check(2, 2, Real(0.5));
+    check(3, 1, Real(0.9));
+    check(1, 3, Real(0.1));
+    check(1, 0, 1);
+    check(0, 1, 0);
+    for (int i = 1; i < 40; ++i) {
+        const Real a = static_cast<Real>(i), b = static_cast<Real>(i * i % 17 + 1);
+        const Real total = rt::shared_weight(a, b) + rt::shared_weight(b, a);
+        INFO("the weights of " << a << " and " << b << " add up to " << text(total));
+        CHECK(std::abs(total - 1) <= 4 * rt::epsilon);
+    }
+}
+
+TEST_CASE("08.3 small and far lights keep their digits", "[08.3][hard]") {
+    for (Real distance = 2; distance < for_this_precision(Real(1e15), Real(1e100)); distance *= 7)
+        check_height(1, distance);
+    // The sun, as large as it is, seen from as far.
+    const Sphere sun{{0, Real(1.496e11), 0}, Real(6.957e8)};
+    for_each_place(4, [&](Vec2 place) { check_sample(sun, {0, 0, 0}, place); });
+    const Real expected = rt::pi * Real(6.957e8 / 1.496e11) * Real(6.957e8 / 1.496e11);
+    const Real angle = 1 / rt::light_density(sun, {0, 0, 0});
+    INFO("the sun's solid angle is about " << text(expected) << ", yours is " << text(angle));
+    CHECK(std::abs(angle / expected - 1) < Real(1e-4));
+}
+
+TEST_CASE("08.3 just above the surface of a light nothing cancels", "[08.3][hard]") {
+    for (Real gap = Real(0.5); 1 + gap > 1; gap /= 3) check_height(1, 1 + gap);
+    const Sphere light{{0, 0, 0}, 1};
+    for (const Real gap : {Real(0.01), 64 * rt::epsilon})
+        for_each_place(4, [&](Vec2 place) { check_sample(light, {0, 1 + gap, 0}, place); });
+}
+
+TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]") {
+    const Sphere light{{1, 1, 1}, 3};
+    Vec3 sum;
+    for (const Vec3 from : {Vec3{1, 1, 1}, Vec3{3, 1, 1}, Vec3{1, 4, 1}, Vec3{0, 0, 2}})
+        for_each_place(8, [&](Vec2 place) {
+            check_sample(light, from, place);
+            sum += sampled(light, from, place).direction;
+        });
+    INFO("256 directions spread over the whole sphere add up to " << text(sum)
+                                                                  << " instead of about 0");
+    CHECK(rt::length(sum) < 1);
+}
+
+TEST_CASE("08.3 huge and tiny scenes overflow nowhere", "[08.3][hard]") {
+    const int power = std::is_same_v<Real, float> ? 100 : 1000;
+    for (const Real scale : {std::ldexp(Real(1), power), std::ldexp(Real(1), -power)}) {
+        check_height(1, 3, scale);
+        for_each_place(4, [&](Vec2 place) {
+            check_sample({{0, 3 * scale, scale}, scale}, {0, 0, 0}, place);
+            check_sample({{0, scale, scale}, 2 * scale}, {0, 0, 0}, place);
+        });
+    }
+}
+
+TEST_CASE("08.3 a light too small for a number is not looked for", "[08.3][hard]") {
+    const Real tiny = std::numeric_limits<Real>::min();
+    const Sphere star{{0, 1 / std::sqrt(tiny), 0}, std::sqrt(tiny)};
+    INFO("cone_height gives " << text(rt::cone_height(star.radius, star.center.y)));
+    CHECK(rt::light_density(star, {0, 0, 0}) == 0);
+    INFO("its solid angle is 0 after rounding, and one over it would be infinite");
+    CHECK_FALSE(rt::sample_light(star, {0, 0, 0}, {Real(0.5), Real(0.5)}).has_value());
+}
+
+TEST_CASE("08.3 weights of huge and tiny densities are numbers", "[08.3][hard]") {
+    const Real huge = std::numeric_limits<Real>::max(), tiny = std::numeric_limits<Real>::min();
+    for (const Real density : {huge, tiny}) {
+        INFO("both densities are " << text(density) << "; yours gives "
+                                   << text(rt::shared_weight(density, density))
+                                   << ".\nHint: square the ratio of the two, which is at most 1");
+        CHECK(rt::shared_weight(density, density) == Real(0.5));
+    }
+    CHECK(rt::shared_weight(huge, tiny) == 1);
+    CHECK(rt::shared_weight(tiny, huge) == 0);
+}

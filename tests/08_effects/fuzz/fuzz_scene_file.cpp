@@ -1,0 +1,50 @@
+// libFuzzer's target: whatever bytes a scene file or an image file holds, they make a scene that
+// keeps its promises, or one line that says what is wrong.
+#include <app/errors.hpp>
+#include <cstdint>
+#include <cstdlib>
+#include <rt/image_file.hpp>
+#include <scene_file.hpp>
+
+namespace {
+
+void must(bool holds) {
+    if (!holds) std::abort();
+}
+
+void check(const rt::SceneDescription& scene) {
+    const auto known = [](int index, const auto& table) {
+        return 0 <= index && static_cast<std::size_t>(index) < table.size();
+    };
+    for (const rt::SphereDescription& sphere : scene.spheres) {
+        must(is_finite(sphere.shape.center) && is_finite(sphere.velocity));
+        must(sphere.shape.radius > 0 && sphere.shape.radius < rt::infinity);
+        must(known(sphere.material, scene.materials));
+    }
+    for (const rt::MaterialDescription& material : scene.materials)
+        if (const auto* const picture = std::get_if<rt::PictureMatte>(&material))
+            must(known(picture->image, scene.images));
+    must(is_finite(scene.sky.below) && is_finite(scene.sky.above));
+    must(scene.settings.width >= 1 && scene.settings.height >= 1);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string bytes(reinterpret_cast<const char*>(data), size);
+    // Small limits: what is looked for hides in the rules, not in large numbers.
+    const effects::Limits limits{.spheres = 500, .image_pixels = 1 << 14};
+    try {
+        // An image file and a scene file begin so differently that one target will do.
+        if (!bytes.empty() && bytes[0] == '\x89')
+            rt::decode_image(bytes, limits.image_pixels);
+        else
+            check(effects::parse_scene(bytes, "scene.json", FUZZ_FOLDER, limits));
+    } catch (const app::UsageError& error) {
+        must(std::string{error.what()}.size() < 1000);
+    } catch (const std::length_error&) {
+    } catch (const std::runtime_error&) {
+        must(bytes[0] == '\x89');
+    }
+    return 0;
+}

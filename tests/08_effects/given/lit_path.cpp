@@ -1,0 +1,334 @@
+// Lights and fog: the loop of this chapter against chapter 04's, against what is known exactly, and
+// its two ways to find light against each other.
+
+#include <rt/lambertian.hpp>
+#include <rt/lit_path.hpp>
+#include <rt/path.hpp>
+#include <rt/sky.hpp>
+#include <rt/sphere_list.hpp>
+#include <statistics.hpp>
+
+#include "checkpoint.hpp"
+
+using namespace checkpoint;
+using rt::Color;
+using rt::Ray;
+
+namespace {
+
+using Materials = rt::MaterialSet<rt::Lambertian, rt::Mirror, rt::Metal, rt::Dielectric,
+                                  rt::CheckeredMatte, rt::ImageMatte>;
+
+// Lights that nobody looks for: the path has to meet them.
+struct FoundByChance : rt::SphereLights {
+    bool empty() const { return true; }
+};
+
+// A mean that right code misses in one of 10000 runs: 3.89 standard errors.
+constexpr double limit = 3.89;
+
+double gray(Color color) {
+    return static_cast<double>(color.r + color.g + color.b) / 3;
+}
+
+struct Lit {
+    rt::SphereList world;
+    Materials materials;
+    rt::SphereLights lights;
+    rt::FogBall fog;
+    rt::UniformSky sky{{0, 0, 0}};
+
+    void add(const rt::Sphere& sphere, decltype(Materials::materials)::value_type material) {
+        world.spheres.push_back({sphere, static_cast<int>(materials.materials.size())});
+        materials.materials.push_back(material);
+    }
+    // After all materials.
+    void add_light(const rt::Sphere& sphere, Color radiance) {
+        lights.first_material = static_cast<int>(materials.materials.size());
+        world.spheres.push_back(
+            {sphere, lights.first_material + static_cast<int>(lights.lights.size())});
+        lights.lights.push_back({sphere, radiance});
+    }
+    template <class Lights, class Ending>
+    Mean mean(const Ray& ray, const Lights& found, const Ending& ending, int depth, int count,
+              std::uint64_t seed) const {
+        Mean mean;
+        rt::Rng random{seed, 8};
+        for (int i = 0; i < count; ++i)
+            mean.add(gray(rt::lit_path_radiance(ray, world, materials, sky, found, fog, ending,
+                                                depth, random)));
+        return mean;
+    }
+};
+
+void check_mean(const Mean& mean, double expected) {
+    INFO("mean " << mean.mean() << ", expected " << expected << ", standard error "
+                 << mean.standard_error());
+    // Rounding is all that is left where every sample is the same.
+    CHECK(std::abs(mean.mean() - expected) <=
+          limit * mean.standard_error() + 1000 * static_cast<double>(rt::epsilon) * expected);
+}
+
+void check_same(const Mean& a, const Mean& b) {
+    const double error = std::hypot(a.standard_error(), b.standard_error());
+    INFO("means " << a.mean() << " and " << b.mean() << ", standard error of the difference "
+                  << error);
+    CHECK(std::abs(a.mean() - b.mean()) <= limit * error);
+}
+
+const rt::Lambertian white{{1, 1, 1}}, gray_matte{{Real(0.5), Real(0.5), Real(0.5)}};
+// A floor: it is convex, so that no light comes to it from itself.
+const rt::Sphere floor_ball{{0, -10, 0}, 10};
+const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
+
+}  // namespace
+
+TEST_CASE("without lights and fog the loop is chapter 04's bit for bit") {
+    Lit lit;
+    lit.add({{0, -100, 0}, 100}, gray_matte);
+    lit.add({{0, 1, 0}, 1}, rt::Metal{{1, Real(0.9), Real(0.8)}, Real(0.2)});
+    lit.add({{2, 1, 0}, 1}, rt::Dielectric{});
+    lit.add({{-2, 1, 0}, 1}, white);
+    lit.lights.first_material = 4;
+    const rt::GradientSky sky{{Real(0.2), Real(0.3), 0}, {1, 1, 1}};
+    const auto check = [&](const auto& ending) {
+        rt::Rng directions{1, 2};
+        for (std::uint64_t i = 0; i < 2000; ++i) {
+            const Ray ray{{0, 2, 5}, any_direction(directions)};
+            rt::Rng first{i, 3}, second{i, 3}, third{i, 3};
+            const Color expected =
+                rt::path_radiance(ray, lit.world, lit.materials, sky, ending, 5, first);
+            const Color without = rt::lit_path_radiance(
+                ray, lit.world, lit.materials, sky, rt::NoLights{}, rt::NoFog{}, ending, 5, second);
+            const Color empty = rt::lit_path_radiance(ray, lit.world, lit.materials, sky,
+                                                      lit.lights, lit.fog, ending, 5, third);
+            REQUIRE((expected == without));
+            REQUIRE((expected == empty));
+            // The same numbers were drawn.
+            const auto next = first();
+            REQUIRE(second() == next);
+            REQUIRE(third() == next);
+        }
+    };
+    check(rt::SkyEnding{});
+    check(rt::BlackEnding{});
+    check(rt::RouletteEnding{});
+}
+
+TEST_CASE("a white furnace with white fog stays white") {
+    Lit lit;
+    lit.sky = {{1, 1, 1}};
+    lit.lights.first_material = 4;
+    lit.add({{0, 0, 0}, 1}, white);
+    lit.add({{2, 1, 0}, 1}, rt::Metal{{1, 1, 1}, Real(0.4)});
+    lit.add({{-2, 1, 0}, 1}, rt::Dielectric{});
+    lit.add({{0, -102, 0}, 100}, rt::Mirror{{1, 1, 1}});
+    for (const Real forwardness : {Real(-0.6), Real(0), Real(0.8)}) {
+        lit.fog = {{{{0, 0, 0}, 30}, Real(0.3), {1, 1, 1}, forwardness}};
+        rt::Rng random{5, 5};
+        for (int i = 0; i < 3000; ++i) {
+            const Ray ray{{0, 3, 6}, any_direction(random)};
+            const Color color =
+                rt::lit_path_radiance(ray, lit.world, lit.materials, lit.sky, lit.lights, lit.fog,
+                                      rt::SkyEnding{}, 40, random);
+            REQUIRE((color == Color{1, 1, 1}));
+        }
+    }
+}
+
+TEST_CASE("a furnace whose light comes from lights alone stays white") {
+    // The camera is inside a light of radiance 1: whatever it sees is white, fog or no fog.
+    for (const Real density : {Real(0), Real(0.4)}) {
+        Lit lit;
+        lit.add({{0, 0, 0}, 1}, white);
+        lit.add({{2, 1, 0}, 1}, rt::Metal{{1, 1, 1}, Real(0.4)});
+        lit.add({{-2, 1, 0}, 1}, rt::Dielectric{});
+        lit.add_light({{0, 0, 0}, 20}, {1, 1, 1});
+        lit.fog = {{{{0, 0, 0}, 12}, density, {1, 1, 1}, Real(0.3)}};
+        for (const Vec3 direction : {Vec3{0, 0, -1}, Vec3{Real(0.28), 0, Real(-0.96)}})
+            check_mean(
+                lit.mean({{0, 0, 6}, direction}, lit.lights, rt::RouletteEnding{}, 20, 20000, 77),
+                1);
+    }
+}
+
+TEST_CASE("a light of known radiance at a known distance gives the analytic irradiance") {
+    // Facing the light: E = pi L sin^2 a; a white floor sends back E / pi.
+    for (const Real distance : {Real(1.2), Real(3), Real(40)}) {
+        Lit lit;
+        lit.add(floor_ball, white);
+        lit.add_light({{0, distance, 0}, 1}, {2, 2, 2});
+        const Ray ray{{Real(0.1), Real(0.1), 0}, rt::normalize(Vec3{-1, -1, 0})};
+        const auto sine = static_cast<double>(1 / distance);
+        const double expected = 2 * sine * sine;
+        INFO("distance " << text(distance));
+        // The light sample alone, it and the bounce, and the bounce alone.
+        check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 1, 40000, 1), expected);
+        check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 2, 40000, 2), expected);
+        const FoundByChance chance{lit.lights};
+        check_mean(lit.mean(ray, chance, rt::SkyEnding{}, 2, 200000, 3), expected);
+    }
+}
+
+TEST_CASE("a light that is seen directly shows its radiance") {
+    Lit lit;
+    lit.add(floor_ball, white);
+    lit.add_light({{0, 3, 0}, 1}, {2, 2, 2});
+    check_mean(lit.mean({{0, 1, 0}, {0, 1, 0}}, lit.lights, rt::SkyEnding{}, 3, 10, 1), 2);
+}
+
+TEST_CASE("direct sampling and pure path tracing agree within noise") {
+    const auto check = [](const Lit& lit, const Ray& ray, int count) {
+        const FoundByChance chance{lit.lights};
+        const Mean direct = lit.mean(ray, lit.lights, rt::RouletteEnding{}, 4, count, 11);
+        const Mean pure = lit.mean(ray, chance, rt::RouletteEnding{}, 4, 8 * count, 12);
+        INFO("variance a sample: " << direct.variance() << " direct, " << pure.variance()
+                                   << " pure");
+        check_same(direct, pure);
+    };
+    const auto scene = [](bool foggy) {
+        Lit lit;
+        lit.add(floor_ball, gray_matte);
+        lit.add({{Real(1.2), Real(0.7), 0}, Real(0.7)}, rt::Metal{{1, 1, 1}, Real(0.3)});
+        lit.add({{-1, Real(0.5), Real(0.3)}, Real(0.5)}, rt::Dielectric{});
+        lit.add({{0, Real(0.3), -1}, Real(0.3)}, rt::CheckeredMatte{{1, 1, 1}, {0, 0, 0}, 1});
+        lit.add_light({{0, 3, 0}, 1}, {2, 3, 4});
+        lit.add_light({{2, 1, 2}, Real(0.5)}, {1, 1, 0});
+        if (foggy) lit.fog = {{{{0, 0, 0}, 5}, Real(0.2), {1, Real(0.9), 1}, Real(0.5)}};
+        return lit;
+    };
+    const Ray to_floor{{0, 1, 2}, rt::normalize(Vec3{Real(0.1), -1, -2})};
+    const Ray to_glass{{0, 1, 2}, rt::normalize(Vec3{-1, Real(-0.5), Real(-1.7)})};
+    const Ray to_metal{{0, 1, 2}, rt::normalize(Vec3{Real(1.2), Real(-0.3), -2})};
+    const Ray to_nothing{{0, 1, 2}, {0, 0, 1}};
+    for (const Ray& ray : {to_floor, to_glass, to_metal}) check(scene(false), ray, 20000);
+    for (const Ray& ray : {to_floor, to_glass, to_nothing}) check(scene(true), ray, 20000);
+}
+
+TEST_CASE("direct sampling finds small lights that paths hardly meet") {
+    // The light's share of the sky is 1 in 250000.
+    Lit lit;
+    lit.add(floor_ball, white);
+    lit.add_light({{0, 1, 0}, Real(0.004)}, {1, 1, 1});
+    const Mean direct = lit.mean(down, lit.lights, rt::SkyEnding{}, 2, 2000, 4);
+    const double expected = 0.004 * 0.004;
+    CHECK(std::abs(direct.mean() - expected) <= 0.01 * expected);
+}
+
+TEST_CASE("fog lets through what the formula says") {
+    for (const Real density : {Real(0.05), Real(0.5), Real(2)}) {
+        Lit lit;
+        lit.lights.first_material = 0;
+        lit.sky = {{1, 1, 1}};
+        lit.fog = {{{{0, 0, 0}, Real(1.5)}, density, {0, 0, 0}, 0}};
+        // Straight through the middle: 3 units of fog that scatters nothing.
+        check_mean(lit.mean({{0, 0, 9}, {0, 0, -1}}, rt::NoLights{}, rt::SkyEnding{}, 5, 100000, 3),
+                   std::exp(-3 * static_cast<double>(density)));
+        // From within.
+        check_mean(lit.mean({{0, 0, 0}, {0, 1, 0}}, rt::NoLights{}, rt::SkyEnding{}, 5, 100000, 4),
+                   std::exp(-1.5 * static_cast<double>(density)));
+        const Ray through{{0, 0, 9}, {0, 0, -1}};
+        CHECK(std::abs(lit.fog.gets_through(through, 100) - std::exp(-3 * density)) <=
+              rt::rounding_bound(60));
+        CHECK(std::abs(lit.fog.gets_through(through, 9) - std::exp(Real(-1.5) * density)) <=
+              rt::rounding_bound(60));
+        CHECK(lit.fog.gets_through(through, 7) == 1);
+        CHECK(lit.fog.gets_through(Ray{{0, 2, 9}, {0, 0, -1}}, 100) == 1);
+    }
+}
+
+TEST_CASE("free flights are as long as the formula says") {
+    // Ten bins of equal probability: d_i = -log(1 - i / 10) / density.
+    rt::Rng random{8, 1};
+    std::vector<long> observed(50);
+    for (int i = 0; i < 50000; ++i) {
+        const double d = static_cast<double>(rt::free_flight(Real(0.7), random.uniform()));
+        ++observed[static_cast<std::size_t>(
+            std::min(49.0, 50 * (1 - std::exp(-static_cast<double>(Real(0.7)) * d))))];
+    }
+    CHECK(chi_square(observed, std::vector<double>(50, 1000)) < chi_square_limit(49));
+}
+
+TEST_CASE("fog scatters with the density that it says") {
+    for (const Real g : {Real(-0.7), Real(0), Real(0.001), Real(0.3), Real(0.9)}) {
+        INFO("forwardness " << text(g));
+        const Vec3 incoming = rt::normalize(Vec3{1, -2, Real(0.5)});
+        rt::Rng random{9, 1};
+        Mean cosines;
+        constexpr int bins = 50, count = 100000;
+        std::vector<long> observed(bins);
+        for (int i = 0; i < count; ++i) {
+            const Vec3 d = rt::phase_direction(g, incoming, rt::random_place(random));
+            REQUIRE(std::abs(rt::length(d) - 1) <= rt::rounding_bound(20));
+            const double cosine = static_cast<double>(rt::dot(incoming, d));
+            cosines.add(cosine);
+            ++observed[static_cast<std::size_t>(
+                std::clamp((cosine + 1) / 2 * bins, 0.0, bins - 1.0))];
+        }
+        CHECK(std::abs(cosines.mean() - static_cast<double>(g)) <=
+              limit * cosines.standard_error());
+        // The density, summed over each bin in 2000 steps.
+        std::vector<double> expected(bins);
+        double total = 0;
+        for (int i = 0; i < bins * 2000; ++i) {
+            const double cosine = (i + 0.5) / (bins * 1000) - 1;
+            const double share =
+                2 * 3.14159265358979 / (bins * 1000) *
+                static_cast<double>(rt::phase_density(g, static_cast<Real>(cosine)));
+            expected[static_cast<std::size_t>(i / 2000)] += count * share;
+            total += share;
+        }
+        CHECK(std::abs(total - 1) < 1e-4);
+        CHECK(chi_square(observed, expected) < chi_square_limit(bins - 1));
+    }
+}
+
+TEST_CASE("there is no fog inside of glass") {
+    // Fog that swallows everything, and a glass ball around the eye: only inside nothing is lost.
+    Lit lit;
+    lit.add({{0, 0, 0}, 1}, rt::Dielectric{1});
+    lit.lights.first_material = 1;
+    lit.sky = {{1, 1, 1}};
+    lit.fog = {{{{0, 0, 0}, 2}, Real(0.8), {0, 0, 0}, 0}};
+    check_mean(lit.mean({{0, 0, 0}, {0, 0, -1}}, lit.lights, rt::SkyEnding{}, 5, 100000, 6),
+               std::exp(-0.8));
+}
+
+TEST_CASE("lights and fog at any scale give the same light") {
+    for (const Real scale : {Real(1e-9), Real(1e9)}) {
+        const auto scene = [](Real s) {
+            Lit lit;
+            lit.add({{0, -100 * s, 0}, 100 * s}, gray_matte);
+            lit.add({{s, s / 2, 0}, s / 2}, rt::Dielectric{});
+            lit.add_light({{0, 3 * s, 0}, s}, {2, 3, 4});
+            lit.fog = {{{{0, 0, 0}, 5 * s}, Real(0.1) / s, {1, 1, 1}, Real(0.5)}};
+            return lit;
+        };
+        const Vec3 direction = rt::normalize(Vec3{Real(0.1), -1, -2});
+        const Mean usual = scene(1).mean({{0, 1, 2}, direction}, scene(1).lights,
+                                         rt::RouletteEnding{}, 4, 20000, 1);
+        const Mean scaled =
+            scene(scale).mean({{0, scale, 2 * scale}, direction}, scene(scale).lights,
+                              rt::RouletteEnding{}, 4, 20000, 2);
+        INFO("scale " << text(scale));
+        check_same(usual, scaled);
+    }
+}
+
+TEST_CASE("lights that touch, are entered, or are far away give finite light") {
+    Lit lit;
+    lit.add({{0, -1, 0}, 1}, white);
+    lit.add_light({{0, Real(0.5), 0}, Real(0.5)}, {1, 1, 1});      // touches the ball
+    lit.add_light({{1, -1, 0}, Real(0.3)}, {1, 1, 1});             // goes into it
+    lit.add_light({{0, Real(1e12), 0}, Real(1e-3)}, {9, 9, 9});    // too small to be met
+    lit.add_light({{0, 0, Real(1e15)}, Real(0.9e15)}, {1, 1, 1});  // huge
+    lit.fog = {{{{0, 0, 0}, 2}, Real(0.5), {1, 1, 1}, Real(0.9)}};
+    rt::Rng random{4, 4};
+    for (int i = 0; i < 50000; ++i) {
+        const Ray ray{{0, Real(0.1), 3}, any_direction(random)};
+        const Color color = rt::lit_path_radiance(ray, lit.world, lit.materials, lit.sky,
+                                                  lit.lights, lit.fog, rt::SkyEnding{}, 6, random);
+        REQUIRE(rt::is_finite(color));
+        REQUIRE(color.r >= 0);
+    }
+}

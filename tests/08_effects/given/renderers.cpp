@@ -1,0 +1,104 @@
+// The narrow renderers draw what the full one draws, bit for bit.
+
+#include <rt/choose_renderer.hpp>
+#include <rt/effects_of.hpp>
+#include <rt/renderers.hpp>
+#include <set>
+
+#include "../scenes.hpp"
+
+using namespace checkpoint;
+using rt::Effects;
+
+namespace {
+
+constexpr int width = 9, height = 6;
+const rt::Quality quality{3, 6, 5};
+
+// All pixels of a scene, and how many rays they took.
+struct Drawn {
+    std::vector<rt::Color> pixels;
+    std::uint64_t rays = 0;
+};
+
+Drawn draw(const rt::SceneDescription& scene, std::size_t renderer) {
+    const auto shade = rt::renderer_makers[renderer](scene, width, height, quality);
+    Drawn drawn;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) drawn.pixels.push_back(shade(x, y, drawn.rays));
+    return drawn;
+}
+
+}  // namespace
+
+TEST_CASE("a test scene has the effects that it says") {
+    for (unsigned bits = 0; bits < 256; ++bits) {
+        const Effects effects = numbered_effects(bits);
+        INFO(names(effects) << " is found to be " << names(effects_of(scene_with(effects))));
+        REQUIRE((effects_of(scene_with(effects)) == effects));
+    }
+}
+
+TEST_CASE("each scene's narrowest renderer draws what the full one draws") {
+    const std::size_t full = rt::narrowest(rt::with_all, rt::renderer_effects);
+    std::set<std::size_t> used;
+    for (unsigned bits = 0; bits < 256; ++bits) {
+        const rt::SceneDescription scene = scene_with(numbered_effects(bits));
+        const std::size_t narrow = rt::narrowest(effects_of(scene), rt::renderer_effects);
+        used.insert(narrow);
+        const Drawn by_narrow = draw(scene, narrow), by_full = draw(scene, full);
+        INFO("scene: " << names(effects_of(scene)));
+        INFO("renderer: " << names(rt::renderer_effects[narrow]));
+        REQUIRE(by_narrow.rays == by_full.rays);
+        for (std::size_t i = 0; i < by_narrow.pixels.size(); ++i) {
+            REQUIRE(rt::is_finite(by_narrow.pixels[i]));
+            REQUIRE(same_color(by_narrow.pixels[i], by_full.pixels[i]));
+        }
+    }
+    INFO("a renderer that no scene chooses would be compiled for nothing");
+    CHECK(used.size() == rt::renderer_effects.size());
+}
+
+TEST_CASE("every renderer that has what a scene needs draws the same") {
+    for (const Effects effects : {Effects{}, Effects{.mirror = true}, Effects{.lens = true},
+                                  Effects{.glass = true, .lights = true}}) {
+        const rt::SceneDescription scene = scene_with(effects);
+        const Drawn expected = draw(scene, rt::narrowest(effects, rt::renderer_effects));
+        for (std::size_t i = 0; i < rt::renderer_effects.size(); ++i) {
+            if (!covers(rt::renderer_effects[i], effects)) continue;
+            INFO("scene: " << names(effects));
+            INFO("renderer: " << names(rt::renderer_effects[i]));
+            const Drawn drawn = draw(scene, i);
+            CHECK(drawn.rays == expected.rays);
+            CHECK(std::equal(drawn.pixels.begin(), drawn.pixels.end(), expected.pixels.begin(),
+                             same_color));
+        }
+    }
+}
+
+TEST_CASE("an effect that is there changes the picture") {
+    const Drawn plain = draw(scene_with({}), rt::narrowest({}, rt::renderer_effects));
+    for (const rt::NamedEffect& effect : rt::all_effects) {
+        Effects one;
+        one.*effect.member = true;
+        const Drawn drawn = draw(scene_with(one), rt::narrowest(one, rt::renderer_effects));
+        INFO(effect.name);
+        CHECK_FALSE(
+            std::equal(drawn.pixels.begin(), drawn.pixels.end(), plain.pixels.begin(), same_color));
+    }
+}
+
+TEST_CASE("what cannot be seen changes nothing") {
+    const Drawn expected = draw(scene_with({}), rt::narrowest({}, rt::renderer_effects));
+    rt::SceneDescription scene = scene_with({});
+    scene.camera.lens = {0, 3};
+    scene.fog = rt::Fog{{{0, 0, 0}, 8}, 0};
+    scene.spheres[1].velocity = {1, 1, 1};  // with a closed shutter
+    REQUIRE((effects_of(scene) == Effects{}));
+    const std::size_t full = rt::narrowest(rt::with_all, rt::renderer_effects);
+    for (const std::size_t renderer : {rt::narrowest({}, rt::renderer_effects), full}) {
+        const Drawn drawn = draw(scene, renderer);
+        CHECK(std::equal(drawn.pixels.begin(), drawn.pixels.end(), expected.pixels.begin(),
+                         same_color));
+    }
+}

@@ -1,0 +1,449 @@
+// The reader of scene files: what it makes of good ones, and what it says about bad ones.
+#include <scene_file.hpp>
+
+#include <sys/stat.h>
+#include <app/errors.hpp>
+#include <app/json.hpp>
+#include <cmath>
+#include <placing.hpp>
+#include <rt/image_file.hpp>
+
+#include "checkpoint.hpp"
+#include "temporary_folder.hpp"
+
+namespace fs = std::filesystem;
+using checkpoint::Real;
+using checkpoint::TemporaryFolder;
+using checkpoint::write_file;
+using rt::Color;
+using rt::Vec3;
+
+namespace {
+
+const std::string camera = R"("camera": {"look_from": [0, 0, 5], "look_at": [0, 0, 0]})";
+const std::string materials = R"("materials": {"gold": {"type": "metal", "color": "#ffcc66"}})";
+
+// A scene with one more member than it needs.
+std::string with(const std::string& member) {
+    return "{" + camera + ", " + materials + ", " + member + "}";
+}
+std::string with_spheres(const std::string& spheres) {
+    return with("\"spheres\": [" + spheres + "]");
+}
+std::string with_group(const std::string& members) {
+    return with(R"("groups": [{"rule": "plane", "count": 5, "extent": 9, "radius": 0.1, )"
+                R"("materials": ["gold"])" +
+                members + "}]");
+}
+std::string with_material(const std::string& material) {
+    return "{" + camera + R"(, "materials": {"m": )" + material + "}}";
+}
+std::string with_camera(const std::string& members) {
+    return R"({"camera": {)" + members + "}, " + materials + "}";
+}
+
+// What is said about a text; nothing if it is taken. It must be one line that begins with the name.
+std::string refusal(const std::string& text, const fs::path& folder = ".") {
+    try {
+        effects::parse_scene(text, "s.json", folder, {.spheres = 1000, .image_pixels = 64});
+        return "";
+    } catch (const app::UsageError& error) {
+        const std::string said = error.what();
+        INFO(said);
+        CHECK(said.rfind("s.json", 0) == 0);
+        CHECK(said.find('\n') == std::string::npos);
+        CHECK(said.size() < 400);
+        return said;
+    }
+}
+
+bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+// Each of these is refused with words that stand for the place and for what is allowed.
+#define REFUSED(text, place, allowed)           \
+    do {                                        \
+        const std::string said = refusal(text); \
+        INFO("said: " << said);                 \
+        CHECK(holds(said, place));              \
+        CHECK(holds(said, allowed));            \
+    } while (false)
+
+}  // namespace
+
+TEST_CASE("a scene file becomes the scene that it describes", "[scene_file]") {
+    const auto scene = effects::parse_scene(R"({
+        "camera": {"look_from": [1, 2, 3], "look_at": [1, 2, 0], "up": [1, 0, 0], "vfov_deg": 90,
+                   "lens": {"aperture": 0.5}, "shutter": 2},
+        "sky": {"below": "#000000", "above": [0.5, 1, 8]},
+        "fog": {"center": [0, 1, 0], "radius": 5, "density": 0.25, "forwardness": -0.5},
+        "textures": {"board": {"type": "checker", "even": "#ffffff", "odd": "#000000", "size": 2}},
+        "materials": {
+            "unused": {"type": "matte", "color": "#000000"},
+            "tiles": {"type": "matte", "texture": "board"},
+            "glass": {"type": "glass"},
+            "lamp": {"type": "light", "color": [1, 0.5, 0], "strength": 4}},
+        "spheres": [
+            {"center": [0, 0, 0], "radius": 2, "material": "tiles"},
+            {"center": [4, 0, 0], "radius": 1, "material": "glass", "velocity": [0, 3, 0]},
+            {"center": [8, 0, 0], "radius": 1, "material": "lamp"},
+            {"center": [9, 9, 0], "radius": 1, "material": "glass"}],
+        "render": {"width": 30, "height": 20, "spp": 7, "depth": 3, "seed": 9007199254740992}})",
+                                            "s.json", ".");
+    CHECK(scene.camera.view.from == Vec3{1, 2, 3});
+    CHECK(scene.camera.view.up == Vec3{1, 0, 0});
+    CHECK(scene.camera.view.vertical_fov == rt::radians(90));
+    CHECK(scene.camera.lens.aperture == Real(0.5));
+    CHECK(scene.camera.lens.focus_distance == 3);  // what the camera looks at is sharp
+    CHECK(scene.camera.shutter == 2);
+    CHECK(scene.sky.above == Color{Real(0.5), 1, 8});
+    REQUIRE(scene.fog);
+    CHECK(scene.fog->region.radius == 5);
+    CHECK(scene.fog->density == Real(0.25));
+    CHECK(scene.fog->forwardness == Real(-0.5));
+    // Only what spheres are made of, in their order.
+    REQUIRE(scene.materials.size() == 3);
+    CHECK(std::get<rt::CheckeredMatte>(scene.materials[0]).size == 2);
+    CHECK(std::get<rt::Dielectric>(scene.materials[1]).index == Real(1.5));
+    CHECK(std::get<rt::Emitter>(scene.materials[2]).radiance == Color{4, 2, 0});
+    REQUIRE(scene.spheres.size() == 4);
+    CHECK(scene.spheres[1].velocity == Vec3{0, 3, 0});
+    CHECK(scene.spheres[3].material == 1);
+    CHECK(scene.settings.width == 30);
+    CHECK(scene.settings.samples_per_pixel == 7);
+    CHECK(scene.settings.seed == std::uint64_t{1} << 53);
+}
+
+TEST_CASE("what a scene file leaves out has a good default", "[scene_file]") {
+    const auto scene = effects::parse_scene("{" + camera + ", " + materials + "}", "s.json", ".");
+    const rt::RenderSettings usual;
+    CHECK(scene.settings.width == usual.width);
+    CHECK(scene.spheres.empty());
+    CHECK(scene.camera.lens.aperture == 0);
+    CHECK_FALSE(scene.fog.has_value());
+    CHECK(scene.sky.above != Color{});
+}
+
+TEST_CASE("the shipped scenes can be read", "[scene_file]") {
+    const fs::path folder = fs::path{COURSE_ROOT} / "chapters/08_effects/scenes";
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator{folder}) {
+        if (entry.path().extension() != ".json") continue;
+        INFO(entry.path());
+        CHECK_FALSE(effects::read_scene(entry.path()).spheres.empty());
+        ++count;
+    }
+    CHECK(count >= 8);
+    CHECK(effects::read_scene(folder / "cover.json").spheres.size() == 486);
+    CHECK(effects::read_scene(folder / "textures.json").images.size() == 1);
+}
+
+TEST_CASE("a file that cannot be read is refused", "[scene_file]") {
+    const TemporaryFolder folder;
+    const auto said = [&](const fs::path& path) -> std::string {
+        try {
+            effects::read_scene(path);
+            return "";
+        } catch (const app::UsageError& error) {
+            CHECK(std::string{error.what()}.rfind(path.string(), 0) == 0);
+            return error.what();
+        }
+    };
+    CHECK(holds(said(folder / "missing.json"), "is not there"));
+    CHECK(holds(said(folder / "missing/missing.json"), "is not there"));
+    CHECK(holds(said(folder.path()), "is a folder"));
+    CHECK(holds(said("/dev/null"), "name a regular file"));
+    REQUIRE(::mkfifo((folder / "pipe.json").c_str(), 0600) == 0);
+    CHECK(holds(said(folder / "pipe.json"), "name a regular file"));
+    fs::create_symlink("loop.json", folder / "loop.json");
+    CHECK(holds(said(folder / "loop.json"), "cannot be read"));
+    write_file(folder / "empty.json", "");
+    CHECK(holds(said(folder / "empty.json"), "is empty"));
+    write_file(folder / "large.json", std::string(app::max_json_bytes + 1, ' '));
+    CHECK(holds(said(folder / "large.json"), "4 MiB are allowed"));
+}
+
+TEST_CASE("what is no JSON is refused with line and column", "[scene_file]") {
+    REFUSED(" \n ", "s.json is empty", "{ ... }");
+    REFUSED("hello", "s.json:1:1: ", "are allowed");
+    REFUSED("{\n  \"camera\": ", "s.json:2:1", "expected");
+    REFUSED("{\"a\": 1,\n}", "s.json:2:1: ", "expected");
+    REFUSED("{\"a\": 1} 2", "s.json:1:10: ", "expected end of input");
+    REFUSED("{\"a\": 'b'}", "s.json:1:7: ", "are allowed");
+    REFUSED("{\"a\": NaN}", "s.json:1:7: ", "are allowed");
+    REFUSED("{\"a\": Infinity}", "s.json:1:7: ", "are allowed");
+    REFUSED("{\"a\": -Infinity}", "s.json:1:8: ", "expected digit");
+    REFUSED("{\"a\": 1e999}", "s.json:1:11: ", "1e308");
+    REFUSED("{\"a\": 01}", "s.json:1:8: ", "expected");
+    REFUSED("// a remark\n{}", "s.json:1:1: ", "are allowed");
+    REFUSED("{\"\xff\": 1}", "s.json:1:3: ", "UTF-8");
+    REFUSED(std::string("{\"a\": \0}", 8), "s.json:1:7: ", "has none");
+    REFUSED(std::string("{}\0", 3), "s.json:1:3: ", "has none");
+    REFUSED("{\"a\": \"" + std::string(10'000, 'x'), "s.json:1:", "closing quote");
+}
+
+TEST_CASE("every text that ends too early is refused", "[scene_file]") {
+    const std::string whole =
+        with_spheres(R"({"center": [0, 0, 0], "radius": 1, "material": "gold"})");
+    REQUIRE(refusal(whole).empty());
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        INFO("the first " << length << " characters");
+        CHECK_FALSE(refusal(whole.substr(0, length)).empty());
+    }
+}
+
+TEST_CASE("deep nesting and keys that stand twice are refused", "[scene_file]") {
+    REFUSED(std::string(1'000'000, '['), "[0][0]", "16 deep");
+    REFUSED("{\"a\": [{\"b\": " + std::string(100, '['), "a[0].b[0]", "16 deep");
+    REFUSED(with(materials), "s.json: materials is there twice", "once");
+    REFUSED(with_spheres(R"({"center": [0, 0, 0], "radius": 1, "radius": 2, "material": "gold"})"),
+            "spheres[0].radius is there twice", "once");
+}
+
+TEST_CASE("unknown keys are refused, and the nearest known one is named", "[scene_file]") {
+    REFUSED(with("\"shperes\": []"), "s.json: shperes", "did you mean \"spheres\"?");
+    REFUSED(with("\"Render\": {}"), "s.json: Render", "did you mean \"render\"?");
+    REFUSED(with("\"quality\": {}"), "s.json: quality", "known are \"about\"");
+    REFUSED(with("\"a b\": 1"), "s.json: [\"a b\"]", "known are");
+    REFUSED(with_camera(R"("look_from": [0, 0, 5], "look_at": [0, 0, 0], "vfov": 20)"),
+            "camera.vfov", "did you mean \"vfov_deg\"?");
+    REFUSED(with_spheres(R"({"centre": [0, 0, 0], "radius": 1, "material": "gold"})"),
+            "spheres[0].centre", "did you mean \"center\"?");
+    REFUSED(with_group(R"(, "arms": 2)"), "groups[0].arms is not known", "known are");
+    REFUSED(with_material(R"({"type": "glass", "fuzz": 1})"), "materials.m.fuzz", "\"index\"");
+    REFUSED(with_material(R"({"type": "mat"})"), "materials.m.type", "did you mean \"matte\"?");
+    REFUSED(with('"' + std::string(100'000, 'x') + "\": 1"), "xxx...", "known are");
+}
+
+TEST_CASE("what is missing is named", "[scene_file]") {
+    REFUSED("{}", "the scene", "needs \"camera\"");
+    REFUSED("{" + camera + "}", "the scene", "needs \"materials\"");
+    REFUSED(with_camera(R"("look_from": [0, 0, 5])"), "camera", "needs \"look_at\"");
+    REFUSED(with_spheres("{}"), "spheres[0]", "needs \"center\"");
+    REFUSED(with_material("{}"), "materials.m", "needs \"type\"");
+    REFUSED(with_material(R"({"type": "matte"})"), "materials.m", "needs \"color\"");
+}
+
+TEST_CASE("values of the wrong kind are refused", "[scene_file]") {
+    REFUSED("[1, 2]", "the scene", "must be an object");
+    REFUSED("null", "the scene", "must be an object");
+    REFUSED(with("\"spheres\": {}"), "spheres must be a list", "not an object");
+    REFUSED(with("\"about\": 7"), "about", "in quotes, not 7");
+    REFUSED(with_spheres(R"({"center": [0, 0], "radius": 1, "material": "gold"})"),
+            "spheres[0].center", "[x, y, z], not a list of 2");
+    REFUSED(with_spheres(R"({"center": [0, null, 0], "radius": 1, "material": "gold"})"),
+            "spheres[0].center[1]", "number from -1000000000 to 1000000000, not null");
+    REFUSED(with_spheres(R"({"center": [0, 0, 0], "radius": "1", "material": "gold"})"),
+            "spheres[0].radius", "must be a number");
+    REFUSED(with_spheres(R"({"center": [0, 0, 0], "radius": true, "material": "gold"})"),
+            "spheres[0].radius", "not true");
+    REFUSED(with_spheres(R"({"center": [0, 0, 0], "radius": 1, "material": 0})"),
+            "spheres[0].material", "in quotes");
+    for (const char* const color : {"\"red\"", "\"#12345\"", "\"#12345g\"", "\"#1234567\"", "7"})
+        REFUSED(with_material(std::string{R"({"type": "matte", "color": )"} + color + "}"),
+                "materials.m.color", "\"#rrggbb\" or [r, g, b]");
+}
+
+TEST_CASE("numbers outside of their range are refused", "[scene_file]") {
+    for (const char* const radius : {"-1", "0", "1e-10", "1e10", "-0.0", "1e300"})
+        REFUSED(
+            with_spheres(std::string{R"({"center": [0, 0, 0], "material": "gold", "radius": )"} +
+                         radius + "}"),
+            "spheres[0].radius", "from 1e-09 to 1000000000");
+    for (const char* const index : {"0", "-1.5", "11"})
+        REFUSED(with_material(std::string{R"({"type": "glass", "index": )"} + index + "}"),
+                "materials.m.index", "from 0.1 to 10");
+    REFUSED(with_material(R"({"type": "matte", "color": [0.5, 1.5, 0]})"), "materials.m.color[1]",
+            "from 0 to 1");
+    REFUSED(with_material(R"({"type": "metal", "color": "#ffffff", "fuzz": 2})"),
+            "materials.m.fuzz", "from 0 to 1");
+    REFUSED(with_material(R"({"type": "light", "color": [-1, 0, 0]})"), "materials.m.color[0]",
+            "from 0 to");
+    REFUSED(with_camera(R"("look_from": [0, 0, 5], "look_at": [0, 0, 0], "vfov_deg": 180)"),
+            "camera.vfov_deg", "to 179");
+    REFUSED(with_camera(R"("look_from": [0, 0, 5], "look_at": [0, 0, 5])"), "camera.look_at",
+            "another point");
+    REFUSED(with_camera(R"("look_from": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 0, 0])"),
+            "camera.up", "direction");
+    REFUSED(with(R"("fog": {"center": [0, 0, 0], "radius": 1, "density": 1, "forwardness": 1})"),
+            "fog.forwardness", "to 0.99");
+    REFUSED(with(R"("render": {"width": 0})"), "render.width", "whole number from 1 to 65536");
+    REFUSED(with(R"("render": {"spp": 1.5})"), "render.spp", "whole number");
+    REFUSED(with(R"("render": {"seed": -1})"), "render.seed", "whole number from 0");
+    REFUSED(with(R"("render": {"width": 60000, "height": 60000})"), "render", "are allowed");
+}
+
+TEST_CASE("a material or a texture that does not exist is refused", "[scene_file]") {
+    REFUSED(with_spheres(R"({"center": [0, 0, 0], "radius": 1, "material": "golt"})"),
+            "spheres[0].material is \"golt\"", "did you mean \"gold\"?");
+    REFUSED(with_spheres(R"({"center": [0, 0, 0], "radius": 1, "material": "velvet"})"),
+            "spheres[0].material is \"velvet\"", "there are \"gold\"");
+    REFUSED(with_material(R"({"type": "matte", "texture": "t"})"), "materials.m.texture",
+            "\"textures\" holds none");
+    REFUSED(with_group(R"(, "seed": 1}, {"rule": "ball", "count": 1, "extent": 1, "radius": 0.1,
+                          "materials": ["gold", "nope"])"),
+            "groups[1].materials[1]", "there are \"gold\"");
+}
+
+TEST_CASE("a light does not move", "[scene_file]") {
+    REFUSED("{" + camera + R"(, "materials": {"lamp": {"type": "light", "color": [1, 1, 1]}},
+        "spheres": [{"center": [0, 0, 0], "radius": 1, "material": "lamp", "velocity": [0, 1, 0]}]})",
+            "spheres[0].velocity", "a light does not move");
+}
+
+TEST_CASE("more spheres than allowed are refused at once", "[scene_file]") {
+    const auto group = [](const std::string& count) {
+        return with(R"("groups": [{"rule": "plane", "count": )" + count +
+                    R"(, "extent": 9, "radius": 0.01, "materials": ["gold"]}])");
+    };
+    CHECK(refusal(group("1000")).empty());
+    for (const char* const count : {"1000000000", "1001", "1e300", "0", "-1", "2.5"})
+        REFUSED(group(count), "groups[0].count", "whole number from 1 to 1000");
+    REFUSED(with_group(R"(}, {"rule": "plane", "count": 996, "extent": 9, "radius": 0.01,
+                          "materials": ["gold"])"),
+            "groups[1].count", "of which 995 are left");
+    REFUSED(with_group(R"(, "seed": 2}, {"rule": "sunflower", "count": 1, "extent": 1e-5,
+                          "radius": [1, 2, 3], "materials": ["gold"])"),
+            "groups[1].radius", "a list of two");
+}
+
+TEST_CASE("spheres that find no room are refused", "[scene_file]") {
+    REFUSED(with(R"("groups": [{"rule": "ball", "count": 900, "extent": 2, "radius": 1,
+                                "materials": ["gold"]}])"),
+            "groups[0].count", "without overlapping");
+}
+
+TEST_CASE("images outside of the scene's folder are not read", "[scene_file]") {
+    const TemporaryFolder place;
+    const fs::path home = place / "home";
+    const std::string png = rt::encode_png(rt::Image{8, 8, {1, 0, 0}});
+    write_file(home / "in.png", png);
+    write_file(home / "deep/er.png", png);
+    write_file(home / "wide.png", rt::encode_png(rt::Image{65, 1}));
+    write_file(home / "text.png", "no picture");
+    write_file(home / "broken.png", png.substr(0, png.size() / 2));
+    write_file(place / "out.png", png);
+    write_file(place / "home2/out.png", png);
+    fs::create_symlink("in.png", home / "link.png");
+    fs::create_symlink(place / "out.png", home / "leads_out.png");
+    fs::create_directory_symlink(place / "home2", home / "folder_out");
+    fs::create_symlink("nowhere.png", home / "dangling.png");
+
+    const auto said = [&](const std::string& file) {
+        return refusal(with(R"("textures": {"t": {"type": "image", "file": ")" + file + "\"}}"),
+                       home);
+    };
+    for (const char* const file : {"in.png", "./in.png", "deep/er.png", "link.png"})
+        CHECK(said(file).empty());
+    for (const std::string& file :
+         {std::string{"../out.png"}, std::string{"deep/../../out.png"},
+          std::string{"deep/../in.png"}, (place / "out.png").string(), std::string{"/etc/passwd"},
+          std::string{"leads_out.png"}, std::string{"folder_out/out.png"}, std::string{".."}}) {
+        INFO(file << ": " << said(file));
+        CHECK(holds(said(file), "textures.t.file is \""));
+        CHECK(holds(said(file), "only files in it are read"));
+    }
+    CHECK(holds(said("missing.png"), "is not there"));
+    CHECK(holds(said("dangling.png"), "is not there"));
+    CHECK(holds(said("."), "is a folder"));
+    CHECK(holds(said(""), "must name an image file"));
+    CHECK(holds(said("in.png\\u0000.txt"), "must name an image file"));
+    CHECK(holds(said("text.png"), "only PNG is"));
+    CHECK(holds(said("broken.png"), "only PNG is"));
+    CHECK(holds(said("wide.png"), "64 pixels together"));
+}
+
+TEST_CASE("an image's colors are linear light", "[scene_file]") {
+    rt::Image drawn{3, 2};
+    drawn.at(2, 0) = rt::from_hex(0x804020);
+    const rt::Image read = rt::decode_image(rt::encode_png(drawn), 6);
+    CHECK(read.width() == 3);
+    CHECK(read.height() == 2);
+    CHECK(read.at(2, 0) == rt::from_hex(0x804020));
+    CHECK(read.at(0, 1) == Color{});
+}
+
+TEST_CASE("no two spheres of a group overlap, nor one that was there before", "[scene_file]") {
+    const placing::Ball space{1, 2, 3, 6}, there{2, 2, 3, 1};
+    const std::vector<std::pair<const char*, placing::Rule>> rules{
+        {"plane", placing::on_plane(space)},
+        {"sphere", placing::on_sphere(space)},
+        {"ball", placing::in_ball(space)},
+        {"galaxy", placing::galaxy(space, 3, 1.5, 0.3)}};
+    for (const auto& [name, rule] : rules) {
+        INFO(name);
+        placing::Neighbours neighbours;
+        neighbours.add(there);
+        auto balls = placing::scatter(400, 0.05, 0.4, rule, neighbours, 1);
+        CHECK(balls.size() == 400);
+        balls.push_back(there);
+        int overlaps = 0;
+        for (std::size_t i = 0; i < balls.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) {
+                const auto &a = balls[i], &b = balls[k];
+                const double apart = std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+                overlaps += apart < 0.998 * (a.radius + b.radius);
+            }
+        CHECK(overlaps == 0);
+    }
+}
+
+TEST_CASE("each rule places its spheres where it says", "[scene_file]") {
+    const placing::Ball space{1, 2, 3, 6};
+    const auto scattered = [](const placing::Rule& rule) {
+        placing::Neighbours none;
+        return placing::scatter(200, 0.05, 0.2, rule, none, 1);
+    };
+    const auto from_center = [&](const placing::Ball& b) {
+        return std::hypot(b.x - space.x, b.y - space.y, b.z - space.z);
+    };
+    for (const auto& b : scattered(placing::on_plane(space))) {
+        CHECK(std::abs(b.y - (space.y + b.radius)) < 1e-12);
+        CHECK(std::hypot(b.x - space.x, b.z - space.z) <= space.radius);
+    }
+    for (const auto& b : scattered(placing::on_sphere(space)))
+        CHECK(std::abs(from_center(b) - (space.radius + b.radius)) < 1e-12);
+    for (const auto& b : scattered(placing::in_ball(space)))
+        CHECK(from_center(b) + b.radius < space.radius + 1e-12);
+    const auto seeds = placing::sunflower(500, space, 0.1, 0.3);
+    CHECK(seeds.size() == 500);
+    for (const auto& b : seeds) CHECK(std::hypot(b.x - space.x, b.z - space.z) <= space.radius);
+    CHECK(seeds.front().radius < seeds.back().radius);
+}
+
+TEST_CASE("the same seed places the same spheres, another one others", "[scene_file]") {
+    const auto first = [](std::uint64_t seed) {
+        placing::Neighbours none;
+        return placing::scatter(9, 0.1, 0.2, placing::in_ball({0, 0, 0, 5}), none, seed).front().x;
+    };
+    CHECK(first(1) == first(1));
+    CHECK(first(1) != first(2));
+}
+
+TEST_CASE("spheres of one material with a range of colors differ", "[scene_file]") {
+    const auto scene = effects::parse_scene("{" + camera + R"(, "materials": {"m": {"type": "matte",
+            "color": {"between": [[0, 0.5, 0.25], [0.1, 0.5, 0.75]]}}},
+        "groups": [{"rule": "plane", "count": 20, "extent": 9, "radius": 0.1, "materials": ["m"]}]})",
+                                            "s.json", ".");
+    REQUIRE(scene.materials.size() == 20);
+    const auto albedo = [&](std::size_t i) {
+        return std::get<rt::Lambertian>(scene.materials[i]).albedo;
+    };
+    CHECK(albedo(0) != albedo(1));
+    for (std::size_t i = 0; i < 20; ++i) {
+        CHECK((0 <= albedo(i).r && albedo(i).r <= Real(0.1)));
+        CHECK(albedo(i).g == Real(0.5));
+    }
+}
+
+TEST_CASE("the nearest word is the one with the fewest slips", "[scene_file]") {
+    const std::vector<std::string> words{"center", "radius", "material"};
+    CHECK(app::nearest_word("centre", words) == "center");
+    CHECK(app::nearest_word("raduis", words) == "radius");
+    CHECK(app::nearest_word("materials", words) == "material");
+    CHECK(app::nearest_word("mat", words) == "material");
+    CHECK(app::nearest_word("fuzz", words).empty());
+    CHECK(app::nearest_word("", words).empty());
+    CHECK(app::nearest_word(std::string(1 << 20, 'r'), words).empty());
+}

@@ -1,0 +1,73 @@
+#!/bin/sh
+# bad_scenes.sh PROGRAM: chapter 08's program refuses bad scene files: exit code 2, one line on stderr
+# that names the file, no picture, and an older one as it was.
+set -u
+program=$1
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+cd "$place" || exit 1
+failures=0
+complain() {
+    failures=$((failures + 1))
+    printf '%s: %s\n' "$1" "$2"
+    sed 's/^/  stderr: /' stderr
+}
+
+# refuses FILE WORDS: the line begins with the file, and WORDS stand in it.
+refuses() {
+    echo 'an older picture' >old.png
+    for picture in old.png new.png; do
+        "$program" "$1" --quiet --width 9 --height 9 --out $picture >stdout 2>stderr
+        code=$?
+        [ "$code" -eq 2 ] || complain "$1" "exit code $code, not 2"
+        [ "$(wc -l <stderr)" -eq 1 ] || complain "$1" "not one line on stderr"
+        grep -q "^[0-9a-z_]*: $1" stderr || complain "$1" "the line does not begin with the file"
+        grep -q -- "$2" stderr || complain "$1" "stderr does not say '$2'"
+        [ ! -s stdout ] || complain "$1" "something was printed"
+    done
+    [ ! -e new.png ] || complain "$1" "a picture was written"
+    [ "$(cat old.png)" = 'an older picture' ] || complain "$1" "the older picture was changed"
+    rm -f new.png
+    [ -z "$(find . -name '*.part')" ] || complain "$1" "a temporary file was left"
+}
+
+# scene NAME MEMBERS: a scene file with these members beside those that it needs.
+scene() {
+    printf '{"camera": {"look_from": [0, 0, 5], "look_at": [0, 0, 0]},
+        "materials": {"gold": {"type": "metal", "color": "#ffcc66"},
+                      "glass": {"type": "glass", "index": %s}}%s}\n' "${index:-1.5}" "$2" >"$1"
+}
+sphere='"center": [0, 0, 0]'
+
+refuses missing.json 'is not there'
+mkdir folder.json
+refuses folder.json 'is a folder'
+: >empty.json
+refuses empty.json 'is empty'
+echo 'once upon a time' >prose.json
+refuses prose.json '1:1: '
+scene good.json ''
+head -c 99 good.json >cut.json
+refuses cut.json '2:[0-9]*: .*quote'
+scene nan.json ', "spheres": [{"center": [NaN, 0, 0], "radius": 1, "material": "gold"}]'
+refuses nan.json '3:[0-9]*: '
+scene huge.json ', "spheres": [{"center": [1e999, 0, 0], "radius": 1, "material": "gold"}]'
+refuses huge.json '3:[0-9]*: .*1e999'
+scene key.json ', "sheres": []'
+refuses key.json 'sheres.*"spheres"'
+scene material.json ", \"spheres\": [{$sphere, \"radius\": 1, \"material\": \"gould\"}]"
+refuses material.json 'spheres\[0\].material.*"gold"'
+scene radius.json ", \"spheres\": [{$sphere, \"radius\": -1, \"material\": \"gold\"}]"
+refuses radius.json 'spheres\[0\].radius must be'
+index=0 scene index.json ''
+refuses index.json 'materials.glass.index must be a number from 0.1 to 10'
+scene many.json ', "groups": [{"rule": "plane", "count": 1000000000, "extent": 9, "radius": 0.1, "materials": ["gold"]}]'
+refuses many.json 'groups\[0\].count must be a whole number from 1 to 1000000'
+ln -s /etc/passwd link.png
+for image in ../picture.png /etc/passwd link.png; do
+    scene image.json ", \"textures\": {\"map\": {\"type\": \"image\", \"file\": \"$image\"}}"
+    refuses image.json 'textures.map.file .*only files in it'
+done
+
+[ "$failures" -eq 0 ] || echo "$failures complaints"
+[ "$failures" -eq 0 ]
