@@ -11,3 +11,8 @@ add_test(NAME 08_effects.absent_costs_nothing
   COMMAND sh ${CMAKE_SOURCE_DIR}/tests/08_effects/costs/costs.sh $<TARGET_FILE:08_effects_costs>)
 set_tests_properties(08_effects.absent_costs_nothing PROPERTIES
   LABELS solution TIMEOUT 300 SKIP_RETURN_CODE 77)
+
+# However many renderers there are: the program stays small.
+add_test(NAME 08_effects.size
+  COMMAND sh -c "[ \"$(wc -c <'$<TARGET_FILE:08_effects_solution>')\" -le 10000000 ]")
+set_tests_properties(08_effects.size PROPERTIES LABELS solution TIMEOUT 20)
