@@ -22,7 +22,8 @@ inline rt::Sphere sphere_of(const Ball& b) {
             static_cast<Real>(b.radius)};
 }
 inline Ball ball_of(const rt::Sphere& s) {
-    return {double{s.center.x}, double{s.center.y}, double{s.center.z}, double{s.radius}};
+    const auto wide = [](rt::Real number) { return static_cast<double>(number); };
+    return {wide(s.center.x), wide(s.center.y), wide(s.center.z), wide(s.radius)};
 }
 
 // A random number in [0, 1), the same in both precisions; and one in [low, high).

@@ -193,7 +193,8 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
     if (settings.seed) settings.seed = seed;
     for (const CLI::Option* const option : options.get_options())
         if (option->count() > 0) settings.given.insert(option->get_single_name());
-    if (options.count("file") > 0 && settings.file.empty()) throw UsageError("file: needs a name");
+    if (settings.given.count("file") > 0 && settings.file.empty())
+        throw UsageError("file: needs a name");
     if (std::int64_t{settings.width} * settings.height > max_pixels)
         throw UsageError("--width " + std::to_string(settings.width) + " times --height " +
                          std::to_string(settings.height) + " is more than " +

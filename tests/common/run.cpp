@@ -1,4 +1,5 @@
 #include <app/run.hpp>
+#include <csignal>
 #include <study/report.hpp>
 
 #include "checkpoint.hpp"
@@ -91,4 +92,32 @@ TEST_CASE("a study makes its folder and draws no picture", "[run]") {
     CHECK(read_file(folder / "deep/er/99_test.csv").find("\ns,v," + study::precision()) !=
           std::string::npos);
     CHECK(folder.count() == 1);
+}
+
+TEST_CASE("a picture that was stopped is written, and the exit code says so", "[run]") {
+    const TemporaryFolder folder;
+    app::Program stopped = program();
+    stopped.render = [](const app::Settings&, app::Progress&) {
+        const app::Interruption interruption;
+        app::Picture picture{app::unfinished_image(9, 9)};
+        CHECK(app::Interruption::signal() == 0);
+        std::raise(SIGINT);
+        picture.stopped = {app::Interruption::signal(), 0.5};
+        return picture;
+    };
+    const auto before = std::signal(SIGINT, SIG_DFL);  // the test program has a handler of its own
+    CHECK(run({"--out", folder / "a.ppm"}, stopped) == 128 + SIGINT);
+    CHECK(read_file(folder / "a.ppm").find("P6\n9 9\n255\n") == 0);
+    // While there is no Interruption, signals do what they did.
+    CHECK(std::signal(SIGINT, before) == SIG_DFL);
+}
+
+TEST_CASE("a program that reads no file takes none", "[run]") {
+    const TemporaryFolder folder;
+    CHECK(run({"--out", folder / "a.png", "scene.json"}) == app::bad_input);
+    app::Program reads = program();
+    reads.reads = "A file";
+    CHECK(run({"--out", folder / "a.png", "scene.json"}, reads) == app::done);
+    CHECK(seen.file == "scene.json");
+    CHECK(run({"--out", folder / "a.png", ""}, reads) == app::bad_input);
 }
