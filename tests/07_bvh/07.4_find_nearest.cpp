@@ -6,14 +6,14 @@ using namespace checkpoint;
 
 namespace {
 
-// A tree of two leaves, made by hand.
+// A tree of two leaves, made by hand. The third sphere is in the order, but in no leaf.
 struct ByHand {
     Spheres spheres;
-    std::vector<int> order{0, 1};
+    std::vector<int> order{0, 1, 2};
     rt::TreeNode root;
 
     ByHand(const rt::Sphere& left, const rt::Sphere& right) {
-        spheres = {{left, 0}, {right, 1}};
+        spheres = {{left, 0}, {right, 1}, {{{0, 0, -3}, Real(0.5)}, 2}};
         for (auto* child : {&root.left, &root.right}) {
             *child = std::make_unique<rt::TreeNode>();
             (*child)->count = 1;
@@ -24,11 +24,17 @@ struct ByHand {
         root.box = rt::join(root.left->box, root.right->box);
     }
     rt::Search search(const Ray& ray, Interval within = {}) const {
-        INFO(
-            "Hint, if this crashes: a leaf has no children, so return after its spheres; these are "
-            "at the places first ... first + count - 1 of search.order");
         rt::Search search{spheres, order, ray, within};
-        rt::find_nearest(root, search);
+        {
+            INFO(
+                "Hint, if this crashes: a leaf has no children, so return after its spheres; these "
+                "are at the places first ... first + count - 1 of search.order");
+            rt::find_nearest(root, search);
+        }
+        INFO(
+            "sphere 2 is in no leaf.\nHint: a leaf's places are first ... first + count - 1: < and "
+            "not <=");
+        CHECK(search.nearest != 2);
         return search;
     }
 };
@@ -86,7 +92,7 @@ TEST_CASE("07.4 of equally near spheres the last in the list counts", "[07.4]") 
     const char* const hint =
         "both hits are at t = 4: the higher number counts, whichever comes first in the tree";
     check_winner(same.search(ray), {1, 4}, hint);
-    same.order = {1, 0};
+    same.order = {1, 0, 2};
     check_winner(same.search(ray), {1, 4}, hint);
     // An interval that ends right at the only hit has no sphere to compare with.
     rt::Search search{same.spheres, same.order, ray, {0, 4}};
