@@ -1,7 +1,7 @@
 #pragma once
 // The whole picture against the classic way, and with no more materials than it needs.
 
-#include <rt/counting_world.hpp>
+#include <optional>
 #include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
 #include <study/report.hpp>
@@ -23,11 +23,64 @@ std::pair<double, double> by_turns_ms(One one, Other other, int turns = 5) {
     return {of_one, of_other};
 }
 
+// Writes down every ray that it is asked for, and what it answered.
+struct Recorder {
+    struct Answer {
+        Ray ray;
+        std::optional<Hit> hit;
+    };
+    const WideTree& world;
+    std::vector<Answer>& answers;
+
+    template <class AnyRay>
+    std::optional<Hit> hit(const AnyRay& any_ray, Interval within) const {
+        const Ray ray{any_ray.origin, any_ray.direction};
+        answers.push_back({ray, world.hit(ray, within)});
+        return answers.back().hit;
+    }
+};
+
+// Gives the same answers again, without any search.
+struct Player {
+    const std::vector<Recorder::Answer>& answers;
+    std::size_t& next;
+
+    template <class AnyRay>
+    std::optional<Hit> hit(const AnyRay&, Interval) const {
+        return answers[next++].hit;
+    }
+};
+
+// What a ray of the cover scene costs: the search alone, with its hit, and the shading alone.
+inline void study_parts(study::Report& report, const Cover& cover, const WideTree& world) {
+    std::vector<Recorder::Answer> answers;
+    study::keep(render_cover(cover, Recorder{world, answers}, cover.materials));
+    const auto rays = static_cast<double>(answers.size());
+    double tests = 0;
+    for (const auto& answer : answers) {
+        const auto found = world.search(answer.ray, {});
+        tests += (found.box_tests + found.sphere_tests) / rays;
+    }
+    const auto part = [&](const char* name, const auto& work) {
+        report.add({"cover-parts", name, rays, "rays", tests, "wide tests per ray",
+                    once_ns(work, 5) / rays, "time per ray / ns"});
+    };
+    part("all", [&] { study::keep(render_cover(cover, world, cover.materials)); });
+    part("search", [&] {
+        for (const auto& answer : answers) study::keep(world.search(answer.ray, {}));
+    });
+    part("hit", [&] {
+        for (const auto& answer : answers) study::keep(world.hit(answer.ray, {}));
+    });
+    part("shading", [&] {
+        std::size_t next = 0;
+        study::keep(render_cover(cover, Player{answers, next}, cover.materials));
+    });
+}
+
 inline void study_cover(study::Report& report) {
     const Cover cover = make_cover();
     const WideTree best = make_wide_tree<float>(cover.spheres);
-    std::uint64_t rays = 0;
-    study::keep(render_cover(cover, CountingWorld<WideTree>{best, rays}, cover.materials));
 
     // That the mean colors agree shows that both draw the same.
     const auto classic_world = make_classic(cover);
@@ -46,8 +99,7 @@ inline void study_cover(study::Report& report) {
     whole("8-wide float boxes", best);
     whole("8-wide", make_wide_tree<Real>(cover.spheres));
     whole("tree by area", make_tree(cover.spheres, split_by_area));
-    report.add({"cover-rays", "8-wide float boxes", static_cast<double>(rays), "rays", 0,
-                "mean green", 0, "time / ms"});
+    study_parts(report, cover, best);
 
     // The same spheres, all matte: once with metal and glass compiled in, once without.
     CoverMaterials all;

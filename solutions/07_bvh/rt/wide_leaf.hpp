@@ -64,8 +64,7 @@ RT_NOT_INLINED inline bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real m
     }
     if (!(any && a > 0)) return false;  // most leaves are done here
 
-    Real nearest = max;
-#pragma omp simd reduction(min : nearest)
+#pragma omp simd
     for (std::size_t i = 0; i < lanes; ++i) {
         const Real fx = o.x - x[i], fy = o.y - y[i], fz = o.z - z[i];
         const Real b = fx * d.x + fy * d.y + fz * d.z;
@@ -75,10 +74,11 @@ RT_NOT_INLINED inline bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real m
         const Real low = one < other ? one : other, high = one < other ? other : one;
         // Every comparison with the root of a negative number is false.
         const Real second = ((min <= high) & (high <= max)) ? high : WideLeaf::nothing;
-        const Real t = ((min <= low) & (low <= max)) ? low : second;
-        nearer[i] = t;
-        nearest = t < nearest ? t : nearest;
+        nearer[i] = ((min <= low) & (low <= max)) ? low : second;
     }
+    // std::min returns its first argument where the second is not a number.
+    Real nearest = max;
+    for (const Real t : all) nearest = std::min(nearest, t);
     std::int32_t tag = -1;
 #pragma omp simd reduction(max : tag)
     for (std::size_t i = 0; i < lanes; ++i) {
