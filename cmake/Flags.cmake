@@ -3,7 +3,11 @@ add_library(course_flags INTERFACE)
 target_compile_options(course_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow
   # Rounding stays as the source has it: the same picture from every compiler, machine and inlining.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # std::sqrt need not set errno, which nobody reads: otherwise no loop around it becomes wide.
+  -fno-math-errno
+  # "#pragma omp simd" before a loop is heard; it needs no library.
+  -fopenmp-simd)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 and 13 warn of "text" + std::string where nothing is wrong (GCC bug 105651).
   target_compile_options(course_flags INTERFACE -Wno-restrict)

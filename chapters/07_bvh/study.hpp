@@ -6,10 +6,10 @@
 #include <rt/flat_tree.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/split_by_area.hpp>
-#include <rt/wide_tree.hpp>
+#include <rt/wide_builder.hpp>
 #include <study/report.hpp>
 
-#include "cover.hpp"
+#include "cover_study.hpp"
 #include "scene.hpp"
 #include "variants.hpp"
 
@@ -39,6 +39,16 @@ struct Shot {
         return ns / static_cast<double>(rays);
     }
 };
+
+// Boxes of a node and spheres of a leaf tested for a ray, eight at once counted as one.
+inline double wide_tests_per_ray(const WideTree& tree, const std::vector<Ray>& rays) {
+    double sum = 0;
+    for (const Ray& ray : rays) {
+        const auto found = tree.search(ray, {});
+        sum += found.box_tests + found.sphere_tests;
+    }
+    return sum / static_cast<double>(rays.size());
+}
 
 inline void study_structures(study::Report& report) {
     const Scene scene = make_scene(10'000, 1);
@@ -93,13 +103,14 @@ inline void study_structures(study::Report& report) {
         const double build = once_ns([&] { tree = make_wide_tree<float>(cloud.spheres); }, 1);
         const double bytes = static_cast<double>(tree.nodes.size() * sizeof(tree.nodes[0]) +
                                                  tree.leaves.size() * sizeof(tree.leaves[0]));
-        row("growth", "8-wide float boxes", count, "spheres", bytes / count, "bytes per sphere",
-            cloud.ns_per_ray(tree), "time per ray / ns");
+        row("growth", "8-wide float boxes", count, "spheres", wide_tests_per_ray(tree, cloud.rays),
+            "wide tests per ray", cloud.ns_per_ray(tree), "time per ray / ns");
         building.push_back({build, bytes});
-        row("growth", "8-wide float boxes, random rays", count, "spheres", bytes / count,
-            "bytes per sphere", cloud.ns_per_random_ray(tree), "time per ray / ns");
+        row("growth", "8-wide float boxes, random rays", count, "spheres",
+            wide_tests_per_ray(tree, cloud.random_rays), "wide tests per ray",
+            cloud.ns_per_random_ray(tree), "time per ray / ns");
         if (count <= 100'000)
-            row("growth", "tree sorted", count, "spheres", 0, "bytes per sphere",
+            row("growth", "tree sorted", count, "spheres", 0, "wide tests per ray",
                 cloud.ns_per_ray(make_tree(cloud.spheres, split_in_half)), "time per ray / ns");
     }
 
@@ -110,22 +121,19 @@ inline void study_structures(study::Report& report) {
             ns * 1e-6, "time / ms");
     }
 
-    // The whole picture against the classic way: the mean color shows that both draw the same.
-    const Cover cover = make_cover();
-    const auto classic_world = make_classic(cover);
-    const WideTree best = make_wide_tree<float>(cover.spheres);
-    Color mean;
-    double classic_ms = 0;
-    const auto whole = [&](const char* name, const auto& world) {
-        const double ms = once_ns([&] { mean = render_cover(cover, world); }, 3) * 1e-6;
-        if (classic_ms == 0) classic_ms = ms;
-        row("cover", name, classic_ms / ms, "times as fast", static_cast<double>(mean.g),
-            "mean green", ms, "time / ms");
-    };
-    whole("classic", *classic_world);
-    whole("tree by area", make_tree(cover.spheres, split_by_area));
-    whole("8-wide", make_wide_tree<Real>(cover.spheres));
-    whole("8-wide float boxes", best);
+    // How many spheres a tree is worth having for.
+    for (const int few : {1, 2, 4, 8, 16, 32}) {
+        const Cloud cloud{few};
+        const SphereList all{cloud.spheres};
+        const WideTree tree = make_wide_tree<float>(cloud.spheres);
+        const auto world = [&](const char* name, double ns) {
+            row("few", name, few, "spheres", 0, "wide tests per ray", ns, "time per ray / ns");
+        };
+        world("linear list", cloud.ns_per_ray(all));
+        world("8-wide float boxes", cloud.ns_per_ray(tree));
+    }
+
+    study_cover(report);
 }
 
 }  // namespace bvh

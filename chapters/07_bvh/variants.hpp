@@ -1,12 +1,11 @@
 #pragma once
 // What only the study compares: other ways to split, and other ways to search.
 
-#include <bit>
 #include <ctime>
 #include <rt/binned_split.hpp>
 #include <rt/directions.hpp>
 #include <rt/flat_tree.hpp>
-#include <rt/wide_node.hpp>
+#include <rt/wide_leaf.hpp>
 #include <study/report.hpp>
 
 #include "scene.hpp"
@@ -41,18 +40,11 @@ struct PackedList {
     template <class AnyRay>
     std::optional<Hit> hit(const AnyRay& any_ray, Interval within) const {
         const Ray ray{any_ray.origin, any_ray.direction};
-        int nearest = -1;
-        for (const WideLeaf& leaf : leaves)
-            for (unsigned met = may_hit(leaf, ray); met; met &= met - 1) {
-                const auto i = static_cast<std::size_t>(std::countr_zero(met));
-                if (const auto t = hit_sphere(leaf.sphere(i), ray, within)) {
-                    within.max = *t;
-                    nearest = leaf.number[i];
-                }
-            }
-        if (nearest < 0) return {};
-        const SceneSphere& sphere = spheres[static_cast<std::size_t>(nearest)];
-        Hit hit = surface_hit(sphere.shape, ray, within.max);
+        WideHit best{within.max};
+        for (const WideLeaf& leaf : leaves) hit_leaf(leaf, ray, within.min, best);
+        if (best.tag < 0) return {};
+        const SceneSphere& sphere = spheres[static_cast<std::size_t>(best.number())];
+        Hit hit = surface_hit(sphere.shape, ray, best.t);
         hit.material = sphere.material;
         return hit;
     }

@@ -17,3 +17,7 @@
 // For a function that is the whole of a hot loop: what it calls is copied into it, however many
 // loops of its kind the program has, so that none of them runs slower than it would alone.
 #define RT_INLINES_ALL [[gnu::flatten]]
+
+// For a small function in the middle of a loop: it is always copied there, so that what it computes
+// stays in the processor's registers.
+#define RT_INLINED [[gnu::always_inline]] inline

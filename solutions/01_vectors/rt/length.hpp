@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <rt/compiler.hpp>
 #include <rt/dot.hpp>
 #include <rt/interval.hpp>
 #include <rt/vec3.hpp>
@@ -22,17 +23,23 @@ inline Real length(Vec3 v) {
     return std::scalbn(std::sqrt(dot(scaled.v, scaled.v)), scaled.exponent);
 }
 
+// What normalize does where squares overflow or lose digits. It is rare, and kept apart so that
+// normalize itself is small.
+RT_NOT_INLINED inline Vec3 normalize_scaled(Vec3 v) {
+    const Vec3 scaled = split_scale(v).v;
+    const Real squared = dot(scaled, scaled);
+    if (!safe_squares.contains(squared))
+        throw std::domain_error("normalize: a vector that is zero or not finite has no direction");
+    return scaled / std::sqrt(squared);
+}
+
 // The vector of length 1 in the direction of v, for any finite v but zero: each component within
 // 3.5 units in the last place. Throws std::domain_error for a vector that is zero or not finite: it
 // has no direction.
 inline Vec3 normalize(Vec3 v) {
     const Real squared = dot(v, v);
     if (safe_squares.contains(squared)) return v / std::sqrt(squared);
-    const Vec3 scaled = split_scale(v).v;
-    const Real scaled_squared = dot(scaled, scaled);
-    if (!safe_squares.contains(scaled_squared))
-        throw std::domain_error("normalize: a vector that is zero or not finite has no direction");
-    return scaled / std::sqrt(scaled_squared);
+    return normalize_scaled(v);
 }
 
 }  // namespace rt

@@ -2,7 +2,7 @@
 
 #include <rt/flat_tree.hpp>
 #include <rt/split_by_area.hpp>
-#include <rt/wide_tree.hpp>
+#include <rt/wide_builder.hpp>
 
 #include "../scenes.hpp"
 #include "../tree_checks.hpp"
@@ -43,7 +43,9 @@ void check_scene(const std::string& name, const Spheres& spheres, int rays) {
                         " instead of " + text(expected);
         };
         const auto of = [](const rt::Search& s) { return Winner{s.nearest, s.within.max}; };
-        const auto wide_of = [](const auto& found) { return Winner{found.nearest, found.t}; };
+        const auto wide_of = [](const auto& found) {
+            return Winner{found.best.number(), found.best.t};
+        };
         compare("sorted tree", of(all.sorted.search(ray, within)));
         compare("tree by area", of(all.by_area.search(ray, within)));
         compare("flat in order", of(all.flat.search_in_order(ray, within)));
@@ -81,22 +83,25 @@ TEST_CASE("an 8-wide tree holds every sphere once and its boxes contain it", "[g
         const auto tree = rt::make_wide_tree<float>(scene.spheres);
         INFO(scene.name);
         std::vector<int> seen(scene.spheres.size(), 0);
-        for (const auto& node : tree.nodes)
+        for (const auto& node : tree.nodes) {
+            const auto &low = node.planes[0], &high = node.planes[1];
             for (std::size_t i = 0; i < rt::lanes; ++i) {
-                if (!(node.low[0][i] <= node.high[0][i]) || node.child[i] >= 0) continue;
+                if (!(low[0][i] <= high[0][i]) || node.child[i] >= 0) continue;
                 const rt::WideLeaf& leaf = tree.leaves[static_cast<std::size_t>(~node.child[i])];
                 for (std::size_t k = 0; k < rt::lanes; ++k) {
-                    if (leaf.number[k] < 0) continue;
-                    ++seen[static_cast<std::size_t>(leaf.number[k])];
+                    if (!leaf.is_used(k)) continue;
+                    CHECK(rt::lane_of(leaf.tag[k]) == k);
+                    ++seen[static_cast<std::size_t>(leaf.tag[k]) / rt::lanes];
                     const Box box = rt::bounds_of(leaf.sphere(k));
-                    REQUIRE(static_cast<Real>(node.low[0][i]) <= box.low.x);
-                    REQUIRE(static_cast<Real>(node.low[1][i]) <= box.low.y);
-                    REQUIRE(static_cast<Real>(node.low[2][i]) <= box.low.z);
-                    REQUIRE(static_cast<Real>(node.high[0][i]) >= box.high.x);
-                    REQUIRE(static_cast<Real>(node.high[1][i]) >= box.high.y);
-                    REQUIRE(static_cast<Real>(node.high[2][i]) >= box.high.z);
+                    REQUIRE(static_cast<Real>(low[0][i]) <= box.low.x);
+                    REQUIRE(static_cast<Real>(low[1][i]) <= box.low.y);
+                    REQUIRE(static_cast<Real>(low[2][i]) <= box.low.z);
+                    REQUIRE(static_cast<Real>(high[0][i]) >= box.high.x);
+                    REQUIRE(static_cast<Real>(high[1][i]) >= box.high.y);
+                    REQUIRE(static_cast<Real>(high[2][i]) >= box.high.z);
                 }
             }
+        }
         for (const int times : seen) REQUIRE(times == 1);
     }
 }
@@ -115,7 +120,7 @@ TEST_CASE("a million spheres", "[given][million]") {
         const Ray ray = any_ray(spheres, rng, i);
         const rt::Search found = tree.search(ray, {});
         const auto wide_found = wide.search(ray, {});
-        REQUIRE(found.nearest == wide_found.nearest);
-        if (found.nearest >= 0) REQUIRE(same_bits(found.within.max, wide_found.t));
+        REQUIRE(found.nearest == wide_found.best.number());
+        if (found.nearest >= 0) REQUIRE(same_bits(found.within.max, wide_found.best.t));
     }
 }

@@ -1,0 +1,36 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <rt/compiler.hpp>
+#include <rt/slab_ray.hpp>
+
+namespace rt {
+
+// A ray made ready for the boxes of a WideNode (given): its direction scaled so that its largest
+// component is 1 or -1, which keeps t within what Number can hold.
+template <class Number>
+struct WideRay {
+    std::array<Number, 3> near_origin, far_origin, inverse;
+    std::array<std::size_t, 3> near;  // which planes are met first: 0, the low ones, or 1
+    Real scale = 1;                   // what t is multiplied by
+
+    explicit WideRay(const Ray& ray) : scale{max_component(ray.direction)} {
+        constexpr Real slab = 8 * static_cast<Real>(std::numeric_limits<Number>::epsilon());
+        const Real margin = std::max(hit_margin, slab) * max_component(ray.origin);
+        const std::array<Real, 3> d{ray.direction.x, ray.direction.y, ray.direction.z},
+            origin{ray.origin.x, ray.origin.y, ray.origin.z};
+        // No branch: whether a random direction runs forward, no processor guesses right.
+        for (std::size_t k = 0; k < 3; ++k) {
+            near[k] = std::signbit(d[k]);
+            inverse[k] = static_cast<Number>(scale / d[k]);
+            // The nearer plane is moved towards the ray, and the farther one away from it.
+            const Real ahead = std::copysign(margin, d[k]);
+            near_origin[k] = static_cast<Number>(origin[k] + ahead);
+            far_origin[k] = static_cast<Number>(origin[k] - ahead);
+        }
+    }
+};
+
+}  // namespace rt
