@@ -6,7 +6,8 @@ if(NOT CMAKE_BUILD_TYPE STREQUAL "Release" OR RT_SANITIZE)
 endif()
 add_executable(08_effects_costs ${CMAKE_SOURCE_DIR}/tests/08_effects/costs/main.cpp)
 target_include_directories(08_effects_costs PRIVATE ${course_solutions} ${CMAKE_SOURCE_DIR}/common)
-target_compile_options(08_effects_costs PRIVATE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off)
+target_compile_options(08_effects_costs PRIVATE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
+                       -fno-math-errno -fopenmp-simd)
 add_test(NAME 08_effects.absent_costs_nothing
   COMMAND sh ${CMAKE_SOURCE_DIR}/tests/08_effects/costs/costs.sh $<TARGET_FILE:08_effects_costs>)
 set_tests_properties(08_effects.absent_costs_nothing PROPERTIES

@@ -9,6 +9,7 @@
 #include <rt/prepare.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/scene.hpp>
+#include <rt/wide_builder.hpp>
 #include <type_traits>
 
 namespace rt {

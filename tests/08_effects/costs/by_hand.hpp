@@ -11,7 +11,7 @@
 #include <rt/primary_ray.hpp>
 #include <rt/rng.hpp>
 #include <rt/scene.hpp>
-#include <rt/wide_tree.hpp>
+#include <rt/wide_builder.hpp>
 
 namespace by_hand {
 

@@ -6,6 +6,7 @@
 #include <rt/mirror.hpp>
 #include <rt/moving_spheres.hpp>
 #include <rt/textures.hpp>
+#include <rt/wide_builder.hpp>
 #include <statistics.hpp>
 
 #include "checkpoint.hpp"
