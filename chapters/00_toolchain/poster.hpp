@@ -142,8 +142,8 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
 
     const Box tree{left + 172, heap.top + 42, width - 200, 88};
     draw_tree(sheet, show.root, tree, 4);
-    sheet.words(
-        tree.left, tree.bottom() + 18, 6,
+    sheet.words_around(
+        {tree.center().x, tree.bottom() + 21}, 6,
         number(count_nodes(show.root)) + " NODES -- " + number(depth_of(show.root)) + " DEEP",
         mint);
 
