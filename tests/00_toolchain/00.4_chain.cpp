@@ -131,8 +131,13 @@ TEST_CASE("00.4 a chain of a million links leads from each link to the next", "[
     rt::gathered(nullptr);
     const Scattered chain{1'000'000};
     {
-        const bool lives = survives([&] { return !rt::gathered(chain.first).empty(); });
-        INFO("the program ended, or gathered none.\nHint: a loop, and no call for every link");
+        const bool lives = survives([&] {
+            alarm(4);  // the right answer takes some hundredths of a second
+            return !rt::gathered(chain.first).empty();
+        });
+        INFO(
+            "the program ended, gathered none, or took too long.\nHint: a loop, no call for every "
+            "link, and push_back: what is inserted at the front moves all that is there");
         REQUIRE(lives);
     }
     const std::vector<Link> links = rt::gathered(chain.first);
@@ -161,10 +166,7 @@ TEST_CASE("00.4 a chain of a million links does not fill the stack", "[00.4][har
     std::vector<Link> links(1'000'000);
     for (std::size_t i = 0; i < links.size(); ++i)
         links[i] = {1, i + 1 < links.size() ? &links[i + 1] : nullptr};
-    const bool fine = survives([&] {
-        return rt::sum_along(links.data()) == 1'000'000 &&
-               rt::gathered(links.data()).size() == links.size();
-    });
+    const bool fine = survives([&] { return rt::sum_along(links.data()) == 1'000'000; });
     INFO("Hint: a loop, not a function that calls itself for the rest of the chain");
     CHECK(fine);
 }
