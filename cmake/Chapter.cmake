@@ -66,9 +66,10 @@ endfunction()
 
 # The checkpoints on the learner's code: a program check.NN.k an exercise, so that one that does not
 # compile or crashes leaves the others alone, and NN_topic_checkpoint with all of them. The learner
-# waits for these after every change: compiling them quickly matters more than their speed.
+# waits for these after every change: compiling them quickly matters more than their speed. PREFIX goes
+# before the names of all targets, for tests that put another one's code into the learner's place.
 function(course_learners_checkpoints chapter)
-  cmake_parse_arguments(arg "" "" "INCLUDE;SOURCES" ${ARGN})
+  cmake_parse_arguments(arg "" "PREFIX" "INCLUDE;SOURCES" ${ARGN})
   set(objects "")
   set(libraries checkpoint_double catch_main)
   if(TARGET ${chapter}_missing)
@@ -77,28 +78,30 @@ function(course_learners_checkpoints chapter)
   course_sources_of(sources ${arg_INCLUDE})
   set(learners "")
   if(sources)
-    add_library(${chapter}_learners OBJECT ${sources})
-    target_include_directories(${chapter}_learners PRIVATE ${arg_INCLUDE})
-    target_link_libraries(${chapter}_learners PRIVATE common_double)
-    set(learners $<TARGET_OBJECTS:${chapter}_learners>)
+    set(written ${arg_PREFIX}${chapter}_learners)
+    add_library(${written} OBJECT ${sources})
+    target_include_directories(${written} PRIVATE ${arg_INCLUDE})
+    target_link_libraries(${written} PRIVATE common_double)
+    set(learners $<TARGET_OBJECTS:${written}>)
   endif()
   foreach(source ${arg_SOURCES})
     get_filename_component(name ${source} NAME)
     string(REGEX MATCH "^[0-9]+\\.[0-9]+" id ${name})
-    set(tests tests.${id})
+    set(tests ${arg_PREFIX}tests.${id})
+    set(check ${arg_PREFIX}check.${id})
     add_library(${tests} OBJECT ${source})
     target_include_directories(${tests} PRIVATE ${arg_INCLUDE} ${CMAKE_SOURCE_DIR}/tests/support)
     target_link_libraries(${tests} PRIVATE checkpoint_double)
     target_precompile_headers(${tests} REUSE_FROM checkpoint_double)
     target_compile_options(${tests} PRIVATE -O1)
-    add_executable(check.${id} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${tests}> ${learners})
-    target_link_libraries(check.${id} PRIVATE ${libraries})
-    set_target_properties(check.${id} PROPERTIES
+    add_executable(${check} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${tests}> ${learners})
+    target_link_libraries(${check} PRIVATE ${libraries})
+    set_target_properties(${check} PROPERTIES
       RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/check)
     list(APPEND objects $<TARGET_OBJECTS:${tests}>)
   endforeach()
-  add_executable(${chapter}_checkpoint ${objects} ${learners})
-  target_link_libraries(${chapter}_checkpoint PRIVATE ${libraries})
+  add_executable(${arg_PREFIX}${chapter}_checkpoint ${objects} ${learners})
+  target_link_libraries(${arg_PREFIX}${chapter}_checkpoint PRIVATE ${libraries})
 endfunction()
 
 # Reads one line "key: value" of a file.

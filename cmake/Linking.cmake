@@ -1,6 +1,17 @@
-# Exercise 00.1 where the learner's definition is not the one that was declared: it compiles, it links,
-# and the checkpoint says that the exercise is still to be written, and what to compare. Include after
-# the chapters.
+# Exercise 00.1, which is a definition for the linker. Include after the chapters.
+
+# A right answer in the learner's place passes: its checkpoint is made as the learner's is, and so the
+# linker finds the answer before it looks for what is missing.
+set(course_sources gradient.cpp)
+course_learners_checkpoints(00_toolchain PREFIX answered. INCLUDE ${course_solutions}
+                            SOURCES ${CMAKE_SOURCE_DIR}/tests/00_toolchain/00.1_gradient.cpp)
+set(course_sources "")
+add_test(NAME 00_toolchain.answered.00.1 COMMAND answered.00_toolchain_checkpoint)
+set_tests_properties(00_toolchain.answered.00.1 PROPERTIES LABELS mistakes TIMEOUT 60
+  FAIL_REGULAR_EXPRESSION "No tests ran")
+
+# Where the learner's definition is not the one that was declared, it compiles, it links, and the
+# checkpoint says that the exercise is still to be written, and what to compare.
 file(GLOB definitions CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/00_toolchain/linking/*.cpp)
 foreach(definition ${definitions})
   get_filename_component(name ${definition} NAME_WE)

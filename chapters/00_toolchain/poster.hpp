@@ -13,7 +13,7 @@
 
 namespace toolchain {
 
-inline const Color ink = from_hex(0xfff4e0), faint = from_hex(0xb9a7c9), glass = from_hex(0x0c0a1c),
+inline const Color ink = from_hex(0xfff4e0), faint = from_hex(0xe2d6ee), glass = from_hex(0x0c0a1c),
                    gold = from_hex(0xffd166), rose = from_hex(0xff6b8b), mint = from_hex(0x6ee7c8),
                    sky_blue = from_hex(0x7cc6fe);
 
@@ -74,10 +74,10 @@ inline void draw_tree(Sheet& sheet, const RangeNode* node, const Box& box, int r
     const Real share = static_cast<Real>(left_count) / static_cast<Real>(std::max(1, count));
     child(node->left, box.left, box.width * share);
     child(node->right, box.left + box.width * share, box.width * (1 - share));
-    const Box cell{here.x - 6, here.y - 5, 12, 10};
+    const Box cell{here.x - 7, here.y - 6, 14, 12};
     sheet.box(cell, glass, 1, 2);
     sheet.box(cell, mint, node->left ? Real(0.35) : Real(0.85), 2);
-    sheet.words_around(here, 5, std::to_string(count), node->left ? ink : glass);
+    sheet.words_around(here, Real(6.5), std::to_string(count), node->left ? ink : glass);
 }
 
 inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
@@ -106,10 +106,11 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
                 "LOW ADDRESSES", faint);
     // The stack grows down and the heap grows up, as a rule.
     const Real gap = stack.bottom() + 2;
-    sheet.arrow({left + 150, gap}, {left + 150, gap}, {left + 150, gap + 8}, {left + 150, gap + 18},
-                gold, 1);
-    sheet.arrow({left + 170, gap + 20}, {left + 170, gap + 20}, {left + 170, gap + 12},
-                {left + 170, gap + 2}, mint, 1);
+    const Real down = left + 114, up = left + 126;
+    sheet.arrow({down, gap}, {down, gap}, {down, gap + 8}, {down, gap + 18}, gold, 1);
+    sheet.arrow({up, gap + 20}, {up, gap + 20}, {up, gap + 12}, {up, gap + 2}, mint, 1);
+    sheet.words(down - 8 - Sheet::width_of("STACK", 5), gap + 8, 5, "STACK", gold);
+    sheet.words(up + 8, gap + 8, 5, "HEAP", mint);
 
     const auto number = [](int n) { return std::to_string(n); };
     const Box canvas =
@@ -139,10 +140,10 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
     sheet.words(pixels.left, pixels.bottom() + 21, 6,
                 number(static_cast<int>(show.canvas.size() * sizeof(Color))) + " BYTES", faint);
 
-    const Box tree{left + 176, heap.top + 42, width - 188, 88};
+    const Box tree{left + 172, heap.top + 42, width - 200, 88};
     draw_tree(sheet, show.root, tree, 4);
-    sheet.words(
-        tree.left, tree.bottom() + 18, 6,
+    sheet.words_around(
+        {tree.center().x, tree.bottom() + 21}, 6,
         number(count_nodes(show.root)) + " NODES -- " + number(depth_of(show.root)) + " DEEP",
         mint);
 
@@ -171,7 +172,7 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
     const Real top_node = tree.left + tree.width / 2;
     sheet.arrow(root.center(), {root.center().x, root.bottom() + 40}, {top_node, tree.top - 40},
                 {top_node, tree.top - 2}, gold);
-    sheet.arrow(shade.center(), {box.right() + 34, shade.center().y + 30},
+    sheet.arrow(shade.center(), {box.right() + 38, shade.center().y + 30},
                 {box.right() + 10, last.center().y}, {last.right() + 3, last.center().y}, gold);
 
     if (show.addresses.size() == 5) {
@@ -217,8 +218,8 @@ inline void draw_chain(Sheet& sheet, const Box& box) {
     };
     draw(chain.links, base, 1);
     draw(links, lower, -1);
-    sheet.words(left - 4, box.top + 28, 6, "SCATTERED", faint);
-    sheet.words(left - 4, lower + 14, 6, "GATHERED", faint);
+    sheet.words(left - 4, box.top + 28, 6, "SCATTERED", ink);
+    sheet.words(left - 4, lower + 14, 6, "GATHERED", ink);
 }
 
 inline void draw_steps(Sheet& sheet, const Box& box, const std::vector<Steps>& all,
@@ -265,7 +266,8 @@ inline void draw_steps(Sheet& sheet, const Box& box, const std::vector<Steps>& a
     curve(&Steps::scattered, rose);
     sheet.words(plot.left + 12, plot.bottom() - 26, 6, "GATHERED", mint);
     const Vec2 middle = place(1 << 18, 1);
-    sheet.words(middle.x - 66, plot.top + plot.height * Real(0.40), 6, "SCATTERED", rose);
+    // Between two lines of the grid and two levels of the caches.
+    sheet.words(middle.x + 40, plot.top + plot.height * Real(0.61), 6, "SCATTERED", rose);
 }
 
 inline void draw_objects(Sheet& sheet, const Box& box, const Objects& objects, bool by_machine) {

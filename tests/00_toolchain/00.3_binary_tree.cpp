@@ -40,11 +40,15 @@ bool is_balanced(const Node* root) {
 }
 
 void check_memory() {
-    INFO("nodes that were never destroyed: "
-         << Watch::live_objects()
-         << ".\nHint: a node lives in a unique_ptr all the time; release() gives up what you own");
-    CHECK(Watch::live_objects() == 0);
-    CHECK(Watch::live_blocks() == 0);
+    {
+        INFO("nodes that were never destroyed: "
+             << Watch::live_objects()
+             << ", pieces of memory that were never released: " << Watch::live_blocks()
+             << ".\nHint: a node lives in a unique_ptr all the time; release() gives up what you "
+                "own");
+        CHECK(Watch::live_objects() == 0);
+        CHECK(Watch::live_blocks() == 0);
+    }
     INFO("destroyed twice: " << Watch::released_twice
                              << ".\nHint: a node has one owner. Do not make a second unique_ptr "
                                 "from get(); move the one that there is");
@@ -132,11 +136,17 @@ TEST_CASE("00.3 a tree is made of halves", "[00.3]") {
             collect(root.get(), things);
             std::vector<int> expected;
             for (int i = 0; i < count; ++i) expected.push_back(100 + i);
-            INFO("the leaves must stand for each thing once, in order");
-            REQUIRE(things == expected);
+            {
+                INFO(
+                    "the leaves must stand for each thing once, in order.\nHint: the left child "
+                    "has first to middle, the right one middle to last: `last` itself is not among "
+                    "the things");
+                REQUIRE(things == expected);
+            }
             INFO(
-                "Hint: middle = first + (last - first) / 2; left is first to middle, right middle "
-                "to last, and one thing alone is a leaf");
+                "each thing is there, but not in halves.\nHint: middle = first + (last - first) / "
+                "2; of an odd number the right half is the larger one, and one thing alone is a "
+                "leaf");
             REQUIRE(is_balanced(root.get()));
         }
         check_memory();

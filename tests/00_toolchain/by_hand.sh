@@ -14,8 +14,10 @@ for tool in g++ nm; do command -v $tool >/dev/null || exit 77; done
 g++ --version | grep -q 'Free Software Foundation' || exit 77
 echo 'int main() {}' | g++ -std=c++20 -fsyntax-only -x c++ - 2>/dev/null || exit 77
 
-cp -r "$1/chapters/00_toolchain/by_hand" "$place/by_hand"
-cd "$place/by_hand" || exit 1
+# As the course's folder, which the text starts from.
+mkdir -p "$place/course/chapters/00_toolchain"
+cp -r "$1/chapters/00_toolchain/by_hand" "$place/course/chapters/00_toolchain/"
+cd "$place/course" || exit 1
 
 failures=0
 commands=0
