@@ -28,7 +28,9 @@ std::map<std::string, std::string> build_all(const Course& course, std::vector<C
         const Exercise& exercise = checked->exercise;
         checked->warning = first_warning(course, together.output, exercise.files);
         if (together.ok) continue;
-        const BuildResult alone = build(course, {target_of(exercise)});  // what is built stays
+        // What is built stays, and what was built alone need not be built again.
+        const BuildResult alone =
+            some.size() == 1 ? together : build(course, {target_of(exercise)});
         if (alone.ok) continue;
         std::string& error = errors[target_of(exercise)];
         error = first_error(course, alone.output, exercise.files);
