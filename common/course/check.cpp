@@ -4,13 +4,15 @@
 #include <course/check.hpp>
 #include <course/mistakes.hpp>
 #include <course/process.hpp>
+#include <course/side_build.hpp>
 #include <course/state.hpp>
 #include <map>
 
 namespace course {
 namespace {
 
-constexpr std::size_t most_bytes = 16 << 20;  // that a program of test cases may print
+// What a program of test cases may print and take: an endless loop can do much in 20 seconds.
+constexpr std::size_t most_bytes = std::size_t{16} << 20, most_memory = std::size_t{2} << 30;
 
 std::string target_of(const Exercise& exercise) {
     return "check." + exercise.id;
@@ -71,11 +73,14 @@ bool is_failing(const TestCase& test) {
 }
 
 void run_tests(const Course& course, Checked& checked) {
+    // Sanitizers take address space by the terabyte.
+    const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
     const Result result = run_process(
         {.command = {(course.build / "check" / target_of(checked.exercise)).string(), "-r", "xml"},
          .folder = course.build,
          .output = Output::errors_hidden,
          .timeout = most_seconds,
+         .most_memory = is_sanitized ? 0 : most_memory,
          .most_output = most_bytes});
     checked.tests = read_report(result.output);
     const auto& tests = checked.tests;

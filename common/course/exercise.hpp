@@ -13,9 +13,9 @@ struct Exercise {
     int minutes = 0;
     Chapter chapter;
     std::vector<fs::path>
-        files;                 // that the learner writes, such as exercises/01_vectors/rt/dot.hpp
-    int shipped_todos = 0;     // in these files, for this exercise
-    std::string shipped_hash;  // of these files; empty where another exercise is in them, too
+        files;                   // that the learner writes, such as exercises/01_vectors/rt/dot.hpp
+    int shipped_todos = 0;       // in these files, for this exercise
+    std::string shipped_hash{};  // of these files; empty where another exercise is in them, too
 
     // "docs/01-vectors.md, section 01.3"
     std::string section() const { return "docs/" + chapter.document() + ", section " + id; }

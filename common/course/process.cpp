@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -73,13 +74,18 @@ class EndedOnInterrupt {
     std::atomic<pid_t>* group_ = nullptr;
 };
 
-// Between fork and exec: only what POSIX allows there.
-[[noreturn]] void become(char* const* command, const char* folder, int out, int err) {
+// Between fork and exec: only system calls.
+[[noreturn]] void become(char* const* command, const char* folder, int out, int err,
+                         std::size_t most_memory) {
     ::setpgid(0, 0);
     const int nothing = ::open("/dev/null", O_RDONLY);
     if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
     if (out >= 0) ::dup2(out, STDOUT_FILENO);
     if (err >= 0) ::dup2(err, STDERR_FILENO);
+    if (most_memory > 0) {
+        const rlimit limit{most_memory, most_memory};
+        ::setrlimit(RLIMIT_DATA, &limit);
+    }
     if (::chdir(folder) == 0) ::execvp(command[0], command);
     ::_exit(127);
 }
@@ -179,7 +185,7 @@ Result run_process(const Run& run) {
     EndedOnInterrupt guard;
     const pid_t id = ::fork();
     if (id < 0) fail("fork");
-    if (id == 0) become(command.data(), run.folder.c_str(), into.value, err);
+    if (id == 0) become(command.data(), run.folder.c_str(), into.value, err, run.most_memory);
     ::setpgid(id, id);  // here and there, since nobody knows who is first
     guard.watch(id);
     into.close();

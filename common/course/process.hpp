@@ -22,6 +22,7 @@ struct Run {
     std::filesystem::path folder = ".";  // that it runs in
     Output output = Output::captured;
     double timeout = 0;  // seconds after which it is killed with all that it started; 0 is never
+    std::size_t most_memory = 0;  // bytes that it may have, where the system can tell; 0 is any
     std::size_t most_output = 0;  // bytes of captured output after which it is; 0 is never
 };
 

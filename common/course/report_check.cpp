@@ -203,7 +203,7 @@ std::string details(const Course& course, const Checked& checked) {
             text += "It does not compile. The first error:\n\n" + checked.trouble + '\n';
             break;
         case Verdict::crashed:
-            text += "It crashes: " + checked.trouble + (where.empty() ? "" : ',' + where) +
+            text += "It crashes: " + checked.trouble + (where.empty() ? "" : ",\n " + where) +
                     "\n  A forgotten return, an index out of range, a pointer to nothing, or a "
                     "function that calls\n  itself for ever?\n" +
                     warned(checked) + before_that(failing_cases(checked));
