@@ -58,23 +58,29 @@ std::string first_error(const Course& course, const std::string& output,
     // An error and what a compiler shows with it: before it how it came there, after it the source.
     struct Error {
         std::string text;
-        std::string came_from;  // the line that leads to the learner's file
+        std::string came_from;  // "file:line" of the learner's, where that led to it
         bool is_within = false;
     };
     std::vector<Error> errors;
     std::string linker, came_from, open_brace;
     int shown = 0;  // lines of source
-    const auto names_a_file = [&](const std::string& line) {
-        return std::any_of(files.begin(), files.end(),
-                           [&](const fs::path& file) { return has(line, file.string() + ':'); });
+    // "file:line" in a line of output, of one of the files.
+    const auto place_in = [&](const std::string& line) -> std::string {
+        for (const fs::path& file : files)
+            if (const auto at = line.find(file.string() + ':'); at != std::string::npos) {
+                const auto number = at + file.string().size() + 1;
+                return line.substr(at, line.find_first_not_of("0123456789", number) - at);
+            }
+        return "";
     };
     std::istringstream in{output};
     for (std::string line; std::getline(in, line);) {
         line = relative(course, line);
-        const bool is_in_files = names_a_file(line);
+        const std::string place = place_in(line);
+        const bool is_in_files = !place.empty(), is_within = is_in_files && line.find(place) == 0;
         // "file:line:column: error: what"
         if (has(line, ": error: ") || has(line, ": fatal error: ")) {
-            errors.push_back({line, came_from, is_in_files});
+            errors.push_back({line, came_from, is_within});
             came_from.clear();
             shown = 0;
         } else if (!errors.empty() && line.rfind(' ', 0) == 0 && shown < 2) {
@@ -82,8 +88,8 @@ std::string first_error(const Course& course, const std::string& output,
             ++shown;
         } else {
             shown = 2;
-            if (is_in_files && has(line, "to match this")) open_brace = line;
-            if (is_in_files && (has(line, "from ") || has(line, "required "))) came_from = line;
+            if (is_within && has(line, "to match this")) open_brace = line;
+            if (is_in_files && (has(line, "from ") || has(line, "required "))) came_from = place;
         }
         if (linker.empty() &&
             (has(line, "undefined reference to ") || has(line, "multiple definition of ") ||
@@ -97,7 +103,7 @@ std::string first_error(const Course& course, const std::string& output,
         return open_brace.substr(0, open_brace.find(": note: ")) +
                ": error: the brace { here is never closed";
     for (const Error& error : errors)
-        if (!error.came_from.empty()) return error.text + "\n  which came " + error.came_from;
+        if (!error.came_from.empty()) return error.text + "\n  which came from " + error.came_from;
     return errors.empty() ? linker : errors.front().text;
 }
 
