@@ -4,7 +4,8 @@ target_compile_options(course_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow
   # Rounding stays as the source has it: the same picture from every compiler, machine and inlining.
   -ffp-contract=off
-  # std::sqrt need not set errno, which nobody reads: otherwise no loop around it becomes wide.
+  # std::sqrt need not set errno, which nobody reads: no call, no branch after each root. It changes
+  # no result.
   -fno-math-errno
   # "#pragma omp simd" before a loop is heard; it needs no library.
   -fopenmp-simd)

@@ -2,6 +2,7 @@
 // A scene like the cover of the classic tutorial: 486 spheres of matte, metal and glass, three of
 // them large and one the ground.
 
+#include <rt/compiler.hpp>
 #include <rt/dielectric.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/make_camera.hpp>
@@ -64,7 +65,8 @@ inline Cover make_cover() {
 
 // The whole picture's mean color: what is computed is used.
 template <class World, class Materials>
-Color render_cover(const Cover& cover, const World& world, const Materials& materials) {
+RT_INLINES_ALL Color render_cover(const Cover& cover, const World& world,
+                                  const Materials& materials) {
     const Camera camera = make_camera(cover.view, cover.width, cover.height);
     Color sum;
     for (int y = 0; y < cover.height; ++y)

@@ -118,7 +118,8 @@ inline void study_effects(study::Report& report) {
          {"area", &LightAbove::by_area},
          {"cone", &LightAbove::by_cone},
          {"cone and chance", &LightAbove::by_both}}};
-    for (const auto& [name, way] : ways) {
+    for (const auto& [name, measured_way] : ways) {
+        const auto way = measured_way;  // clang++ 14 cannot capture what a binding names
         for (const Real distance : {Real(1.1), Real(1.5), Real(3), Real(10), Real(30), Real(100)}) {
             const LightAbove scene{distance};
             const double expected = 1 / static_cast<double>(distance * distance);

@@ -1,9 +1,10 @@
 #pragma once
-#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <rt/compiler.hpp>
+#include <rt/hit_sphere.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/wide.hpp>
 
@@ -42,53 +43,38 @@ struct WideHit {
     std::size_t place() const { return static_cast<std::size_t>(tag) % lanes; }
 };
 
-// Tries the spheres of a leaf between min and best.t; whether best has changed. It is hit_sphere
-// eight times at once: the same operations in the same order, so that every lane has its result to
-// the last bit. Of equally near spheres the one with the highest number counts.
-RT_NOT_INLINED inline bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
+// Which spheres of a leaf the line of the ray meets: bit i for place i. It computes the
+// discriminant as hit_sphere does, by the same operations in the same order, so that both agree to
+// the last bit.
+RT_NOT_INLINED inline unsigned may_hit(const WideLeaf& leaf, const Ray& ray) {
     const Vec3 o = ray.origin, d = ray.direction;
-    const Real a = d.x * d.x + d.y * d.y + d.z * d.z, max = best.t;
+    const Real a = d.x * d.x + d.y * d.y + d.z * d.z;
     const Real *const x = leaf.x.data(), *const y = leaf.y.data(), *const z = leaf.z.data(),
                       *const radius = leaf.radius.data();
-    const std::int32_t* const tags = leaf.tag.data();
-
-    Lanes<Real> quarters, all;
-    Real *const quarter = quarters.data(), *const nearer = all.data();
-    int any = 0;
-#pragma omp simd reduction(| : any)
+    std::uint32_t met = 0;
+#pragma omp simd reduction(| : met)
     for (std::size_t i = 0; i < lanes; ++i) {
         const Real fx = o.x - x[i], fy = o.y - y[i], fz = o.z - z[i];
         const Real mx = fy * d.z - fz * d.y, my = fz * d.x - fx * d.z, mz = fx * d.y - fy * d.x;
-        quarter[i] = a * (radius[i] * radius[i]) - (mx * mx + my * my + mz * mz);
-        any |= quarter[i] >= 0;
+        const Real quarter = a * (radius[i] * radius[i]) - (mx * mx + my * my + mz * mz);
+        met |= quarter >= 0 ? 1u << i : 0;
     }
-    if (!(any && a > 0)) return false;  // most leaves are done here
+    return met;
+}
 
-#pragma omp simd
-    for (std::size_t i = 0; i < lanes; ++i) {
-        const Real fx = o.x - x[i], fy = o.y - y[i], fz = o.z - z[i];
-        const Real b = fx * d.x + fy * d.y + fz * d.z;
-        const Real c = fx * fx + fy * fy + fz * fz - radius[i] * radius[i];
-        const Real q = -(2 * b + std::copysign(std::sqrt(4 * quarter[i]), 2 * b)) / 2;
-        const Real one = q == 0 ? Real(0) : c / q, other = q == 0 ? Real(0) : q / a;
-        const Real low = one < other ? one : other, high = one < other ? other : one;
-        // Every comparison with the root of a negative number is false.
-        const Real second = ((min <= high) & (high <= max)) ? high : WideLeaf::nothing;
-        nearer[i] = ((min <= low) & (low <= max)) ? low : second;
+// Tries the spheres of a leaf between min and best.t; whether best has changed. Of equally near
+// spheres the one with the highest number counts.
+RT_INLINED bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
+    bool changed = false;
+    for (unsigned met = may_hit(leaf, ray); met; met &= met - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(met));
+        const auto t = hit_sphere(leaf.sphere(i), ray, {min, best.t});
+        // At best.t itself the leaf may hold the higher number, or the lower one.
+        if (!t || (*t == best.t && leaf.tag[i] < best.tag)) continue;
+        best = {*t, leaf.tag[i]};
+        changed = true;
     }
-    // std::min returns its first argument where the second is not a number.
-    Real nearest = max;
-    for (const Real t : all) nearest = std::min(nearest, t);
-    std::int32_t tag = -1;
-#pragma omp simd reduction(max : tag)
-    for (std::size_t i = 0; i < lanes; ++i) {
-        const std::int32_t its = nearer[i] == nearest ? tags[i] : -1;
-        tag = its > tag ? its : tag;
-    }
-    // At best.t itself the leaf may hold the higher number, or the lower one.
-    if (tag < 0 || (nearest == max && tag < best.tag)) return false;
-    best = {nearest, tag};
-    return true;
+    return changed;
 }
 
 }  // namespace rt
