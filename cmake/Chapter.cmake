@@ -18,6 +18,11 @@ set(course_chapters "")   # all chapters so far
 set(course_solutions "")  # their solution folders
 set(course_sources "")    # the NAME.cpp that the solution of the chapter at hand has in rt/
 
+# course_of_learner(targets...): they compile the learner's code, so that they may fail to compile.
+function(course_of_learner)
+  set_target_properties(${ARGN} PROPERTIES COURSE_OF_LEARNER ON)
+endfunction()
+
 # course_sources_of(out folders...): of each rt/NAME.cpp of the chapter at hand the one that counts.
 function(course_sources_of out)
   set(sources "")
@@ -77,12 +82,14 @@ function(course_learners_checkpoints chapter)
   endif()
   course_sources_of(sources ${arg_INCLUDE})
   set(learners "")
+  set(targets "")
   if(sources)
     set(written ${arg_PREFIX}${chapter}_learners)
     add_library(${written} OBJECT ${sources})
     target_include_directories(${written} PRIVATE ${arg_INCLUDE})
     target_link_libraries(${written} PRIVATE common_double)
     set(learners $<TARGET_OBJECTS:${written}>)
+    list(APPEND targets ${written})
   endif()
   foreach(source ${arg_SOURCES})
     get_filename_component(name ${source} NAME)
@@ -98,10 +105,14 @@ function(course_learners_checkpoints chapter)
     target_link_libraries(${check} PRIVATE ${libraries})
     set_target_properties(${check} PROPERTIES
       RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/check)
+    list(APPEND targets ${tests} ${check})
     list(APPEND objects $<TARGET_OBJECTS:${tests}>)
   endforeach()
   add_executable(${arg_PREFIX}${chapter}_checkpoint ${objects} ${learners})
   target_link_libraries(${arg_PREFIX}${chapter}_checkpoint PRIVATE ${libraries})
+  if(NOT arg_PREFIX)
+    course_of_learner(${targets} ${chapter}_checkpoint)
+  endif()
 endfunction()
 
 # Reads one line "key: value" of a file.
@@ -167,6 +178,7 @@ function(course_certificate chapter)
   course_program(certify.${chapter}_solution double ${source}
                  INCLUDE ${course_solutions} ${CMAKE_SOURCE_DIR}/tests/support)
   set_target_properties(certify.${chapter} PROPERTIES EXCLUDE_FROM_ALL ON)
+  course_of_learner(certify.${chapter})
   # Other tests run at the same time: speeds say nothing.
   add_test(NAME certify.${chapter} COMMAND certify.${chapter}_solution --no-timing)
   set_tests_properties(certify.${chapter} PROPERTIES LABELS solution TIMEOUT 300
@@ -220,6 +232,7 @@ function(course_chapter chapter)
   endif()
 
   course_program(${chapter} double ${program} INCLUDE ${learner})
+  course_of_learner(${chapter})
   course_program(${chapter}_solution double ${program} INCLUDE ${course_solutions})
   course_program(${chapter}_solution_float float ${program} INCLUDE ${course_solutions})
   course_learners_checkpoints(${chapter} INCLUDE ${learner} SOURCES ${checkpoints})
@@ -238,6 +251,7 @@ function(course_chapter chapter)
   endforeach()
   if(mine)
     course_program(${chapter}_mine double ${program} INCLUDE ${mine} ${course_solutions})
+    course_of_learner(${chapter}_mine)
   endif()
 
   if(missing)
@@ -353,6 +367,21 @@ function(course_finish)
   if(COURSE_MINE)
     add_custom_target(mine DEPENDS ${mine})
   endif()
+  # All that the tests run, and nothing that a learner may have left half-written. The stubs as
+  # shipped are code of the project.
+  set(tested "")
+  foreach(folder ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/common ${CMAKE_SOURCE_DIR}/tests)
+    get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+    foreach(target ${targets})
+      get_target_property(kind ${target} TYPE)
+      get_target_property(of_learner ${target} COURSE_OF_LEARNER)
+      get_target_property(left_out ${target} EXCLUDE_FROM_ALL)
+      if(kind STREQUAL "EXECUTABLE" AND NOT left_out AND (COURSE_CHECK_STUBS OR NOT of_learner))
+        list(APPEND tested ${target})
+      endif()
+    endforeach()
+  endforeach()
+  add_custom_target(project_tests DEPENDS ${tested})
   get_property(pictures GLOBAL PROPERTY course_mistake_pictures)
   if(pictures)
     add_custom_target(mistake_pictures DEPENDS ${pictures} compare_programs)

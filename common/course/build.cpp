@@ -53,23 +53,87 @@ void must_build(const Course& course, const std::string& target) {
                                      : error.substr(0, error.find('\n')));
 }
 
-std::string first_error(const Course& course, const std::string& output) {
+std::string first_error(const Course& course, const std::string& output,
+                        const std::vector<fs::path>& files) {
+    // An error and what a compiler shows with it: before it how it came there, after it the source.
+    struct Error {
+        std::string text;
+        std::string came_from;  // "file:line" of the learner's, where that led to it
+        bool is_within = false;
+    };
+    std::vector<Error> errors;
+    std::string linker, came_from, open_brace;
+    int shown = 0;  // lines of source
+    // "file:line" in a line of output, of one of the files.
+    const auto place_in = [&](const std::string& line) -> std::string {
+        for (const fs::path& file : files)
+            if (const auto at = line.find(file.string() + ':'); at != std::string::npos) {
+                const auto number = at + file.string().size() + 1;
+                return line.substr(at, line.find_first_not_of("0123456789", number) - at);
+            }
+        return "";
+    };
     std::istringstream in{output};
-    std::string linker;
     for (std::string line; std::getline(in, line);) {
-        // "file:line:column: error: what" of a compiler, and the line of source that it shows
+        line = relative(course, line);
+        const std::string place = place_in(line);
+        const bool is_in_files = !place.empty(), is_within = is_in_files && line.find(place) == 0;
+        // "file:line:column: error: what"
         if (has(line, ": error: ") || has(line, ": fatal error: ")) {
-            std::string error = relative(course, line);
-            for (int i = 0; i < 2 && std::getline(in, line) && line.rfind(' ', 0) == 0; ++i)
-                error += '\n' + line;
-            return error;
+            errors.push_back({line, came_from, is_within});
+            came_from.clear();
+            shown = 0;
+        } else if (!errors.empty() && line.rfind(' ', 0) == 0 && shown < 2) {
+            errors.back().text += '\n' + line;
+            ++shown;
+        } else {
+            shown = 2;
+            if (is_within && has(line, "to match this")) open_brace = line;
+            if (is_in_files && (has(line, "from ") || has(line, "required "))) came_from = place;
         }
         if (linker.empty() &&
             (has(line, "undefined reference to ") || has(line, "multiple definition of ") ||
              has(line, "Undefined symbol")))
             linker = "the linker says: " + line.substr(line.find_first_of("uUm", line.rfind(": ")));
     }
-    return linker;
+    for (const Error& error : errors)
+        if (error.is_within) return error.text;
+    // What follows a brace that is never closed is all wrong, and the last thing that is said.
+    if (!open_brace.empty())
+        return open_brace.substr(0, open_brace.find(": note: ")) +
+               ": error: the brace { here is never closed";
+    for (const Error& error : errors)
+        if (!error.came_from.empty()) return error.text + "\n  which came from " + error.came_from;
+    return errors.empty() ? linker : errors.front().text;
+}
+
+std::string first_warning(const Course& course, const std::string& output,
+                          const std::vector<fs::path>& files) {
+    const std::string mark = ": warning: ";
+    std::string first;
+    std::istringstream in{output};
+    for (std::string line; std::getline(in, line);) {
+        line = relative(course, line);
+        const auto at = line.find(mark);
+        if (at == std::string::npos) continue;
+        const auto file = std::find_if(files.begin(), files.end(), [&](const fs::path& one) {
+            return line.rfind(one.string() + ':', 0) == 0;
+        });
+        if (file == files.end()) continue;
+        // "file:line:column: warning: what [-Wname]"
+        const auto number_end = line.find(':', file->string().size() + 1);
+        const auto option = line.rfind(" [-W");
+        const auto what = at + mark.size();
+        const std::string warning =
+            line.substr(0, number_end) + ": " +
+            line.substr(what, option == std::string::npos ? option : option - what);
+        for (const char* const name :
+             {"[-Wreturn-type", "[-Wreturn-local-addr", "[-Wreturn-stack-address", "[-Wdangling",
+              "[-Winfinite-recursion", "[-Wuninitialized", "[-Wmaybe-uninitialized"})
+            if (has(line, name)) return warning;
+        if (first.empty()) first = warning;
+    }
+    return first;
 }
 
 }  // namespace course

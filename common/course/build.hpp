@@ -19,9 +19,17 @@ BuildResult build(const Course& course, const std::vector<std::string>& targets)
 // The same for a target that must be there. Throws app::Failure with the first error.
 void must_build(const Course& course, const std::string& target);
 
-// The first error of a compiler or linker in a build's output: "file:line:column: error: what", and
-// in further lines the source that the compiler shows. The paths are relative to the course where
-// they are in it. Empty where there is none.
-std::string first_error(const Course& course, const std::string& output);
+// The error of a compiler or linker in a build's output that helps most: the first within these
+// files, else the first that came from them, else the first: "file:line:column: error: what", and
+// in further lines the source that the compiler shows. Paths are relative to the course where they
+// are in it. Empty where there is none.
+std::string first_error(const Course& course, const std::string& output,
+                        const std::vector<fs::path>& files = {});
+
+// A compiler's warning within these files, "file:line: what": the first, but one that tells of a
+// missing return, a value that is gone or not there yet, or an endless recursion goes first. Empty
+// where there is none.
+std::string first_warning(const Course& course, const std::string& output,
+                          const std::vector<fs::path>& files);
 
 }  // namespace course

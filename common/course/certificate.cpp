@@ -46,11 +46,11 @@ std::string image(const std::string& file) {
 bool Certificate::passed() const {
     return !measurements.empty() &&
            std::none_of(measurements.begin(), measurements.end(),
-                        [](const Measurement& one) { return one.held == Held::fails; });
+                        [](const CertifiedFigure& one) { return one.held == Held::fails; });
 }
 
-std::vector<Measurement> read_measurements(const std::string& text) {
-    std::vector<Measurement> all;
+std::vector<CertifiedFigure> read_measurements(const std::string& text) {
+    std::vector<CertifiedFigure> all;
     std::istringstream in{text};
     for (std::string line; std::getline(in, line);) {
         std::vector<std::string> fields(1);
@@ -70,7 +70,7 @@ std::vector<Measurement> read_measurements(const std::string& text) {
     return all;
 }
 
-std::string line_of(const Measurement& one) {
+std::string line_of(const CertifiedFigure& one) {
     const char* const symbol = one.held == Held::holds   ? "holds"
                                : one.held == Held::fails ? "FAILS"
                                                          : "     ";
@@ -86,7 +86,7 @@ std::string certificate_html(const Certificate& certificate) {
     out << head << "<h1>A ray tracer, by hand</h1>\n<p class=\"verdict\">";
     const auto failing =
         std::count_if(certificate.measurements.begin(), certificate.measurements.end(),
-                      [](const Measurement& one) { return one.held == Held::fails; });
+                      [](const CertifiedFigure& one) { return one.held == Held::fails; });
     if (certificate.passed())
         out << "Every part of this ray tracer was written by its author, and holds what was "
                "measured.";
@@ -99,7 +99,7 @@ std::string certificate_html(const Certificate& certificate) {
     if (certificate.passed() && !certificate.pictures.empty())
         out << image(certificate.pictures.back());
     out << "<table>\n<tr><th>exercise<th>what was measured<th>figure<th>bound<th></tr>\n";
-    for (const Measurement& one : certificate.measurements)
+    for (const CertifiedFigure& one : certificate.measurements)
         out << "<tr class=\"" << (one.held == Held::shows ? "shows" : word(one.held)) << "\"><td>"
             << escape_html(one.exercise) << "<td>" << escape_html(one.what)
             << "<td class=\"figure\">" << escape_html(one.figure) << "<td class=\"figure\">"

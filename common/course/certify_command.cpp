@@ -59,7 +59,7 @@ class Examination {
 
     Certificate certificate() const { return certificate_; }
 
-    void note(const Measurement& one) {
+    void note(const CertifiedFigure& one) {
         certificate_.measurements.push_back(one);
         const std::string line = line_of(one);
         std::puts((one.held == Held::fails ? red(line) : line).c_str());
@@ -140,7 +140,7 @@ class Examination {
                 run_process({.command = {fast_.program("certify." + chapter.name).string()},
                              .output = Output::errors_shown,
                              .timeout = patience});
-            for (const Measurement& one : read_measurements(result.output)) note(one);
+            for (const CertifiedFigure& one : read_measurements(result.output)) note(one);
             const bool ended = !result.timed_out && !result.signal && result.exit_code != 127;
             if (!ended) note(false, "", "measuring " + chapter.name, how_it_ended(result), "ends");
         }
@@ -214,7 +214,7 @@ int certify(const Course& course, const Arguments& arguments) {
         return app::done;
     }
     std::set<std::string> ids;
-    for (const Measurement& one : certificate.measurements)
+    for (const CertifiedFigure& one : certificate.measurements)
         if (one.held == Held::fails && !one.exercise.empty()) ids.insert(one.exercise);
     std::puts("Not there yet; out/certificate.html says how far it is.");
     if (!ids.empty()) std::printf("Next: ./course check %s\n", ids.begin()->c_str());

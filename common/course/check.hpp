@@ -10,7 +10,7 @@ namespace course {
 enum class Verdict {
     passed,
     failing,       // an assertion does not hold, or an exception came
-    to_write,      // its own rt::todo is still there
+    to_write,      // its own rt::todo is still there; trouble says what that may come from
     waiting,       // an exercise that it needs is still to be written
     not_compiled,  // trouble is the first error
     crashed,       // trouble says of what
@@ -22,6 +22,7 @@ struct Checked {
     Verdict verdict = Verdict::to_write;
     std::vector<TestCase> tests;       // as far as they were run
     std::string trouble;               // what kept it from running to the end
+    std::string warning;               // of the compiler, on its files
     std::string missing;               // waiting: the exercise that it needs
     std::vector<LookAlikes> mistakes;  // that it looks like
 };

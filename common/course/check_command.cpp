@@ -79,7 +79,8 @@ int check(const Course& course, const Arguments& arguments) {
     if (!wrong)
         shown = std::find_if(all.begin(), all.end(),
                              [](const Checked& one) { return one.verdict != Verdict::passed; });
-    if (shown != all.end() && (wrong || shown->verdict == Verdict::waiting)) {
+    if (shown != all.end() &&
+        (wrong || shown->verdict == Verdict::waiting || !shown->trouble.empty())) {
         print('\n' + details(course, *shown));
         return wrong ? app::could_not : app::still_to_write;
     }

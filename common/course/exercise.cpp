@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <course/exercise.hpp>
 #include <course/files.hpp>
 #include <course/stubs.hpp>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 
 namespace course {
@@ -23,6 +25,14 @@ Exercise from_heading(const std::string& line, const Chapter& chapter) {
     return exercise;
 }
 
+// A hash over files and what is in them.
+template <class Read>
+std::string hash_over(const std::vector<fs::path>& files, const Read& read) {
+    std::string bytes;
+    for (const fs::path& file : files) bytes += file.string() + '\n' + read(file) + '\0';
+    return hash_of(bytes);
+}
+
 }  // namespace
 
 std::vector<Exercise> exercises(const Course& course, const Chapter& chapter) {
@@ -39,6 +49,16 @@ std::vector<Exercise> exercises(const Course& course, const Chapter& chapter) {
             }
         found.push_back(exercise);
     }
+    std::map<fs::path, int> users;
+    for (const Exercise& exercise : found)
+        for (const fs::path& file : exercise.files) ++users[file];
+    const auto read = [&](const fs::path& file) {
+        return stubs.at(file.lexically_relative(fs::path{"exercises"} / chapter.name));
+    };
+    for (Exercise& exercise : found)
+        if (std::all_of(exercise.files.begin(), exercise.files.end(),
+                        [&](const fs::path& file) { return users[file] == 1; }))
+            exercise.shipped_hash = hash_over(exercise.files, read);
     return found;
 }
 
@@ -50,13 +70,18 @@ std::vector<Exercise> exercises(const Course& course) {
 }
 
 Exercise find_exercise(const Course& course, const std::string& id) {
-    const std::string wanted = id.find('.') == 1 ? '0' + id : id;  // "1.3" is 01.3
+    const auto dot = id.find('.');
+    const bool is_chapter = dot == std::string::npos;
+    // "1.3" is 01.3
+    const std::string wanted = (is_chapter ? id.size() : dot) == 1 ? '0' + id : id;
     std::string known;
     for (const Exercise& exercise : exercises(course)) {
         if (exercise.id == wanted) return exercise;
         if (exercise.chapter.number() == wanted.substr(0, 2))
             known += (known.empty() ? "" : ", ") + exercise.id;
     }
+    if (is_chapter && wanted.size() == 2 && !known.empty())
+        throw app::UsageError("'" + id + "' is a chapter; its exercises are " + known);
     throw app::UsageError("there is no exercise '" + id + "'; " +
                           (known.empty() ? "name one as 01.3: chapter, dot, exercise"
                                          : "chapter " + wanted.substr(0, 2) + " has " + known));
@@ -70,11 +95,17 @@ int hours(const Course& course, const Chapter& chapter) {
 }
 
 std::string hash_of(const Course& course, const Exercise& exercise) {
-    std::string bytes;
-    for (const fs::path& file : exercise.files)
-        bytes += file.string() + '\n' +
-                 (fs::exists(course.root / file) ? read_file(course.root / file) : "") + '\0';
-    return hash_of(bytes);
+    return hash_over(exercise.files, [&](const fs::path& file) {
+        return fs::exists(course.root / file) ? read_file(course.root / file) : "";
+    });
+}
+
+bool is_begun(const Course& course, const Exercise& exercise) {
+    if (todos_left(course, exercise) < exercise.shipped_todos) return true;
+    const auto& files = exercise.files;
+    return !exercise.shipped_hash.empty() && hash_of(course, exercise) != exercise.shipped_hash &&
+           std::all_of(files.begin(), files.end(),
+                       [&](const fs::path& file) { return fs::exists(course.root / file); });
 }
 
 int todos_left(const Course& course, const Exercise& exercise) {

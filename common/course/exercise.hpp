@@ -13,8 +13,9 @@ struct Exercise {
     int minutes = 0;
     Chapter chapter;
     std::vector<fs::path>
-        files;              // that the learner writes, such as exercises/01_vectors/rt/dot.hpp
-    int shipped_todos = 0;  // in these files, for this exercise
+        files;                   // that the learner writes, such as exercises/01_vectors/rt/dot.hpp
+    int shipped_todos = 0;       // in these files, for this exercise
+    std::string shipped_hash{};  // of these files; empty where another exercise is in them, too
 
     // "docs/01-vectors.md, section 01.3"
     std::string section() const { return "docs/" + chapter.document() + ", section " + id; }
@@ -35,6 +36,9 @@ int hours(const Course& course, const Chapter& chapter);
 
 // What the learner has written for an exercise: a hash over its files as they are now.
 std::string hash_of(const Course& course, const Exercise& exercise);
+
+// Whether the learner has begun it: an rt::todo is gone, or a file of it alone is not as shipped.
+bool is_begun(const Course& course, const Exercise& exercise);
 
 // How many rt::todo of this exercise are left in its files. A file that is gone counts as one.
 int todos_left(const Course& course, const Exercise& exercise);

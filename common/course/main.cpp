@@ -1,4 +1,5 @@
 // course COMMAND: the learner's companion. The script ./course builds it and calls it.
+#include <algorithm>
 #include <app/errors.hpp>
 #include <course/commands.hpp>
 #include <cstdio>
@@ -38,16 +39,60 @@ int help() {
     return app::done;
 }
 
+int help(const Command& command) {
+    std::printf("usage: course %s%s%s\n\n  %s\n", command.name, *command.arguments ? " " : "",
+                command.arguments, command.summary);
+    return app::done;
+}
+
+bool is_help(const std::string& word) {
+    return word == "--help" || word == "-h";
+}
+
+// How many letters to put in, take out or change, or neighbours to swap, to make one of the other.
+std::size_t slips(const std::string& a, const std::string& b) {
+    std::vector<std::vector<std::size_t>> table(a.size() + 1,
+                                                std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i)
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                table[i][j] = i + j;
+                continue;
+            }
+            table[i][j] = std::min({table[i - 1][j] + 1, table[i][j - 1] + 1,
+                                    table[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                table[i][j] = std::min(table[i][j], table[i - 2][j - 2] + 1);
+        }
+    return table[a.size()][b.size()];
+}
+
+// The command that a word is nearly; empty where none is.
+std::string meant(const std::string& word) {
+    std::string nearest;
+    std::size_t fewest = std::min<std::size_t>(3, word.size());
+    for (const Command& command : commands)
+        if (const auto count = slips(word, command.name); count < fewest) {
+            fewest = count;
+            nearest = command.name;
+        }
+    return nearest;
+}
+
 int dispatch(const course::Arguments& words) {
     if (words.empty()) return course::list(course::this_course(), {});
-    if (words[0] == "help" || words[0] == "--help" || words[0] == "-h") return help();
+    if (words[0] == "help" || is_help(words[0])) return help();
     std::string known;
     for (const Command& command : commands) {
+        if (words[0] == command.name && words.size() > 1 && is_help(words[1])) return help(command);
         if (words[0] == command.name)
             return command.run(course::this_course(), {words.begin() + 1, words.end()});
         known += std::string(command.name) + ", ";
     }
-    throw app::UsageError("there is no command '" + words[0] + "'; there are " + known + "help");
+    const std::string guess = meant(words[0]);
+    throw app::UsageError(
+        "there is no command '" + words[0] + "'; " +
+        (guess.empty() ? "there are " + known + "help" : "did you mean " + guess + '?'));
 }
 
 }  // namespace

@@ -52,7 +52,11 @@ double permutation_p(const Products& products, std::size_t mine, std::size_t all
         while (std::prev_permutation(dealt.begin(), dealt.end()));
     } else {
         rt::Rng random{1, 1};
-        for (look(); tried < 20'000; look()) std::shuffle(dealt.begin(), dealt.end(), random);
+        look();
+        for (int i = 1; i < 20'000; ++i) {
+            std::shuffle(dealt.begin(), dealt.end(), random);
+            look();
+        }
     }
     return static_cast<double>(as_far) / static_cast<double>(tried);
 }

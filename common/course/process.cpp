@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -73,13 +74,18 @@ class EndedOnInterrupt {
     std::atomic<pid_t>* group_ = nullptr;
 };
 
-// Between fork and exec: only what POSIX allows there.
-[[noreturn]] void become(char* const* command, const char* folder, int out, int err) {
+// Between fork and exec: only system calls.
+[[noreturn]] void become(char* const* command, const char* folder, int out, int err,
+                         std::size_t most_memory) {
     ::setpgid(0, 0);
     const int nothing = ::open("/dev/null", O_RDONLY);
     if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
     if (out >= 0) ::dup2(out, STDOUT_FILENO);
     if (err >= 0) ::dup2(err, STDERR_FILENO);
+    if (most_memory > 0) {
+        const rlimit limit{most_memory, most_memory};
+        ::setrlimit(RLIMIT_DATA, &limit);
+    }
     if (::chdir(folder) == 0) ::execvp(command[0], command);
     ::_exit(127);
 }
@@ -91,13 +97,14 @@ class Child {
 
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-    // Waits until it ends or the time is over, and collects its output.
-    Result wait(double timeout) {
+    // Waits until it ends, the time is over or its output is too much, and collects its output.
+    Result wait(double timeout, std::size_t most_output) {
         Result result;
         int status = 0;
         for (int pause = 1; !has_ended(status); pause = std::min(2 * pause, 20)) {
-            if (timeout > 0 && seconds() > timeout) {
-                result.timed_out = true;
+            result.timed_out = timeout > 0 && seconds() > timeout;
+            result.too_much = most_output > 0 && result.output.size() > most_output;
+            if (result.timed_out || result.too_much) {
                 ::kill(-id_, SIGKILL);
                 while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
                 }
@@ -124,7 +131,7 @@ class Child {
     bool read_for(int milliseconds, std::string& output) {
         pollfd from{pipe_, POLLIN, 0};  // poll skips a pipe of -1 and only waits
         if (::poll(&from, 1, milliseconds) <= 0) return false;
-        char bytes[4096];
+        char bytes[65536];
         const ssize_t count = ::read(pipe_, bytes, sizeof bytes);
         if (count > 0) output.append(bytes, static_cast<std::size_t>(count));
         if (count == 0) pipe_ = -1;  // its other end is closed: nothing more will come
@@ -178,17 +185,19 @@ Result run_process(const Run& run) {
     EndedOnInterrupt guard;
     const pid_t id = ::fork();
     if (id < 0) fail("fork");
-    if (id == 0) become(command.data(), run.folder.c_str(), into.value, err);
+    if (id == 0) become(command.data(), run.folder.c_str(), into.value, err, run.most_memory);
     ::setpgid(id, id);  // here and there, since nobody knows who is first
     guard.watch(id);
     into.close();
-    return Child{id, from.value}.wait(run.timeout);
+    return Child{id, from.value}.wait(run.timeout, run.most_output);
 }
 
 std::string how_it_ended(const Result& result) {
     std::ostringstream text;
     if (result.timed_out)
         text << "no end after " << static_cast<int>(result.seconds) << " s";
+    else if (result.too_much)
+        text << "no end of printing after " << (result.output.size() >> 20) << " MB";
     else if (result.signal)
         text << "signal " << result.signal << " (" << ::strsignal(result.signal) << ')';
     else if (result.exit_code == 127)

@@ -22,16 +22,19 @@ struct Run {
     std::filesystem::path folder = ".";  // that it runs in
     Output output = Output::captured;
     double timeout = 0;  // seconds after which it is killed with all that it started; 0 is never
+    std::size_t most_memory = 0;  // bytes that it may have, where the system can tell; 0 is any
+    std::size_t most_output = 0;  // bytes of captured output after which it is; 0 is never
 };
 
 struct Result {
     int exit_code = 0;  // 127 where the program could not be started
     int signal = 0;     // that ended it, else 0
     bool timed_out = false;
-    double seconds = 0;  // of wall time
+    bool too_much = false;  // output: the rest is lost
+    double seconds = 0;     // of wall time
     std::string output;
 
-    bool ok() const { return exit_code == 0 && signal == 0 && !timed_out; }
+    bool ok() const { return exit_code == 0 && signal == 0 && !timed_out && !too_much; }
 };
 
 // Runs a program to its end. Its standard input is empty. An interruption of the companion ends it,

@@ -41,9 +41,10 @@ std::string verdict_text(const Checked& checked) {
         case Verdict::failing:
             return red("failing: " + std::to_string(all - passed) + " of " + cases(all));
         case Verdict::to_write:
-            return all == 0 ? dim("to be written")
-                            : yellow("begun: " + std::to_string(passed) + " of " + cases(all) +
-                                     " pass, the rest is to be written");
+            if (all == 0) return dim("to be written");
+            return yellow(passed == 0 ? "begun: all of its " + cases(all) + " meet an rt::todo"
+                                      : "begun: " + std::to_string(passed) + " of " + cases(all) +
+                                            " pass, the rest is to be written");
         case Verdict::waiting:
             return yellow("needs " + checked.missing + " first");
         case Verdict::not_compiled:
@@ -71,9 +72,11 @@ std::string symbol_of(Verdict verdict) {
 
 // At most this many lines of a text.
 std::string first_lines(const std::string& text, int count) {
-    std::istringstream in{text};
+    constexpr std::size_t most = 2000;
+    std::istringstream in{text.substr(0, most)};
     std::string kept, line;
     for (int i = 0; i < count && std::getline(in, line); ++i) kept += line + '\n';
+    if (text.size() > most) return kept + "...\n";
     if (std::getline(in, line)) kept += "...\n";
     return kept;
 }
@@ -88,17 +91,56 @@ std::string without_hexadecimal(std::string text) {
     return text;
 }
 
+// Addresses as "address A", "address B": which are the same is all that they can say.
+std::string without_addresses(std::string text) {
+    const char* const digits = "0123456789abcdefABCDEF";
+    std::vector<std::string> seen;
+    for (auto at = text.find("0x"); at != std::string::npos; at = text.find("0x", at + 1)) {
+        const auto end = std::min(text.find_first_not_of(digits, at + 2), text.size());
+        if (end - at < 8 || (end < text.size() && (text[end] == '.' || text[end] == 'p'))) continue;
+        const std::string address = text.substr(at, end - at);
+        auto known = std::find(seen.begin(), seen.end(), address);
+        if (known == seen.end()) known = seen.insert(seen.end(), address);
+        const auto which = static_cast<std::size_t>(known - seen.begin());
+        text.replace(at, end - at,
+                     which < 26 ? "address " + std::string(1, static_cast<char>('A' + which))
+                                : "another address");
+    }
+    return text;
+}
+
+std::string readable(const std::string& text) {
+    return without_addresses(without_hexadecimal(text));
+}
+
+// What Catch2 names the expression in which a program crashed.
+bool is_unknown(const FailedAssertion& failure) {
+    return failure.expression.find("{Unknown expression") != std::string::npos;
+}
+
 std::string describe(const FailedAssertion& failure) {
     std::string text;
-    for (const std::string& message : failure.messages) text += wrapped(message, "    ");
-    if (!failure.expression.empty() && failure.expression != "FAIL") {
+    for (const std::string& message : failure.messages) text += wrapped(readable(message), "    ");
+    if (!failure.expression.empty() && failure.expression != "FAIL" && !is_unknown(failure)) {
         text += wrapped("checked: " + failure.expression, "    ");
         const bool says_more = failure.expanded != "false" && !failure.expanded.empty() &&
                                failure.expression.find(failure.expanded) == std::string::npos;
-        if (says_more) text += wrapped("came as: " + without_hexadecimal(failure.expanded), "    ");
+        if (says_more) text += wrapped("came as: " + readable(failure.expanded), "    ");
     }
     if (!failure.exception.empty()) text += wrapped("it threw: " + failure.exception, "    ");
     return text;
+}
+
+// The first failure of a test case of which there is something to say.
+std::string describe_all(const TestCase& test) {
+    for (const FailedAssertion& failure : test.failures)
+        if (const std::string text = describe(failure); !text.empty()) return text;
+    return "";
+}
+
+// What failed before a program crashed or was stopped.
+std::string before_that(const std::string& failing) {
+    return failing.empty() ? "" : "\nBefore that:\n" + failing;
 }
 
 // The test cases that fail: the first with all that is known, the others by name.
@@ -106,17 +148,25 @@ std::string failing_cases(const Checked& checked) {
     std::string text, others;
     for (const TestCase& test : checked.tests) {
         if (test.passed || !missing_exercise(test).empty()) continue;
+        const bool crashed = !test.ended || !test.crash.empty();
+        if (crashed && describe_all(test).empty()) continue;  // the crash is told elsewhere
         if (!text.empty()) {
             others += "    " + test.name + '\n';
             continue;
         }
         text += "  " + bold(test.name) + '\n';
-        if (!test.failures.empty()) text += describe(test.failures.front());
+        text += describe_all(test);
         if (!test.output.empty())
             text += "    your code printed:\n" + wrapped(first_lines(test.output, 10), "      ");
     }
     if (!others.empty()) text += "\n  Also failing:\n" + others;
     return text;
+}
+
+std::string warned(const Checked& checked) {
+    return checked.warning.empty()
+               ? ""
+               : "\n  " + yellow("The compiler warned:") + '\n' + wrapped(checked.warning, "    ");
 }
 
 std::string what_it_looks_like(const Course& course, const Checked& checked) {
@@ -153,24 +203,29 @@ std::string details(const Course& course, const Checked& checked) {
             text += "It does not compile. The first error:\n\n" + checked.trouble + '\n';
             break;
         case Verdict::crashed:
-            text += "It crashes (" + checked.trouble + ")" + where +
-                    "\n  An index out of range, a pointer to nothing, or a function that calls "
-                    "itself for ever?\n";
+            text += "It crashes: " + checked.trouble + (where.empty() ? "" : ",\n " + where) +
+                    "\n  A forgotten return, an index out of range, a pointer to nothing, or a "
+                    "function that calls\n  itself for ever?\n" +
+                    warned(checked) + before_that(failing_cases(checked));
             break;
         case Verdict::endless:
             text += "It was stopped, " + checked.trouble + "," + where +
-                    "\n  Which loop or recursion never ends?\n";
+                    "\n  Which loop or recursion never ends?\n" + warned(checked) +
+                    before_that(failing_cases(checked));
             break;
         case Verdict::waiting:
             text +=
                 "It calls what exercise " + checked.missing + " asks for: write that one first.\n";
             break;
         case Verdict::to_write:
-            text += "It is still to be written: replace the lines that say rt::todo.\n";
+            text += "It is still to be written: replace the lines that say rt::todo.\n" +
+                    (checked.trouble.empty() ? "" : '\n' + wrapped(checked.trouble, "  "));
             break;
         case Verdict::failing:
-            text += '\n' + (checked.trouble.empty() ? failing_cases(checked)
-                                                    : wrapped(checked.trouble, "  "));
+            text += '\n' +
+                    (checked.trouble.empty() ? failing_cases(checked)
+                                             : wrapped(checked.trouble, "  ")) +
+                    warned(checked);
             break;
         case Verdict::passed:
             break;

@@ -35,7 +35,9 @@ int run(const Course& course, const Arguments& arguments) {
     }
     command.insert(command.end(), options.begin(), options.end());
     const Result result = run_process({.command = command, .output = Output::shown});
-    if (result.signal != 0) throw app::Failure(chapter.name + " ended: " + how_it_ended(result));
+    if (result.signal != 0)
+        throw app::Failure(chapter.name + " crashed, " + how_it_ended(result) +
+                           "; in which exercise: ./course check " + chapter.number());
     if (result.exit_code == app::still_to_write)
         std::fprintf(stderr, "Which exercises are left: ./course check %s\n",
                      chapter.number().c_str());

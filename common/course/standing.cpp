@@ -3,12 +3,12 @@
 namespace course {
 
 Standing standing(const Course& course, const State& state, const Exercise& exercise) {
-    const int left = todos_left(course, exercise);
-    if (left > 0) return left < exercise.shipped_todos ? Standing::begun : Standing::to_write;
+    if (!is_begun(course, exercise)) return Standing::to_write;
     const auto found = state.find(exercise.id);
-    if (found == state.end() || found->second.hash != hash_of(course, exercise))
-        return Standing::unchecked;
-    return found->second.passed ? Standing::done : Standing::failing;
+    const bool known = found != state.end() && found->second.hash == hash_of(course, exercise);
+    if (known && found->second.passed) return Standing::done;
+    if (todos_left(course, exercise) > 0) return Standing::begun;
+    return known ? Standing::failing : Standing::unchecked;
 }
 
 const char* text(Standing standing) {

@@ -25,14 +25,17 @@ State parse(const std::string& text) {
     State state;
     for (const auto& [id, record] : json.at("exercises").items())
         state[id] = {record.at("passed").get<bool>(), record.at("hash").get<std::string>(),
-                     record.at("hints").get<int>()};
+                     record.at("hints").get<int>(), record.value("warning", "")};
     return state;
 }
 
 std::string to_text(const State& state) {
     Json records = Json::object();
     for (const auto& [id, record] : state)
-        records[id] = {{"passed", record.passed}, {"hash", record.hash}, {"hints", record.hints}};
+        records[id] = {{"passed", record.passed},
+                       {"hash", record.hash},
+                       {"hints", record.hints},
+                       {"warning", record.warning}};
     return Json{{"version", version}, {"exercises", records}}.dump(1) + '\n';
 }
 

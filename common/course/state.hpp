@@ -11,8 +11,9 @@ namespace course {
 // The verdict on the files with this hash; on any others nothing is known.
 struct Record {
     bool passed = false;
-    std::string hash;  // empty: never checked
-    int hints = 0;     // that were shown
+    std::string hash;       // empty: never checked
+    int hints = 0;          // that were shown
+    std::string warning{};  // the compiler's on these files; it comes only when it compiles them
 };
 
 using State = std::map<std::string, Record>;  // by exercise

@@ -26,6 +26,9 @@ if grep -q 'syntax error' "$file"; then
     echo "    3 | syntax error"
     exit 1
 fi
+if grep -q warned "$file" && [ ! -f ../compiled ]; then
+    echo "$file:3:5: warning: no return [-Wreturn-type]"
+fi
 mkdir -p check
 {
     echo '#!/bin/sh'
@@ -39,12 +42,17 @@ mkdir -p check
     elif grep -q 'needs 01.2' "$file"; then
         echo '<Exception>exercise 01.2 is still to be written: there</Exception>'
         echo '<OverallResult success="false"/></TestCase>'
-    elif grep -q 'endless\|crash' "$file"; then
+    elif grep -q 'needs 01.1' "$file"; then
+        echo '<Info>Hint: is it the function that was declared?</Info>'
+        echo '<Exception>exercise 01.1 is still to be written: there</Exception>'
+        echo '<OverallResult success="false"/></TestCase>'
+    elif grep -q 'endless\|crash\|chatter' "$file"; then
         :
     else
         echo '<OverallResult success="true"/></TestCase>'
     fi
     echo XML
+    grep -q chatter "$file" && echo 'yes without end'
     grep -q crash "$file" && echo 'kill -SEGV $$'
     grep -q endless "$file" && echo 'sleep 60'
     grep -q wrong "$file" && echo 'exit 1'
@@ -81,7 +89,8 @@ class Companion(unittest.TestCase):
                  "exercise: 01.1\ntitle: one too many\ncaught by: x\n\nCount from 0.\n")
         self.put("CMakeLists.txt", cmake)
         self.put("check.sh", CHECK)
-        self.put("program.sh", '#!/bin/sh\necho "program $*"\n[ "$3" != --fail ] || exit 3\n')
+        self.put("program.sh", '#!/bin/sh\necho "program $*"\n[ "$3" != --fail ] || exit 3\n'
+                 '[ "$3" != --crash ] || kill -SEGV $$\n')
         os.chmod(self.root / "program.sh", 0o755)
         subprocess.run(["cmake", "-S", self.root, "-B", self.root / "build"], check=True,
                        stdout=subprocess.DEVNULL)
@@ -157,7 +166,7 @@ class Companion(unittest.TestCase):
     def test_check_crashes_and_waits(self):
         self.write("one", "crash\n")
         said = self.course("check", "01.1", code=1)
-        self.assertIn("It crashes (signal 11", said)
+        self.assertIn("It crashes: it used memory that is not its own (segmentation fault)", said)
         self.assertIn("01.1 the answer is right", said)
         self.write("one", "needs 01.2\n")
         self.assertIn("needs 01.2 first", self.course("check", "01.1", code=3))
@@ -179,6 +188,42 @@ class Companion(unittest.TestCase):
         said = self.course("check", "tiny")
         self.assertIn("Chapter 01 is done", said)
         self.assertIn("./course compare 01", said)
+
+    def test_check_tells_of_a_warning_every_time(self):
+        self.write("one", "wrong, warned\n")
+        for _ in range(2):  # nothing is compiled the second time
+            said = self.course("check", "01.1", code=1)
+            self.assertIn("warned:\n    exercises/01_tiny/rt/one.hpp:3: no return\n", said)
+            self.put("compiled", "")
+        self.write("one", "wrong\n")
+        self.assertNotIn("warned", self.course("check", "01.1", code=1))
+        self.write("one", "warned\n")
+        self.assertNotIn("warned", self.course("check", "01.1"))
+
+    def test_check_tells_what_failed_before_a_crash(self):
+        self.write("one", "wrong, then crash\n")
+        said = self.course("check", "01.1", code=1)
+        self.assertIn("It crashes: it used memory that is not its own", said)
+        self.assertIn("Before that:\n  01.1 the answer is right\n", said)
+        self.assertIn("expected 2, but yours gives 3.", said)
+
+    def test_check_stops_what_prints_without_end(self):
+        self.write("one", "chatter\n")
+        started = time.time()
+        said = self.course("check", "01.1", code=1)
+        self.assertLess(time.time() - started, 15)
+        self.assertIn("no end of printing after 16 MB", said)
+
+    def test_check_a_file_that_is_changed_but_keeps_its_todo(self):
+        self.put("build/check/nothing", "")
+        self.write("one", STUB % (1, 1) + "int g() { return 1; }  // needs 01.1\n")
+        said = self.course("check", "01.1", code=3)
+        self.assertRegex(said, r"\. 01.1 .* begun")
+        self.assertIn("Hint: is it the function that was declared?", said)
+        self.assertRegex(self.course("list"), r"- 01.1 .* begun")
+        self.write("one", STUB % (1, 1) + "int f() { return 1; }  // right\n")
+        self.course("check", "01.1")
+        self.assertRegex(self.course("list"), r"\+ 01.1 .* done")
 
     # ---- hint, reset, run --------------------------------------------------------------------
 
@@ -210,6 +255,10 @@ class Companion(unittest.TestCase):
         self.assertIn(f"program --out {self.root}/out/01_tiny_mine.png --width 9", said)
         self.assertIn("program --out a.png", self.course("run", "1", "--out", "a.png"))
         self.course("run", "01", "--fail", code=3)
+        crashed = subprocess.run([COURSE, "run", "01", "--crash"], env=self.environment, text=True,
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.assertEqual(crashed.returncode, 1)
+        self.assertIn("./course check 01", crashed.stderr)
 
     # ---- bad input ---------------------------------------------------------------------------
 
@@ -217,10 +266,20 @@ class Companion(unittest.TestCase):
         for words in (["nonsense"], ["check", "99"], ["check", "01.9"], ["check", "01", "02"],
                       ["check", ""], ["hint"], ["hint", "01"], ["hint", "x"], ["reset"],
                       ["reset", "01"], ["reset", "01.9"], ["run"], ["run", "99"], ["list", "x"],
-                      ["watch", "99"], ["watch", "01", "02"], ["check", "--help"]):
+                      ["watch", "99"], ["watch", "01", "02"], ["chek"], ["check", "01.1", "--help"]):
             said = self.course(*words, code=2)
             self.assertEqual(said.count("\n"), 1, words)
             self.assertTrue(said.startswith("course: "), said)
+
+    def test_help_and_guesses(self):
+        for command in ("list", "check", "watch", "hint", "run", "reset", "certify"):
+            for word in ("--help", "-h"):
+                self.assertTrue(self.course(command, word).startswith(f"usage: course {command}"))
+        for word, meant in (("chek", "check"), ("lst", "list"), ("hnit", "hint"), ("wach", "watch")):
+            self.assertIn(f"did you mean {meant}?", self.course(word, code=2))
+        self.assertIn("there are list, check", self.course("nonsense", code=2))
+        self.assertIn("'01' is a chapter; its exercises are 01.1, 01.2",
+                      self.course("hint", "01", code=2))
 
     def test_broken_state_is_set_aside(self):
         self.put(".course/state.json", "{broken")
