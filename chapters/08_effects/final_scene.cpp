@@ -49,7 +49,7 @@ void add_horizon(Composition& picture) {
     for (const Hill& hill : hills)
         picture.add({hill.x, hill.top - hill.radius, hill.z, hill.radius},
                     picture.material(Lambertian{from_hex(hill.color)}));
-    picture.add({150, 19.5, -300, 21}, picture.material(Emitter{{3, Real(0.8), Real(0.17)}}));
+    picture.add({150, 4, -300, 21}, picture.material(Emitter{{6, Real(0.45), Real(0.08)}}));
 }
 
 // A ball of glass, as a drop that has just fallen, and droplets that it has splashed up.
@@ -68,7 +68,7 @@ void add_drop(Composition& picture, int glass) {
 void add_lake(Composition& picture, int glass) {
     // Still water below the pearls, and as far as the hills.
     picture.add({0, -2001, 0, 2000},
-                picture.material(Metal{{Real(0.30), Real(0.34), Real(0.48)}, Real(0.12)}));
+                picture.material(Metal{{Real(0.24), Real(0.24), Real(0.34)}, Real(0.10)}));
 
     constexpr std::array<std::uint32_t, 6> colors{0x14213d, 0x1f4e79, 0x2a8c9e,
                                                   0x7cc6b8, 0xf2d0a4, 0xf08a5d};
@@ -90,15 +90,11 @@ void add_lake(Composition& picture, int glass) {
 
 // Few and not too small, so that each is found often enough.
 void add_lanterns(Composition& picture) {
-    const int flame = picture.material(Emitter{{Real(2.6), Real(0.95), Real(0.24)}});
+    const int flame = picture.material(Emitter{{Real(2.8), Real(0.50), Real(0.09)}});
     constexpr Ball lanterns[] = {{-6, 1.9, 4, 0.3},   {6.8, 2.1, 5, 0.3},   {-9, 2.8, -8, 0.34},
                                  {9, 3.2, -10, 0.34}, {-2.4, 2.0, 9, 0.26}, {15, 2.4, -2, 0.3},
                                  {20, 3.6, -18, 0.4}};
     for (const Ball& lantern : lanterns) picture.add(lantern, flame);
-    // Two close to the lens, which melt to disks.
-    const int glow = picture.material(Emitter{{Real(1.25), Real(0.5), Real(0.16)}});
-    picture.add({-4.25, 5.98, 20.1, 0.13}, glow);
-    picture.add({-0.2, 5.9, 20.4, 0.13}, glow);
 }
 
 }  // namespace
@@ -109,8 +105,8 @@ SceneDescription final_scene() {
     scene.camera.view.from = {-4, Real(7.8), 25};
     scene.camera.view.at = {4, Real(3.85), 0};
     scene.camera.view.vertical_fov = radians(29);
-    scene.camera.lens = {Real(0.34), 25};
-    scene.sky = {{Real(1.6), Real(0.62), Real(0.38)}, {Real(0.04), Real(0.11), Real(0.4)}};
+    scene.camera.lens = {Real(0.22), 25};
+    scene.sky = {{Real(1.5), Real(0.50), Real(0.26)}, {Real(0.04), Real(0.11), Real(0.4)}};
 
     const int glass = picture.material(Dielectric{Real(1.5)});
     add_horizon(picture);

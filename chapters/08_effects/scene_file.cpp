@@ -23,7 +23,7 @@ struct Texture {
     PictureMatte picture;
 };
 
-// A named material. Where its colour is drawn by lot, each sphere gets a material of its own.
+// A named material. Where its color is drawn by lot, each sphere gets a material of its own.
 struct Material {
     MaterialDescription description;
     std::optional<std::pair<Color, Color>> between = {};
@@ -168,9 +168,9 @@ class Reader {
             const Value color = value.at("color");
             if (!color.is_object()) return color.color(shares);
             const std::vector<Value> ends =
-                color.with_keys({"between"}).at("between").list("two colours");
+                color.with_keys({"between"}).at("between").list("two colors");
             if (ends.size() != 2)
-                color.at("between").fail("must be a list of two colours, not of " +
+                color.at("between").fail("must be a list of two colors, not of " +
                                          std::to_string(ends.size()));
             material.between = {ends[0].color(shares), ends[1].color(shares)};
             return material.between->first;

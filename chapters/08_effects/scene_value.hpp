@@ -86,7 +86,7 @@ class Value {
         const std::string& chosen = text("one of " + list_of(words));
         if (std::find(words.begin(), words.end(), chosen) == words.end())
             fail("is " + app::quoted(chosen) + ", which is not known" +
-                 meant(chosen, words, "it may be "));
+                 meant(chosen, words, "known are "));
         return chosen;
     }
 
@@ -153,7 +153,7 @@ class Value {
 
     // "#rrggbb" as a designer writes it, or linear light [r, g, b].
     Color color(Range range) const {
-        const char* const wanted = "a colour, \"#rrggbb\" or [r, g, b]";
+        const char* const wanted = "a color, \"#rrggbb\" or [r, g, b]";
         if (!is_text()) {
             const auto [r, g, b] = three(wanted, range);
             return {r, g, b};

@@ -35,6 +35,8 @@ TEST_CASE("08.1 matte spheres under a sky call for nothing", "[08.1]") {
 TEST_CASE("08.1 each material calls for its effect", "[08.1]") {
     check(ball_of(rt::Metal{{1, 1, 1}, 0}), {.mirror = true}, "metal of fuzz 0 is a mirror");
     check(ball_of(rt::Metal{{1, 1, 1}, Real(0.2)}), {.fuzz = true}, "metal of fuzz 0.2 is rough");
+    check(ball_of(rt::Metal{{1, 1, 1}, Real(1e-9)}), {.fuzz = true},
+          "any fuzz other than 0 makes it rough, even 1e-9");
     check(ball_of(rt::Dielectric{}), {.glass = true}, "a Dielectric is glass");
     check(ball_of(rt::CheckeredMatte{}), {.texture = true}, "a checker is a texture");
     check(ball_of(rt::PictureMatte{}), {.texture = true}, "an image is a texture");
@@ -53,6 +55,10 @@ TEST_CASE("08.1 lens and fog and motion are found", "[08.1]") {
     scene.camera.shutter = Real(0.5);
     scene.spheres[0].velocity = {0, -1, 0};
     check(scene, {.motion = true}, "the sphere moves while the shutter is open");
+    scene.spheres[0].velocity = {1, 0, 0};
+    check(scene, {.motion = true}, "the sphere moves along x");
+    scene.spheres[0].velocity = {0, 0, 1};
+    check(scene, {.motion = true}, "the sphere moves along z");
 }
 
 TEST_CASE("08.1 all spheres are looked at", "[08.1]") {
@@ -102,4 +108,7 @@ TEST_CASE("08.1 fog without density and a lens without opening are none", "[08.1
     check(scene, {}, "the fog's density is 0, and the aperture as well");
     scene.fog->density = std::numeric_limits<Real>::min();
     check(scene, {.fog = true}, "the thinnest fog still is fog");
+    scene = ball_of(matte);
+    scene.camera.lens.aperture = Real(1e-9);
+    check(scene, {.lens = true}, "a scene may be small: an aperture of 1e-9 still is one");
 }
