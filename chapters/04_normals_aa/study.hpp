@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <rt/jitter.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/path.hpp>
@@ -88,12 +87,10 @@ inline double mean_radiance(const Pixels& pixels) {
     return sum / (3 * static_cast<double>(pixels.size()));
 }
 
-// The processor's time for one call in milliseconds, in which other programs do not count.
+// The processor's time for one call in milliseconds.
 template <class Work>
 double milliseconds(Work work) {
-    const std::clock_t start = std::clock();
-    work();
-    return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    return 1e-6 * study::once_ns(work, 1);
 }
 
 // The root of the mean squared error of a pixel, over some seeds, and the median time of a picture.

@@ -17,8 +17,8 @@ template <class One, class Other>
 std::pair<double, double> by_turns_ms(One one, Other other, int turns = 5) {
     double of_one = 1e300, of_other = 1e300;
     for (int i = 0; i < turns; ++i) {
-        of_one = std::min(of_one, once_ns(one, 1) * 1e-6);
-        of_other = std::min(of_other, once_ns(other, 1) * 1e-6);
+        of_one = std::min(of_one, study::once_ns(one, 1) * 1e-6);
+        of_other = std::min(of_other, study::once_ns(other, 1) * 1e-6);
     }
     return {of_one, of_other};
 }
@@ -63,7 +63,7 @@ inline void study_parts(study::Report& report, const Cover& cover, const WideTre
     }
     const auto part = [&](const char* name, const auto& work) {
         report.add({"cover-parts", name, rays, "rays", tests, "wide tests per ray",
-                    once_ns(work, 5) / rays, "time per ray / ns"});
+                    study::once_ns(work, 5) / rays, "time per ray / ns"});
     };
     part("all", [&] { study::keep(render_cover(cover, world, cover.materials)); });
     part("search", [&] {

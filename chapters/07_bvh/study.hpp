@@ -35,7 +35,7 @@ struct Shot {
     template <class World>
     double ns_per_ray(const World& world, int runs = 5) const {
         std::uint64_t rays = 1;
-        const double ns = once_ns([&] { rays = render(world); }, runs);
+        const double ns = study::once_ns([&] { rays = render(world); }, runs);
         return ns / static_cast<double>(rays);
     }
 };
@@ -84,7 +84,7 @@ inline void study_structures(study::Report& report) {
     const auto quality = [&](const char* study, const char* name, double x, const char* x_name,
                              const auto& split) {
         SphereTree tree;
-        const double build = once_ns([&] { tree = make_tree(scene.spheres, split); }, 3);
+        const double build = study::once_ns([&] { tree = make_tree(scene.spheres, split); }, 3);
         row(study, name, x < 0 ? build * 1e-6 : x, x_name, tests_per_ray(tree), "tests per ray",
             large.ns_per_ray(tree, 3), "time per ray / ns");
     };
@@ -100,7 +100,8 @@ inline void study_structures(study::Report& report) {
     for (const int count : {1'000, 10'000, 100'000, 1'000'000}) {
         const Cloud cloud{count};
         WideTree tree;
-        const double build = once_ns([&] { tree = make_wide_tree<float>(cloud.spheres); }, 1);
+        const double build =
+            study::once_ns([&] { tree = make_wide_tree<float>(cloud.spheres); }, 1);
         const double bytes = static_cast<double>(tree.nodes.size() * sizeof(tree.nodes[0]) +
                                                  tree.leaves.size() * sizeof(tree.leaves[0]));
         row("growth", "8-wide float boxes", count, "spheres", wide_tests_per_ray(tree, cloud.rays),

@@ -1,7 +1,6 @@
 #pragma once
 // What only the study compares: other ways to split, and other ways to search.
 
-#include <ctime>
 #include <rt/binned_split.hpp>
 #include <rt/directions.hpp>
 #include <rt/flat_tree.hpp>
@@ -11,20 +10,6 @@
 #include "scene.hpp"
 
 namespace bvh {
-
-// The time of one call in nanoseconds, the median of several. It is the processor's time for this
-// program, in which others that run at the same time count less.
-template <class Work>
-double once_ns(Work work, int runs = 3) {
-    std::vector<double> times;
-    for (int i = 0; i < runs; ++i) {
-        const std::clock_t start = std::clock();
-        work();
-        times.push_back(1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-    std::sort(times.begin(), times.end());
-    return times[times.size() / 2];
-}
 
 // The linear list with eight spheres at once.
 struct PackedList {
@@ -158,7 +143,7 @@ struct Cloud {
         const auto all = [&] {
             for (const Ray& ray : rays) study::keep(world.hit(ray, {}));
         };
-        return once_ns(all, 3) / static_cast<double>(rays.size());
+        return study::once_ns(all, 3) / static_cast<double>(rays.size());
     }
 };
 

@@ -11,7 +11,6 @@
 #include <study/ulp.hpp>
 
 #include "../07_bvh/cover.hpp"
-#include "../07_bvh/variants.hpp"
 
 namespace effects {
 
@@ -133,7 +132,7 @@ inline void study_effects(study::Report& report) {
             const auto many = [&] {
                 for (int i = 0; i < count; ++i) study::keep((scene.*way)(random));
             };
-            const double ns = bvh::once_ns(many, 3) / count;
+            const double ns = study::once_ns(many, 3) / count;
             row("light", name, static_cast<double>(distance), "distance / radius",
                 std::sqrt(squares / count) / expected, "error of one sample / mean", ns,
                 "time per sample / ns");
@@ -197,7 +196,7 @@ inline void study_effects(study::Report& report) {
         for (int round = 0; round < 7; ++round)
             for (std::size_t i = 0; i < 3; ++i) {
                 std::uint64_t rays = 1;
-                const double ns = bvh::once_ns([&] { rays = draw(variants[i].second); }, 1);
+                const double ns = study::once_ns([&] { rays = draw(variants[i].second); }, 1);
                 times[i].push_back(ns / static_cast<double>(rays));
             }
         std::array<double, 3> per_ray{};
@@ -214,8 +213,8 @@ inline void study_effects(study::Report& report) {
     const bvh::Cover cover = bvh::make_cover();
     const auto classic = bvh::make_classic(cover);
     const SceneDescription scene = cover_scene(cover);
-    const double slow = bvh::once_ns([&] { study::keep(bvh::render_cover(cover, classic)); }, 1);
-    const double fast = bvh::once_ns(
+    const double slow = study::once_ns([&] { study::keep(bvh::render_cover(cover, classic)); }, 1);
+    const double fast = study::once_ns(
         [&] {
             const PixelShader shade =
                 renderer_makers[narrowest(effects_of(scene), renderer_effects)](

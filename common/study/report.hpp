@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <rt/compiler.hpp>
 #include <string>
@@ -69,6 +70,21 @@ double time_ns(Work work, int runs = 9) {
     for (int i = 0; i < runs; ++i) times.push_back(time_of(calls) / static_cast<double>(calls));
     std::nth_element(times.begin(), times.begin() + runs / 2, times.end());
     return times[static_cast<std::size_t>(runs / 2)];
+}
+
+// The time of one call in nanoseconds, of work that takes a millisecond or more: the median of
+// `runs` calls. It is the processor's time for this program, in which others that run at the same
+// time count less.
+template <class Work>
+double once_ns(Work work, int runs = 3) {
+    std::vector<double> times;
+    for (int i = 0; i < runs; ++i) {
+        const std::clock_t start = std::clock();
+        work();
+        times.push_back(1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    std::sort(times.begin(), times.end());
+    return times[times.size() / 2];
 }
 
 }  // namespace study
