@@ -15,8 +15,9 @@ complain() {
 
 # stops SIGNAL CODE WORD
 stops() {
-    # Far more work than time.
-    timeout --preserve-status -s "$1" 2 "$program" "$scene" --spp 20000 --quiet \
+    # Far more work than time. --foreground: without it, timeout signals the program twice, and the
+    # second one ends it at once.
+    timeout --foreground --preserve-status -s "$1" 2 "$program" "$scene" --spp 20000 --quiet \
         --out "$place/$1.png" >"$place/stdout" 2>"$place/stderr"
     code=$?
     [ "$code" -eq "$2" ] || complain "$1: exit code $code, not $2"
