@@ -291,9 +291,9 @@ function(course_chapter chapter)
         set_property(GLOBAL APPEND PROPERTY course_mistakes.${chapter} mistake.${name})
       endif()
     endforeach()
-    add_test(NAME mistakes.recognised.${chapter}
+    add_test(NAME mistakes.recognized.${chapter}
       COMMAND signature_tool --check ${CMAKE_BINARY_DIR}/mistakes ${chapter})
-    set_tests_properties(mistakes.recognised.${chapter} PROPERTIES LABELS mistakes TIMEOUT 300)
+    set_tests_properties(mistakes.recognized.${chapter} PROPERTIES LABELS mistakes TIMEOUT 300)
   endif()
 
   if(COURSE_MISTAKE_PICTURES)

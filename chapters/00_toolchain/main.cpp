@@ -101,7 +101,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         {"heap", root ? &root->right : nullptr, "  its right", right},
         {"heap", left, "node 0 ... 3", nullptr},
         {"heap", right, "node 4 ... 7", nullptr},
-        {"static", &dusk, "dusk, four colours", nullptr},
+        {"static", &dusk, "dusk, four colors", nullptr},
         {"code", code, "gradient", nullptr},
     };
     const std::string map = draw_map(things);

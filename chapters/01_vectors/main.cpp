@@ -75,7 +75,7 @@ Color dot_product_color(Vec3 n, Vec3 light) {
     return ring < Real(0.06) ? side * Real(0.6) : side;
 }
 
-// A ball that carries a net of latitude and longitude, placed by a map: to know the colour of a
+// A ball that carries a net of latitude and longitude, placed by a map: to know the color of a
 // place in the world, ask for the object's own coordinates of that place.
 Color turned_ball_color(Vec3 n, const Mat4& world_to_object, Vec3 light) {
     const Vec3 p = transform_point(world_to_object, n);

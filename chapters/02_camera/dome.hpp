@@ -132,7 +132,7 @@ inline Real compass(Vec3 d, Real pixel_deg) {
     return coverage(distance, Real(0.9), pixel_deg);
 }
 
-// The colour that a beam shows.
+// The color that a beam shows.
 inline Color look(const Beam& beam) {
     const Vec3 d = beam.here.direction;
     const Real across = length(beam.right.direction - d), down = length(beam.below.direction - d);

@@ -161,7 +161,7 @@ void measure_rays(study::Report& in_pixels, study::Report& in_ulp, const char* v
 
 // ---- The basis
 
-inline rt::Basis normalise_first(Vec3 from, Vec3 at, Vec3 up) {
+inline rt::Basis normalize_first(Vec3 from, Vec3 at, Vec3 up) {
     const Vec3 w = rt::normalize(from - at);
     const Vec3 right = rt::cross(rt::normalize(up), w);
     if (right == Vec3{}) return rt::orthonormal_basis(w);
@@ -205,7 +205,7 @@ inline void run(study::Report& report) {
     measure_rays(report, in_ulp, "as written", [](const Camera& c) {
         return [=](int x, int y, Vec2 o) { return rt::primary_ray(c, x, y, o).direction; };
     });
-    measure_rays(report, in_ulp, "not normalised", [](const Camera& c) {
+    measure_rays(report, in_ulp, "not normalized", [](const Camera& c) {
         return
             [=](int x, int y, Vec2 o) { return direction(c, rt::pixel_to_viewport(c, x, y, o)); };
     });
@@ -229,7 +229,7 @@ inline void run(study::Report& report) {
     for (const study::Row& row : in_ulp.rows()) report.add(row);
 
     measure_look_at<rt::look_at>(report, "as written");
-    measure_look_at<normalise_first>(report, "normalised first");
+    measure_look_at<normalize_first>(report, "normalized first");
 }
 
 }  // namespace camera_study

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int max_side = 65'536;
-constexpr std::int64_t max_pixels = 67'108'864;  // 2^26: 1.5 GiB of colours in double
+constexpr std::int64_t max_pixels = 67'108'864;  // 2^26: 1.5 GiB of colors in double
 
 // Refuses what is not a whole number within the range, and says what would be right.
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {

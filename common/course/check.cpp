@@ -165,7 +165,7 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
         if (!signatures.count(chapter.name))
             signatures[chapter.name] = read_signatures(course, chapter);
         checked.mistakes =
-            recognise(signatures[chapter.name], checked.exercise.id, signature_of(checked.tests));
+            recognize(signatures[chapter.name], checked.exercise.id, signature_of(checked.tests));
     }
     change_state(course, [&](State& state) {
         for (std::size_t i = 0; i < all.size(); ++i) {

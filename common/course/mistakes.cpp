@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Of the 247 mistakes of chapters 01 to 07 all but one, which fails by luck, are recognised as
+// Of the 247 mistakes of chapters 01 to 07 all but one, which fails by luck, are recognized as
 // themselves or as one with the same signature. Where one is taken out of the list and then made, 4
 // are taken for another one that differs little, and none for a pair; 8 more have a twin.
 constexpr double alike_enough = 0.75, clearly_more = 0.1;
@@ -83,7 +83,7 @@ std::string to_text(const Signatures& signatures) {
     return text.empty() ? "{}\n" : text + "\n}\n";
 }
 
-std::vector<LookAlikes> recognise(const Signatures& known, const std::string& exercise,
+std::vector<LookAlikes> recognize(const Signatures& known, const std::string& exercise,
                                   const Signature& signature) {
     if (signature.where.empty()) return {};
     const std::vector<Candidate> single = candidates(known, exercise, signature);

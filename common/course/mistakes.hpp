@@ -1,5 +1,5 @@
 #pragma once
-// The typical mistakes of tests/mistakes, and recognising them by what fails.
+// The typical mistakes of tests/mistakes, and recognizing them by what fails.
 
 #include <course/exercise.hpp>
 #include <course/signature.hpp>
@@ -25,7 +25,7 @@ using LookAlikes = std::vector<std::string>;
 
 // The mistake that an answer looks like; or the two that were made at once; or nothing, where no
 // mistake is alike enough or several are nearly as much.
-std::vector<LookAlikes> recognise(const Signatures& known, const std::string& exercise,
+std::vector<LookAlikes> recognize(const Signatures& known, const std::string& exercise,
                                   const Signature& signature);
 
 // What mistake.txt says. Throws app::Failure where it is missing.

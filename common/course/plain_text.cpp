@@ -13,15 +13,14 @@ struct Symbol {
 
 // A name that is not here, such as \sin, is shown without its backslash.
 constexpr Symbol symbols[]{
-    {"mathbf", ""},   {"mathrm", ""},      {"text", ""},    {"texttt", ""},   {"operatorname", ""},
-    {"left", ""},     {"right", ""},       {"big", ""},     {"Big", ""},      {"lvert", "|"},
-    {"rvert", "|"},   {"cdot", "·"},       {"times", "×"},  {"le", "≤"},      {"ge", "≥"},
-    {"ne", "≠"},      {"pi", "π"},         {"eta", "η"},    {"theta", "θ"},   {"varphi", "φ"},
-    {"alpha", "α"},   {"varepsilon", "ε"}, {"infty", "∞"},  {"sqrt", "√"},    {"lfloor", "⌊"},
-    {"rfloor", "⌋"},  {"lceil", "⌈"},      {"rceil", "⌉"},  {"oplus", "^"},   {"pm", "±"},
-    {"sum", "Σ"},     {"to", "→"},         {"dots", "..."}, {"ldots", "..."}, {"cdots", "..."},
-    {"quad", "  "},   {"approx", "≈"},     {"in", "∈"},     {"circ", "°"},    {"Delta", "Δ"},
-    {"qquad", "    "}};
+    {"mathbf", ""},  {"mathrm", ""},   {"text", ""},     {"left", ""},      {"right", ""},
+    {"big", ""},     {"Big", ""},      {"lvert", "|"},   {"rvert", "|"},    {"cdot", "·"},
+    {"times", "×"},  {"le", "≤"},      {"ge", "≥"},      {"ne", "≠"},       {"pi", "π"},
+    {"eta", "η"},    {"theta", "θ"},   {"varphi", "φ"},  {"alpha", "α"},    {"varepsilon", "ε"},
+    {"infty", "∞"},  {"sqrt", "√"},    {"lfloor", "⌊"},  {"rfloor", "⌋"},   {"lceil", "⌈"},
+    {"rceil", "⌉"},  {"oplus", "^"},   {"pm", "±"},      {"sum", "Σ"},      {"to", "→"},
+    {"dots", "..."}, {"ldots", "..."}, {"cdots", "..."}, {"quad", "  "},    {"approx", "≈"},
+    {"in", "∈"},     {"circ", "°"},    {"Delta", "Δ"},   {"qquad", "    "}, {"thinspace", " "}};
 
 class Formula {
   public:

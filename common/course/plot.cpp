@@ -8,7 +8,7 @@
 namespace course {
 namespace {
 
-// Colours that people with any colour vision tell apart. Source: Okabe and Ito, "Color universal
+// Colors that people with any color vision tell apart. Source: Okabe and Ito, "Color universal
 // design", 2008.
 constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                   "#e69f00", "#56b4e9", "#555555"};

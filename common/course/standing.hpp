@@ -19,7 +19,7 @@ Standing standing(const Course& course, const State& state, const Exercise& exer
 // "done", "failing", "not checked since it changed", "begun", "to be written"
 const char* text(Standing standing);
 
-// A character that says the same where there are no colours.
+// A character that says the same where there are no colors.
 char symbol(Standing standing);
 
 // Of these exercises, the first that is not done; null where all are.

@@ -5,7 +5,7 @@
 
 namespace course {
 
-// The regularised incomplete beta function I_x(a, b) for a, b > 0 and x in [0, 1]. Accurate to
+// The regularized incomplete beta function I_x(a, b) for a, b > 0 and x in [0, 1]. Accurate to
 // about 12 digits, also where it is as small as 1e-300.
 double incomplete_beta(double a, double b, double x);
 

@@ -9,7 +9,7 @@
 namespace course {
 namespace {
 
-bool has_colours() {
+bool has_colors() {
     static const bool has = [] {
         const char* const no = std::getenv("NO_COLOR");
         const char* const terminal = std::getenv("TERM");
@@ -19,8 +19,8 @@ bool has_colours() {
     return has;
 }
 
-std::string coloured(const char* code, const std::string& text) {
-    return has_colours() ? std::string{"\033["} + code + 'm' + text + "\033[0m" : text;
+std::string colored(const char* code, const std::string& text) {
+    return has_colors() ? std::string{"\033["} + code + 'm' + text + "\033[0m" : text;
 }
 
 // Bytes of UTF-8 that begin a character.
@@ -33,19 +33,19 @@ std::size_t characters(const std::string& text) {
 }  // namespace
 
 std::string green(const std::string& text) {
-    return coloured("32", text);
+    return colored("32", text);
 }
 std::string red(const std::string& text) {
-    return coloured("31", text);
+    return colored("31", text);
 }
 std::string yellow(const std::string& text) {
-    return coloured("33", text);
+    return colored("33", text);
 }
 std::string bold(const std::string& text) {
-    return coloured("1", text);
+    return colored("1", text);
 }
 std::string dim(const std::string& text) {
-    return coloured("2", text);
+    return colored("2", text);
 }
 
 std::string bar(int part, int whole, int width) {

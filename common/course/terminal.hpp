@@ -5,8 +5,8 @@
 
 namespace course {
 
-// Colours where the standard output is a terminal that has them and NO_COLOR is not set; else the
-// text as it is. Nothing is said by colour alone.
+// Colors where the standard output is a terminal that has them and NO_COLOR is not set; else the
+// text as it is. Nothing is said by color alone.
 std::string green(const std::string& text);
 std::string red(const std::string& text);
 std::string yellow(const std::string& text);

@@ -60,7 +60,7 @@ inline std::uint8_t to_byte(Real linear) {
     return static_cast<std::uint8_t>(std::lround(255 * srgb_encode(linear)));
 }
 
-// A colour as a designer writes it: sRGB bytes 0xRRGGBB, turned into linear light.
+// A color as a designer writes it: sRGB bytes 0xRRGGBB, turned into linear light.
 inline Color from_hex(std::uint32_t rrggbb) {
     const auto channel = [&](int shift) {
         return srgb_decode(static_cast<Real>((rrggbb >> shift) & 255) / 255);

@@ -8,7 +8,7 @@
 
 namespace rt {
 
-// A picture as a value: width x height colours in linear light. Pixel (0, 0) is the top left one,
+// A picture as a value: width x height colors in linear light. Pixel (0, 0) is the top left one,
 // x grows to the right and y grows downwards. Copying copies all the pixels.
 class Image {
   public:
@@ -45,7 +45,7 @@ class Image {
     std::vector<Color> pixels_;
 };
 
-// Calls shade(x, y) for every pixel and stores the colour that it returns.
+// Calls shade(x, y) for every pixel and stores the color that it returns.
 template <class Shade>
 Image make_image(int width, int height, Shade shade) {
     Image image{width, height};

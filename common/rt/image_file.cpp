@@ -25,7 +25,7 @@ std::vector<std::uint8_t> to_bytes(const Image& image) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(image.pixels().size() * 3);
     for (const Color& c : image.pixels()) {
-        if (!is_finite(c)) throw std::logic_error("a pixel's colour is not finite: this is a bug");
+        if (!is_finite(c)) throw std::logic_error("a pixel's color is not finite: this is a bug");
         for (const Real channel : {c.r, c.g, c.b}) bytes.push_back(to_byte(channel));
     }
     return bytes;

@@ -6,7 +6,7 @@
 namespace rt {
 
 // The bytes of an image file in sRGB, 8 bits a channel. Light above 1 is stored as full.
-// Throws std::logic_error, which is a bug to be found, when a colour is not finite.
+// Throws std::logic_error, which is a bug to be found, when a color is not finite.
 std::string encode_png(const Image& image);
 std::string encode_ppm(const Image& image);  // the binary form, P6
 

@@ -36,15 +36,15 @@ void check_exactly(const Corners& corners, Real across, Real down, Color expecte
                      << ": expected " << text(expected) << ", but yours gives " << text(color)
                      << ".\nHint: " << hint);
     const bool as_expected = color == expected;
-    CHECK(as_expected);  // the colours themselves are above, with all their digits
+    CHECK(as_expected);  // the colors themselves are above, with all their digits
 }
 
-// Four colours that share no component.
+// Four colors that share no component.
 constexpr Corners four{{1, 2, 3}, {5, 7, 11}, {13, 17, 19}, {23, 29, 31}};
 
 }  // namespace
 
-TEST_CASE("00.1 each corner has its own colour", "[00.1]") {
+TEST_CASE("00.1 each corner has its own color", "[00.1]") {
     const char* const hint =
         "across = 0 is left and 1 is right, down = 0 is the top. Across mixes along a row, the "
         "top one and the bottom one; down mixes these two";

@@ -49,12 +49,12 @@ void check_memory() {
 
 }  // namespace
 
-TEST_CASE("00.2 a new canvas has its size and its colour", "[00.2]") {
+TEST_CASE("00.2 a new canvas has its size and its color", "[00.2]") {
     const Watch watch;
     Canvas canvas{3, 2, WatchedPixel{7}};
     INFO(
         "Hint: remember width and height, make size() pixels with new Pixel[size()], and give "
-        "each the colour. `int width_ = width;` would make another variable: no type before the "
+        "each the color. `int width_ = width;` would make another variable: no type before the "
         "name of a member");
     CHECK(canvas.width() == 3);
     CHECK(canvas.height() == 2);
@@ -77,7 +77,7 @@ TEST_CASE("00.2 a copy has pixels of its own", "[00.2]") {
         CHECK(is_numbered(copy, 3, 2));
         INFO(
             "both canvases have the same pixels.\nHint: a copied pointer is not a copied picture: "
-            "new pixels, then copy the colours");
+            "new pixels, then copy the colors");
         CHECK((copy.begin() != original.begin()));
         copy.at(1, 1) = WatchedPixel{99};
         CHECK(original.at(1, 1).value() == 11);

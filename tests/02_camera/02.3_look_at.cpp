@@ -114,7 +114,7 @@ TEST_CASE("02.3 coordinates of any size and a camera a million away", "[02.3][ha
             REQUIRE(error_in_ulp(b.w, row.w) <= 6);
         }
         {
-            // Normalised first, up has 3.5 roundings and w 5.5. A cross product that is at least
+            // Normalized first, up has 3.5 roundings and w 5.5. A cross product that is at least
             // 1/2 long doubles that; with its own and its normalize these are 24 halves.
             HINT(row.u, b.u, "scale before the cross product: its products must not overflow");
             REQUIRE(error_in_ulp_of_1(b.u, row.u) <= 12);

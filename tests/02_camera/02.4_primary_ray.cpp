@@ -104,7 +104,7 @@ TEST_CASE("02.4 directions from 0.001 to 179.9 degrees and of one pixel", "[02.4
                          << row.column << ", row " << row.row << ", offset (" << row.offset[0]
                          << ", " << row.offset[1] << ')');
         HINT(row.direction, d,
-             "x u + y v - w, normalised; if 02.1 is not within its bound yet, that "
+             "x u + y v - w, normalized; if 02.1 is not within its bound yet, that "
              "comes first");
         // Six roundings in each product at most, of which no more than sqrt(3) times turn it,
         // and 3.5 in normalize: 14 halves of a unit.

@@ -142,13 +142,12 @@ TEST_CASE("03.3 no line is longer than 70 letters", "[03.3][hard]") {
     }
 }
 
-TEST_CASE("03.3 a colour that is no number is refused", "[03.3][hard]") {
-    CHECK(bytes_of(Image{1, 1, white}).size() == 3);  // a colour that is fine goes through
+TEST_CASE("03.3 a color that is no number is refused", "[03.3][hard]") {
+    CHECK(bytes_of(Image{1, 1, white}).size() == 3);  // a color that is fine goes through
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     for (const Color& c : {Color{nan, 0, 0}, Color{0, nan, 0}, Color{0, 0, rt::infinity}}) {
         std::ostringstream out;
-        INFO("a pixel of " << c
-                           << " must end in std::logic_error.\nHint: ask rt::is_finite(colour) "
+        INFO("a pixel of " << c << " must end in std::logic_error.\nHint: ask rt::is_finite(color) "
                            << "before you write it");
         CHECK_THROWS_AS(rt::write_ppm(out, Image(1, 1, c)), std::logic_error);
     }

@@ -284,9 +284,9 @@ TEST_CASE("04.5 roulette follows bright paths and lets dark ones go", "[04.5][ha
         }
         return share;
     };
-    const Mean grey = share_that_goes_on({real(0.1), real(0.5), real(0.2)});
+    const Mean gray = share_that_goes_on({real(0.1), real(0.5), real(0.2)});
     INFO("Hint: the probability is the largest channel, and most_likely at the most");
-    CHECK(std::abs(grey.mean() - 0.5) <= 4 * grey.standard_error());
+    CHECK(std::abs(gray.mean() - 0.5) <= 4 * gray.standard_error());
     const Mean white = share_that_goes_on({1, 1, 1});
     CHECK(std::abs(white.mean() - 0.95) <= 4 * white.standard_error());
     const Mean bright = share_that_goes_on({8, 1, 1});

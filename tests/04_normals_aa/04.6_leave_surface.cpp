@@ -82,19 +82,19 @@ TEST_CASE("04.6 the ray starts just off the surface on the side it leaves to", "
     }
 }
 
-TEST_CASE("04.6 a grey sphere under a white sky returns its albedo", "[04.6]") {
+TEST_CASE("04.6 a gray sphere under a white sky returns its albedo", "[04.6]") {
     // The furnace: from a sphere alone every path leaves after one bounce, so nothing is random
     // here. One path that meets the sphere again is one too many.
     rt::Rng rng{46, 1};
     const Real albedo = real(0.75);
-    const rt::MaterialList<rt::Lambertian> grey{{{{albedo, albedo, albedo}}}};
+    const rt::MaterialList<rt::Lambertian> gray{{{{albedo, albedo, albedo}}}};
     for (const Real radius : {real(1e-9), Real(1), real(1e9)})
         for (int i = 0; i < 20000; ++i) {
             const Vec3 center = 100 * radius * any_direction(rng);
             const Vec3 from = center + 3 * radius * any_direction(rng);
             const Vec3 at = center + real(0.99) * radius * any_direction(rng);
             const Color light = rt::path_radiance(Ray{from, (at - from) / radius},
-                                                  rt::SphereList{{{{center, radius}, 0}}}, grey,
+                                                  rt::SphereList{{{{center, radius}, 0}}}, gray,
                                                   rt::UniformSky{}, rt::BlackEnding{}, 16, rng);
             INFO("radius " << text(radius) << ": expected " << text(albedo) << ", yours gives "
                            << text(light.r)
@@ -111,14 +111,14 @@ TEST_CASE("04.6 two facing spheres pass light on as their series says", "[04.6]"
     const double share = 0.25, albedo = 0.5;
     const rt::SphereList world{{{{{-2, 0, 0}, 1}, 0}, {{{1, 0, 0}, 1}, 0}}};
     const Color half{real(0.5), real(0.5), real(0.5)};
-    const rt::MaterialList<rt::Lambertian> grey{{{half}}};
+    const rt::MaterialList<rt::Lambertian> gray{{{half}}};
     const Ray ray{{real(-0.5), 0, 0}, {-1, 0, 0}};
     const auto mean_light = [&](const auto& ending, int depth) {
         rt::Rng rng{46, 2};
         Mean light;
         for (int i = 0; i < 100'000; ++i)
             light.add(static_cast<double>(
-                rt::path_radiance(ray, world, grey, rt::UniformSky{}, ending, depth, rng).g));
+                rt::path_radiance(ray, world, gray, rt::UniformSky{}, ending, depth, rng).g));
         return light;
     };
     const auto check = [](const char* what, const Mean& light, double expected) {
@@ -245,11 +245,11 @@ TEST_CASE("04.6 a scene of any size gives the same picture", "[04.6][hard]") {
         };
         const rt::SphereList world{{sphere(0, -1000, 0, 1000), sphere(-1, 1, 0, 1),
                                     sphere(1, 1, 0, 1), sphere(0, 0, 2, real(0.5))}};
-        const rt::MaterialList<rt::Lambertian> grey{{{{real(0.5), real(0.6), real(0.7)}}}};
+        const rt::MaterialList<rt::Lambertian> gray{{{{real(0.5), real(0.6), real(0.7)}}}};
         const rt::Camera camera = rt::make_camera(
             {scale * Vec3{0, 2, 6}, scale * Vec3{0, 1, 0}, {0, 1, 0}, rt::pi / 4}, width, height);
         return rt::make_image(width, height, [&](int column, int row) {
-            return rt::render_pixel(camera, world, grey, rt::GradientSky{{1, 1, 1}, {0, 0, 1}},
+            return rt::render_pixel(camera, world, gray, rt::GradientSky{{1, 1, 1}, {0, 0, 1}},
                                     rt::SkyEnding{}, {16, 8, 1}, column, row);
         });
     };

@@ -62,13 +62,13 @@ TEST_CASE("light outside of 0 to 1 is clamped in files", "[color]") {
     CHECK(rt::srgb_decode(-2) == 0);
 }
 
-TEST_CASE("a colour in hexadecimal has red first", "[color]") {
+TEST_CASE("a color in hexadecimal has red first", "[color]") {
     CHECK(rt::from_hex(0xff0000) == Color{1, 0, 0});
     CHECK(rt::from_hex(0x00ff00) == Color{0, 1, 0});
     CHECK(rt::from_hex(0x0000ff) == Color{0, 0, 1});
 }
 
-TEST_CASE("colours add, scale, filter and mix by channel", "[color]") {
+TEST_CASE("colors add, scale, filter and mix by channel", "[color]") {
     const Color a{1, 2, 3}, b{4, 6, 8};
     CHECK(a + b == Color{5, 8, 11});
     CHECK(b - a == Color{3, 4, 5});
@@ -87,7 +87,7 @@ TEST_CASE("colours add, scale, filter and mix by channel", "[color]") {
     CHECK(rt::mix(a, b, Real(0.5)) == Color{Real(2.5), 4, Real(5.5)});
 }
 
-TEST_CASE("is_finite looks at every channel of a colour", "[color]") {
+TEST_CASE("is_finite looks at every channel of a color", "[color]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     CHECK(rt::is_finite(Color{1, 2, 3}));
     for (const Real bad : {nan, rt::infinity, -rt::infinity}) {

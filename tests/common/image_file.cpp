@@ -70,7 +70,7 @@ TEST_CASE("a PPM file is its heading and three bytes a pixel", "[image_file]") {
     CHECK(rt::encode_ppm(image) == std::string("P6\n2 1\n255\n\xff\xff\xff\x00\xbc\xff", 17));
 }
 
-TEST_CASE("a colour that is not finite reaches no file", "[image_file]") {
+TEST_CASE("a color that is not finite reaches no file", "[image_file]") {
     for (const Real bad : {std::numeric_limits<Real>::quiet_NaN(), rt::infinity}) {
         Image image{3, 3};
         image.at(2, 2) = {0, 0, bad};

@@ -56,27 +56,27 @@ TEST_CASE("what is still to be written is no mistake", "[signature]") {
     test.ended = true;
     test.failures.push_back({"", "", "exercise 01.1 is still to be written: somewhere", {}});
     CHECK(signature_of({test}).where.empty());
-    CHECK(recognise({{"01.1_a", {}}}, "01.1", signature_of({test})).empty());
+    CHECK(recognize({{"01.1_a", {}}}, "01.1", signature_of({test})).empty());
 }
 
-TEST_CASE("a mistake is recognised by its failures, and only within its exercise", "[signature]") {
+TEST_CASE("a mistake is recognized by its failures, and only within its exercise", "[signature]") {
     const Signature a = signature_of({failing("01.1 x", "1 == 2"), failing("01.1 y", "1 == 2")});
     const Signature b = signature_of({failing("01.1 x", "5 == 6"), failing("01.1 z", "5 == 6")});
     const Signatures known{{"01.1_a", a}, {"01.1_b", b}, {"01.1_b_again", b}, {"01.2_a", a}};
     using Names = std::vector<LookAlikes>;
-    CHECK(recognise(known, "01.1", a) == Names{{"01.1_a"}});
-    CHECK(recognise(known, "01.1", b) == Names{{"01.1_b", "01.1_b_again"}});
-    CHECK(recognise(known, "01.2", a) == Names{{"01.2_a"}});
-    CHECK(recognise(known, "01.3", a).empty());
-    CHECK(recognise(known, "01.1", {}).empty());
-    CHECK(recognise(known, "01.1", signature_of({failing("01.1 q", "7 == 8")})).empty());
+    CHECK(recognize(known, "01.1", a) == Names{{"01.1_a"}});
+    CHECK(recognize(known, "01.1", b) == Names{{"01.1_b", "01.1_b_again"}});
+    CHECK(recognize(known, "01.2", a) == Names{{"01.2_a"}});
+    CHECK(recognize(known, "01.3", a).empty());
+    CHECK(recognize(known, "01.1", {}).empty());
+    CHECK(recognize(known, "01.1", signature_of({failing("01.1 q", "7 == 8")})).empty());
     // Both at once.
-    CHECK(recognise(known, "01.1",
+    CHECK(recognize(known, "01.1",
                     signature_of({failing("01.1 x", "1 == 2"), failing("01.1 y", "1 == 2"),
                                   failing("01.1 x", "5 == 6"), failing("01.1 z", "5 == 6")})) ==
           Names{{"01.1_a"}, {"01.1_b", "01.1_b_again"}});
     // Too far from both.
-    CHECK(recognise(known, "01.1",
+    CHECK(recognize(known, "01.1",
                     signature_of({failing("01.1 x", "1 == 2"), failing("01.1 y", "1 == 2"),
                                   failing("01.1 q", "7 == 8")}))
               .empty());

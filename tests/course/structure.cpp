@@ -73,6 +73,17 @@ bool has_tag(const TestCase& test, const std::string& tag) {
     return test.tags.find('[' + tag + ']') != std::string::npos;
 }
 
+std::vector<fs::path> documents() {
+    auto all = files(root / "docs", {".md"});
+    all.push_back(root / "README.md");
+    return all;
+}
+
+// A text without what it quotes as code.
+std::string without_code(const std::string& markdown) {
+    return std::regex_replace(markdown, std::regex{"```[\\s\\S]*?```|`[^`\n]*`"}, "");
+}
+
 // The chapter that a header may be used from: its own and all later ones.
 void check_includes(const fs::path& path, const std::string& chapter) {
     for (const std::string& included : matches(read(path), "#include <rt/([^>]*)>")) {
@@ -270,9 +281,19 @@ TEST_CASE("a chapter has all of its parts", "[structure]") {
     }
 }
 
+TEST_CASE("the texts' formulas survive Markdown", "[structure]") {
+    for (const fs::path& document : documents()) {
+        for (const std::string& command : matches(without_code(read(document)),
+                                                  "(\\\\[^A-Za-z\\s]|\\\\(?:operatorname|texttt))"))
+            FAIL_CHECK(
+                name(document)
+                << ": GitHub shows " << command
+                << " as something else: it takes the backslash before a mark away, and knows "
+                   "not all of TeX. Write \\thinspace, \\cr, \\lbrace, \\mathrm");
+    }
+}
+
 TEST_CASE("every link and image of the texts leads somewhere", "[structure]") {
-    auto documents = files(root / "docs", {".md"});
-    documents.push_back(root / "README.md");
     // As GitHub makes anchors of headings: lower case, hyphens for spaces, punctuation left out.
     const auto anchors = [](const std::string& text) {
         std::set<std::string> all;
@@ -288,10 +309,8 @@ TEST_CASE("every link and image of the texts leads somewhere", "[structure]") {
         }
         return all;
     };
-    for (const fs::path& document : documents) {
-        if (!fs::exists(document)) continue;
-        std::string text = read(document);
-        text = std::regex_replace(text, std::regex{"```[\\s\\S]*?```|`[^`\n]*`"}, "");
+    for (const fs::path& document : documents()) {
+        const std::string text = without_code(read(document));
         auto targets = matches(text, "\\]\\(([^)\\s]*)\\)");
         for (const std::string& source : matches(text, "(?:src|href)=\"([^\"]*)\""))
             targets.push_back(source);

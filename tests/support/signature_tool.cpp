@@ -1,5 +1,5 @@
 // signature_tool --write|--check FOLDER CHAPTER...: runs the mistakes of these chapters, which
-// were built into FOLDER, and writes down what fails in each; or checks that each is recognised by
+// were built into FOLDER, and writes down what fails in each; or checks that each is recognized by
 // what was written down: as itself, or as one that looks the same from outside.
 
 #include <algorithm>
@@ -73,7 +73,7 @@ int check(const Course& course, const fs::path& folder, const Chapter& chapter) 
         };
         // Where threads meet, a mistake shows itself now here and now there: it has three tries.
         for (int tries = 0; tries < 3 && !is_itself(); ++tries)
-            found = recognise(known, exercise, run_mistake(folder, name));
+            found = recognize(known, exercise, run_mistake(folder, name));
         if (is_itself()) {
             alone += found[0].size() == 1;
             continue;
@@ -91,7 +91,7 @@ int check(const Course& course, const fs::path& folder, const Chapter& chapter) 
             ++unknown;
             std::printf("%s has a signature, and is gone\n", name.c_str());
         }
-    std::printf("%s: %zu mistakes, %d not recognised, %d told from all others\n",
+    std::printf("%s: %zu mistakes, %d not recognized, %d told from all others\n",
                 chapter.name.c_str(), names.size(), unknown, alone);
     if (unknown) std::puts("cmake --build build --target mistake_signatures writes them anew");
     return unknown ? app::could_not : app::done;

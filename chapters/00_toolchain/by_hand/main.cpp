@@ -5,8 +5,8 @@
 
 // Red grows to the right, green grows downwards, blue stays.
 int shade(int x, int y, int channel) {
-    const int colour[3] = {x, y, 96};
-    return colour[channel];
+    const int color[3] = {x, y, 96};
+    return color[channel];
 }
 
 int main() {

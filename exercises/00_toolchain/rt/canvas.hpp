@@ -15,14 +15,14 @@ template <class Pixel>
 class Canvas {
   public:
     // Exercise 00.2, the constructor. Make size() pixels on the heap and give all of them the
-    // colour `fill`. Throw std::invalid_argument unless both sides are at least 1.
+    // color `fill`. Throw std::invalid_argument unless both sides are at least 1.
     Canvas(int width, int height, const Pixel& fill = {}) { rt::todo("00.2", width, height, fill); }
 
     // Exercise 00.2, the destructor. Release the pixels. (A destructor must not throw, so there is
     // no todo in it: an empty one is a leak.)
     ~Canvas() {}
 
-    // Exercise 00.2, the copy constructor. As many pixels of its own, with the same colours.
+    // Exercise 00.2, the copy constructor. As many pixels of its own, with the same colors.
     Canvas(const Canvas& other) { rt::todo("00.2", other); }
 
     // Exercise 00.2, the move constructor. Take over the other canvas's pixels: copy none, and

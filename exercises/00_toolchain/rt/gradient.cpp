@@ -6,7 +6,7 @@ namespace rt {
 // Exercise 00.1. Write the definition of the function that gradient.hpp declares: the same line,
 // with a body { ... } in place of the semicolon. Mix the two upper corners by `across`, the two
 // lower corners by `across`, and both results by `down`. mix(a, b, t), which rt/color.hpp has, goes
-// from colour a to colour b as t goes from 0 to 1.
+// from color a to color b as t goes from 0 to 1.
 //
 // As long as there is no definition, the linker takes another one, from a library, whose body says
 // that this exercise is still to be written. If it still says so when you have written yours, then

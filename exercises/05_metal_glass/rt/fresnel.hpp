@@ -16,7 +16,7 @@ inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
     return rt::todo("05.4", cosine, eta);
 }
 
-// The share of unpolarised light that is reflected, in [0, 1]. 0 for eta = 1, 1 at total
+// The share of unpolarized light that is reflected, in [0, 1]. 0 for eta = 1, 1 at total
 // reflection. Source: Fresnel's equations.
 inline Real fresnel_reflectance(Real cosine, Real eta) {
     return rt::todo("05.4", cosine, eta);

@@ -12,7 +12,7 @@ namespace rt {
 template <class Pixel>
 class Canvas {
   public:
-    // All pixels have the colour `fill`. Throws std::invalid_argument unless both sides are at
+    // All pixels have the color `fill`. Throws std::invalid_argument unless both sides are at
     // least 1.
     Canvas(int width, int height, const Pixel& fill = {}) {
         // Before anything is taken: an object whose constructor throws is never destroyed.
@@ -26,7 +26,7 @@ class Canvas {
 
     ~Canvas() { delete[] pixels_; }
 
-    // A copy: as many pixels of its own, with the same colours.
+    // A copy: as many pixels of its own, with the same colors.
     Canvas(const Canvas& other)
         : width_{other.width_}, height_{other.height_}, pixels_{new Pixel[other.size()]} {
         std::copy(other.begin(), other.end(), begin());

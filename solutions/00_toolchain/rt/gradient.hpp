@@ -3,13 +3,13 @@
 
 namespace rt {
 
-// The colours in the four corners of a picture.
+// The colors in the four corners of a picture.
 struct Corners {
     Color top_left, top_right, bottom_left, bottom_right;
 };
 
-// The colour at one place of the picture: `across` runs from 0 at the left edge to 1 at the right
-// one, `down` from 0 at the top to 1 at the bottom. In the corners it is the corner's colour
+// The color at one place of the picture: `across` runs from 0 at the left edge to 1 at the right
+// one, `down` from 0 at the top to 1 at the bottom. In the corners it is the corner's color
 // exactly; in between it changes evenly along every row and along every column.
 //
 // This line is a declaration: it ends in a semicolon and has no body. The body, the definition, is

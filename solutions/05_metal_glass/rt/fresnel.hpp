@@ -19,7 +19,7 @@ inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
     return std::sqrt(squared);
 }
 
-// The share of unpolarised light that is reflected, in [0, 1]. 0 for eta = 1, 1 at total
+// The share of unpolarized light that is reflected, in [0, 1]. 0 for eta = 1, 1 at total
 // reflection. Source: Fresnel's equations; here r_s = (eta c - c') / (eta c + c') is written as
 // (eta^2 - 1) / (eta c + c')^2, and r_p = r_s cos(a + a') / cos(a - a'): nothing cancels that
 // matters, however close together the two indices are.

@@ -4,6 +4,6 @@
 
 // What it does: its definition.
 int shade(int x, int y, int channel) {
-    const int colour[3] = {x, y, BLUE};
-    return colour[channel];
+    const int color[3] = {x, y, BLUE};
+    return color[channel];
 }
