@@ -90,7 +90,9 @@ class WideBuilder {
                 node.planes[0][k][i] = box.low[k];
                 node.planes[1][k][i] = box.high[k];
             }
-            node.child[i] = 0;
+            // Only a ray that is not finite meets the empty box of an unused lane: it comes to the
+            // first leaf, of which there is always one, and to an end.
+            node.child[i] = ~0;
             if (i < count)
                 node.child[i] = parts[i].items.size() <= lanes
                                     ? add_leaf(parts[i].items)

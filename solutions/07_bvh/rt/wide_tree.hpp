@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 #include <optional>
+#include <rt/compiler.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/tree.hpp>
 #include <rt/wide_leaf.hpp>
@@ -11,8 +12,9 @@
 namespace rt {
 
 // A world of spheres in a tree with eight children a node and up to eight spheres a leaf (given).
-// It gives the hits of SphereList, bit for bit. The boxes' coordinates are of type Number: float
-// is enough for boxes, also where Real is double. make_wide_tree of wide_builder.hpp makes one.
+// It gives the hits of SphereList, bit for bit, in scenes with coordinates and radii of 1e-15 to
+// 1e15 in size. The boxes' coordinates are of type Number: float is enough for boxes, also where
+// Real is double. make_wide_tree of wide_builder.hpp makes one.
 template <class Number>
 struct WideTreeOf {
     std::vector<WideNode<Number>> nodes;  // the first is the root; none without spheres
@@ -24,7 +26,7 @@ struct WideTreeOf {
         int box_tests = 0, sphere_tests = 0;  // eight at once count as one
     };
 
-    Found search(const Ray& ray, Interval within) const {
+    RT_INLINES_ALL Found search(const Ray& ray, Interval within) const {
         using Key = KeyOf<Number>;
         Found found{{within.max, -1}};
         if (nodes.empty()) return found;

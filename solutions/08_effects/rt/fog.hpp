@@ -4,18 +4,21 @@
 #include <optional>
 #include <rt/directions.hpp>
 #include <rt/dot.hpp>
-#include <rt/hit_sphere.hpp>
+#include <rt/interval.hpp>
 #include <rt/orthonormal_basis.hpp>
 #include <rt/scatter.hpp>
+#include <rt/sphere.hpp>
 
 namespace rt {
 
-// Fog that fills a ball evenly (given). It lies between the spheres: there is none inside of glass.
+// Fog that fills a ball evenly (given). It lies between the spheres: where a path meets glass from
+// within, there was none on the way to there.
 struct Fog {
     Sphere region;
     Real density = 0;       // how many droplets light meets on a unit of length, 0 or more
     Color albedo{1, 1, 1};  // the share of light that a droplet scatters, each channel in [0, 1]
-    Real forwardness = 0;   // the mean cosine of the turn, in (-1, 1); 0 scatters evenly
+    // The mean cosine of the turn, in (-1, 1); 0 scatters evenly. Also called anisotropy, or g.
+    Real forwardness = 0;
 };
 
 // The share of light that gets through this much of a fog: exp(-density * length).
@@ -33,37 +36,40 @@ inline Real free_flight(Real density, Real number) {
 // The density, per solid angle, of a turn with this cosine between the directions before and after.
 // Source: Henyey and Greenstein, "Diffuse radiation in the galaxy", 1941.
 inline Real phase_density(Real forwardness, Real cosine) {
-    const Real g = forwardness;
+    // To favor what lies behind is to favor what lies ahead, with the cosine turned around. A
+    // computed cosine may exceed 1 by a rounding.
+    const Real g = std::abs(forwardness);
+    const Real away = std::max(Real(0), 1 - (forwardness < 0 ? -cosine : cosine));
     // (1 - g)^2 + 2 g (1 - cosine): nothing cancels where g and the cosine are close to 1.
-    const Real squared = (1 - g) * (1 - g) + 2 * g * (1 - cosine);
+    const Real squared = (1 - g) * (1 - g) + 2 * g * away;
     return (1 - g) * (1 + g) / (4 * pi * squared * std::sqrt(squared));
 }
 
 // A direction that is drawn with that density.
 inline Vec3 phase_direction(Real forwardness, Vec3 incoming, Vec2 place) {
-    if (forwardness == 0) return uniform_direction(place);
     const Real g = forwardness;
-    const Real root = (1 - g) * (1 + g) / (1 - g + 2 * g * place.x);
-    const Real cosine = std::clamp((1 + g * g - root * root) / (2 * g), Real(-1), Real(1));
-    const Real sine = std::sqrt((1 - cosine) * (1 + cosine)), angle = 2 * pi * place.y;
+    // The usual cosine = (1 + g^2 - ((1 - g^2) / d)^2) / 2g with this d cancels for small g.
+    // 1 - cosine as a product does not, and for g = 0 it is 2 (1 - x): evenly spread.
+    const Real d = 1 - g + 2 * g * place.x;
+    const Real height = (1 - g) * (1 - place.x) / d * ((1 - g) * (1 + g) / d + 1 - g);
+    const Real sine = std::sqrt(std::max(Real(0), height * (2 - height)));
+    const Real angle = 2 * pi * place.y;
     return normalize(orthonormal_basis(incoming).to_world(
-        {sine * std::cos(angle), sine * std::sin(angle), cosine}));
+        {sine * std::cos(angle), sine * std::sin(angle), 1 - height}));
 }
 
-// The part of a ray that lies in a ball; empty where it misses it.
+// The part of a ray from its origin on that lies in a ball; empty where it misses it. The direction
+// has length 1.
 inline Interval within_ball(const Sphere& ball, Vec3 origin, Vec3 direction) {
-    const Ray ray{origin, direction};
-    const Vec3 apart = origin - ball.center;
-    const Interval forward{0, infinity};
-    if (length(apart) <= ball.radius) {
-        const auto leaves = hit_sphere(ball, ray, forward);
-        return {0, leaves.value_or(0)};
-    }
-    const auto enters = hit_sphere(ball, ray, forward);
-    if (!enters) return {1, 0};
-    // The second place is as far behind the point nearest to the center as the first is before it.
-    const Real middle = -dot(apart, direction);
-    return {*enters, std::max(*enters, 2 * middle - *enters)};
+    const Vec3 f = origin - ball.center;
+    const Vec3 moment{f.y * direction.z - f.z * direction.y, f.z * direction.x - f.x * direction.z,
+                      f.x * direction.y - f.y * direction.x};
+    // Half of the chord, as in 03.2, and its middle. Whether the ray starts inside is not asked:
+    // on the surface itself that question has no safe answer.
+    const Real squared = ball.radius * ball.radius - dot(moment, moment);
+    if (!(squared > 0)) return {1, 0};
+    const Real half = std::sqrt(squared), middle = -dot(f, direction);
+    return {std::max(Real(0), middle - half), middle + half};
 }
 
 // A scene without fog: the compiler leaves out all that would ask it.

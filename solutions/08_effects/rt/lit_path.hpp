@@ -12,6 +12,8 @@ namespace rt {
 // is path_radiance of chapter 04, and at each place where a path turns two things more:
 //   fog     a droplet may turn the path before it reaches a surface
 //   lights  a light is chosen and looked for; what the path finds by itself is weighed against it
+// A black end of all paths is darker here than there: the last place's sample of a light is weighed
+// against a bounce that is not followed any more. The end in the sky and roulette are right.
 // With NoLights and NoFog, or with neither in the scene, it gives path_radiance's result bit for
 // bit: no random number is drawn for what is not there.
 template <class AnyRay, class World, class Materials, class Sky, class Lights, class Medium,

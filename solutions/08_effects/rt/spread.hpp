@@ -50,10 +50,10 @@ Real scatter_density(const MaterialSet<Types...>& set, const Hit& hit, Vec3 dire
         set.materials[static_cast<std::size_t>(hit.material)]);
 }
 
-// True when the ray that made this hit came through glass, where there is no fog.
+// True when the ray that made this hit met glass from within, where there is no fog.
 template <class Material>
-bool came_through_glass(const MaterialList<Material>&, const Hit&) {
-    return std::is_same_v<Material, Dielectric>;
+bool came_through_glass(const MaterialList<Material>&, const Hit& hit) {
+    return !hit.front && std::is_same_v<Material, Dielectric>;
 }
 template <class... Types>
 bool came_through_glass(const MaterialSet<Types...>& set, const Hit& hit) {

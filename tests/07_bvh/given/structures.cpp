@@ -68,11 +68,35 @@ TEST_CASE("a million random rays find the same in every structure", "[given][ray
 }
 
 TEST_CASE("at any scale", "[given][rays]") {
-    // A power of two, about 10^-9 and 10^9: nothing is rounded otherwise.
-    for (const Real scale : {std::ldexp(Real(1), -30), std::ldexp(Real(1), 30)}) {
+    // Powers of two, about 10^-15, 10^-9, 10^9 and 10^15: nothing is rounded otherwise.
+    for (const int exponent : {-50, -30, 30, 50}) {
+        const Real scale = std::ldexp(Real(1), exponent);
         Spheres spheres = random_spheres(300);
         for (SceneSphere& s : spheres) s.shape = {scale * s.shape.center, scale * s.shape.radius};
         check_scene("300 spheres, scaled", spheres, 20'000);
+    }
+}
+
+TEST_CASE("rays that are no rays, or come from very far, come to an end", "[given][rays]") {
+    const Real nan = std::numeric_limits<Real>::quiet_NaN(), inf = rt::infinity;
+    const Ray rays[] = {
+        {{nan, 0, 0}, {0, 0, 1}}, {{nan, nan, nan}, {1, 1, 1}},
+        {{inf, 0, 0}, {1, 0, 0}}, {{0, -inf, 0}, {0, 1, 0}},
+        {{}, {nan, 0, 1}},        {{}, {inf, 0, 0}},
+        {{}, {0, 0, 0}},          {{Real(3e38), 0, 0}, {-1, 0, 0}},
+        {{}, {nan, nan, nan}},    {{std::numeric_limits<Real>::max(), 0, 0}, {1, 1, 0}}};
+    for (const int count : {1, 10, 40, 5000}) {
+        const Spheres spheres = random_spheres(count);
+        const All all{spheres};
+        for (const Ray& ray : rays) {
+            const int expected = linear(spheres, ray, {}).sphere;
+            INFO(count << " spheres, " << checkpoint::text(ray));
+            CHECK(all.sorted.search(ray, {}).nearest == expected);
+            CHECK(all.flat.search_in_order(ray, {}).nearest == expected);
+            CHECK(all.flat.search_nearest_first(ray, {}).nearest == expected);
+            CHECK(all.wide_float.search(ray, {}).best.number() == expected);
+            CHECK(all.wide.search(ray, {}).best.number() == expected);
+        }
     }
 }
 

@@ -250,7 +250,8 @@ TEST_CASE("free flights are as long as the formula says") {
 }
 
 TEST_CASE("fog scatters with the density that it says") {
-    for (const Real g : {Real(-0.7), Real(0), Real(0.001), Real(0.3), Real(0.9)}) {
+    for (const Real g : {Real(-0.95), Real(-0.7), Real(0), Real(1e-16), Real(1e-7), Real(0.001),
+                         Real(0.3), Real(0.9)}) {
         INFO("forwardness " << text(g));
         const Vec3 incoming = rt::normalize(Vec3{1, -2, Real(0.5)});
         rt::Rng random{9, 1};
@@ -281,6 +282,37 @@ TEST_CASE("fog scatters with the density that it says") {
         CHECK(std::abs(total - 1) < 1e-4);
         CHECK(chi_square(observed, expected) < chi_square_limit(bins - 1));
     }
+}
+
+TEST_CASE("fog that turns light hardly at all, or right back, has finite densities") {
+    rt::Rng random{9, 2};
+    for (const Real less : {Real(1e-2), Real(1e-4), 4 * rt::epsilon})
+        for (const Real g : {1 - less, less - 1})
+            for (int i = 0; i < 10000; ++i) {
+                const Vec3 incoming = rt::uniform_direction(rt::random_place(random));
+                const Vec3 d = rt::phase_direction(g, incoming, rt::random_place(random));
+                const Real density = rt::phase_density(g, rt::dot(incoming, d));
+                REQUIRE(std::isfinite(density));
+                REQUIRE(density > 0);
+            }
+}
+
+TEST_CASE("a ray that starts on the fog's surface keeps its way through the fog") {
+    rt::Rng random{9, 3};
+    int lost = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const rt::Sphere ball{{1, -2, 3}, Real(1.7)};
+        const Vec3 outward = rt::uniform_direction(rt::random_place(random));
+        const Vec3 direction = rt::uniform_direction(rt::random_place(random));
+        const Real inward = -rt::dot(outward, direction);
+        const rt::Interval part =
+            rt::within_ball(ball, ball.center + ball.radius * outward, direction);
+        const Real expected = std::max(Real(0), 2 * ball.radius * inward);
+        // The place is off by some roundings, which count the more the flatter the ray is.
+        const Real allowed = rt::rounding_bound(20) * 4 / std::max(std::abs(inward), Real(1e-6));
+        lost += std::abs(part.size() - expected) > allowed;
+    }
+    CHECK(lost == 0);
 }
 
 TEST_CASE("there is no fog inside of glass") {

@@ -208,8 +208,8 @@ TEST_CASE("unknown keys are refused, and the nearest known one is named", "[scen
     REFUSED(with("\"a b\": 1"), "s.json: [\"a b\"]", "known are");
     REFUSED(with_camera(R"("look_from": [0, 0, 5], "look_at": [0, 0, 0], "vfov": 20)"),
             "camera.vfov", "did you mean \"vfov_deg\"?");
-    REFUSED(with_spheres(R"({"center": [0, 0, 0], "radius": 1, "material": "gold"})"),
-            "spheres[0].center", "did you mean \"center\"?");
+    REFUSED(with_spheres(R"({"centre": [0, 0, 0], "radius": 1, "material": "gold"})"),
+            "spheres[0].centre", "did you mean \"center\"?");
     REFUSED(with_group(R"(, "arms": 2)"), "groups[0].arms is not known", "known are");
     REFUSED(with_material(R"({"type": "glass", "fuzz": 1})"), "materials.m.fuzz", "\"index\"");
     REFUSED(with_material(R"({"type": "mat"})"), "materials.m.type", "did you mean \"matte\"?");
@@ -439,7 +439,7 @@ TEST_CASE("spheres of one material with a range of colors differ", "[scene_file]
 
 TEST_CASE("the nearest word is the one with the fewest slips", "[scene_file]") {
     const std::vector<std::string> words{"center", "radius", "material"};
-    CHECK(app::nearest_word("center", words) == "center");
+    CHECK(app::nearest_word("centre", words) == "center");
     CHECK(app::nearest_word("raduis", words) == "radius");
     CHECK(app::nearest_word("materials", words) == "material");
     CHECK(app::nearest_word("mat", words) == "material");
