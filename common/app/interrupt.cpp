@@ -11,9 +11,13 @@ constexpr int signals[] = {SIGINT, SIGTERM};
 std::atomic<int> came = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not wait for a lock");
 
+// Those that are noted; the others were ignored before, and still are.
+volatile std::sig_atomic_t taken[std::size(signals)];
+
 extern "C" void note_signal(int signal) {
     came = signal;
-    for (const int other : signals) std::signal(other, SIG_DFL);
+    for (std::size_t i = 0; i < std::size(signals); ++i)
+        if (taken[i]) std::signal(signals[i], SIG_DFL);
 }
 
 }  // namespace
@@ -21,8 +25,9 @@ extern "C" void note_signal(int signal) {
 Interruption::Interruption() {
     came = 0;
     for (std::size_t i = 0; i < std::size(signals); ++i) {
-        before_[i] = std::signal(signals[i], note_signal);
-        if (before_[i] == SIG_IGN) std::signal(signals[i], SIG_IGN);
+        before_[i] = std::signal(signals[i], SIG_IGN);
+        taken[i] = before_[i] != SIG_IGN;
+        if (taken[i]) std::signal(signals[i], note_signal);
     }
 }
 

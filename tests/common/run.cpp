@@ -112,6 +112,21 @@ TEST_CASE("a picture that was stopped is written, and the exit code says so", "[
     CHECK(std::signal(SIGINT, before) == SIG_DFL);
 }
 
+TEST_CASE("an ignored signal is still ignored after another one came", "[run]") {
+    const auto interrupt = std::signal(SIGINT, SIG_IGN), terminate = std::signal(SIGTERM, SIG_DFL);
+    {
+        const app::Interruption interruption;
+        std::raise(SIGINT);
+        CHECK(app::Interruption::signal() == 0);
+        std::raise(SIGTERM);
+        CHECK(app::Interruption::signal() == SIGTERM);
+        CHECK(std::signal(SIGTERM, SIG_DFL) == SIG_DFL);  // the next one ends the program
+        CHECK(std::signal(SIGINT, SIG_IGN) == SIG_IGN);
+    }
+    std::signal(SIGTERM, terminate);
+    std::signal(SIGINT, interrupt);
+}
+
 TEST_CASE("a program that reads no file takes none", "[run]") {
     const TemporaryFolder folder;
     CHECK(run({"--out", folder / "a.png", "scene.json"}) == app::bad_input);

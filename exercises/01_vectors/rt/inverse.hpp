@@ -13,6 +13,7 @@ namespace rt {
 
 // The map that undoes m. Throws std::domain_error where m is singular: it flattens space (or comes
 // so near to it that rounding decides the result), or a number in it is not finite.
+// A number of the inverse that is too large for Real comes out infinite.
 inline Mat4 inverse(const Mat4& m) {
     return rt::todo("01.6", m);
 }

@@ -9,6 +9,7 @@ namespace rt {
 
 // The map that undoes m. Throws std::domain_error where m is singular: it flattens space (or comes
 // so near to it that rounding decides the result), or a number in it is not finite.
+// A number of the inverse that is too large for Real comes out infinite.
 inline Mat4 inverse(const Mat4& m) {
     // Columns of the linear part, each scaled so that no product of three can overflow.
     const auto [a, a_exponent] = split_scale({m(0, 0), m(1, 0), m(2, 0)});

@@ -10,7 +10,7 @@ namespace rt {
 
 // The smallest t within the interval at which the ray meets the sphere's surface, from outside or
 // from inside. None where it passes by, and for a direction of length 0. The direction may have any
-// length, as long as the squares of |f| |d| and r |d| neither overflow nor underflow.
+// length, as long as the squares of |d|, |f|, r, |f| |d| and r |d| neither overflow nor underflow.
 // With f from center to origin, p the distance of the line from the center and h half the chord:
 // t |d| is within 6 epsilon (|f| + r) (1 + p / h), and hit or miss is decided rightly for every ray
 // that keeps 3 epsilon (|f| + r) away from grazing. docs/03-sphere.md derives the formula and both

@@ -6,9 +6,9 @@
 namespace rt {
 
 // The direction of v, folded to the normal's side of the surface: what points below is mirrored at
-// the surface. v may have any length; the result has length 1, and its computed dot product with
-// the normal is greater than 0, whatever was rounded. A zero v has no direction: the normal is
-// returned for it.
+// the surface. v may have any length that is far from the smallest and the largest numbers; the
+// result has length 1, and its computed dot product with the normal is greater than 0, whatever was
+// rounded. A zero v has no direction: the normal is returned for it.
 inline Vec3 above_horizon(Vec3 v, Vec3 normal) {
     if (v == Vec3{}) return normal;
     const Real height = dot(v, normal);

@@ -64,10 +64,11 @@ struct MovingTree {
         for (int place = node.first; place < node.first + node.count; ++place) {
             const int number = order[static_cast<std::size_t>(place)];
             const MovingSphere& sphere = spheres[static_cast<std::size_t>(number)];
-            if (const auto t = hit_sphere(sphere_at(sphere, time), ray, within)) {
-                within.max = *t;
-                nearest = &sphere;
-            }
+            const auto t = hit_sphere(sphere_at(sphere, time), ray, within);
+            // Of equally near ones that with the highest number counts, as in SphereList.
+            if (!t || (nearest && *t == within.max && &sphere < nearest)) continue;
+            within.max = *t;
+            nearest = &sphere;
         }
     }
 };
