@@ -96,3 +96,28 @@ TEST_CASE("gnuplot draws every kind of study, whatever its names hold", "[plot]"
         CHECK(folder.count() == 2);
     }
 }
+
+TEST_CASE("a plot leaves out times that do not depend on x", "[plot]") {
+    const auto plot = [](const std::vector<double>& errors, const std::vector<double>& costs) {
+        std::vector<Measurement> all;
+        for (std::size_t i = 0; i < errors.size(); ++i)
+            for (const std::string variant : {"level", "measured"})
+                all.push_back({{"Study", variant, std::pow(10, i), "x", errors[i], "error / ulp",
+                                variant == "level" ? 3 : costs[i], "time / ns"},
+                               "double"});
+        return course::plot_script(all, "plot.svg");
+    };
+    const auto has_times = [](const std::string& script) {
+        CHECK(script.find("error / ulp") != std::string::npos);
+        return script.find("time / ns") != std::string::npos;
+    };
+    const std::vector<double> errors{1, 10, 100};
+    CHECK_FALSE(has_times(plot(errors, {2, 2, 2})));
+    CHECK_FALSE(has_times(plot(errors, {2, 2.4, 2})));  // times wander
+    CHECK(has_times(plot(errors, {2, 2.6, 2})));        // one variant is enough
+    CHECK(has_times(plot(errors, {2, 2, infinity})));
+    CHECK(has_times(plot({1, 1, 1}, {2, 2, 2})));  // nothing depends on x: show all
+    CHECK(has_times(plot({1, 10}, {2, 2})));       // error against time
+    CHECK(plot(errors, {2, 2, 2}).find("rmargin at screen 0.979") != std::string::npos);
+    CHECK(plot(errors, {2, 3, 2}).find("rmargin at screen 0.483") != std::string::npos);
+}
