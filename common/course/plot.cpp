@@ -203,7 +203,8 @@ bool depends_on_x(const std::vector<Measurement>& rows, double study::Row::*quan
     std::map<std::pair<std::string, std::string>, Span> spans;
     for (const Measurement& row : rows) {
         const double value = row.*quantity;
-        Span& span = spans.try_emplace({row.variant, row.precision}, value, value).first->second;
+        Span& span =
+            spans.try_emplace({row.variant, row.precision}, Span{value, value}).first->second;
         span = {std::min(span.smallest, value), std::max(span.largest, value)};
     }
     return std::any_of(spans.begin(), spans.end(), [](const auto& entry) {
