@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <course/plot.hpp>
 #include <course/scale.hpp>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -193,12 +195,32 @@ void plot_curves(std::ostream& out, const std::vector<Measurement>& rows, const 
     out << plots.str() << '\n';
 }
 
+// Whether a quantity changes with x: whether it does for any variant by more than times wander.
+bool depends_on_x(const std::vector<Measurement>& rows, double study::Row::*quantity) {
+    struct Span {
+        double smallest, largest;
+    };
+    std::map<std::pair<std::string, std::string>, Span> spans;
+    for (const Measurement& row : rows) {
+        const double value = row.*quantity;
+        Span& span =
+            spans.try_emplace({row.variant, row.precision}, Span{value, value}).first->second;
+        span = {std::min(span.smallest, value), std::max(span.largest, value)};
+    }
+    return std::any_of(spans.begin(), spans.end(), [](const auto& entry) {
+        return !(entry.second.largest <= 1.25 * entry.second.smallest);
+    });
+}
+
 void draw_over_x(std::ostream& out, const std::vector<Measurement>& rows,
                  const std::string& svg_file) {
+    // Level lines say no more than a table does: then the error gets all of the room.
+    const bool with_cost =
+        depends_on_x(rows, &study::Row::cost) || !depends_on_x(rows, &study::Row::error);
     const Legend legend{rows, 940};
     const Canvas canvas{960, 412 + legend.height()};
     const double top = 84, bottom = 340;
-    const Frame left{76, top, 464, bottom}, right{556, top, 940, bottom};
+    const Frame left{76, top, with_cost ? 464.0 : 940.0, bottom}, right{556, top, 940, bottom};
     const Measurement& any = rows.front();
     const Scale x = scale_of(rows, &study::Row::x), error = scale_of(rows, &study::Row::error),
                 cost = scale_of(rows, &study::Row::cost);
@@ -207,6 +229,7 @@ void draw_over_x(std::ostream& out, const std::vector<Measurement>& rows,
     set_panel(out, canvas, left, x, any.x_name, error, any.error_name);
     legend.draw(out, canvas, 410);
     plot_curves(out, rows, x, error, &study::Row::error);
+    if (!with_cost) return;
     out << "unset label\nunset arrow\n";
     set_panel(out, canvas, right, x, any.x_name, cost, any.cost_name);
     plot_curves(out, rows, x, cost, &study::Row::cost);
@@ -246,16 +269,18 @@ class Labels {
                                     std::max(0.0, frame_.top - h - box.top) +
                                     std::max(0.0, box.bottom - frame_.bottom));
             for (const Box& other : taken_) covered += overlap(box, other);
+            covered += std::abs(place.y - y) / 4;  // rather near than far
             if (covered >= least) return;
             least = covered;
             best = place;
             best_box = box;
         };
-        for (const double dy : {0.0, -16.0, 16.0, -32.0, 32.0}) {
-            consider({x + 11, y + dy, "left"}, x + 11);
-            consider({x - 11, y + dy, "right"}, x - 11 - w);
-            if (dy != 0) consider({x, y + dy, "center"}, x - w / 2);
-        }
+        for (int step = 0; step <= 8; ++step)
+            for (const double dy : {-16.0 * step, 16.0 * step}) {
+                consider({x + 11, y + dy, "left"}, x + 11);
+                consider({x - 11, y + dy, "right"}, x - 11 - w);
+                if (step != 0) consider({x, y + dy, "center"}, x - w / 2);
+            }
         taken_.push_back(best_box);
         return best;
     }
@@ -304,8 +329,15 @@ void draw_against(std::ostream& out, const std::vector<Measurement>& rows,
         std::ostringstream words;
         words << row.variant;
         if (xs.size() > 1) words << ", " << row.x_name << ' ' << row.x;
-        point(at_x(row), at_y(row), row.precision == "float", color_of(variant));
-        text(labels.beside(at_x(row), at_y(row), words.str()), words.str(), color_of(variant));
+        const double x = at_x(row), y = at_y(row);
+        const Labels::Place place = labels.beside(x, y, words.str());
+        // A line leads to a text that had to move away.
+        if (std::abs(place.y - y) > 20)
+            out << "set arrow " << id++ << " from " << canvas.x(x) << ',' << canvas.y(y) << " to "
+                << canvas.x(place.x) << ',' << canvas.y(place.y + (place.y < y ? 7 : -7))
+                << " nohead lw 1 lc rgb '#9a9a9a'\n";
+        point(x, y, row.precision == "float", color_of(variant));
+        text(place, words.str(), color_of(variant));
     }
     if (two_precisions) {
         double x = frame.left;

@@ -3,6 +3,7 @@
 #include <course/process.hpp>
 #include <course/scale.hpp>
 #include <limits>
+#include <set>
 
 #include "catch.hpp"
 #include "temporary_folder.hpp"
@@ -95,4 +96,47 @@ TEST_CASE("gnuplot draws every kind of study, whatever its names hold", "[plot]"
         CHECK(svg.find("a_b^{c}") != std::string::npos);
         CHECK(folder.count() == 2);
     }
+}
+
+TEST_CASE("a plot leaves out times that do not depend on x", "[plot]") {
+    const auto plot = [](const std::vector<double>& errors, const std::vector<double>& costs) {
+        std::vector<Measurement> all;
+        for (std::size_t i = 0; i < errors.size(); ++i)
+            for (const std::string variant : {"level", "measured"})
+                all.push_back({{"Study", variant, std::pow(10, i), "x", errors[i], "error / ulp",
+                                variant == "level" ? 3 : costs[i], "time / ns"},
+                               "double"});
+        return course::plot_script(all, "plot.svg");
+    };
+    const auto has_times = [](const std::string& script) {
+        CHECK(script.find("error / ulp") != std::string::npos);
+        return script.find("time / ns") != std::string::npos;
+    };
+    const std::vector<double> errors{1, 10, 100};
+    CHECK_FALSE(has_times(plot(errors, {2, 2, 2})));
+    CHECK_FALSE(has_times(plot(errors, {2, 2.4, 2})));  // times wander
+    CHECK(has_times(plot(errors, {2, 2.6, 2})));        // one variant is enough
+    CHECK(has_times(plot(errors, {2, 2, infinity})));
+    CHECK(has_times(plot({1, 1, 1}, {2, 2, 2})));  // nothing depends on x: show all
+    CHECK(has_times(plot({1, 10}, {2, 2})));       // error against time
+    CHECK(plot(errors, {2, 2, 2}).find("rmargin at screen 0.979") != std::string::npos);
+    CHECK(plot(errors, {2, 3, 2}).find("rmargin at screen 0.483") != std::string::npos);
+}
+
+TEST_CASE("texts of points that lie together do not lie on each other", "[plot]") {
+    std::vector<Measurement> all;
+    for (const std::string variant : {"one", "two", "three", "four", "five", "six", "seven"})
+        all.push_back({{"Study", variant, 1, "x", 5, "error / ulp", 3, "time / ns"}, "double"});
+    all.push_back({{"Study", "far away", 1, "x", 1, "error / ulp", 1, "time / ns"}, "double"});
+    const std::string script = course::plot_script(all, "plot.svg");
+    std::set<std::string> places;
+    for (const Measurement& row : all) {
+        const std::string words = '"' + row.variant + "\" at ";
+        const auto at = script.find(words);
+        REQUIRE(at != std::string::npos);
+        const auto begin = at + words.size();
+        places.insert(script.substr(begin, script.find(" noenhanced", begin) - begin));
+    }
+    CHECK(places.size() == all.size());
+    CHECK(script.find("set arrow") != std::string::npos);  // it leads to a text farther off
 }
