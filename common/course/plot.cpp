@@ -54,9 +54,15 @@ bool has(const std::vector<Measurement>& rows, const std::string& precision) {
                        [&](const Measurement& row) { return row.precision == precision; });
 }
 
+// Whether this row measured the quantity: an error without a name was not.
+bool measured(const Measurement& row, double study::Row::*quantity) {
+    return quantity != &study::Row::error || !row.error_name.empty();
+}
+
 Scale scale_of(const std::vector<Measurement>& rows, double study::Row::*quantity) {
     std::vector<double> values;
-    for (const Measurement& row : rows) values.push_back(row.*quantity);
+    for (const Measurement& row : rows)
+        if (measured(row, quantity)) values.push_back(row.*quantity);
     return Scale{values};
 }
 
@@ -175,7 +181,8 @@ void plot_curves(std::ostream& out, const std::vector<Measurement>& rows, const 
         for (const std::string precision : precisions) {
             std::vector<std::pair<double, double>> points;
             for (const Measurement& row : rows)
-                if (row.variant == names[i] && row.precision == precision)
+                if (row.variant == names[i] && row.precision == precision &&
+                    measured(row, quantity))
                     points.emplace_back(x.place(row.x), y.place(row.*quantity));
             if (points.empty()) continue;
             std::sort(points.begin(), points.end());
@@ -198,16 +205,22 @@ void draw_over_x(std::ostream& out, const std::vector<Measurement>& rows,
     const Legend legend{rows, 940};
     const Canvas canvas{960, 412 + legend.height()};
     const double top = 84, bottom = 340;
-    const Frame left{76, top, 464, bottom}, right{556, top, 940, bottom};
+    const auto with_error = std::find_if(rows.begin(), rows.end(), [](const Measurement& row) {
+        return measured(row, &study::Row::error);
+    });
+    const bool has_errors = with_error != rows.end();
+    const Frame left{76, top, 464, bottom}, right{has_errors ? 556.0 : 76, top, 940, bottom};
     const Measurement& any = rows.front();
     const Scale x = scale_of(rows, &study::Row::x), error = scale_of(rows, &study::Row::error),
                 cost = scale_of(rows, &study::Row::cost);
 
     begin(out, canvas, svg_file, any.study);
-    set_panel(out, canvas, left, x, any.x_name, error, any.error_name);
     legend.draw(out, canvas, 410);
-    plot_curves(out, rows, x, error, &study::Row::error);
-    out << "unset label\nunset arrow\n";
+    if (has_errors) {
+        set_panel(out, canvas, left, x, any.x_name, error, with_error->error_name);
+        plot_curves(out, rows, x, error, &study::Row::error);
+        out << "unset label\nunset arrow\n";
+    }
     set_panel(out, canvas, right, x, any.x_name, cost, any.cost_name);
     plot_curves(out, rows, x, cost, &study::Row::cost);
 }
