@@ -1,5 +1,6 @@
 // Chapter 05: metal, glass, and a strip that compares two formulas for how much glass reflects.
 
+#include <app/lettering.hpp>
 #include <app/run.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/make_camera.hpp>
@@ -63,6 +64,17 @@ Color panel_color(int panel, const Ray& ray, std::uint64_t& rays) {
     return amplified > 0 ? amplified * from_hex(0xf2b84b) : -amplified * from_hex(0x5b8ff0);
 }
 
+// A panel's color with its name at the top left: dark on the sky, light on black. (x, y) are pixels
+// of the panel.
+Color with_name(Color color, int panel, Real x, Real y, int panel_height) {
+    constexpr std::string_view names[] = {"SCHLICK", "EXACT", "DIFFERENCE TIMES 20"};
+    const Real unit = static_cast<Real>(panel_height) / 64;  // a quarter of a letter
+    if (unit < Real(0.75) || y > 8 * unit) return color;     // too small to read, or below
+    const Real distance = unit * app::distance_to_text({x / unit - 4, y / unit - 3}, names[panel]);
+    return mix(color, panel == 2 ? from_hex(0xe8e4da) : from_hex(0x3b3348),
+               std::clamp(Real(0.36) * unit + Real(0.5) - distance, Real(0), Real(1)));
+}
+
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const scene::Scene evening = scene::evening();
     std::uint64_t rays = 0;
@@ -86,11 +98,15 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         const int panel = std::min(x / panel_width, 2);
         if (panel > 0 && x - panel * panel_width < settings.width / 320) return Color{};
         Rng random = pixel_rng(quality.seed, x, y);
-        return pixel_average(std::min(9, quality.samples_per_pixel), random, [&](Vec2 offset) {
-            return panel_color(
-                panel, primary_ray(panel_camera, x - panel * panel_width, y - view_height, offset),
-                rays);
-        });
+        const Color color =
+            pixel_average(std::min(9, quality.samples_per_pixel), random, [&](Vec2 offset) {
+                return panel_color(
+                    panel,
+                    primary_ray(panel_camera, x - panel * panel_width, y - view_height, offset),
+                    rays);
+            });
+        return with_name(color, panel, static_cast<Real>(x - panel * panel_width) + Real(0.5),
+                         static_cast<Real>(y - view_height) + Real(0.5), strip_height);
     });
     return {std::move(image), rays};
 }

@@ -70,7 +70,7 @@ inline void add_reflectance(study::Report& report) {
         return std::abs(static_cast<double>(function(cosine, eta)) -
                         exact_reflectance(cosine, eta));
     };
-    for (const double index : {1.1, 1.3, 1.5, 2.0, 2.5}) {
+    for (const double index : indices) {
         const Real eta = 1 / static_cast<Real>(index);
         const double ns = reflectance_ns(schlick_reflectance, eta);
         for (const int degrees : {30, 40, 45, 50, 55, 60, 65, 70, 75, 80, 83, 86, 89}) {

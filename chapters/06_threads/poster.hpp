@@ -37,7 +37,7 @@ struct Layout {
         tiles_map = at(680, 234, 260, 146);
         slices_bars = at(92, 402, 568, 54);
         tiles_bars = at(92, 470, 568, 54);
-        plot = at(706, 412, 226, 100);
+        plot = at(706, 408, 226, 88);
     }
     Box at(Real left, Real top, Real width, Real height) const {
         return {left * s, top * s, width * s, height * s};
@@ -124,6 +124,17 @@ inline void draw_speed_up(Sheet& sheet, const Box& box, Real s, const std::vecto
         sheet.words(from.x - Sheet::width_of(number, letters) - 4 * s, from.y - letters / 2,
                     letters, number, dim);
     }
+    // 1, and then the multiples of the step.
+    for (int i = 1; i <= static_cast<int>(most); i += i < step ? step - i : step) {
+        const Vec2 at = place(static_cast<Real>(i), 0);
+        const std::string number = std::to_string(i);
+        sheet.line(at, {at.x, at.y + 3 * s}, s * Real(0.8), dim);
+        sheet.words(at.x - Sheet::width_of(number, letters) / 2, at.y + 6 * s, letters, number,
+                    dim);
+    }
+    const std::string_view below = "WORKERS";
+    sheet.words(box.left + (box.width - Sheet::width_of(below, letters)) / 2,
+                box.top + box.height + 19 * s, letters, below, dim);
     sheet.line(place(1, 1), place(most, most), s, dim);
     for (const Curve& curve : curves) {
         Vec2 last{};

@@ -1,26 +1,30 @@
 #pragma once
 // The whole picture against the classic way, and with no more materials than it needs.
 
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
 #include <study/report.hpp>
+#include <vector>
 
 #include "cover.hpp"
 #include "variants.hpp"
 
 namespace bvh {
 
-// Times both by turns, so that what else the machine does slows both alike, and returns the
-// shortest time of each, in milliseconds.
-template <class One, class Other>
-std::pair<double, double> by_turns_ms(One one, Other other, int turns = 5) {
-    double of_one = 1e300, of_other = 1e300;
-    for (int i = 0; i < turns; ++i) {
-        of_one = std::min(of_one, study::once_ns(one, 1) * 1e-6);
-        of_other = std::min(of_other, study::once_ns(other, 1) * 1e-6);
-    }
-    return {of_one, of_other};
+// Times all by turns, so that what else the machine does slows all alike, and returns the shortest
+// time of each, in milliseconds.
+inline std::vector<double> by_turns_ms(const std::vector<std::function<void()>>& works,
+                                       int turns = 5) {
+    std::vector<double> times(works.size(), std::numeric_limits<double>::infinity());
+    for (int turn = 0; turn < turns; ++turn)
+        for (std::size_t i = 0; i < works.size(); ++i)
+            times[i] = std::min(times[i], study::once_ns(works[i], 1) * 1e-6);
+    return times;
 }
 
 // Writes down every ray that it is asked for, and what it answered.
@@ -80,25 +84,24 @@ inline void study_parts(study::Report& report, const Cover& cover, const WideTre
 
 inline void study_cover(study::Report& report) {
     const Cover cover = make_cover();
+    const auto classic = make_classic(cover);
+    const SphereTree by_area = make_tree(cover.spheres, split_by_area);
+    const WideTreeOf<Real> wide = make_wide_tree<Real>(cover.spheres);
     const WideTree best = make_wide_tree<float>(cover.spheres);
 
-    // That the mean colors agree shows that both draw the same.
-    const auto classic_world = make_classic(cover);
-    Color mean;
-    double classic_ms = 0, classic_mean = 0;
-    const auto row = [&](const char* name, double times, double green, double ms) {
-        report.add({"cover", name, times, "times as fast", green, "mean green", ms, "time / ms"});
-    };
-    const auto whole = [&](const char* name, const auto& world) {
-        const auto [theirs, ours] = by_turns_ms(
-            [&] { classic_mean = static_cast<double>(render_cover(cover, classic_world).g); },
-            [&] { mean = render_cover(cover, world, cover.materials); });
-        if (classic_ms == 0) row("classic", 1, classic_mean, classic_ms = theirs);
-        row(name, theirs / ours, static_cast<double>(mean.g), ours);
-    };
-    whole("8-wide float boxes", best);
-    whole("8-wide", make_wide_tree<Real>(cover.spheres));
-    whole("tree by area", make_tree(cover.spheres, split_by_area));
+    // That the mean colors agree shows that all draw the same.
+    constexpr std::array<const char*, 4> names{"classic", "tree by area", "8-wide",
+                                               "8-wide float boxes"};
+    std::array<double, 4> greens{};
+    const auto green = [](const auto& mean) { return static_cast<double>(mean.g); };
+    const std::vector<double> whole =
+        by_turns_ms({[&] { greens[0] = green(render_cover(cover, classic)); },
+                     [&] { greens[1] = green(render_cover(cover, by_area, cover.materials)); },
+                     [&] { greens[2] = green(render_cover(cover, wide, cover.materials)); },
+                     [&] { greens[3] = green(render_cover(cover, best, cover.materials)); }});
+    for (std::size_t i = 0; i < names.size(); ++i)
+        report.add({"cover", names[i], whole[0] / whole[i], "times as fast", greens[i],
+                    "mean green", whole[i], "time / ms"});
     study_parts(report, cover, best);
 
     // The same spheres, all matte: once with metal and glass compiled in, once without.
@@ -108,14 +111,13 @@ inline void study_cover(study::Report& report) {
         matte.materials.push_back({{Real(0.5), Real(0.5), Real(0.5)}});
         all.materials.push_back(matte.materials.back());
     }
-    const auto times = by_turns_ms([&] { mean = render_cover(cover, best, all); },
-                                   [&] { mean = render_cover(cover, best, matte); });
-    const auto materials = [&](const char* name, double ms) {
-        report.add({"materials", name, times.first / ms, "times as fast",
-                    static_cast<double>(mean.g), "mean green", ms, "time / ms"});
-    };
-    materials("matte, metal and glass", times.first);
-    materials("matte alone", times.second);
+    const std::vector<double> times =
+        by_turns_ms({[&] { greens[0] = green(render_cover(cover, best, all)); },
+                     [&] { greens[1] = green(render_cover(cover, best, matte)); }});
+    constexpr std::array<const char*, 2> kinds{"matte, metal and glass", "matte alone"};
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        report.add({"materials", kinds[i], times[0] / times[i], "times as fast", greens[i],
+                    "mean green", times[i], "time / ms"});
 }
 
 }  // namespace bvh

@@ -43,6 +43,17 @@ inline void write(Image& image, std::string_view word, Real left, Real top, Real
         }
 }
 
+// The same on a dark plate: to be read on any ground.
+inline void write_on_plate(Image& image, std::string_view word, Real left, Real top, Real size) {
+    const Real margin = size / 2, unit = size / 4;
+    const Real wide = app::letter_advance * static_cast<Real>(word.size()) * unit;
+    const auto edge = [](Real x) { return static_cast<int>(std::lround(x)); };
+    for (int y = edge(top - margin); y < edge(top + size + margin); ++y)
+        for (int x = edge(left - margin); x < edge(left + wide + margin); ++x)
+            blend(image, x, y, paper, 1);
+    write(image, word, left, top, size);
+}
+
 // From black over violet and orange to white, as x goes from 0 to 1: twice as light, twice as much.
 inline Color heat_color(Real x) {
     static const Color steps[] = {from_hex(0x07071a), from_hex(0x2b1055), from_hex(0x7b1fa2),

@@ -56,9 +56,15 @@ bool has(const std::vector<Measurement>& rows, const std::string& precision) {
                        [&](const Measurement& row) { return row.precision == precision; });
 }
 
+// Whether this row measured the quantity: an error without a name was not.
+bool measured(const Measurement& row, double study::Row::*quantity) {
+    return quantity != &study::Row::error || !row.error_name.empty();
+}
+
 Scale scale_of(const std::vector<Measurement>& rows, double study::Row::*quantity) {
     std::vector<double> values;
-    for (const Measurement& row : rows) values.push_back(row.*quantity);
+    for (const Measurement& row : rows)
+        if (measured(row, quantity)) values.push_back(row.*quantity);
     return Scale{values};
 }
 
@@ -177,7 +183,8 @@ void plot_curves(std::ostream& out, const std::vector<Measurement>& rows, const 
         for (const std::string precision : precisions) {
             std::vector<std::pair<double, double>> points;
             for (const Measurement& row : rows)
-                if (row.variant == names[i] && row.precision == precision)
+                if (row.variant == names[i] && row.precision == precision &&
+                    measured(row, quantity))
                     points.emplace_back(x.place(row.x), y.place(row.*quantity));
             if (points.empty()) continue;
             std::sort(points.begin(), points.end());
@@ -214,23 +221,30 @@ bool depends_on_x(const std::vector<Measurement>& rows, double study::Row::*quan
 
 void draw_over_x(std::ostream& out, const std::vector<Measurement>& rows,
                  const std::string& svg_file) {
+    const auto with_error = std::find_if(rows.begin(), rows.end(), [](const Measurement& row) {
+        return measured(row, &study::Row::error);
+    });
+    const bool has_errors = with_error != rows.end();
     // Level lines say no more than a table does: then the error gets all of the room.
-    const bool with_cost =
-        depends_on_x(rows, &study::Row::cost) || !depends_on_x(rows, &study::Row::error);
+    const bool with_cost = !has_errors || depends_on_x(rows, &study::Row::cost) ||
+                           !depends_on_x(rows, &study::Row::error);
     const Legend legend{rows, 940};
     const Canvas canvas{960, 412 + legend.height()};
     const double top = 84, bottom = 340;
-    const Frame left{76, top, with_cost ? 464.0 : 940.0, bottom}, right{556, top, 940, bottom};
+    const Frame left{76, top, with_cost ? 464.0 : 940.0, bottom},
+        right{has_errors ? 556.0 : 76, top, 940, bottom};
     const Measurement& any = rows.front();
     const Scale x = scale_of(rows, &study::Row::x), error = scale_of(rows, &study::Row::error),
                 cost = scale_of(rows, &study::Row::cost);
 
     begin(out, canvas, svg_file, any.study);
-    set_panel(out, canvas, left, x, any.x_name, error, any.error_name);
     legend.draw(out, canvas, 410);
-    plot_curves(out, rows, x, error, &study::Row::error);
-    if (!with_cost) return;
-    out << "unset label\nunset arrow\n";
+    if (has_errors) {
+        set_panel(out, canvas, left, x, any.x_name, error, with_error->error_name);
+        plot_curves(out, rows, x, error, &study::Row::error);
+        if (!with_cost) return;
+        out << "unset label\nunset arrow\n";
+    }
     set_panel(out, canvas, right, x, any.x_name, cost, any.cost_name);
     plot_curves(out, rows, x, cost, &study::Row::cost);
 }

@@ -15,15 +15,16 @@ std::string text(double value, const char* format = "%g") {
 }
 
 // Marks for logarithms from low to high: at powers of ten where there are many, else also at 2 and
-// 5 times those.
+// 5 times those. Long numbers need more room.
 Marks logarithmic_marks(double low, double high) {
     Marks marks;
     const double step = std::max(1.0, std::ceil((high - low) / 7));
     for (double power = std::floor(low / step) * step; power <= high; power += step)
         for (const double digit : {1.0, 2.0, 5.0}) {
             const double place = power + std::log10(digit);
-            if (place < low || place > high || (digit != 1 && high - low > 3.2)) continue;
             const bool short_number = -3 <= low && high <= 4;
+            const double dense = short_number ? 3.2 : 1.6;
+            if (place < low || place > high || (digit != 1 && high - low > dense)) continue;
             marks.emplace_back(place, short_number ? text(digit * std::pow(10.0, power))
                                       : digit == 1 ? text(power, "10^{%g}")
                                                    : text(digit) + text(power, "·10^{%g}"));

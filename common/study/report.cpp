@@ -61,7 +61,9 @@ void Report::print_table(std::FILE* out) const {
                          title.c_str(), precision().c_str(), "variant", row.x_name.c_str(),
                          row.error_name.c_str(), row.cost_name.c_str());
         }
-        std::fprintf(out, "%-24s %18.6g %24.4g %14.4g\n", row.variant.c_str(), row.x, row.error,
+        char error[32] = "-";
+        if (!row.error_name.empty()) std::snprintf(error, sizeof error, "%.4g", row.error);
+        std::fprintf(out, "%-24s %18.6g %24s %14.4g\n", row.variant.c_str(), row.x, error,
                      row.cost);
     }
 }

@@ -20,7 +20,7 @@ struct Row {
     double x = 0;
     std::string x_name;
     double error = 0;
-    std::string error_name;
+    std::string error_name;  // empty where the error was not measured
     double cost = 0;
     std::string cost_name;
 };

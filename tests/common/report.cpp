@@ -21,6 +21,17 @@ study::Report one_row(double error) {
     return report;
 }
 
+std::string table_of(const study::Report& report) {
+    std::FILE* const file = std::tmpfile();
+    REQUIRE(file);
+    report.print_table(file);
+    std::rewind(file);
+    std::string text(4096, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file));
+    std::fclose(file);
+    return text;
+}
+
 }  // namespace
 
 TEST_CASE("a report names its columns and its precision", "[report]") {
@@ -53,14 +64,17 @@ TEST_CASE("a report says when it cannot be written", "[report]") {
     CHECK_THROWS_AS(one_row(1).write_csv(folder / "missing"), std::system_error);
 }
 
+TEST_CASE("a report prints a dash for an error that was not measured", "[report]") {
+    study::Report report{"99_test"};
+    report.add({"study", "way", 1, "x", 0.125, "", 2, "time / ns"});
+    const std::string text = table_of(report);
+    INFO(text);
+    CHECK(text.find(" - ") != std::string::npos);
+    CHECK(text.find("0.125") == std::string::npos);
+}
+
 TEST_CASE("a report prints a table a study", "[report]") {
-    std::FILE* const file = std::tmpfile();
-    REQUIRE(file);
-    one_row(0.25).print_table(file);
-    std::rewind(file);
-    std::string text(4096, '\0');
-    text.resize(std::fread(text.data(), 1, text.size(), file));
-    std::fclose(file);
+    const std::string text = table_of(one_row(0.25));
     INFO(text);
     for (const char* const part :
          {"99_test", "far, \"very\" far", mine.c_str(), "a,b", "0.25", "2.5"})

@@ -45,6 +45,7 @@ TEST_CASE("a scale is logarithmic where values span much", "[plot]") {
     CHECK(text_of(narrow.marks()) == "0 2 4 6 8 10 ");
     CHECK(text_of(Scale{{1e-30, 1}}.marks()) ==
           "10^{-30} 10^{-25} 10^{-20} 10^{-15} 10^{-10} 10^{-5} 10^{0} ");
+    CHECK(text_of(Scale{{1e3, 1e6}}.marks()) == "10^{3} 10^{4} 10^{5} 10^{6} ");
 }
 
 TEST_CASE("a scale holds every value, also 0, infinity and what is no number", "[plot]") {
@@ -72,6 +73,24 @@ TEST_CASE("a scale holds every value, also 0, infinity and what is no number", "
             CHECK(place <= scale.high());
         }
     }
+}
+
+TEST_CASE("an error that was not measured is not drawn", "[plot]") {
+    const auto curves = [](const std::vector<Measurement>& all) {
+        const std::string script = course::plot_script(all, "plot.svg");
+        int count = 0;
+        for (auto at = script.find("<< END"); at != std::string::npos;
+             at = script.find("<< END", at + 1))
+            ++count;
+        return count;
+    };
+    auto all = rows({1, 2, 3}, {4, 5, 6});  // 2 variants in 2 precisions
+    CHECK(curves(all) == 8);
+    for (Measurement& row : all)
+        if (row.variant == all.front().variant) row.error_name = "";
+    CHECK(curves(all) == 6);
+    for (Measurement& row : all) row.error_name = "";
+    CHECK(curves(all) == 4);
 }
 
 TEST_CASE("gnuplot draws every kind of study, whatever its names hold", "[plot]") {

@@ -22,8 +22,8 @@ inline Vec3 metal_direction(Vec3 incoming, Vec3 normal, Real fuzz, Vec2 place) {
     return above_horizon(mirrored + fuzz * uniform_direction(place), normal);
 }
 
-// No path ends in metal, and every one is as bright as the next: what arrives goes out again, but
-// for what the albedo keeps.
+// No path ends in metal, and none is brighter than another: the light of each is multiplied by the
+// albedo.
 template <class Random>
 std::optional<Scatter> scatter(const Metal& material, Vec3 incoming, const Hit& hit,
                                Random& random) {
