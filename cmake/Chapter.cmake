@@ -155,8 +155,8 @@ function(course_mistake_picture chapter folder)
   endif()
   get_filename_component(mistake ${folder} NAME)
   set(target picture.${mistake})
-  course_program(${target} double ${CMAKE_SOURCE_DIR}/chapters/${chapter}/main.cpp
-                 INCLUDE ${folder} ${course_solutions})
+  file(GLOB program CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/*.cpp)
+  course_program(${target} double ${program} INCLUDE ${folder} ${course_solutions})
   set_target_properties(${target} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
   set_property(GLOBAL APPEND PROPERTY course_mistake_pictures ${target})
