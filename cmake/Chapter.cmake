@@ -141,6 +141,10 @@ function(course_mistake chapter folder)
   set_target_properties(${target} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
   target_compile_options(${target} PRIVATE -O1)  # there are many of them
+  file(STRINGS ${folder}/mistake.txt warned REGEX "^compiler warns: yes$")
+  if(warned)
+    target_compile_options(${target} PRIVATE -w)  # the learner is told; here it is on purpose
+  endif()
   add_test(NAME ${target} COMMAND ${target} "${caught_by}")
   set_tests_properties(${target} PROPERTIES LABELS mistakes TIMEOUT 60
     PASS_REGULAR_EXPRESSION "test cases: +1 \\|( +0 passed \\|)? +1 failed"
