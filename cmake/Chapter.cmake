@@ -141,6 +141,10 @@ function(course_mistake chapter folder)
   set_target_properties(${target} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
   target_compile_options(${target} PRIVATE -O1)  # there are many of them
+  file(STRINGS ${folder}/mistake.txt warned REGEX "^compiler warns: yes$")
+  if(warned)
+    target_compile_options(${target} PRIVATE -w)  # the learner is told; here it is on purpose
+  endif()
   add_test(NAME ${target} COMMAND ${target} "${caught_by}")
   set_tests_properties(${target} PROPERTIES LABELS mistakes TIMEOUT 60
     PASS_REGULAR_EXPRESSION "test cases: +1 \\|( +0 passed \\|)? +1 failed"
@@ -155,8 +159,8 @@ function(course_mistake_picture chapter folder)
   endif()
   get_filename_component(mistake ${folder} NAME)
   set(target picture.${mistake})
-  course_program(${target} double ${CMAKE_SOURCE_DIR}/chapters/${chapter}/main.cpp
-                 INCLUDE ${folder} ${course_solutions})
+  file(GLOB program CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/*.cpp)
+  course_program(${target} double ${program} INCLUDE ${folder} ${course_solutions})
   set_target_properties(${target} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
   set_property(GLOBAL APPEND PROPERTY course_mistake_pictures ${target})

@@ -86,15 +86,15 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const bool by_machine = settings.picked.front() == "machine";
     const Canvas<Color> canvas = paint_dusk(64, 36);
     std::unique_ptr<RangeNode> root = make_tree<RangeNode>(0, 8);
-    Color (*const shade)(const Corners&, Real, Real) = gradient;
+    Color (*const paint)(const Corners&, Real, Real) = gradient;
 
-    const void* const code = reinterpret_cast<const void*>(shade);
+    const void* const code = reinterpret_cast<const void*>(paint);
     const void* const left = root && root->left ? root->left.get() : nullptr;
     const void* const right = root && root->right ? root->right.get() : nullptr;
     std::vector<Thing> things{
         {"stack", &canvas, "canvas: width, height, pixels", canvas.begin()},
         {"stack", &root, "root, a unique_ptr", root.get()},
-        {"stack", &shade, "shade, a pointer to a function", code},
+        {"stack", &paint, "paint, a pointer to a function", code},
         {"heap", canvas.begin(), std::to_string(canvas.size()) + " pixels", nullptr},
         {"heap", root.get(), "node 0 ... 7", nullptr},
         {"heap", root ? &root->left : nullptr, "  its left", left},
@@ -118,7 +118,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         show.objects = measure_objects<64>();
         for (const void* const address :
              {static_cast<const void*>(&canvas), static_cast<const void*>(&root),
-              static_cast<const void*>(canvas.begin()), static_cast<const void*>(&dusk), code}) {
+              static_cast<const void*>(&paint), static_cast<const void*>(canvas.begin()),
+              static_cast<const void*>(&dusk), code}) {
             std::string text = hex(address);
             std::transform(text.begin(), text.end(), text.begin(), [](unsigned char letter) {
                 return static_cast<char>(std::toupper(letter));

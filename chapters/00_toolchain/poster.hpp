@@ -24,7 +24,8 @@ struct Exhibits {
     std::vector<Steps> steps;
     Objects objects;
     bool by_machine = false;
-    std::vector<std::string> addresses;  // of canvas, root, pixels, corners, gradient; or none
+    std::vector<std::string>
+        addresses;  // of canvas, root, paint, pixels, corners, gradient; or none
 };
 
 // From blue over green and gold to rose as t goes from 0 to 1.
@@ -117,7 +118,7 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
         draw_cells(sheet, left + 14, stack.top + 36, "CANVAS",
                    {number(show.canvas.width()), number(show.canvas.height()), ""}, gold);
     const Box root = draw_cells(sheet, left + 176, stack.top + 36, "ROOT", {""}, gold);
-    const Box shade = draw_cells(sheet, left + 300, stack.top + 36, "SHADE", {""}, gold);
+    const Box paint = draw_cells(sheet, left + 300, stack.top + 36, "PAINT", {""}, gold);
 
     // The pixels themselves, small.
     const Box pixels{left + 14, heap.top + 34, 132, 132 * Real(9) / 16};
@@ -172,16 +173,15 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
     const Real top_node = tree.left + tree.width / 2;
     sheet.arrow(root.center(), {root.center().x, root.bottom() + 40}, {top_node, tree.top - 40},
                 {top_node, tree.top - 2}, gold);
-    sheet.arrow(shade.center(), {box.right() + 38, shade.center().y + 30},
+    sheet.arrow(paint.center(), {box.right() + 38, paint.center().y + 30},
                 {box.right() + 10, last.center().y}, {last.right() + 3, last.center().y}, gold);
 
-    if (show.addresses.size() == 5) {
-        const Vec2 places[] = {{canvas.left + 40, canvas.top - 11},
-                               {root.left + 28, root.top - 11},
-                               {pixels.left + 48, pixels.top - 10},
-                               {corners.right() + 100, corners.top + 7},
-                               {last.left, last.top - 9}};
-        for (std::size_t i = 0; i < 5; ++i)
+    if (show.addresses.size() == 6) {
+        const Vec2 places[] = {
+            {canvas.left + 40, canvas.top - 11},      {root.left + 28, root.top - 11},
+            {paint.left + 34, paint.top - 11},        {pixels.left + 48, pixels.top - 10},
+            {corners.right() + 100, corners.top + 7}, {last.left, last.top - 9}};
+        for (std::size_t i = 0; i < show.addresses.size(); ++i)
             sheet.words(places[i].x, places[i].y, 5, show.addresses[i], ink);
     }
 }

@@ -110,28 +110,41 @@ std::string first_error(const Course& course, const std::string& output,
 std::string first_warning(const Course& course, const std::string& output,
                           const std::vector<fs::path>& files) {
     const std::string mark = ": warning: ";
-    std::string first;
+    const char* const grave[]{"[-Wreturn-type",          "[-Wreturn-local-addr",
+                              "[-Wreturn-stack-address", "[-Wdangling",
+                              "[-Winfinite-recursion",   "[-Wuninitialized",
+                              "[-Wmaybe-uninitialized",  "[-Wsometimes-uninitialized"};
+    std::string first, elsewhere;
     std::istringstream in{output};
     for (std::string line; std::getline(in, line);) {
         line = relative(course, line);
         const auto at = line.find(mark);
-        if (at == std::string::npos) continue;
         const auto file = std::find_if(files.begin(), files.end(), [&](const fs::path& one) {
             return line.rfind(one.string() + ':', 0) == 0;
         });
-        if (file == files.end()) continue;
+        const bool is_in_files = file != files.end();
+        // "file:line" of "file:line:column: what"
+        const auto place = [&] {
+            return line.substr(0, line.find(':', file->string().size() + 1));
+        };
+        if (at == std::string::npos) {
+            // g++ may warn of a variable where it is used, in the test that calls the learner's
+            // function, and only then note where it was declared.
+            if (is_in_files && !elsewhere.empty() && has(line, ": note: "))
+                return place() + ": " + elsewhere;
+            continue;
+        }
         // "file:line:column: warning: what [-Wname]"
-        const auto number_end = line.find(':', file->string().size() + 1);
         const auto option = line.rfind(" [-W");
         const auto what = at + mark.size();
         const std::string warning =
-            line.substr(0, number_end) + ": " +
             line.substr(what, option == std::string::npos ? option : option - what);
-        for (const char* const name :
-             {"[-Wreturn-type", "[-Wreturn-local-addr", "[-Wreturn-stack-address", "[-Wdangling",
-              "[-Winfinite-recursion", "[-Wuninitialized", "[-Wmaybe-uninitialized"})
-            if (has(line, name)) return warning;
-        if (first.empty()) first = warning;
+        const bool is_grave = std::any_of(std::begin(grave), std::end(grave),
+                                          [&](const char* name) { return has(line, name); });
+        elsewhere = is_grave && !is_in_files ? warning : "";
+        if (!is_in_files) continue;
+        if (is_grave) return place() + ": " + warning;
+        if (first.empty()) first = place() + ": " + warning;
     }
     return first;
 }

@@ -35,11 +35,18 @@ std::string missing_files(const Course& course, const Exercise& exercise) {
 
 std::string verdict_text(const Checked& checked) {
     const int all = static_cast<int>(checked.tests.size()), passed = passed_cases(checked);
+    const auto missing = static_cast<int>(std::count_if(
+        checked.tests.begin(), checked.tests.end(),
+        [](const TestCase& test) { return !test.passed && !missing_exercise(test).empty(); }));
+    const int failing = all - passed - missing;
     switch (checked.verdict) {
         case Verdict::passed:
             return green("done");
         case Verdict::failing:
-            return red("failing: " + std::to_string(all - passed) + " of " + cases(all));
+            if (failing == 0) return red("failing: no test case reaches it");
+            return red("failing: " + std::to_string(failing) + " of " + cases(all)) +
+                   (missing == 0 ? ""
+                                 : yellow(", " + std::to_string(missing) + " still to be written"));
         case Verdict::to_write:
             if (all == 0) return dim("to be written");
             return yellow(passed == 0 ? "begun: all of its " + cases(all) + " meet an rt::todo"
@@ -109,8 +116,28 @@ std::string without_addresses(std::string text) {
     return text;
 }
 
+// Numbers with more digits than mean something, as "5.31e+303".
+std::string without_long_numbers(std::string text) {
+    constexpr std::size_t most = 30;
+    const char* const digits = "0123456789";
+    for (auto at = text.find_first_of(digits); at != std::string::npos;
+         at = text.find_first_of(digits, at)) {
+        auto end = std::min(text.find_first_not_of(digits, at), text.size());
+        if (end - at > most) {
+            const std::string exponent = "e+" + std::to_string(end - at - 1);
+            if (end + 1 < text.size() && text[end] == '.')
+                end = std::min(text.find_first_not_of(digits, end + 1), text.size());
+            text.replace(at, end - at,
+                         text.substr(at, 1) + '.' + text.substr(at + 1, 2) + exponent);
+            end = at + 4 + exponent.size();
+        }
+        at = end;
+    }
+    return text;
+}
+
 std::string readable(const std::string& text) {
-    return without_addresses(without_hexadecimal(text));
+    return without_long_numbers(without_addresses(without_hexadecimal(text)));
 }
 
 // What Catch2 names the expression in which a program crashed.
@@ -204,8 +231,10 @@ std::string details(const Course& course, const Checked& checked) {
             break;
         case Verdict::crashed:
             text += "It crashes: " + checked.trouble + (where.empty() ? "" : ",\n " + where) +
-                    "\n  A forgotten return, an index out of range, a pointer to nothing, or a "
-                    "function that calls\n  itself for ever?\n" +
+                    "\n  A forgotten return, an index out of range, a pointer to nothing, a "
+                    "reference to something\n  that is gone (such as v.back() after "
+                    "v.pop_back()), or a function that calls itself for ever?\n  The address "
+                    "sanitizer names the line: docs/00-toolchain.md, section Hard cases.\n" +
                     warned(checked) + before_that(failing_cases(checked));
             break;
         case Verdict::endless:

@@ -26,6 +26,19 @@ bool is_numbered(const Canvas& canvas, int width, int height) {
     return true;
 }
 
+// Says what is wrong with a canvas that ought to be numbered.
+void check_numbered(const char* what, const Canvas& canvas, int width, int height,
+                    const char* hint) {
+    const bool as_expected = is_numbered(canvas, width, height);
+    INFO(what << " has " << canvas.width() << " x " << canvas.height() << " pixels, expected "
+              << width << " x " << height
+              << (canvas.width() == width && canvas.height() == height
+                      ? ", but not the right colors in them"
+                      : "")
+              << ".\nHint: " << hint);
+    CHECK(as_expected);
+}
+
 // At the end of a test case, when all canvases are gone.
 void check_memory() {
     {
@@ -53,12 +66,16 @@ TEST_CASE("00.2 a new canvas has its size and its color", "[00.2]") {
     const Watch watch;
     Canvas canvas{3, 2, WatchedPixel{7}};
     INFO(
-        "Hint: remember width and height, make size() pixels with new Pixel[size()], and give "
-        "each the color. `int width_ = width;` would make another variable: no type before the "
-        "name of a member");
+        "Hint: in this order: remember width and height, make the pixels with new "
+        "Pixel[size()], and give each the color. size() is width_ times height_; ( ) in place of "
+        "[ ] makes one pixel; `int width_ = width;` would make another variable");
     CHECK(canvas.width() == 3);
     CHECK(canvas.height() == 2);
     REQUIRE((canvas.begin() != nullptr));
+    {
+        INFO("pixels that were used and never made: " << Watch::dead_uses);
+        REQUIRE(Watch::dead_uses == 0);
+    }
     for (const WatchedPixel& pixel : canvas) CHECK(pixel.value() == 7);
     CHECK(Watch::dead_uses == 0);
 }
@@ -74,7 +91,9 @@ TEST_CASE("00.2 a copy has pixels of its own", "[00.2]") {
     {
         const Canvas original = numbered(3, 2);
         Canvas copy = original;
-        CHECK(is_numbered(copy, 3, 2));
+        check_numbered("the copy", copy, 3, 2,
+                       "take over both sides from `other` first, since size() is made of them; "
+                       "then new pixels, then std::copy from the other's to your own");
         INFO(
             "both canvases have the same pixels.\nHint: a copied pointer is not a copied picture: "
             "new pixels, then copy the colors");
@@ -97,7 +116,7 @@ TEST_CASE("00.2 a move takes the pixels over", "[00.2]") {
              << ".\nHint: take over the pointer, and set the other one's to nullptr");
         CHECK(Watch::made == made);
         CHECK((taken.begin() == pixels));
-        CHECK(is_numbered(taken, 3, 2));
+        check_numbered("the canvas that was moved to", taken, 3, 2, "take over all three members");
         INFO("a canvas that was moved from must be empty");
         CHECK(original.width() == 0);
         CHECK(original.height() == 0);
@@ -111,8 +130,9 @@ TEST_CASE("00.2 assignment copies or moves and releases what was there", "[00.2]
     {
         Canvas a{4, 4, WatchedPixel{1}}, b = numbered(3, 2);
         a = b;
-        CHECK(is_numbered(a, 3, 2));
-        CHECK(is_numbered(b, 3, 2));
+        const char* const hint = "std::swap each of the three members with other's";
+        check_numbered("a, after a = b,", a, 3, 2, hint);
+        check_numbered("b, after a = b,", b, 3, 2, hint);
         CHECK((a.begin() != b.begin()));
         a.at(0, 0) = WatchedPixel{99};
         const int made = Watch::made;
@@ -121,7 +141,7 @@ TEST_CASE("00.2 assignment copies or moves and releases what was there", "[00.2]
         INFO("a = std::move(b) made " << Watch::made - made << " pixels, and should make none");
         CHECK(Watch::made == made);
         CHECK((a.begin() == pixels));
-        CHECK(is_numbered(a, 3, 2));
+        check_numbered("a, after a = std::move(b),", a, 3, 2, hint);
     }
     check_memory();
 }
@@ -135,8 +155,10 @@ TEST_CASE("00.2 flipped swaps top and bottom", "[00.2]") {
         REQUIRE(turned.height() == 2);
         for (int y = 0; y < 2; ++y)
             for (int x = 0; x < 3; ++x) {
-                INFO("pixel (" << x << ", " << y << ")\nHint: swap row y with row height - 1 - y, "
-                               << "and only for the upper half, or all rows are swapped twice");
+                INFO("pixel (" << x << ", " << y
+                               << ")\nHint: swap rows, not columns: row y with row height - 1 - y, "
+                                  "for each y below height / 2: less leaves a row out, more swaps "
+                                  "rows back");
                 CHECK(turned.at(x, y).value() == 10 * (1 - y) + x);
             }
         INFO("flipped must not change the canvas that it was given a copy of");
@@ -166,13 +188,20 @@ TEST_CASE("00.2 largest is a reference to the pixel itself", "[00.2]") {
     {
         Canvas canvas = numbered(3, 2);
         canvas.at(1, 0) = WatchedPixel{55};
-        const WatchedPixel& found = rt::largest(canvas);
+        const WatchedPixel* const found = &rt::largest(canvas);
+        bool is_in_canvas = false;
+        for (const WatchedPixel& pixel : canvas) is_in_canvas |= &pixel == found;
+        {
+            INFO(
+                "the reference leads to no pixel of the canvas.\nHint: is `pixel` of your loop a "
+                "copy (no &), do you return a variable of the function, or is its parameter a "
+                "value (no &)? All of these are gone when the function ends");
+            REQUIRE(is_in_canvas);
+        }
         INFO(
-            "Hint: take the canvas by const reference. A canvas that was copied into the function "
-            "is gone at its end, and a reference to its pixel leads nowhere");
-        CHECK(Watch::dead_uses == 0);
-        CHECK((&found == &canvas.at(1, 0)));
-        CHECK(found.value() == 55);
+            "Hint: `found = &pixel` where `*found < pixel`, in this order, and pixels, not "
+            "addresses");
+        CHECK(found->value() == 55);
         CHECK(Watch::dead_uses == 0);
     }
     check_memory();
@@ -203,7 +232,8 @@ TEST_CASE("00.2 a canvas may be assigned to itself", "[00.2][hard]") {
         canvas = same;
         INFO("Hint: release the old pixels last, when the new ones are there already");
         CHECK(Watch::dead_uses == 0);
-        CHECK(is_numbered(canvas, 3, 2));
+        check_numbered("the canvas, after canvas = canvas,", canvas, 3, 2,
+                       "std::swap each of the three members with other's");
     }
     check_memory();
 }
@@ -243,25 +273,32 @@ TEST_CASE("00.2 a canvas that was moved from can be used again", "[00.2][hard]")
 
 TEST_CASE("00.2 sides below 1 are refused and nothing is lost", "[00.2][hard]") {
     const Watch watch;
-    { const Canvas one{1, 1, WatchedPixel{1}}; }
+    try {
+        const Canvas one{1, 1, WatchedPixel{1}};
+    } catch (const std::invalid_argument&) {
+        FAIL("1 x 1 was refused.\nHint: it is allowed; refuse width < 1, and not width <= 1");
+    }
     for (const auto& [width, height] : {std::pair{0, 5}, std::pair{5, 0}, std::pair{-1, 5},
                                         std::pair{5, -1}, std::pair{-2, -3}}) {
         bool refused = false;
+        const char* came = "were not refused";
         try {
             const Canvas canvas{width, height, WatchedPixel{1}};
         } catch (const std::invalid_argument&) {
             refused = true;
-        } catch (const std::bad_alloc&) {  // new was asked for an absurd number of them
+        } catch (const std::bad_alloc&) {
+            came = "came as far as new, which was asked for an absurd number of pixels";
+        } catch (...) {
+            came = "were refused, but not by std::invalid_argument";
         }
-        INFO("sides of " << width << " x " << height
-                         << " were not refused.\nHint: throw std::invalid_argument, before "
-                            "anything else, when width < 1 or (||) height < 1");
+        INFO("sides of " << width << " x " << height << ' ' << came
+                         << ".\nHint: throw std::invalid_argument, before anything else, when "
+                            "width < 1 or (||) height < 1");
         CHECK(refused);
     }
     INFO(
         "Hint: throw before new. An object whose constructor throws is never destroyed, and what "
-        "it "
-        "held is lost");
+        "it held is lost");
     check_memory();
 }
 
@@ -272,7 +309,9 @@ TEST_CASE("00.2 odd heights and long rows are flipped", "[00.2][hard]") {
         const Canvas canvas = numbered(width, height);
         CHECK(is_numbered(rt::flipped(rt::flipped(canvas)), width, height));
         const Canvas turned = rt::flipped(canvas);
-        INFO(width << " x " << height << "\nHint: the middle row of an odd number stays");
+        INFO(width << " x " << height
+                   << "\nHint: rows change places, not columns; the middle one of an odd number "
+                      "of rows stays");
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
                 CHECK(turned.at(x, y).value() == canvas.at(x, height - 1 - y).value());

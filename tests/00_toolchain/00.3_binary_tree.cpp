@@ -99,7 +99,10 @@ void check_deep(const char* what, Work work) {
 TEST_CASE("00.3 the nodes of small trees are counted", "[00.3]") {
     const Watch watch;
     {
-        INFO("Hint: count every node, inner ones and leaves; an empty tree has none");
+        INFO(
+            "Hint: count every node, inner ones and leaves; an empty tree has none. With a list: "
+            "not `for (... : to_do)`, which does not see what is added, but while "
+            "(!to_do.empty())");
         CHECK(rt::count_nodes<WatchedNode>(nullptr) == 0);
         CHECK(rt::count_nodes(node().get()) == 1);
         CHECK(rt::count_nodes(node(node()).get()) == 2);
@@ -202,7 +205,10 @@ TEST_CASE("00.3 a tree a million nodes deep is taken apart", "[00.3][hard]") {
         return true;
     });
     remove(std::move(root));
-    INFO("the stack was full.\nHint: see 'no destructor runs inside of another'");
+    INFO(
+        "the stack was full.\nHint: does take_apart call itself? Each call that waits takes room "
+        "on the stack, also where no destructor runs inside of another. Keep a std::vector of "
+        "unique_ptr, step 5 of the text");
     CHECK(fine);
 }
 

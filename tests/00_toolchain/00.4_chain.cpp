@@ -67,7 +67,9 @@ void check_gathered(const std::vector<Link>& links, int count) {
 }  // namespace
 
 TEST_CASE("00.4 the values of a chain are added up", "[00.4]") {
-    INFO("Hint: for (const Link* link = first; link; link = link->next) visits each link once");
+    INFO(
+        "Hint: the sum starts at 0, `Real sum = 0;`: a variable without a value holds rubbish. And "
+        "for (const Link* link = first; link; link = link->next) visits each link once");
     CHECK(rt::sum_along(Scattered{1}.first) == 1);
     const Scattered five{5};
     CHECK(rt::sum_along(five.first) == 15);
@@ -75,6 +77,7 @@ TEST_CASE("00.4 the values of a chain are added up", "[00.4]") {
 }
 
 TEST_CASE("00.4 an empty chain has the sum 0 and gathers nothing", "[00.4]") {
+    INFO("Hint: `Real sum = 0;` and `std::vector<Link> links;`, and no link to begin with");
     CHECK(rt::sum_along(nullptr) == 0);
     CHECK(rt::gathered(nullptr).empty());
 }

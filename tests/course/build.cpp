@@ -53,3 +53,17 @@ TEST_CASE("of the warnings the one that explains a crash goes first", "[build]")
     CHECK(first_warning(here, "../exercises/01_x/rt/a.hpp:1:1: warning: what\n", mine) ==
           "exercises/01_x/rt/a.hpp:1: what");
 }
+
+TEST_CASE("a warning of a variable without a value leads to its declaration", "[build]") {
+    const std::string used =
+        "In function 'f',\n    inlined from 'void test()' at /c/tests/t.cpp:78:20:\n"
+        "/c/tests/t.cpp:78:20: warning: 'sum' is used uninitialized [-Wuninitialized]\n";
+    const std::string declared =
+        "/c/exercises/01_x/rt/a.hpp: In function 'f':\n"
+        "/c/exercises/01_x/rt/a.hpp:12:10: note: 'sum' was declared here\n";
+    CHECK(first_warning(here, used + declared, mine) ==
+          "exercises/01_x/rt/a.hpp:12: 'sum' is used uninitialized");
+    const std::string other = "/c/tests/t.cpp:9:1: warning: unused [-Wunused]\n";
+    CHECK(first_warning(here, other + declared, mine).empty());
+    CHECK(first_warning(here, used + other + declared, mine).empty());
+}

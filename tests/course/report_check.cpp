@@ -36,6 +36,8 @@ TEST_CASE("numbers are shown as a person writes them", "[report_check]") {
         {failing("x",
                  "0x000055d0c0ffee00 == 0x000055d0c0ffee40 || 0x000055d0c0ffee00 == nullptr")});
     CHECK(has(addresses, "address A == address B || address A == nullptr"));
+    CHECK(has(told(Verdict::failing, {failing("x", '-' + std::string(304, '5') + ".0 == 12.5")}),
+              "-5.55e+303 == 12.5"));
     // Hexadecimal fractions and short numbers stay.
     CHECK(has(told(Verdict::failing, {failing("x", "0x1.8000000p+1 == 0xff")}),
               "0x1.8000000p+1 == 0xff"));
@@ -51,4 +53,21 @@ TEST_CASE("a crash does not hide what failed before it", "[report_check]") {
     CHECK(has(both, "1 == 2"));
     CHECK_FALSE(has(both, "Unknown expression"));
     CHECK_FALSE(has(told(Verdict::crashed, {crashed}), "Before that"));
+}
+
+TEST_CASE("what is still to be written does not count as failing", "[report_check]") {
+    TestCase passing, missing = failing("later", "");
+    passing.passed = passing.ended = true;
+    missing.failures.front().exception = "exercise 01.1 is still to be written: there";
+    const auto line = [](const std::vector<TestCase>& tests) {
+        Checked checked;
+        checked.verdict = Verdict::failing;
+        checked.tests = tests;
+        return summary_line(checked);
+    };
+    const TestCase wrong = failing("wrong", "1 == 2");
+    CHECK(has(line({passing, wrong, missing, missing}),
+              "failing: 1 of 4 test cases, 2 still to be written"));
+    CHECK_FALSE(has(line({passing, wrong, wrong}), "written"));
+    CHECK(has(line({missing, missing}), "failing: no test case reaches it"));
 }

@@ -9,9 +9,9 @@ namespace rt {
 // from color a to color b as t goes from 0 to 1.
 //
 // As long as there is no definition, the linker takes another one, from a library, whose body says
-// that this exercise is still to be written. If it still says so when you have written yours, then
-// yours is not the function that was declared: compare name, namespace and parameters with
-// gradient.hpp, down to each const and &.
+// that this exercise is still to be written. So it does when yours is not the function that was
+// declared, and then the check tells you: compare name, namespace and parameters with gradient.hpp,
+// down to each const and &. It must be neither inline nor static (known in this file alone).
 
 // Replace these three lines by your definition. Nobody calls them: they mark the place.
 [[maybe_unused]] static void still_to_be_written() {
