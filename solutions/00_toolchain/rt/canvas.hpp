@@ -8,7 +8,8 @@ namespace rt {
 
 // A picture as a value. The object itself is three members: two numbers and the address of its
 // pixels, which are on the heap, row by row from the top. A canvas owns its pixels: it makes them,
-// it alone releases them, and a copy has pixels of its own. Pixel is any type that can be copied.
+// it alone releases them, and a copy has pixels of its own. Pixel is any type with a default
+// value that can be copied without an exception.
 template <class Pixel>
 class Canvas {
   public:
