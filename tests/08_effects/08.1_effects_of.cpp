@@ -99,6 +99,10 @@ TEST_CASE("08.1 a closed shutter stops all motion", "[08.1][hard]") {
     check(scene, {}, "the shutter is open, but nothing moves");
     scene.spheres[0].velocity = {-1, 0, 1};
     check(scene, {.motion = true}, "the velocity (-1, 0, 1) adds up to 0, but is motion");
+    scene.spheres[0].velocity = {0, for_this_precision(Real(1e-30), Real(1e-200)), 0};
+    check(scene, {.motion = true},
+          "the slowest motion is one, and its square is too small for a number: compare with "
+          "Vec3{}");
 }
 
 TEST_CASE("08.1 fog without density and a lens without opening are none", "[08.1][hard]") {
@@ -108,6 +112,9 @@ TEST_CASE("08.1 fog without density and a lens without opening are none", "[08.1
     check(scene, {}, "the fog's density is 0, and the aperture as well");
     scene.fog->density = std::numeric_limits<Real>::min();
     check(scene, {.fog = true}, "the thinnest fog still is fog");
+    scene.fog = rt::Fog{{{0, 0, 0}, 5}, Real(0.2), {0, 0, 0}};
+    check(scene, {.fog = true},
+          "fog of the color black scatters nothing, but like smoke it dims what is behind it");
     scene = ball_of(matte);
     scene.camera.lens.aperture = Real(1e-9);
     check(scene, {.lens = true}, "a scene may be small: an aperture of 1e-9 still is one");

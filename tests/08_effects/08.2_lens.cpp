@@ -3,6 +3,8 @@
 #include <rt/make_camera.hpp>
 #include <rt/primary_ray.hpp>
 
+#include "places.hpp"
+
 using namespace checkpoint;
 using rt::Camera;
 using rt::Lens;
@@ -40,16 +42,16 @@ Vec3 in_focus(const Camera& camera, const Lens& lens, const Ray& ray) {
     return ray.origin + away / rt::dot(ray.direction, ahead) * ray.direction;
 }
 
-// Calls check(place) for a grid of places on the lens.
-template <class Check>
-void for_each_place(int n, Check check) {
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-            check(Vec2{(static_cast<Real>(i) + Real(0.5)) / static_cast<Real>(n),
-                       (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(n)});
-}
-
 const Camera usual = camera_at({1, 2, 3}, {Real(-0.6), Real(-0.2), -1});
+
+// How far a vector leads to the camera's right and up.
+std::string in_camera(Vec3 v) {
+    char buffer[64];
+    std::snprintf(buffer, sizeof buffer, "(%.4g, %.4g)",
+                  static_cast<double>(rt::dot(v, usual.basis.u)),
+                  static_cast<double>(rt::dot(v, usual.basis.v)));
+    return buffer;
+}
 
 }  // namespace
 
@@ -73,17 +75,34 @@ TEST_CASE("08.2 all rays of a pixel meet in the plane of focus", "[08.2]") {
         const Lens lens{Real(0.6), focus};
         for (const int column : {0, 97, 159})
             for (const int row : {3, 77}) {
-                const Vec3 expected =
-                    in_focus(usual, lens, rt::primary_ray(usual, column, row, middle));
+                const Ray from_eye = rt::primary_ray(usual, column, row, middle);
+                const Vec3 pinhole = from_eye.direction, expected = in_focus(usual, lens, from_eye);
                 const Real scale = max_component(expected) + max_component(usual.eye) + focus;
                 for_each_place(6, [&](Vec2 place) {
                     const Ray ray = rt::lens_ray(usual, lens, column, row, middle, place);
-                    INFO("focus_distance " << text(focus) << ", pixel " << column << ", " << row);
+                    INFO("focus_distance " << text(focus) << ", pixel " << column << ", " << row
+                                           << ", place " << text(place.x) << ", " << text(place.y));
+                    {
+                        INFO("the direction must have length 1: normalize it");
+                        REQUIRE(std::abs(rt::length(ray.direction) - 1) <= direction_error);
+                    }
+                    const Vec3 off = ray.origin - usual.eye;
+                    {
+                        INFO(
+                            "the ray starts at the eye, as if there were no lens.\nHint: the "
+                            "origin moves along u and v, to the place on the lens");
+                        REQUIRE(off != Vec3{});
+                    }
+                    INFO("seen by the camera, to the right and up, the ray starts at "
+                         << in_camera(off) << " and goes along "
+                         << in_camera(ray.direction / -rt::dot(ray.direction, usual.basis.w))
+                         << " for each 1 ahead; the pinhole's goes along "
+                         << in_camera(pinhole / -rt::dot(pinhole, usual.basis.w)));
                     check_close(in_focus(usual, lens, ray), expected,
                                 rt::rounding_bound(80) * scale,
                                 "the point in focus is where the pinhole's ray meets the plane at "
-                                "focus_distance along the direction of view");
-                    CHECK(std::abs(rt::length(ray.direction) - 1) <= direction_error);
+                                "focus_distance along the direction of view; what starts to the "
+                                "right must turn left: p - x / f");
                 });
             }
     }
@@ -110,7 +129,9 @@ TEST_CASE("08.2 the lens is a disk that faces the direction of view", "[08.2]") 
         INFO("the farthest of 256 places is " << text(farthest) << " off, of at most 0.4");
         CHECK(farthest > Real(0.39));
     }
-    INFO("the mean of the places is off the eye by " << text(rt::length(sum / 256)));
+    INFO("the mean of the places is off the eye by "
+         << text(rt::length(sum / 256))
+         << ".\nHint: they lie all the way around the eye: a full turn is 2 pi");
     CHECK(rt::length(sum / 256) <= rt::rounding_bound(300) * 4);
 }
 
@@ -133,7 +154,8 @@ TEST_CASE("08.2 the places are spread evenly over the lens", "[08.2]") {
         CHECK(std::abs(rings[i] - 256 * (2 * i + 1)) <= 64);
     }
     for (int i = 0; i < 4; ++i) {
-        INFO("quarter " << i << " got " << quarters[i] << " places of 1024");
+        INFO("quarter " << i << " of the lens got " << quarters[i]
+                        << " places of 1024.\nHint: a full turn is 2 pi");
         CHECK(quarters[i] == 1024);
     }
 }

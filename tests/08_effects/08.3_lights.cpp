@@ -1,7 +1,10 @@
 #include <checkpoint.hpp>
 #include <rt/hit_sphere.hpp>
+#include <rt/rng.hpp>
 #include <rt/sphere_light.hpp>
 #include <statistics.hpp>
+
+#include "places.hpp"
 
 using namespace checkpoint;
 using rt::LightSample;
@@ -26,20 +29,15 @@ void check_height(Real radius, Real distance, Real scale = 1) {
     const Exact expected = exact_height(radius, distance);
     const Real height = rt::cone_height(scale * radius, scale * distance);
     if (error_in_ulp(height, expected) <= 7) return;
-    INFO("radius " << text(radius) << ", distance " << text(distance) << ", off by "
+    INFO("radius " << text(scale * radius) << ", distance " << text(scale * distance) << ", off by "
                    << error_in_ulp(height, expected) << " units in the last place");
     HINT(expected, height,
-         "1 - cos a loses its digits where the light is small or far, and 1 - sin^2 a where it is "
-         "close: use 1 - cos a = sin^2 a / (1 + cos a), and (d - r) (d + r)");
+         scale == 1
+             ? "1 - cos a loses its digits where the light is small or far, and 1 - sin^2 a where "
+               "it is close: use 1 - cos a = sin^2 a / (1 + cos a), and (d - r) (d + r)"
+             : "at this size d^2 and (d - r) (d + r) are no numbers any more: divide each factor "
+               "by d first");
     CHECK(false);
-}
-
-template <class Check>
-void for_each_place(int n, Check check) {
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-            check(Vec2{(static_cast<Real>(i) + Real(0.5)) / static_cast<Real>(n),
-                       (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(n)});
 }
 
 LightSample sampled(const Sphere& light, Vec3 from, Vec2 place) {
@@ -51,6 +49,18 @@ LightSample sampled(const Sphere& light, Vec3 from, Vec2 place) {
     return *sample;
 }
 
+// What most often goes wrong with a light of this size.
+const char* hint_on_size(Real radius, Real distance) {
+    const Real squared = distance * distance;
+    if (squared == 0 || squared > std::numeric_limits<Real>::max())
+        return ".\nHint: at this size (d - r) (d + r) is no number any more: divide a factor by d "
+               "first, from inside by r";
+    if (distance > 100 * radius)
+        return ".\nHint: the sine of a small angle is sqrt(k (2 - k)); 1 - cos^2 has no digits "
+               "left";
+    return "";
+}
+
 // The sample's direction leads to the light, and the distance to its surface.
 void check_sample(const Sphere& light, Vec3 from, Vec2 place) {
     const LightSample sample = sampled(light, from, place);
@@ -60,13 +70,17 @@ void check_sample(const Sphere& light, Vec3 from, Vec2 place) {
                               << ", seen from " << text(from) << ", place " << text(place.x) << ", "
                               << text(place.y));
     INFO("direction " << text(sample.direction) << ", distance " << text(sample.distance));
-    CHECK(std::abs(rt::length(sample.direction) - 1) <= rt::rounding_bound(10));
+    {
+        INFO("the direction must have length 1 within 5 epsilon: normalize it");
+        CHECK(std::abs(rt::length(sample.direction) - 1) <= rt::rounding_bound(10));
+    }
     // At the rim the ray's place on the light changes with the root of what is rounded; what has to
     // be right is the point's place along the normal.
     const Vec3 point = sample.distance * sample.direction - apart;
     {
-        INFO("the point there is " << text(rt::length(point)) << " from the light's middle");
-        CHECK(std::abs(rt::length(point) - light.radius) <= rt::rounding_bound(60) * scale);
+        INFO("the point there is " << text(rt::length(point)) << " from the light's middle"
+                                   << hint_on_size(light.radius, distance));
+        CHECK(std::abs(rt::length(point) - light.radius) / scale <= rt::rounding_bound(60));
     }
     {
         INFO("the light's surface must lie ahead, not behind: a distance is never negative");
@@ -76,7 +90,7 @@ void check_sample(const Sphere& light, Vec3 from, Vec2 place) {
     // The near side: the one that is seen.
     if (distance > light.radius) {
         INFO("it must be the near side of the light");
-        CHECK(rt::dot(point, sample.direction) <= rt::rounding_bound(60) * scale);
+        CHECK(rt::dot(point, sample.direction) / scale <= rt::rounding_bound(60));
     }
     const Real density = rt::light_density(light, from);
     INFO("the sample's density is " << text(sample.density) << ", light_density gives "
@@ -95,8 +109,10 @@ void check_middle(const Sphere& light, Vec3 from) {
                               << ", seen from " << text(from) << ", place 0, 0");
     {
         INFO("place.x = 0 is the light's middle, in the direction "
-             << text(apart / distance) << ", but yours gives " << text(sample.direction));
-        CHECK(max_component(sample.direction - apart / distance) <= rt::rounding_bound(30));
+             << text(apart / distance) << ", but yours gives " << text(sample.direction)
+             << ".\nHint: orthonormal_basis(w) with w = (center - from) / d, of length 1, turns "
+                "(0, 0, 1) there");
+        REQUIRE(max_component(sample.direction - apart / distance) <= rt::rounding_bound(30));
     }
     HINT(exact(way), sample.distance,
          "the distance to the nearest point of the light is d - r; close to the light a difference "
@@ -138,8 +154,28 @@ TEST_CASE("08.3 the density is one over the solid angle", "[08.3]") {
 
 TEST_CASE("08.3 each sample leads to the light", "[08.3]") {
     for (const Vec3 from : {Vec3{0, 0, 0}, Vec3{2, 3, 4}, Vec3{2, 0, -1}, Vec3{-50, 20, 9}}) {
-        for_each_place(8, [&](Vec2 place) { check_sample(usual, from, place); });
         check_middle(usual, from);
+        for_each_place(8, [&](Vec2 place) { check_sample(usual, from, place); });
+    }
+}
+
+TEST_CASE("08.3 place.x is the height in the cap and place.y the turn", "[08.3]") {
+    for (const Vec3 from : {Vec3{0, 0, 0}, Vec3{2, 3, 0}, Vec3{2, Real(2.2), -1}}) {
+        const Vec3 apart = usual.center - from;
+        const Real distance = rt::length(apart);
+        const Exact height = exact_height(usual.radius, distance);
+        for (const Real x : {Real(0), Real(0.25), Real(0.5), Real(0.875)})
+            for (const Real turn : {Real(0), Real(0.25), Real(0.625)}) {
+                const Vec3 direction = sampled(usual, from, {x, turn}).direction;
+                const Real cosine = rt::dot(direction, apart / distance);
+                const Exact expected = Exact(1) - exact(x) * height;
+                INFO("place " << text(x) << ", " << text(turn)
+                              << ": the cosine of the angle to the light's middle");
+                HINT(expected, cosine,
+                     "1 - place.x * h, whatever place.y is; the turn is 2 pi place.y");
+                REQUIRE(std::abs(cosine - static_cast<Real>(expected.high)) <=
+                        rt::rounding_bound(40));
+            }
     }
 }
 
@@ -191,7 +227,9 @@ TEST_CASE("08.3 two ways to find the same light count once in total", "[08.3]") 
     const auto check = [](Real density, Real other, Real expected) {
         INFO("densities " << text(density) << " and " << text(other));
         HINT(exact(expected), rt::shared_weight(density, other),
-             "density^2 / (density^2 + other^2)");
+             density != 0 && other != 0 ? "density^2 / (density^2 + other^2)"
+                                        : "of a ratio, divide the smaller density by the larger: "
+                                          "one of them may be 0");
         CHECK(std::abs(rt::shared_weight(density, other) - expected) <= 4 * rt::epsilon);
     };
     check(2, 2, Real(0.5));
@@ -223,21 +261,48 @@ TEST_CASE("08.3 just above the surface of a light nothing cancels", "[08.3][hard
     for (Real gap = Real(0.5); 1 + gap > 1; gap /= 3) check_height(1, 1 + gap);
     const Sphere light{{0, 0, 0}, 1};
     for (const Real gap : {Real(0.01), 64 * rt::epsilon}) {
-        for_each_place(4, [&](Vec2 place) { check_sample(light, {0, 1 + gap, 0}, place); });
         check_middle(light, {0, 1 + gap, 0});
+        for_each_place(4, [&](Vec2 place) { check_sample(light, {0, 1 + gap, 0}, place); });
+    }
+}
+
+TEST_CASE("08.3 at the rim of a light the way to it is a number", "[08.3][hard]") {
+    // The last place before the rim: h and k differ by one unit in the last place, if at all.
+    const Real last = 1 - rt::epsilon / 2;
+    rt::Rng random{8, 31};
+    for (int i = 0; i < 10'000; ++i) {
+        const Real gap = std::exp2(-for_this_precision(Real(18), Real(30)) * random.uniform());
+        const Sphere light{{0, 0, 0}, 1 + random.uniform()};
+        const Real height = light.radius * (1 + gap);
+        const LightSample sample = sampled(light, {0, height, 0}, {last, random.uniform()});
+        const Real distance = sample.distance;
+        if (distance > 0 && distance <= height) continue;
+        INFO("a light of radius " << text(light.radius) << " at distance " << text(height)
+                                  << ", place.x = 1 - epsilon / 2: yours gives the distance "
+                                  << text(distance)
+                                  << ".\nHint: k may be almost h, and h (2 - h) - k (2 - k) be "
+                                     "rounded below 0; (h - k) (2 - h - k) never is");
+        REQUIRE(false);
     }
 }
 
 TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]") {
     const Sphere light{{1, 1, 1}, 3};
+    {
+        const Real density = rt::light_density(light, {1, 4, 1});
+        INFO("on the surface itself, d = r, expected " << text(1 / (4 * rt::pi))
+                                                       << ", but yours gives " << text(density)
+                                                       << ".\nHint: d <= r is inside");
+        CHECK(std::abs(density - 1 / (4 * rt::pi)) <= 4 * rt::epsilon);
+    }
     Vec3 sum;
     for (const Vec3 from : {Vec3{1, 1, 1}, Vec3{3, 1, 1}, Vec3{1, 4, 1}, Vec3{0, 0, 2}})
         for_each_place(8, [&](Vec2 place) {
             check_sample(light, from, place);
             sum += sampled(light, from, place).direction;
         });
-    INFO("256 directions spread over the whole sphere add up to " << text(sum)
-                                                                  << " instead of about 0");
+    INFO("256 directions spread over the whole sphere add up to "
+         << text(sum) << " instead of about 0.\nHint: on the surface itself, d = r, is inside");
     CHECK(rt::length(sum) < 1);
 }
 
@@ -252,13 +317,44 @@ TEST_CASE("08.3 huge and tiny scenes overflow nowhere", "[08.3][hard]") {
     }
 }
 
+TEST_CASE("08.3 a light however small is looked for", "[08.3][hard]") {
+    // As long as its cap's height is a number with all digits.
+    const Real smallest = 4 * std::sqrt(std::numeric_limits<Real>::min());
+    for (Real ratio = std::sqrt(rt::epsilon) / 4; ratio > smallest; ratio /= 32) {
+        const Sphere star{{0, 1, 0}, ratio};
+        const Real expected = 1 / (rt::pi * ratio * ratio);  // h is ratio^2 / 2 after rounding
+        const LightSample sample = sampled(star, {0, 0, 0}, {Real(0.25), Real(0.5)});
+        for (const Real density : {rt::light_density(star, {0, 0, 0}), sample.density}) {
+            INFO("a light of radius " << text(ratio) << " at distance 1: expected the density "
+                                      << text(expected) << ", but yours gives " << text(density)
+                                      << ".\nHint: no h is too small that is at least "
+                                         "std::numeric_limits<Real>::min()");
+            CHECK(std::abs(density / expected - 1) <= rt::rounding_bound(30));
+        }
+    }
+}
+
 TEST_CASE("08.3 a light too small for a number is not looked for", "[08.3][hard]") {
+    // Heights below the smallest number with all digits, and one that is 0 after rounding.
     const Real tiny = std::numeric_limits<Real>::min();
-    const Sphere star{{0, 1 / std::sqrt(tiny), 0}, std::sqrt(tiny)};
-    INFO("cone_height gives " << text(rt::cone_height(star.radius, star.center.y)));
-    CHECK(rt::light_density(star, {0, 0, 0}) == 0);
-    INFO("its solid angle is 0 after rounding, and one over it would be infinite");
-    CHECK_FALSE(rt::sample_light(star, {0, 0, 0}, {Real(0.5), Real(0.5)}).has_value());
+    const Real least = std::numeric_limits<Real>::denorm_min();
+    for (const Real height : {tiny / 4, tiny / 1024, 8 * least, least, Real(0)}) {
+        const Sphere star = height > 0 ? Sphere{{0, 1, 0}, std::sqrt(height) * std::sqrt(Real(2))}
+                                       : Sphere{{0, 1 / std::sqrt(tiny), 0}, std::sqrt(tiny)};
+        INFO("a light of radius " << text(star.radius) << " at distance " << text(star.center.y)
+                                  << "; cone_height gives "
+                                  << text(rt::cone_height(star.radius, star.center.y)));
+        {
+            const Real density = rt::light_density(star, {0, 0, 0});
+            INFO("light_density gives " << text(density)
+                                        << " instead of 0.\nHint: below "
+                                           "std::numeric_limits<Real>::min() a number has no full "
+                                           "precision, and one over it may be infinite");
+            CHECK(density == 0);
+        }
+        INFO("where light_density is 0, sample_light gives no sample");
+        CHECK_FALSE(rt::sample_light(star, {0, 0, 0}, {Real(0.5), Real(0.5)}).has_value());
+    }
 }
 
 TEST_CASE("08.3 weights of huge and tiny densities are numbers", "[08.3][hard]") {

@@ -1,0 +1,29 @@
+#pragma once
+#include <rt/effects.hpp>
+#include <rt/scene.hpp>
+
+namespace rt {
+
+// The effects without which the picture would be another one. What is in the scene but cannot be
+// seen is not among them: a material that no sphere is made of, a light without light, fog without
+// density, a lens without an opening, motion while the shutter is closed.
+inline Effects effects_of(const SceneDescription& scene) {
+    Effects effects;
+    for (const SphereDescription& sphere : scene.spheres) {
+        const auto& material = scene.materials[static_cast<std::size_t>(sphere.material)];
+        if (const auto* const metal = std::get_if<Metal>(&material))
+            (metal->fuzz == 0 ? effects.mirror : effects.fuzz) = true;
+        if (std::holds_alternative<Dielectric>(material)) effects.glass = true;
+        if (std::holds_alternative<CheckeredMatte>(material) ||
+            std::holds_alternative<PictureMatte>(material))
+            effects.texture = true;
+        if (const auto* const emitter = std::get_if<Emitter>(&material))
+            if (emitter->radiance != Color{}) effects.lights = true;
+        if (scene.camera.shutter > 0 && sphere.velocity != Vec3{}) effects.motion = true;
+    }
+    effects.lens = scene.camera.lens.aperture > 0;
+    effects.fog = scene.fog && scene.fog->density > 0 && scene.fog->albedo != Color{};
+    return effects;
+}
+
+}  // namespace rt

@@ -1,0 +1,27 @@
+#pragma once
+#include <cmath>
+#include <rt/length.hpp>
+#include <rt/lens.hpp>
+#include <rt/pixel.hpp>
+#include <rt/ray.hpp>
+
+namespace rt {
+
+// The ray through a place of a pixel (see primary_ray) from a place of the lens, which is spread
+// evenly over the unit square, 0 <= x, y < 1. All rays of one place of the picture meet in the
+// plane of focus, at focus_distance before the eye. The direction has length 1. The ray from the
+// lens's middle, place.x = 0, is the pinhole's, bit for bit.
+// Source: the thin lens; Cook, Porter and Carpenter, "Distributed ray tracing", SIGGRAPH 1984.
+inline Ray lens_ray(const Camera& camera, const Lens& lens, int column, int row, Vec2 offset,
+                    Vec2 place) {
+    const Vec2 p = pixel_to_viewport(camera, column, row, offset);
+    // The root spreads the places evenly over the disk.
+    const Real radius = lens.aperture / 2 * std::sqrt(place.x), angle = 2 * pi * place.y;
+    const Real right = radius * std::cos(angle), up = radius * std::sin(angle);
+    // From the lens to the point of the plane of focus, divided by the distance of focus.
+    const Vec3 direction = camera.basis.to_world(
+        {p.x - right / lens.focus_distance, p.y - up / lens.focus_distance, -1});
+    return {camera.eye + right * camera.basis.u + up * camera.basis.v, direction};
+}
+
+}  // namespace rt

@@ -1,0 +1,84 @@
+#pragma once
+#include <cmath>
+#include <optional>
+#include <rt/directions.hpp>
+#include <rt/dot.hpp>
+#include <rt/length.hpp>
+#include <rt/light_sample.hpp>
+#include <rt/orthonormal_basis.hpp>
+#include <rt/sphere.hpp>
+#include <rt/vec2.hpp>
+
+namespace rt {
+
+// 1 - cos a, where a is the angle between the direction to the light's middle and to its rim, as
+// seen from a point outside of it at this distance from the middle. From sin a = radius / distance,
+// without the cancellation of 1 - cos a for lights that are small or far. Within 7 units in the
+// last place; 0 where the result is too small for a number.
+inline Real cone_height(Real radius, Real distance) {
+    const Real sine = radius / distance;
+    // (d - r) (d + r) / d^2 instead of 1 - sine^2, which cancels close to the light.
+    const Real cosine =
+        std::sqrt((distance - radius) / distance * ((distance + radius) / distance));
+    return sine * sine / (1 + cosine);
+}
+
+// The density, per solid angle, with which sample_light chooses a direction that meets the light:
+// 1 / its solid angle. 0 where that is too small for a number.
+inline Real light_density(const Sphere& light, Vec3 from) {
+    const Real distance = length(light.center - from);
+    // Seen from inside, it is everywhere.
+    if (distance <= light.radius) return 1 / (4 * pi);
+    const Real height = cone_height(light.radius, distance);
+    // Of a number with few digits left, one over it could be infinite.
+    return std::isnormal(height) ? 1 / (2 * pi * height) : 0;
+}
+
+// A direction to a sphere that shines: every direction in which it is seen from the point is
+// equally likely. None where light_density is 0. `place` lies in the unit square, 0 <= x, y < 1.
+// Source: Wang, "Physically correct direct lighting for distribution ray tracing", Graphics Gems
+// III, 1992; here in terms that do not cancel.
+inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, Vec2 place) {
+    const Vec3 apart = light.center - from;
+    const Real distance = length(apart), radius = light.radius;
+    if (distance <= radius) {
+        const Vec3 direction = uniform_direction(place);
+        // All lengths divided by the radius, so that no product overflows.
+        const Real along = dot(apart / radius, direction);
+        const Real product = (radius - distance) / radius * ((radius + distance) / radius);
+        const Real root = std::sqrt(along * along + product);
+        // The far root of t^2 - 2 along t - product, by the one of its two forms that adds.
+        const Real far = radius * (along > 0 ? along + root : product / (root - along));
+        return LightSample{direction, far, 1 / (4 * pi)};
+    }
+    const Real whole = cone_height(radius, distance);
+    if (!std::isnormal(whole)) return {};
+    // Archimedes once more: heights of a cap are spread evenly. 1 - cos of the angle to the middle:
+    const Real height = place.y * whole;
+    const Real cosine = 1 - height, sine = std::sqrt(height * (2 - height));
+    const Real angle = 2 * pi * place.x;
+    const Vec3 direction =
+        normalize(orthonormal_basis(apart / distance)
+                      .to_world({sine * std::cos(angle), sine * std::sin(angle), cosine}));
+    // The near root of t^2 - 2 d cosine t + d^2 - r^2, over d: its discriminant is the difference
+    // of the squared sines, whole (2 - whole) - height (2 - height).
+    const Real root = std::sqrt((whole - height) * (2 - whole - height));
+    const Real near = (distance - radius) * ((distance + radius) / distance) / (cosine + root);
+    return LightSample{direction, near, 1 / (2 * pi * whole)};
+}
+
+// The weight of a way to find light, by the density with which it chose a direction and that with
+// which the other way would have: what both find counts once in total. Both are 0 or more, not both
+// 0; one may be infinite. Source: the power heuristic of Veach and Guibas, "Optimally combining
+// sampling techniques for Monte Carlo rendering", SIGGRAPH 1995.
+inline Real shared_weight(Real density, Real other) {
+    // Of the ratio, so that no square overflows.
+    if (density < other) {
+        const Real ratio = density / other;
+        return ratio * ratio / (1 + ratio * ratio);
+    }
+    const Real ratio = other / density;
+    return 1 / (1 + ratio * ratio);
+}
+
+}  // namespace rt
