@@ -1,6 +1,7 @@
 // Chapter 08: a scene file, or the course's final scene, drawn by the narrowest renderer that has
 // all the effects that it needs.
 
+#include <algorithm>
 #include <app/errors.hpp>
 #include <app/run.hpp>
 #include <atomic>
@@ -51,6 +52,15 @@ std::string explain(const app::Settings& settings) {
            "\nleft out: " + names(without(with_all, chosen)) + '\n';
 }
 
+// What the person may have overlooked; "" if nothing.
+std::string note_on(const SceneDescription& scene) {
+    const auto moves = [](const SphereDescription& sphere) { return sphere.velocity != Vec3{}; };
+    const auto count = std::count_if(scene.spheres.begin(), scene.spheres.end(), moves);
+    if (count == 0 || scene.camera.shutter > 0) return "";
+    return "note: " + std::to_string(count) + (count == 1 ? " sphere has" : " spheres have") +
+           " a velocity and no trail, for camera.shutter is 0\n";
+}
+
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = open_scene(settings);
     const RenderSettings& chosen = scene.settings;
@@ -78,6 +88,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         progress.step();
     });
     app::Picture picture{std::move(image), all_rays};
+    picture.words = [note = note_on(scene)] { return note; };
     if (const int signal = interruption.signal()) {
         const auto all = static_cast<double>(picture.image.pixels().size());
         picture.stopped = {signal, static_cast<double>(pixels_done) / all};

@@ -94,7 +94,7 @@ class Reader {
     }
 
     Texture read_texture(const Value& texture) {
-        texture.with_keys({"type", "even", "odd", "size", "file"});
+        if (!texture.find("type")) texture.with_keys({"type", "even", "odd", "size", "file"});
         Texture result;
         if (texture.at("type").word({"checker", "image"}) == "image") {
             texture.with_keys({"type", "file"});
@@ -131,7 +131,7 @@ class Reader {
                       "are read");
         std::string bytes;
         try {
-            bytes = app::read_input_file(found, shown, 64 << 20);
+            bytes = app::read_input_file(found, shown + " in the scene's folder", 64 << 20);
         } catch (const app::UsageError& wrong) {
             file.fail(std::string{"names an image: "} + wrong.what());
         }
@@ -161,7 +161,8 @@ class Reader {
     }
 
     Material read_material(const Value& value) {
-        value.with_keys({"type", "color", "texture", "fuzz", "index", "strength"});
+        if (!value.find("type"))
+            value.with_keys({"type", "color", "texture", "fuzz", "index", "strength"});
         const std::string& type = value.at("type").word({"matte", "metal", "glass", "light"});
         Material material;
         const auto read_color = [&] {
@@ -185,15 +186,16 @@ class Reader {
             value.with_keys({"type", "color", "strength"});
             const Real strength = value.number("strength", light, 1);
             material.description = Emitter{strength * value.at("color").color(light)};
-        } else if (const auto texture = value.find("texture")) {
-            value.with_keys({"type", "texture"});
+        } else if (const auto texture =
+                       value.with_keys({"type", "color", "texture"}).find("texture")) {
+            if (value.find("color")) value.fail("has both color and texture; it may have one");
             const Texture& chosen = named(textures_, *texture, "texture");
             if (chosen.checker)
                 material.description = *chosen.checker;
             else
                 material.description = chosen.picture;
         } else {
-            value.with_keys({"type", "color"});
+            if (!value.find("color")) value.fail("needs \"color\" or \"texture\"");
             material.description = Lambertian{read_color()};
         }
         return material;
@@ -250,7 +252,7 @@ class Reader {
                                       "radius", "materials", "velocity"};
         std::vector<std::string> all = keys;
         all.insert(all.end(), {"seed", "arms", "turns", "width"});
-        group.with_keys(all);
+        if (!group.find("rule")) group.with_keys(all);
         const std::string& rule =
             group.at("rule").word({"plane", "sphere", "ball", "galaxy", "sunflower"});
         if (rule != "sunflower") keys.push_back("seed");

@@ -25,17 +25,68 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
     return std::to_string(line) + ':' + std::to_string(std::max<std::size_t>(column, 1));
 }
 
+bool is_digit(char c) {
+    return '0' <= c && c <= '9';
+}
+
+// A slip that people make often, by what stands where the parser stopped; "" if it is another one.
+// `end` is behind the last character that was read, `said` what the parser says.
+std::string slip(std::string_view text, std::size_t end, std::string_view said) {
+    const auto says = [&](std::string_view part) { return said.find(part) != said.npos; };
+    if (end == 0 || end > text.size()) return "";
+    const std::string_view rest = text.substr(end - 1);
+    if (says("invalid literal")) {
+        const char c = rest[0];
+        if (c == '/' || c == '#')
+            return "JSON has no comments; \"about\": \"...\" takes their place";
+        for (const char* const quote : {"'", "\xe2\x80", "`"})
+            if (rest.rfind(quote, 0) == 0) return "texts stand in straight double quotes, \"...\"";
+        if (says("object key")) return "keys stand in double quotes, \"...\"";
+        if (c == ';') return "commas stand between values";
+        if (c == '.' || c == '+') return "a number begins with a digit or with -";
+        return "";
+    }
+    // Where the last word begins, and what stands before it.
+    std::size_t start = end - 1;
+    if (is_digit(text[start]))
+        while (start > 0 &&
+               (is_digit(text[start - 1]) || text[start - 1] == '.' || text[start - 1] == 'e' ||
+                text[start - 1] == 'E' || text[start - 1] == '+' || text[start - 1] == '-'))
+            --start;
+    const std::string_view before = text.substr(0, start);
+    const auto last = before.find_last_not_of(" \t\r\n");
+    const bool after_comma = last != before.npos && before[last] == ',';
+    if (says("unexpected number literal") && says("object key") && after_comma && last > 0 &&
+        last + 1 == start && is_digit(before[last - 1]))
+        return "a number has a decimal point, not a comma";
+    if ((rest[0] == '}' || rest[0] == ']') && after_comma)
+        return std::string{"a comma too many before "} + rest[0];
+    if (says("unexpected number literal") && text[start] == '0' && end - start > 1)
+        return "a number does not begin with 0";
+    const bool unexpected_value =
+        says("unexpected string literal") || says("unexpected number literal") ||
+        says("unexpected '{'") || says("unexpected '['") || says("unexpected true literal") ||
+        says("unexpected false literal") || says("unexpected null literal");
+    if (unexpected_value && (says("parsing object -") || says("parsing array -")))
+        return "a comma is missing before it";
+    return "";
+}
+
 // What the parser has to say, without its own numbers and a place that is given in front.
-std::string reason(std::string_view what) {
+std::string reason(std::string_view what, std::string_view text, std::size_t end) {
     const auto skip_past = [&](std::string_view mark) {
         const auto at = what.find(mark);
         if (at != std::string_view::npos) what.remove_prefix(at + mark.size());
     };
     skip_past("] ");
     if (what.rfind("parse error", 0) == 0) skip_past(": ");
+    const std::string meant = slip(text, end, what);
+    // What it read before belongs to other values.
+    if (what.find("invalid literal") != what.npos) what = what.substr(0, what.find("; last read"));
     constexpr std::size_t most = 160;
     std::string said{what.substr(0, most)};
     if (what.size() > most) said += " ...";
+    if (!meant.empty()) return said + "; " + meant;
     if (said.find("expected") == std::string::npos && said.find("literal") != std::string::npos)
         said += "; numbers, texts in quotes, [ ... ], { ... }, true, false and null are allowed";
     if (said.find("overflow") != std::string::npos) said += "; 1e308 is about the largest";
@@ -85,7 +136,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     bool parse_error(std::size_t position, const std::string&,
                      const nlohmann::json::exception& error) override {
         throw UsageError(name_ + ':' + line_and_column(text_, position) + ": " +
-                         reason(error.what()));
+                         reason(error.what(), text_, position));
     }
 
   private:
@@ -186,8 +237,8 @@ std::string quoted(const std::string& text) {
 
 std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words) {
     std::string nearest;
-    // A third of the letters may be wrong. What is longer than a word is no slip of one.
-    std::size_t best = wrong.size() / 3 + 1;
+    // A third of the letters may be wrong, and one of two. What is longer than a word is no slip.
+    std::size_t best = std::max<std::size_t>(wrong.size() / 3, 1);
     if (wrong.size() > 40) return {};
     for (const std::string& word : words) {
         // Who leaves out the end means the word.

@@ -47,6 +47,10 @@ refuses empty.json 'is empty'
 echo 'once upon a time' >prose.json
 refuses prose.json '1:1: '
 scene good.json ''
+sed 's/5\], "look/5] "look/' good.json >comma.json
+refuses comma.json '1:[0-9]*: .*a comma is missing before it'
+(echo '// mine' && cat good.json) >comment.json
+refuses comment.json '1:1: .*JSON has no comments'
 head -c 99 good.json >cut.json
 refuses cut.json '2:[0-9]*: .*quote'
 scene nan.json ', "spheres": [{"center": [NaN, 0, 0], "radius": 1, "material": "gold"}]'
@@ -63,6 +67,10 @@ index=0 scene index.json ''
 refuses index.json 'materials.glass.index must be a number from 0.1 to 10'
 scene many.json ', "groups": [{"rule": "plane", "count": 1000000000, "extent": 9, "radius": 0.1, "materials": ["gold"]}]'
 refuses many.json 'groups\[0\].count must be a whole number from 1 to 1000000'
+scene moves.json ", \"spheres\": [{$sphere, \"radius\": 1, \"material\": \"gold\", \"velocity\": [1, 0, 0]}]"
+"$program" moves.json --width 9 --height 9 --out moves.png >stdout 2>stderr ||
+    complain moves.json "it was not drawn"
+grep -q '^note: 1 sphere .*camera.shutter is 0' stdout || complain moves.json "no note on the shutter"
 ln -s /etc/passwd link.png
 for image in ../picture.png /etc/passwd link.png; do
     scene image.json ", \"textures\": {\"map\": {\"type\": \"image\", \"file\": \"$image\"}}"

@@ -168,19 +168,44 @@ TEST_CASE("what is no JSON is refused with line and column", "[scene_file]") {
     REFUSED(" \n ", "s.json is empty", "{ ... }");
     REFUSED("hello", "s.json:1:1: ", "are allowed");
     REFUSED("{\n  \"camera\": ", "s.json:2:1", "expected");
-    REFUSED("{\"a\": 1,\n}", "s.json:2:1: ", "expected");
+    REFUSED("{\"a\": 1,\n}", "s.json:2:1: ", "a comma too many before }");
     REFUSED("{\"a\": 1} 2", "s.json:1:10: ", "expected end of input");
-    REFUSED("{\"a\": 'b'}", "s.json:1:7: ", "are allowed");
     REFUSED("{\"a\": NaN}", "s.json:1:7: ", "are allowed");
     REFUSED("{\"a\": Infinity}", "s.json:1:7: ", "are allowed");
     REFUSED("{\"a\": -Infinity}", "s.json:1:8: ", "expected digit");
     REFUSED("{\"a\": 1e999}", "s.json:1:11: ", "1e308");
-    REFUSED("{\"a\": 01}", "s.json:1:8: ", "expected");
-    REFUSED("// a remark\n{}", "s.json:1:1: ", "are allowed");
     REFUSED("{\"\xff\": 1}", "s.json:1:3: ", "UTF-8");
     REFUSED(std::string("{\"a\": \0}", 8), "s.json:1:7: ", "has none");
     REFUSED(std::string("{}\0", 3), "s.json:1:3: ", "has none");
     REFUSED("{\"a\": \"" + std::string(10'000, 'x'), "s.json:1:", "closing quote");
+}
+
+TEST_CASE("usual slips in JSON are told by their names", "[scene_file]") {
+    REFUSED(R"({"a": 1 "b": 2})", "s.json:1:11: ", "a comma is missing before it");
+    REFUSED(R"({"a": "x" "b": 2})", "s.json:1:13: ", "a comma is missing before it");
+    REFUSED(R"({"a": [1 2]})", "s.json:1:10: ", "a comma is missing before it");
+    REFUSED(R"({"a": [{} {}]})", "s.json:1:11: ", "a comma is missing before it");
+    REFUSED(R"({"a": [[1] [2]]})", "s.json:1:12: ", "a comma is missing before it");
+    REFUSED(R"({"a": [1, true false]})", "s.json:1:20: ", "a comma is missing before it");
+    REFUSED(R"({"a": [1, 2, ]})", "s.json:1:14: ", "a comma too many before ]");
+    REFUSED(R"({"a": 1, })", "s.json:1:10: ", "a comma too many before }");
+    REFUSED(R"({"a": 1,5, "b": 2})", "s.json:1:9: ", "a decimal point, not a comma");
+    REFUSED(R"({"a": 1, 5})", "s.json:1:10: ", "expected string literal");
+    REFUSED(R"({"a": 01})", "s.json:1:8: ", "does not begin with 0");
+    REFUSED(R"({"a": .5})", "s.json:1:7: ", "begins with a digit");
+    REFUSED(R"({"a": +5})", "s.json:1:7: ", "begins with a digit");
+    REFUSED(R"({"a": 1; "b": 2})", "s.json:1:8: ", "commas stand between values");
+    REFUSED("// a remark\n{}", "s.json:1:1: ", "JSON has no comments");
+    REFUSED("{\"a\": 1 /* one */}", "s.json:1:9: ", "JSON has no comments");
+    REFUSED("{\"a\": 1,\n# two\n\"b\": 2}", "s.json:2:1: ", "JSON has no comments");
+    REFUSED("{\"a\": 'b'}", "s.json:1:7: ", "straight double quotes");
+    REFUSED(
+        "{\xe2\x80\x9c"
+        "a\xe2\x80\x9d: 1}",
+        "s.json:1:2: ", "straight double quotes");
+    REFUSED("{a: 1}", "s.json:1:2: ", "keys stand in double quotes");
+    // What stood before is no part of the slip.
+    CHECK_FALSE(holds(refusal("{\"a\": 8}\n// eight"), "last read"));
 }
 
 TEST_CASE("every text that ends too early is refused", "[scene_file]") {
@@ -212,6 +237,18 @@ TEST_CASE("unknown keys are refused, and the nearest known one is named", "[scen
             "spheres[0].centre", "did you mean \"center\"?");
     REFUSED(with_group(R"(, "arms": 2)"), "groups[0].arms is not known", "known are");
     REFUSED(with_material(R"({"type": "glass", "fuzz": 1})"), "materials.m.fuzz", "\"index\"");
+    // Only keys of this type are offered.
+    REFUSED(with_material(R"({"type": "light", "intensity": 1})"), "materials.m.intensity",
+            "known are \"type\", \"color\" and \"strength\"");
+    REFUSED(with_material(R"({"type": "matte", "color": "#ffffff", "fuzz": 1})"),
+            "materials.m.fuzz", "known are \"type\", \"color\" and \"texture\"");
+    REFUSED(with_material(R"({"type": "matte", "color": "#ffffff", "texture": "t"})"),
+            "materials.m has both", "color and texture");
+    REFUSED(with_material(R"({"colour": "#ffffff"})"), "materials.m.colour", "\"color\"?");
+    REFUSED(with_material(R"({"type": "emitter"})"), "materials.m.type",
+            "known are \"matte\", \"metal\", \"glass\" and \"light\"");
+    REFUSED(with(R"("textures": {"t": {"type": "image", "odd": 1}})"), "textures.t.odd",
+            "known are \"type\" and \"file\"");
     REFUSED(with_material(R"({"type": "mat"})"), "materials.m.type", "did you mean \"matte\"?");
     REFUSED(with('"' + std::string(100'000, 'x') + "\": 1"), "xxx...", "known are");
 }
@@ -222,7 +259,7 @@ TEST_CASE("what is missing is named", "[scene_file]") {
     REFUSED(with_camera(R"("look_from": [0, 0, 5])"), "camera", "needs \"look_at\"");
     REFUSED(with_spheres("{}"), "spheres[0]", "needs \"center\"");
     REFUSED(with_material("{}"), "materials.m", "needs \"type\"");
-    REFUSED(with_material(R"({"type": "matte"})"), "materials.m", "needs \"color\"");
+    REFUSED(with_material(R"({"type": "matte"})"), "materials.m", "needs \"color\" or \"texture\"");
 }
 
 TEST_CASE("values of the wrong kind are refused", "[scene_file]") {
@@ -344,7 +381,7 @@ TEST_CASE("images outside of the scene's folder are not read", "[scene_file]") {
         CHECK(holds(said(file), "textures.t.file is \""));
         CHECK(holds(said(file), "only files in it are read"));
     }
-    CHECK(holds(said("missing.png"), "is not there"));
+    CHECK(holds(said("missing.png"), "\"missing.png\" in the scene's folder is not there"));
     CHECK(holds(said("dangling.png"), "is not there"));
     CHECK(holds(said("."), "is a folder"));
     CHECK(holds(said(""), "must name an image file"));
@@ -444,6 +481,7 @@ TEST_CASE("the nearest word is the one with the fewest slips", "[scene_file]") {
     CHECK(app::nearest_word("materials", words) == "material");
     CHECK(app::nearest_word("mat", words) == "material");
     CHECK(app::nearest_word("fuzz", words).empty());
+    CHECK(app::nearest_word("emitter", {"matte", "light"}).empty());
     CHECK(app::nearest_word("", words).empty());
     CHECK(app::nearest_word(std::string(1 << 20, 'r'), words).empty());
 }
