@@ -114,7 +114,7 @@ inline void study_effects(study::Report& report) {
     using Way = Real (LightAbove::*)(Rng&) const;
     constexpr std::array<std::pair<const char*, Way>, 4> ways{
         {{"by chance", &LightAbove::by_chance},
-         {"area", &LightAbove::by_area},
+         {"point on the sphere", &LightAbove::by_area},
          {"cone", &LightAbove::by_cone},
          {"cone and chance", &LightAbove::by_both}}};
     for (const auto& [name, measured_way] : ways) {
@@ -124,15 +124,18 @@ inline void study_effects(study::Report& report) {
             const double expected = 1 / static_cast<double>(distance * distance);
             Rng random{8, 3};
             double squares = 0;
-            constexpr int count = 100'000;
+            constexpr int timed = 100'000;
+            // By chance one direction in distance^2 meets the light. A thousand must, or their
+            // number is itself chance.
+            const int count = std::max(timed, static_cast<int>(1000 / expected));
             for (int i = 0; i < count; ++i) {
                 const double off = static_cast<double>((scene.*way)(random)) - expected;
                 squares += off * off;
             }
             const auto many = [&] {
-                for (int i = 0; i < count; ++i) study::keep((scene.*way)(random));
+                for (int i = 0; i < timed; ++i) study::keep((scene.*way)(random));
             };
-            const double ns = study::once_ns(many, 3) / count;
+            const double ns = study::once_ns(many, 3) / timed;
             row("light", name, static_cast<double>(distance), "distance / radius",
                 std::sqrt(squares / count) / expected, "error of one sample / mean", ns,
                 "time per sample / ns");
