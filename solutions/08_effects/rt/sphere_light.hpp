@@ -14,7 +14,7 @@ namespace rt {
 // 1 - cos a, where a is the angle between the direction to the light's middle and to its rim, as
 // seen from a point outside of it at this distance from the middle. From sin a = radius / distance,
 // without the cancellation of 1 - cos a for lights that are small or far. Within 7 units in the
-// last place; 0 where the result is too small for a number.
+// last place where it is at least std::numeric_limits<Real>::min().
 inline Real cone_height(Real radius, Real distance) {
     const Real sine = radius / distance;
     // (d - r) (d + r) / d^2 instead of 1 - sine^2, which cancels close to the light.
@@ -24,10 +24,10 @@ inline Real cone_height(Real radius, Real distance) {
 }
 
 // The density, per solid angle, with which sample_light chooses a direction that meets the light:
-// 1 / its solid angle. 0 where that is too small for a number.
+// 1 / its solid angle. 0 where cone_height is less than std::numeric_limits<Real>::min().
 inline Real light_density(const Sphere& light, Vec3 from) {
     const Real distance = length(light.center - from);
-    // Seen from inside, it is everywhere.
+    // Seen from inside, or from a point on it, it is everywhere.
     if (distance <= light.radius) return 1 / (4 * pi);
     const Real height = cone_height(light.radius, distance);
     // Of a number with few digits left, one over it could be infinite.
