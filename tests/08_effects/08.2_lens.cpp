@@ -83,7 +83,8 @@ TEST_CASE("08.2 all rays of a pixel meet in the plane of focus", "[08.2]") {
                     INFO("focus_distance " << text(focus) << ", pixel " << column << ", " << row
                                            << ", place " << text(place.x) << ", " << text(place.y));
                     {
-                        INFO("the direction must have length 1: normalize it");
+                        INFO("the direction has length " << text(rt::length(ray.direction))
+                                                         << ", and must have 1: normalize it");
                         REQUIRE(std::abs(rt::length(ray.direction) - 1) <= direction_error);
                     }
                     const Vec3 off = ray.origin - usual.eye;

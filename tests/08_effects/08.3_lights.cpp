@@ -71,7 +71,8 @@ void check_sample(const Sphere& light, Vec3 from, Vec2 place) {
                               << text(place.y));
     INFO("direction " << text(sample.direction) << ", distance " << text(sample.distance));
     {
-        INFO("the direction must have length 1 within 5 epsilon: normalize it");
+        INFO("it has length " << text(rt::length(sample.direction))
+                              << ", and must have 1 within 5 epsilon: normalize it");
         CHECK(std::abs(rt::length(sample.direction) - 1) <= rt::rounding_bound(10));
     }
     // At the rim the ray's place on the light changes with the root of what is rounded; what has to
