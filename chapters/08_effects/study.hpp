@@ -127,7 +127,9 @@ inline void study_effects(study::Report& report) {
             constexpr int timed = 100'000;
             // By chance one direction in distance^2 meets the light. A thousand must, or their
             // number is itself chance.
-            const int count = std::max(timed, static_cast<int>(1000 / expected));
+            const int count = way == &LightAbove::by_chance
+                                  ? std::max(timed, static_cast<int>(1000 / expected))
+                                  : timed;
             for (int i = 0; i < count; ++i) {
                 const double off = static_cast<double>((scene.*way)(random)) - expected;
                 squares += off * off;
