@@ -177,7 +177,8 @@ TEST_CASE("what is no JSON is refused with line and column", "[scene_file]") {
     REFUSED("{\"\xff\": 1}", "s.json:1:3: ", "UTF-8");
     REFUSED(std::string("{\"a\": \0}", 8), "s.json:1:7: ", "has none");
     REFUSED(std::string("{}\0", 3), "s.json:1:3: ", "has none");
-    REFUSED("{\"a\": \"" + std::string(10'000, 'x'), "s.json:1:", "closing quote");
+    const std::string endless(10'000, 'x');
+    REFUSED("{\"a\": \"" + endless, "s.json:1:", "closing quote");
 }
 
 TEST_CASE("usual slips in JSON are told by their names", "[scene_file]") {
