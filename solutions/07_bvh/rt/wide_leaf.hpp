@@ -63,7 +63,7 @@ RT_NOT_INLINED inline unsigned may_hit(const WideLeaf& leaf, const Ray& ray, Rea
         const Real b = fx * d.x + fy * d.y + fz * d.z;
         const Real c = fx * fx + fy * fy + fz * fz - r_squared;
         const bool behind = (b > away) & (c > 0);
-        met |= (quarter >= 0) & !behind ? 1u << i : 0;
+        met |= ((quarter >= 0) & !behind) ? 1u << i : 0;
     }
     return met;
 }
