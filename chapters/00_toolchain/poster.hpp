@@ -81,12 +81,15 @@ inline void draw_tree(Sheet& sheet, const RangeNode* node, const Box& box, int r
     sheet.words_around(here, Real(6.5), std::to_string(count), node->left ? ink : glass);
 }
 
-inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
-    draw_panel(sheet, box, "WHERE THINGS LIVE");
-    const Real left = box.left + 12, width = box.width - 24;
+// The four parts of the memory, each with a field of its own.
+struct Segments {
+    Box stack, heap, fixed, code;
+};
+
+inline Segments draw_segments(Sheet& sheet, const Box& panel) {
     const auto segment = [&](Real top, Real height, std::string_view name, std::string_view what,
                              Color color) {
-        const Box b{left, box.top + top, width, height};
+        const Box b{panel.left + 12, panel.top + top, panel.width - 24, height};
         sheet.box(b, color, Real(0.10), 4);
         sheet.box({b.left, b.top, 3, b.height}, color, 1, 1);
         sheet.words(b.left + 12, b.top + 9, 8, name, color);
@@ -97,31 +100,29 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
             sheet.words(b.left + 14, b.bottom() - 13, 5, what, faint);
         return b;
     };
-    sheet.words(box.right() - 12 - Sheet::width_of("HIGH ADDRESSES", 5), box.top + 13, 5,
+    sheet.words(panel.right() - 12 - Sheet::width_of("HIGH ADDRESSES", 5), panel.top + 13, 5,
                 "HIGH ADDRESSES", faint);
-    const Box stack = segment(28, 86, "STACK", "GROWS DOWN WITH EVERY CALL", gold);
-    const Box heap = segment(138, 170, "HEAP", "WHAT NEW TAKES AND DELETE GIVES BACK", mint);
-    const Box fixed = segment(322, 62, "STATIC", "AS LONG AS THE PROGRAM", sky_blue);
-    const Box code = segment(394, 62, "CODE", "WHAT THE COMPILER MADE", rose);
-    sheet.words(box.right() - 12 - Sheet::width_of("LOW ADDRESSES", 5), box.bottom() - 8, 5,
+    sheet.words(panel.right() - 12 - Sheet::width_of("LOW ADDRESSES", 5), panel.bottom() - 8, 5,
                 "LOW ADDRESSES", faint);
-    // The stack grows down and the heap grows up, as a rule.
+    return {segment(28, 86, "STACK", "GROWS DOWN WITH EVERY CALL", gold),
+            segment(138, 170, "HEAP", "WHAT NEW TAKES AND DELETE GIVES BACK", mint),
+            segment(322, 62, "STATIC", "AS LONG AS THE PROGRAM", sky_blue),
+            segment(394, 62, "CODE", "WHAT THE COMPILER MADE", rose)};
+}
+
+// The stack grows down and the heap grows up, as a rule: an arrow of each in the gap between them.
+inline void draw_growth(Sheet& sheet, const Box& stack) {
     const Real gap = stack.bottom() + 2;
-    const Real down = left + 114, up = left + 126;
+    const Real down = stack.left + 114, up = stack.left + 126;
     sheet.arrow({down, gap}, {down, gap}, {down, gap + 8}, {down, gap + 18}, gold, 1);
     sheet.arrow({up, gap + 20}, {up, gap + 20}, {up, gap + 12}, {up, gap + 2}, mint, 1);
     sheet.words(down - 8 - Sheet::width_of("STACK", 5), gap + 8, 5, "STACK", gold);
     sheet.words(up + 8, gap + 8, 5, "HEAP", mint);
+}
 
-    const auto number = [](int n) { return std::to_string(n); };
-    const Box canvas =
-        draw_cells(sheet, left + 14, stack.top + 36, "CANVAS",
-                   {number(show.canvas.width()), number(show.canvas.height()), ""}, gold);
-    const Box root = draw_cells(sheet, left + 176, stack.top + 36, "ROOT", {""}, gold);
-    const Box paint = draw_cells(sheet, left + 300, stack.top + 36, "PAINT", {""}, gold);
-
-    // The pixels themselves, small.
-    const Box pixels{left + 14, heap.top + 34, 132, 132 * Real(9) / 16};
+// The pixels themselves, small. Returns where they are drawn.
+inline Box draw_pixels(Sheet& sheet, const Box& heap, const Canvas<Color>& canvas) {
+    const Box pixels{heap.left + 14, heap.top + 34, 132, 132 * Real(9) / 16};
     sheet.paint(
         pixels,
         [&](Vec2 p) {
@@ -132,58 +133,105 @@ inline void draw_memory(Sheet& sheet, const Box& box, const Exhibits& show) {
             const auto place = [](Real t, int count) {
                 return std::clamp(static_cast<int>(t * static_cast<Real>(count)), 0, count - 1);
             };
-            return show.canvas.at(place((p.x - pixels.left) / pixels.width, show.canvas.width()),
-                                  place((p.y - pixels.top) / pixels.height, show.canvas.height()));
+            return canvas.at(place((p.x - pixels.left) / pixels.width, canvas.width()),
+                             place((p.y - pixels.top) / pixels.height, canvas.height()));
         });
     sheet.frame(pixels, mint, Real(0.8), 1);
-    sheet.words(pixels.left, pixels.bottom() + 9, 6,
-                number(static_cast<int>(show.canvas.size())) + " PIXELS", mint);
+    sheet.words(pixels.left, pixels.bottom() + 9, 6, std::to_string(canvas.size()) + " PIXELS",
+                mint);
     sheet.words(pixels.left, pixels.bottom() + 21, 6,
-                number(static_cast<int>(show.canvas.size() * sizeof(Color))) + " BYTES", faint);
+                std::to_string(canvas.size() * sizeof(Color)) + " BYTES", faint);
+    return pixels;
+}
 
-    const Box tree{left + 172, heap.top + 42, width - 200, 88};
-    draw_tree(sheet, show.root, tree, 4);
+inline Box draw_nodes(Sheet& sheet, const Box& heap, const RangeNode* root) {
+    const Box tree{heap.left + 172, heap.top + 42, heap.width - 200, 88};
+    draw_tree(sheet, root, tree, 4);
     sheet.words_around(
         {tree.center().x, tree.bottom() + 21}, 6,
-        number(count_nodes(show.root)) + " NODES -- " + number(depth_of(show.root)) + " DEEP",
+        std::to_string(count_nodes(root)) + " NODES -- " + std::to_string(depth_of(root)) + " DEEP",
         mint);
+    return tree;
+}
 
+inline Box draw_corners(Sheet& sheet, const Box& fixed, const Canvas<Color>& canvas) {
     const Box corners =
-        draw_cells(sheet, left + 14, fixed.top + 25, "", {"", "", "", ""}, sky_blue);
-    for (int i = 0; i < 4; ++i) {
-        const Color colors[] = {show.canvas.at(0, 0), show.canvas.at(show.canvas.width() - 1, 0),
-                                show.canvas.at(0, show.canvas.height() - 1),
-                                show.canvas.at(show.canvas.width() - 1, show.canvas.height() - 1)};
+        draw_cells(sheet, fixed.left + 14, fixed.top + 25, "", {"", "", "", ""}, sky_blue);
+    const int right = canvas.width() - 1, bottom = canvas.height() - 1;
+    const Color colors[] = {canvas.at(0, 0), canvas.at(right, 0), canvas.at(0, bottom),
+                            canvas.at(right, bottom)};
+    for (int i = 0; i < 4; ++i)
         sheet.box({corners.left + 22 * static_cast<Real>(i) + 2, corners.top + 2, 18, 16},
                   colors[i], 1, 1);
-    }
     sheet.words(corners.right() + 10, corners.top + 7, 6, "FOUR CORNERS", sky_blue);
+    return corners;
+}
 
-    const char* const functions[] = {"MAIN", "RENDER", "GRADIENT"};
+// Returns where the last one is drawn, gradient().
+inline Box draw_functions(Sheet& sheet, const Box& code) {
     Box last;
-    Real x = left + 14;
-    for (const char* const name : functions) {
+    Real x = code.left + 14;
+    for (const char* const name : {"MAIN", "RENDER", "GRADIENT"}) {
         last = draw_cells(sheet, x, code.top + 25, "", {name}, rose);
         x = last.right() + 12;
     }
+    return last;
+}
 
-    sheet.arrow({canvas.right() - 11, canvas.center().y},
-                {canvas.right() - 11, canvas.bottom() + 40}, {pixels.left + 40, pixels.top - 50},
-                {pixels.left + 40, pixels.top - 3}, gold);
-    const Real top_node = tree.left + tree.width / 2;
-    sheet.arrow(root.center(), {root.center().x, root.bottom() + 40}, {top_node, tree.top - 40},
-                {top_node, tree.top - 2}, gold);
-    sheet.arrow(paint.center(), {box.right() + 38, paint.center().y + 30},
-                {box.right() + 10, last.center().y}, {last.right() + 3, last.center().y}, gold);
+// Where each thing is drawn that a pointer starts from or leads to.
+struct Places {
+    Box canvas, root, paint, pixels, tree, corners, gradient;
+};
 
-    if (show.addresses.size() == 6) {
-        const Vec2 places[] = {
-            {canvas.left + 40, canvas.top - 11},      {root.left + 28, root.top - 11},
-            {paint.left + 34, paint.top - 11},        {pixels.left + 48, pixels.top - 10},
-            {corners.right() + 100, corners.top + 7}, {last.left, last.top - 9}};
-        for (std::size_t i = 0; i < show.addresses.size(); ++i)
-            sheet.words(places[i].x, places[i].y, 5, show.addresses[i], ink);
-    }
+inline Places draw_things(Sheet& sheet, const Segments& in, const Exhibits& show) {
+    const auto on_stack = [&](Real across, const char* name,
+                              const std::vector<std::string>& parts) {
+        return draw_cells(sheet, in.stack.left + across, in.stack.top + 36, name, parts, gold);
+    };
+    return {
+        on_stack(14, "CANVAS",
+                 {std::to_string(show.canvas.width()), std::to_string(show.canvas.height()), ""}),
+        on_stack(176, "ROOT", {""}),
+        on_stack(300, "PAINT", {""}),
+        draw_pixels(sheet, in.heap, show.canvas),
+        draw_nodes(sheet, in.heap, show.root),
+        draw_corners(sheet, in.fixed, show.canvas),
+        draw_functions(sheet, in.code)};
+}
+
+// From the variables on the stack to what they point to.
+inline void draw_pointers(Sheet& sheet, const Box& panel, const Places& at) {
+    sheet.arrow({at.canvas.right() - 11, at.canvas.center().y},
+                {at.canvas.right() - 11, at.canvas.bottom() + 40},
+                {at.pixels.left + 40, at.pixels.top - 50}, {at.pixels.left + 40, at.pixels.top - 3},
+                gold);
+    const Real top_node = at.tree.left + at.tree.width / 2;
+    sheet.arrow(at.root.center(), {at.root.center().x, at.root.bottom() + 40},
+                {top_node, at.tree.top - 40}, {top_node, at.tree.top - 2}, gold);
+    sheet.arrow(at.paint.center(), {panel.right() + 38, at.paint.center().y + 30},
+                {panel.right() + 10, at.gradient.center().y},
+                {at.gradient.right() + 3, at.gradient.center().y}, gold);
+}
+
+// As in Exhibits: six of them or none.
+inline void draw_addresses(Sheet& sheet, const Places& at,
+                           const std::vector<std::string>& addresses) {
+    if (addresses.size() != 6) return;
+    const Vec2 places[] = {
+        {at.canvas.left + 40, at.canvas.top - 11},      {at.root.left + 28, at.root.top - 11},
+        {at.paint.left + 34, at.paint.top - 11},        {at.pixels.left + 48, at.pixels.top - 10},
+        {at.corners.right() + 100, at.corners.top + 7}, {at.gradient.left, at.gradient.top - 9}};
+    for (std::size_t i = 0; i < addresses.size(); ++i)
+        sheet.words(places[i].x, places[i].y, 5, addresses[i], ink);
+}
+
+inline void draw_memory(Sheet& sheet, const Box& panel, const Exhibits& show) {
+    draw_panel(sheet, panel, "WHERE THINGS LIVE");
+    const Segments segments = draw_segments(sheet, panel);
+    draw_growth(sheet, segments.stack);
+    const Places places = draw_things(sheet, segments, show);
+    draw_pointers(sheet, panel, places);
+    draw_addresses(sheet, places, show.addresses);
 }
 
 // Every step of the chain is an arc from one place of the memory to the next one.

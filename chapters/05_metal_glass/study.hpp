@@ -320,24 +320,21 @@ inline void add_depth(study::Report& report) {
     }
 }
 
-// The program's scene with its materials as values and behind virtual functions, and the choice
-// alone: nothing but scatter() on a list of hits.
-inline void add_choice(study::Report& report) {
-    const scene::Scene evening = scene::evening();
-    const classic::Materials objects = classic::from_values(evening.set);
-    const auto count = static_cast<int>(evening.set.materials.size());
+inline void add_choice_row(study::Report& report, const char* study, const char* variant, int kinds,
+                           double difference, double ns) {
+    report.add({.study = study,
+                .variant = variant,
+                .x = static_cast<double>(kinds),
+                .x_name = "kinds of material",
+                .error = difference,
+                .error_name = "difference",
+                .cost = ns,
+                .cost_name = "time / ns"});
+}
 
-    const auto add = [&](const char* study, const char* variant, int kinds, double difference,
-                         double ns) {
-        report.add({.study = study,
-                    .variant = variant,
-                    .x = static_cast<double>(kinds),
-                    .x_name = "kinds of material",
-                    .error = difference,
-                    .error_name = "difference",
-                    .cost = ns,
-                    .cost_name = "time / ns"});
-    };
+// The program's scene with its materials as values and behind virtual functions.
+inline void add_choice_in_paths(study::Report& report, const scene::Scene& evening,
+                                const classic::Materials& objects) {
     const View view{{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)};
     // By turns, so that whatever else the machine does at the time touches both.
     std::vector<double> value_ns, object_ns;
@@ -352,10 +349,15 @@ inline void add_choice(study::Report& report) {
     }
     std::sort(value_ns.begin(), value_ns.end());
     std::sort(object_ns.begin(), object_ns.end());
-    add("Choice, whole path", "std::variant", 4, 0, value_ns[4]);
-    add("Choice, whole path", "virtual", 4, difference, object_ns[4]);
+    add_choice_row(report, "Choice, whole path", "std::variant", 4, 0, value_ns[4]);
+    add_choice_row(report, "Choice, whole path", "virtual", 4, difference, object_ns[4]);
+}
 
-    // Metal alone, or all materials of the scene, in random order.
+// The choice alone: nothing but scatter() on a list of hits. Metal alone, or all materials of the
+// scene, in random order.
+inline void add_choice_alone(study::Report& report, const scene::Scene& evening,
+                             const classic::Materials& objects) {
+    const auto count = static_cast<int>(evening.set.materials.size());
     const MaterialList<Metal> alone{
         std::vector<Metal>(static_cast<std::size_t>(count), Metal{{1, 1, 1}, Real(0.3)})};
     MaterialSet<Metal, Lambertian> same;
@@ -379,11 +381,21 @@ inline void add_choice(study::Report& report) {
                }) /
                static_cast<double>(hits.size());
     };
-    add("Choice alone", "one type", 1, 0, ns(alone));
-    add("Choice alone", "std::variant", 1, 0, ns(same));
-    add("Choice alone", "virtual", 1, 0, ns(same_objects));
-    add("Choice alone", "std::variant", 4, 0, ns(evening.set));
-    add("Choice alone", "virtual", 4, 0, ns(objects));
+    const auto add = [&](const char* variant, int kinds, const auto& materials) {
+        add_choice_row(report, "Choice alone", variant, kinds, 0, ns(materials));
+    };
+    add("one type", 1, alone);
+    add("std::variant", 1, same);
+    add("virtual", 1, same_objects);
+    add("std::variant", 4, evening.set);
+    add("virtual", 4, objects);
+}
+
+inline void add_choice(study::Report& report) {
+    const scene::Scene evening = scene::evening();
+    const classic::Materials objects = classic::from_values(evening.set);
+    add_choice_in_paths(report, evening, objects);
+    add_choice_alone(report, evening, objects);
 }
 
 inline void run(study::Report& report) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <app/errors.hpp>
+#include <app/limits.hpp>
 #include <app/run.hpp>
 #include <atomic>
 #include <rt/choose_renderer.hpp>
@@ -31,20 +32,18 @@ SceneDescription open_scene(const app::Settings& settings) {
     if (given("depth")) chosen.depth = settings.depth;
     if (given("seed")) chosen.seed = *settings.seed;
     // One side may be the file's, and the other the command line's.
-    constexpr std::int64_t most_pixels = 1 << 26;
-    if (std::int64_t{chosen.width} * chosen.height > most_pixels)
+    if (std::int64_t{chosen.width} * chosen.height > app::most_pixels)
         throw app::UsageError(std::to_string(chosen.width) + "x" + std::to_string(chosen.height) +
-                              " are more than " + std::to_string(most_pixels) +
+                              " are more than " + std::to_string(app::most_pixels) +
                               " pixels; make --width or --height smaller");
     return scene;
 }
 
-std::string explain(const app::Settings& settings) {
-    const SceneDescription scene = open_scene(settings);
+std::string explanation(const SceneDescription& scene, const std::string& file) {
     const Effects needed = effects_of(scene);
     const Effects chosen = renderer_effects[narrowest(needed, renderer_effects)];
     const std::size_t spheres = scene.spheres.size();
-    return "scene:    " + (settings.file.empty() ? "the final scene" : settings.file) + ", " +
+    return "scene:    " + (file.empty() ? "the final scene" : file) + ", " +
            std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
            "\nneeds:    " + names(needed) + "\nrenderer: " + names(chosen) + ", one of " +
            std::to_string(renderer_effects.size()) +
@@ -64,6 +63,7 @@ std::string note_on(const SceneDescription& scene) {
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = open_scene(settings);
     const RenderSettings& chosen = scene.settings;
+    if (settings.explain) settings.explain(explanation(scene, settings.file));
     const std::size_t renderer = narrowest(effects_of(scene), renderer_effects);
     const PixelShader shade = renderer_makers[renderer](
         scene, chosen.width, chosen.height, {chosen.samples_per_pixel, chosen.depth, chosen.seed});
@@ -115,6 +115,6 @@ int main(int argc, char** argv) {
                      .render = render,
                      .study = effects::study_effects,
                      .reads = "The scene file, .json; without it the final scene is drawn",
-                     .explain = explain,
+                     .explains = true,
                      .can_be_stopped = true});
 }

@@ -341,7 +341,7 @@ class Reader {
         read("height", to.height, 65'536);
         read("spp", to.samples_per_pixel, 1'000'000);
         read("depth", to.depth, 1'000'000);
-        constexpr std::int64_t most_pixels = 1 << 26;
+        const std::int64_t most_pixels = limits_.pixels;
         if (std::int64_t{to.width} * to.height > most_pixels)
             render.fail("asks for " + std::to_string(to.width) + " times " +
                         std::to_string(to.height) + " pixels; " + std::to_string(most_pixels) +

@@ -1,6 +1,7 @@
 #pragma once
 // Scene files: docs/scene-files.md says what may stand in them.
 
+#include <app/limits.hpp>
 #include <filesystem>
 #include <rt/scene.hpp>
 #include <string>
@@ -10,7 +11,8 @@ namespace effects {
 // What a file may ask for at most, so that a slip does not fill the memory.
 struct Limits {
     int spheres = 1'000'000;
-    int image_pixels = 1 << 23;  // of all images of a scene together
+    int image_pixels = 1 << 23;              // of all images of a scene together
+    std::int64_t pixels = app::most_pixels;  // of the picture
 };
 
 // The scene that a file describes. Throws app::UsageError, one line with the file, the place in it

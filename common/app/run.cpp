@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <app/limits.hpp>
 #include <app/run.hpp>
 #include <charconv>
 #include <chrono>
@@ -18,7 +19,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int max_side = 65'536;
-constexpr std::int64_t max_pixels = 67'108'864;  // 2^26: 1.5 GiB of colors in double
+
+// What the command line asks for.
+struct Request {
+    Settings settings;
+    std::string out, study_folder;
+    bool explain = false, quiet = false;
+};
 
 // Refuses what is not a whole number within the range, and says what would be right.
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
@@ -79,21 +86,23 @@ std::string count(double number, const char* unit) {
 }
 
 // Returns the program's exit code.
-int draw_picture(const Program& program, const Settings& settings, const fs::path& path,
-                 bool explain, bool quiet) {
+int draw_picture(const Program& program, const Request& request) {
+    const fs::path path = request.out;
     check_output(path);
     // The report must not end up in an image that goes to the standard output.
     std::error_code none;
     std::FILE* const out =
         !fs::exists(path, none) || fs::is_regular_file(path, none) ? stdout : stderr;
-    if (explain && !quiet) {
-        std::fputs(program.explain(settings).c_str(), out);
-        std::fflush(out);
-    }
+    Settings settings = request.settings;
+    if (request.explain && !request.quiet)
+        settings.explain = [out](const std::string& words) {
+            std::fputs(words.c_str(), out);
+            std::fflush(out);
+        };
     const auto start = std::chrono::steady_clock::now();
     Picture picture;
     {
-        Progress progress{!quiet && ::isatty(STDERR_FILENO)};
+        Progress progress{!request.quiet && ::isatty(STDERR_FILENO)};
         picture = program.render(settings, progress);
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -105,7 +114,7 @@ int draw_picture(const Program& program, const Settings& settings, const fs::pat
                      path.string().c_str(), std::floor(100 * picture.stopped->share_done));
         return stopped_by + picture.stopped->signal;
     }
-    if (quiet) return done;
+    if (request.quiet) return done;
     const auto rays = static_cast<double>(picture.rays);
     std::fprintf(out, "%s: %dx%d pixels in %.3f s", path.string().c_str(), picture.image.width(),
                  picture.image.height(), seconds.count());
@@ -117,7 +126,8 @@ int draw_picture(const Program& program, const Settings& settings, const fs::pat
     return done;
 }
 
-void run_study(const Program& program, const fs::path& folder, bool quiet) {
+void run_study(const Program& program, const Request& request) {
+    const fs::path folder = request.study_folder;
     const auto fail = [&](const std::error_code& error) {
         throw Failure("--study: " + folder.string() + " cannot be written to (" + error.message() +
                       "); name another folder");
@@ -135,24 +145,20 @@ void run_study(const Program& program, const fs::path& folder, bool quiet) {
     } catch (const std::system_error& full) {
         fail(full.code());
     }
-    if (!quiet) report.print_table(stdout);
+    if (!request.quiet) report.print_table(stdout);
 }
 
-int run_or_throw(int argc, const char* const* argv, const Program& program) {
-    Settings settings = program.defaults;
-    std::string out = program.name + ".png", study_folder;
-    std::uint64_t seed = settings.seed.value_or(0);
-    bool quiet = false, explain = false;
-
-    CLI::App options{program.name + ": " + program.about};
-    options.set_help_flag("--help", "Show this text and stop");
+std::string exit_codes(const Program& program) {
     std::string codes =
         "Exit codes: 0 done, 1 could not, 2 bad usage or input, 3 an exercise is "
         "still to be written";
     if (program.can_be_stopped)
         codes += ", 130 stopped by Ctrl-C (143 by SIGTERM): the image shows what was done";
-    options.footer(codes);
-    options.add_option("--out", out, "The image file, .png or .ppm")->capture_default_str();
+    return codes;
+}
+
+// The numbers among the settings, those that the program has.
+void add_numbers(CLI::App& options, Settings& settings) {
     const auto add = [&](const char* name, int& value, const char* what, int high) {
         if (value == 0) return;  // this program has no such setting
         options.add_option(name, value, what)
@@ -165,9 +171,19 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
     add("--depth", settings.depth, "The most bounces of a path", 1'000'000);
     add("--threads", settings.threads, "Threads that render", 1024);
     if (settings.seed)
-        options.add_option("--seed", seed, "Seed of everything random")
+        options.add_option("--seed", *settings.seed, "Seed of everything random")
             ->check(whole_number(0, UINT64_MAX))
             ->capture_default_str();
+}
+
+// All options, in the order in which --help lists them. The request must stay where it is until
+// they are parsed.
+void add_options(CLI::App& options, Request& request, const Program& program) {
+    Settings& settings = request.settings;
+    options.set_help_flag("--help", "Show this text and stop");
+    options.footer(exit_codes(program));
+    options.add_option("--out", request.out, "The image file, .png or .ppm")->capture_default_str();
+    add_numbers(options, settings);
     for (const Choice& choice : program.choices) settings.picked.push_back(choice.words.front());
     for (std::size_t i = 0; i < program.choices.size(); ++i)
         options
@@ -176,12 +192,29 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
             ->check(CLI::IsMember(program.choices[i].words))
             ->capture_default_str();
     if (!program.reads.empty()) options.add_option("file", settings.file, program.reads);
-    if (program.explain)
-        options.add_flag("--explain", explain, "Say what the program is about to do, and why");
-    options.add_flag("--quiet", quiet, "Print nothing but errors");
+    if (program.explains)
+        options.add_flag("--explain", request.explain,
+                         "Say what the program is about to do, and why");
+    options.add_flag("--quiet", request.quiet, "Print nothing but errors");
     if (program.study)
-        options.add_option("--study", study_folder,
+        options.add_option("--study", request.study_folder,
                            "Measure accuracy against time instead; tables go to this folder");
+}
+
+// What no option can check by itself.
+void check_together(const Settings& settings) {
+    if (settings.given.count("file") > 0 && settings.file.empty())
+        throw UsageError("file: needs a name");
+    if (std::int64_t{settings.width} * settings.height > most_pixels)
+        throw UsageError("--width " + std::to_string(settings.width) + " times --height " +
+                         std::to_string(settings.height) + " is more than " +
+                         std::to_string(most_pixels) + " pixels");
+}
+
+int run_or_throw(int argc, const char* const* argv, const Program& program) {
+    Request request{program.defaults, program.name + ".png", {}};
+    CLI::App options{program.name + ": " + program.about};
+    add_options(options, request, program);
     try {
         options.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -190,19 +223,12 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + "; --help lists what there is");
     }
-    if (settings.seed) settings.seed = seed;
     for (const CLI::Option* const option : options.get_options())
-        if (option->count() > 0) settings.given.insert(option->get_single_name());
-    if (settings.given.count("file") > 0 && settings.file.empty())
-        throw UsageError("file: needs a name");
-    if (std::int64_t{settings.width} * settings.height > max_pixels)
-        throw UsageError("--width " + std::to_string(settings.width) + " times --height " +
-                         std::to_string(settings.height) + " is more than " +
-                         std::to_string(max_pixels) + " pixels");
+        if (option->count() > 0) request.settings.given.insert(option->get_single_name());
+    check_together(request.settings);
 
-    if (!program.study || options.count("--study") == 0)
-        return draw_picture(program, settings, out, explain, quiet);
-    run_study(program, study_folder, quiet);
+    if (request.settings.given.count("study") == 0) return draw_picture(program, request);
+    run_study(program, request);
     return done;
 }
 

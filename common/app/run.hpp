@@ -35,6 +35,8 @@ struct Settings {
     std::string file = {};
     // The options that the person set, without the dashes: what a file says gives way to them.
     std::set<std::string> given = {};
+    // Prints what the program is about to do, and why; empty unless --explain asks for it.
+    std::function<void(const std::string&)> explain = {};
 };
 
 // An option of one program alone, which takes one of a few words: --ending sky|black|roulette.
@@ -84,8 +86,8 @@ struct Program {
     std::vector<Choice> choices = {};
     // What the file is that may be named without an option; empty if the program reads none.
     std::string reads = {};
-    // What --explain prints before the picture is drawn; without it there is no such option.
-    std::string (*explain)(const Settings&) = nullptr;
+    // Whether render() calls Settings::explain where there is one; else there is no --explain.
+    bool explains = false;
     // Whether render() looks out for an Interruption; else Ctrl-C ends the program at once.
     bool can_be_stopped = false;
 };

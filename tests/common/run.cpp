@@ -136,3 +136,19 @@ TEST_CASE("a program that reads no file takes none", "[run]") {
     CHECK(seen.file == "scene.json");
     CHECK(run({"--out", folder / "a.png", ""}, reads) == app::bad_input);
 }
+
+TEST_CASE("a program explains itself only where it can and is asked to", "[run]") {
+    const TemporaryFolder folder;
+    CHECK(run({"--out", folder / "a.png", "--explain"}) == app::bad_input);
+    app::Program explains = program();
+    explains.explains = true;
+    CHECK(run({"--out", folder / "a.png"}, explains) == app::done);
+    CHECK_FALSE(seen.explain);
+    // run() is quiet, and so is the explanation.
+    CHECK(run({"--out", folder / "a.png", "--explain"}, explains) == app::done);
+    CHECK_FALSE(seen.explain);
+    const std::string file = folder / "a.png";
+    const char* const aloud[] = {"99_test", "--explain", "--out", file.c_str()};
+    CHECK(app::run(4, aloud, explains) == app::done);
+    CHECK(seen.explain);
+}
