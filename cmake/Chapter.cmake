@@ -192,7 +192,7 @@ function(course_certificate chapter)
   endif()
   foreach(mistake 01.1_in_float 01.3_no_root 02.2_whole_angle 02.3_turned_over 04.2_half_lambert
                   04.3_uniform_hemisphere 05.2_absorbs_below 05.3_clamps_total_reflection
-                  05.4_schlick_inner_cosine 06.3_skips_the_first 06.4_neighbours_alike
+                  05.4_schlick_inner_cosine 06.3_skips_the_first 06.4_neighbors_alike
                   07.3_drops_the_middle)
     set(folder ${CMAKE_SOURCE_DIR}/tests/mistakes/${chapter}/${mistake})
     if(NOT EXISTS ${folder})

@@ -43,7 +43,7 @@ double around_zero(rt::Rng& random) {
 
 }  // namespace
 
-void Neighbours::add(const Ball& ball) {
+void Neighbors::add(const Ball& ball) {
     const double cell = std::exp2(std::ceil(std::log2(2 * ball.radius)));
     auto grid =
         std::find_if(grids_.begin(), grids_.end(), [&](const Grid& g) { return g.cell == cell; });
@@ -53,7 +53,7 @@ void Neighbours::add(const Ball& ball) {
     balls_.push_back(ball);
 }
 
-bool Neighbours::has_room_for(const Ball& ball) {
+bool Neighbors::has_room_for(const Ball& ball) {
     const auto all_clear = [&](const std::vector<int>& numbers) {
         steps_ += static_cast<std::int64_t>(numbers.size());
         return std::none_of(numbers.begin(), numbers.end(), [&](int i) {
@@ -117,7 +117,7 @@ Rule galaxy(Ball space, int arms, double turns, double width) {
     };
 }
 
-std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbours& there,
+std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbors& there,
                           std::uint64_t seed) {
     constexpr std::int64_t tries = 30;  // for each ball, on the average
     rt::Rng random{seed, 8};

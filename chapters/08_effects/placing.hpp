@@ -36,7 +36,7 @@ inline double uniform(rt::Rng& random, double low, double high) {
 
 // Says whether a sphere keeps clear of those that are there: it looks only at what lies near, in a
 // grid of cubes for each size of spheres. Spheres may touch.
-class Neighbours {
+class Neighbors {
   public:
     void add(const Ball& ball);
     bool has_room_for(const Ball& ball);
@@ -70,7 +70,7 @@ Rule galaxy(Ball space, int arms, double turns, double width);
 // This many balls by a rule, the largest first, none of which overlaps another or one of those that
 // are there, to which it is added. Their radii lie between low and high, most of them near low.
 // Fewer come back where there is no more room.
-std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbours& there,
+std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbors& there,
                           std::uint64_t seed);
 
 // Resting on a floor like a sunflower's seeds: number i stands at i times the golden angle, so that

@@ -354,7 +354,7 @@ class Reader {
     const Limits& limits_;
     int pixels_left_ = limits_.image_pixels;
     SceneDescription scene_;
-    placing::Neighbours there_;  // all spheres so far
+    placing::Neighbors there_;  // all spheres so far
     std::map<std::string, Texture> textures_;
     std::map<std::string, Material> materials_;
 };

@@ -110,7 +110,7 @@ class Examination {
              std::to_string(warnings.size()) + " warnings", "none");
     }
 
-    // The checkpoints under the address and undefined-behaviour sanitizers.
+    // The checkpoints under the address and undefined-behavior sanitizers.
     void check_memory(const std::vector<Chapter>& all) {
         const Course checked = side_build(
             course_, "certify-memory",
@@ -121,7 +121,7 @@ class Examination {
         const BuildResult built = build(checked, targets);
         if (!built.ok) note(false, "", first_error(course_, built.output), "", "compiles");
         for (const Chapter& chapter : all) {
-            const std::string what = "memory and undefined behaviour, " + chapter.name;
+            const std::string what = "memory and undefined behavior, " + chapter.name;
             const Result result =
                 run_process({.command = {checked.program(chapter.name + "_checkpoint").string()},
                              .timeout = patience});
@@ -173,10 +173,10 @@ class Examination {
         std::istringstream in{output};
         for (std::string line; std::getline(in, line);) {
             const auto error = line.find("ERROR: AddressSanitizer: "),
-                       behaviour = line.find("runtime error: "), place = line.find("exercises/");
+                       behavior = line.find("runtime error: "), place = line.find("exercises/");
             if (found.empty() && error != std::string::npos) found = line.substr(error + 25);
-            if (found.empty() && behaviour != std::string::npos)
-                found = place < behaviour ? line.substr(place) : line.substr(behaviour + 15);
+            if (found.empty() && behavior != std::string::npos)
+                found = place < behavior ? line.substr(place) : line.substr(behavior + 15);
             if (!found.empty() && place != std::string::npos) {
                 if (found.find("exercises/") == std::string::npos)
                     found += " at " + line.substr(place);

@@ -49,7 +49,7 @@ bool is_help(const std::string& word) {
     return word == "--help" || word == "-h";
 }
 
-// How many letters to put in, take out or change, or neighbours to swap, to make one of the other.
+// How many letters to put in, take out or change, or neighbors to swap, to make one of the other.
 std::size_t slips(const std::string& a, const std::string& b) {
     std::vector<std::vector<std::size_t>> table(a.size() + 1,
                                                 std::vector<std::size_t>(b.size() + 1));

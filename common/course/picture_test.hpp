@@ -55,7 +55,7 @@ struct PictureTest {
     long pixels = 0, still_differing = 0;  // by more than one step of 255
     int largest_step = 0;                  // of a still pixel
     NoiseTest pixel_noise;                 // of each pixel by itself
-    NoiseTest tile_noise;                  // of the tiles' means: neighbours that vary together
+    NoiseTest tile_noise;                  // of the tiles' means: neighbors that vary together
     double pixels_p = 1;                   // of the mean pictures, pixel by pixel
 
     // As for pictures without chance: at most one pixel in a thousand.

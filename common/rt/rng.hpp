@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// Mixes the bits of a counter so that neighbouring counters give unrelated numbers.
+// Mixes the bits of a counter so that neighboring counters give unrelated numbers.
 // Source: SplitMix64, Steele, Lea and Flood, "Fast splittable pseudorandom number generators",
 // OOPSLA 2014.
 constexpr std::uint64_t mix_bits(std::uint64_t x) {

@@ -115,7 +115,7 @@ TEST_CASE("01.6 a mirror is not singular", "[01.6]") {
 }
 
 TEST_CASE("01.6 small is not singular", "[01.6][hard]") {
-    // A scene in nanometres beside one in light years; its determinant is far from 1, not its
+    // A scene in nanometers beside one in light years; its determinant is far from 1, not its
     // shape.
     const Real s = real(for_this_precision(0x1p-40, 0x1p-400));
     INFO(

@@ -42,7 +42,7 @@ double first_number(const Key& k) {
     return static_cast<double>(random.uniform());
 }
 
-// Whether the first draw of a generator and of its neighbour, whose numbers are larger by `step`,
+// Whether the first draw of a generator and of its neighbor, whose numbers are larger by `step`,
 // have something to do with each other: pairs are counted in 16 x 16 boxes, and so are their
 // differences in 256.
 void check_unrelated(const Key& step, const char* what) {
@@ -104,7 +104,7 @@ TEST_CASE("06.4 other seeds and pixels and samples give other numbers", "[06.4]"
     }
 }
 
-TEST_CASE("06.4 neighbours have nothing to do with each other", "[06.4]") {
+TEST_CASE("06.4 neighbors have nothing to do with each other", "[06.4]") {
     check_unrelated({0, 1, 0, 0}, "pixels beside each other");
     check_unrelated({0, 0, 1, 0}, "pixels below each other");
     check_unrelated({0, 0, 0, 1}, "samples one after the other");

@@ -53,7 +53,7 @@ void same_picture(Certificate& certificate) {
                         static_cast<double>(different_pixels(rt::render_tiles)), 0, "");
 }
 
-// Generators of neighbouring samples and pixels must have nothing to do with each other.
+// Generators of neighboring samples and pixels must have nothing to do with each other.
 void streams(Certificate& certificate) {
     constexpr int count = 20'000;
     const auto draw = [](int x, int y, int sample) {
@@ -73,7 +73,7 @@ void streams(Certificate& certificate) {
             worst = std::max(worst, std::abs(12 * products / count));
         }
     // Six standard deviations.
-    certificate.at_most("06.4", "correlation of neighbouring streams", worst,
+    certificate.at_most("06.4", "correlation of neighboring streams", worst,
                         6 / std::sqrt(double(count)), "");
 }
 

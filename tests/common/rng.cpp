@@ -129,7 +129,7 @@ TEST_CASE("the low bits of uniform are as random as the high ones", "[rng]") {
     CHECK(could_be_uniform(counts));
 }
 
-TEST_CASE("the first numbers of neighbouring pixels are equally distributed", "[rng]") {
+TEST_CASE("the first numbers of neighboring pixels are equally distributed", "[rng]") {
     for (const std::uint64_t seed : {0u, 1u}) {
         std::vector<int> line(1024), plane(32 * 32);
         for (int y = 0; y < 400; ++y)
@@ -160,7 +160,7 @@ TEST_CASE("pixels and seeds share no outputs", "[rng]") {
     CHECK(std::adjacent_find(outputs.begin(), outputs.end()) == outputs.end());
 }
 
-TEST_CASE("neighbouring pixels and seeds are not correlated", "[rng]") {
+TEST_CASE("neighboring pixels and seeds are not correlated", "[rng]") {
     constexpr int n = 4096;
     const double limit = 6.5 / std::sqrt(n);  // for all 1500 pairs together
     const auto check = [&](rt::Rng a, rt::Rng b) {

@@ -78,7 +78,7 @@ int check(const Course& course, const fs::path& folder, const Chapter& chapter) 
             alone += found[0].size() == 1;
             continue;
         }
-        // Undefined behaviour, such as memory that is used after its end, fails here now and there
+        // Undefined behavior, such as memory that is used after its end, fails here now and there
         // then: no list can hold all of it.
         const auto noted = known.find(name);
         const bool by_luck = noted != known.end() && noted->second.what.empty();

@@ -411,9 +411,9 @@ TEST_CASE("no two spheres of a group overlap, nor one that was there before", "[
         {"galaxy", placing::galaxy(space, 3, 1.5, 0.3)}};
     for (const auto& [name, rule] : rules) {
         INFO(name);
-        placing::Neighbours neighbours;
-        neighbours.add(there);
-        auto balls = placing::scatter(400, 0.05, 0.4, rule, neighbours, 1);
+        placing::Neighbors neighbors;
+        neighbors.add(there);
+        auto balls = placing::scatter(400, 0.05, 0.4, rule, neighbors, 1);
         CHECK(balls.size() == 400);
         balls.push_back(there);
         int overlaps = 0;
@@ -430,7 +430,7 @@ TEST_CASE("no two spheres of a group overlap, nor one that was there before", "[
 TEST_CASE("each rule places its spheres where it says", "[scene_file]") {
     const placing::Ball space{1, 2, 3, 6};
     const auto scattered = [](const placing::Rule& rule) {
-        placing::Neighbours none;
+        placing::Neighbors none;
         return placing::scatter(200, 0.05, 0.2, rule, none, 1);
     };
     const auto from_center = [&](const placing::Ball& b) {
@@ -452,7 +452,7 @@ TEST_CASE("each rule places its spheres where it says", "[scene_file]") {
 
 TEST_CASE("the same seed places the same spheres, another one others", "[scene_file]") {
     const auto first = [](std::uint64_t seed) {
-        placing::Neighbours none;
+        placing::Neighbors none;
         return placing::scatter(9, 0.1, 0.2, placing::in_ball({0, 0, 0, 5}), none, seed).front().x;
     };
     CHECK(first(1) == first(1));
