@@ -2,7 +2,6 @@
 #include <array>
 #include <bit>
 #include <optional>
-#include <rt/compiler.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/tree.hpp>
 #include <rt/wide_leaf.hpp>
@@ -26,7 +25,7 @@ struct WideTreeOf {
         int box_tests = 0, sphere_tests = 0;  // eight at once count as one
     };
 
-    RT_INLINES_ALL Found search(const Ray& ray, Interval within) const {
+    Found search(const Ray& ray, Interval within) const {
         using Key = KeyOf<Number>;
         Found found{{within.max, -1}};
         if (nodes.empty()) return found;
