@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <rt/compiler.hpp>
+#include <rt/dot.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/wide.hpp>
@@ -43,13 +44,11 @@ struct WideHit {
     std::size_t place() const { return static_cast<std::size_t>(tag) % lanes; }
 };
 
-// Which spheres of a leaf the ray may meet from min on: bit i for place i. These are all that its
-// line meets, but where min >= 0 not those that lie behind: outside of a sphere (c > 0) and on the
-// way from its center (b > 0), both solutions are negative. It computes what it asks for as
-// hit_sphere does, by the same operations in the same order, so that both agree to the last bit.
-RT_NOT_INLINED inline unsigned may_hit(const WideLeaf& leaf, const Ray& ray, Real min) {
+// Which spheres of a leaf the line of the ray meets: bit i for place i. It computes the
+// discriminant as hit_sphere does, by the same operations in the same order, so that both agree to
+// the last bit.
+RT_NOT_INLINED inline unsigned may_hit(const WideLeaf& leaf, const Ray& ray) {
     const Vec3 o = ray.origin, d = ray.direction;
-    const Real away = min >= 0 ? Real(0) : infinity;
     const Real a = d.x * d.x + d.y * d.y + d.z * d.z;
     const Real *const x = leaf.x.data(), *const y = leaf.y.data(), *const z = leaf.z.data(),
                       *const radius = leaf.radius.data();
@@ -58,23 +57,28 @@ RT_NOT_INLINED inline unsigned may_hit(const WideLeaf& leaf, const Ray& ray, Rea
     for (std::size_t i = 0; i < lanes; ++i) {
         const Real fx = o.x - x[i], fy = o.y - y[i], fz = o.z - z[i];
         const Real mx = fy * d.z - fz * d.y, my = fz * d.x - fx * d.z, mz = fx * d.y - fy * d.x;
-        const Real r_squared = radius[i] * radius[i];
-        const Real quarter = a * r_squared - (mx * mx + my * my + mz * mz);
-        const Real b = fx * d.x + fy * d.y + fz * d.z;
-        const Real c = fx * fx + fy * fy + fz * fz - r_squared;
-        const bool behind = (b > away) & (c > 0);
-        met |= ((quarter >= 0) & !behind) ? 1u << i : 0;
+        const Real quarter = a * (radius[i] * radius[i]) - (mx * mx + my * my + mz * mz);
+        met |= quarter >= 0 ? 1u << i : 0;
     }
     return met;
+}
+
+// Whether all of the sphere lies behind the ray, if its line meets it: the ray starts outside, on
+// the way from its center. Both solutions are then negative. Half of all that lines meet is behind.
+inline bool is_behind(const Sphere& sphere, const Ray& ray) {
+    const Vec3 f = ray.origin - sphere.center;
+    return dot(f, ray.direction) > 0 && dot(f, f) > sphere.radius * sphere.radius;
 }
 
 // Tries the spheres of a leaf between min and best.t; whether best has changed. Of equally near
 // spheres the one with the highest number counts.
 RT_INLINED bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
     bool changed = false;
-    for (unsigned met = may_hit(leaf, ray, min); met; met &= met - 1) {
+    for (unsigned met = may_hit(leaf, ray); met; met &= met - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(met));
-        const auto t = hit_sphere(leaf.sphere(i), ray, {min, best.t});
+        const Sphere sphere = leaf.sphere(i);
+        if (min >= 0 && is_behind(sphere, ray)) continue;
+        const auto t = hit_sphere(sphere, ray, {min, best.t});
         // At best.t itself the leaf may hold the higher number, or the lower one.
         if (!t || (*t == best.t && leaf.tag[i] < best.tag)) continue;
         best = {*t, leaf.tag[i]};
