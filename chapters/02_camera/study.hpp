@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <rt/compiler.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/primary_ray.hpp>
 #include <rt/rng.hpp>
@@ -175,8 +176,12 @@ void measure_look_at(study::Report& report, const char* variant) {
     const auto random = [&] {
         return Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
     };
+    // No compiler may know them beforehand.
+    Vec3 at{-1, Real(0.5), -2}, upwards{0, 1, 0};
+    RT_KEEP(at);
+    RT_KEEP(upwards);
     const double cost = time_each<rt::Basis>([&](int i) {
-        return look_at({3, 2, static_cast<Real>(i)}, {-1, Real(0.5), -2}, {0, 1, 0});
+        return look_at({3, 2, static_cast<Real>(i)}, at, upwards);
     });
     const int decades = std::numeric_limits<Real>::digits10 + 1;
     for (int decade = 0; decade < decades; ++decade) {
