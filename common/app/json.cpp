@@ -7,7 +7,6 @@
 #include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -170,6 +169,24 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     std::vector<Json> open_;  // objects and lists, from the outermost one
 };
 
+// How many letters to put in, take out or change, or neighbors to swap, to make one of the other.
+std::size_t slips(const std::string& a, const std::string& b) {
+    std::vector<std::vector<std::size_t>> table(a.size() + 1,
+                                                std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i)
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                table[i][j] = i + j;
+                continue;
+            }
+            table[i][j] = std::min({table[i - 1][j] + 1, table[i][j - 1] + 1,
+                                    table[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                table[i][j] = std::min(table[i][j], table[i - 2][j - 2] + 1);
+        }
+    return table[a.size()][b.size()];
+}
+
 }  // namespace
 
 std::string read_input_file(const fs::path& path, const std::string& name, std::size_t most) {
@@ -236,26 +253,21 @@ std::string quoted(const std::string& text) {
 }
 
 std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words) {
+    // A third of the letters may be wrong, and one of two.
+    return nearest_word(wrong, words, std::max<std::size_t>(wrong.size() / 3, 1));
+}
+
+std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words,
+                         std::size_t most) {
     std::string nearest;
-    // A third of the letters may be wrong, and one of two. What is longer than a word is no slip.
-    std::size_t best = std::max<std::size_t>(wrong.size() / 3, 1);
-    if (wrong.size() > 40) return {};
+    std::size_t best = most;
+    if (wrong.size() > 40) return {};  // what is longer than a word is no slip
     for (const std::string& word : words) {
         // Who leaves out the end means the word.
         if (wrong.size() >= 3 && word.rfind(wrong, 0) == 0) return word;
-        // Levenshtein's distance, one row of the table at a time.
-        std::vector<std::size_t> row(word.size() + 1);
-        std::iota(row.begin(), row.end(), std::size_t{0});
-        for (std::size_t i = 0; i < wrong.size(); ++i) {
-            std::size_t diagonal = std::exchange(row[0], i + 1);
-            for (std::size_t j = 0; j < word.size(); ++j) {
-                const std::size_t changed = diagonal + (wrong[i] != word[j]);
-                diagonal = row[j + 1];
-                row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
-            }
-        }
-        if (row.back() < best || (row.back() == best && nearest.empty())) {
-            best = row.back();
+        const std::size_t count = slips(wrong, word);
+        if (count < best || (count == best && nearest.empty())) {
+            best = count;
             nearest = word;
         }
     }

@@ -18,8 +18,8 @@ std::string target_of(const Exercise& exercise) {
     return "check." + exercise.id;
 }
 
-// The targets that cannot be built, and the first error of each.
-// Leaves the compiler's warnings in the others.
+// Builds the targets of these exercises and leaves the compiler's warnings in them. Returns those
+// that cannot be built, and the first error of each.
 std::map<std::string, std::string> build_all(const Course& course, std::vector<Checked*> some) {
     std::map<std::string, std::string> errors;
     if (some.empty()) return errors;
@@ -114,10 +114,8 @@ void run_tests(const Course& course, Checked& checked) {
             if (checked.trouble.empty())
                 checked.trouble =
                     "Nothing of it says rt::todo any more, and still your function is not the one "
-                    "that "
-                    "the checkpoints call. Compare its name, namespace and parameters with those "
-                    "that "
-                    "were declared, down to each const and &.";
+                    "that the checkpoints call. Compare its name, namespace and parameters with "
+                    "those that were declared, down to each const and &.";
         }
     } else if (tests.empty()) {
         throw app::Failure(target_of(checked.exercise) +

@@ -1,6 +1,7 @@
 // course COMMAND: the learner's companion. The script ./course builds it and calls it.
 #include <algorithm>
 #include <app/errors.hpp>
+#include <app/json.hpp>
 #include <course/commands.hpp>
 #include <cstdio>
 
@@ -49,34 +50,11 @@ bool is_help(const std::string& word) {
     return word == "--help" || word == "-h";
 }
 
-// How many letters to put in, take out or change, or neighbors to swap, to make one of the other.
-std::size_t slips(const std::string& a, const std::string& b) {
-    std::vector<std::vector<std::size_t>> table(a.size() + 1,
-                                                std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i)
-        for (std::size_t j = 0; j <= b.size(); ++j) {
-            if (i == 0 || j == 0) {
-                table[i][j] = i + j;
-                continue;
-            }
-            table[i][j] = std::min({table[i - 1][j] + 1, table[i][j - 1] + 1,
-                                    table[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                table[i][j] = std::min(table[i][j], table[i - 2][j - 2] + 1);
-        }
-    return table[a.size()][b.size()];
-}
-
 // The command that a word is nearly; empty where none is.
 std::string meant(const std::string& word) {
-    std::string nearest;
-    std::size_t fewest = std::min<std::size_t>(3, word.size());
-    for (const Command& command : commands)
-        if (const auto count = slips(word, command.name); count < fewest) {
-            fewest = count;
-            nearest = command.name;
-        }
-    return nearest;
+    std::vector<std::string> names;
+    for (const Command& command : commands) names.emplace_back(command.name);
+    return app::nearest_word(word, names, std::min<std::size_t>(2, word.size() - 1));
 }
 
 int dispatch(const course::Arguments& words) {

@@ -10,9 +10,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Of the 247 mistakes of chapters 01 to 07 all but one, which fails by luck, are recognized as
-// themselves or as one with the same signature. Where one is taken out of the list and then made, 4
-// are taken for another one that differs little, and none for a pair; 8 more have a twin.
+// All mistakes but one, which fails by luck, are recognized as themselves or as one with the same
+// signature. When they were 247 and one was taken out of the list and then made, 4 were taken for
+// another one that differs little, and none for a pair; 8 more had a twin.
 constexpr double alike_enough = 0.75, clearly_more = 0.1;
 
 // Mistakes of an exercise with one signature, and how much an answer is like it.

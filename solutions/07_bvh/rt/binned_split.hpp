@@ -46,11 +46,10 @@ struct BinGrid {
 
     explicit BinGrid(std::span<const BuildItem<Number>> items) {
         BuildBox<Number> middles;
-        for (const auto& item : items)
-            for (std::size_t k = 0; k < 3; ++k) {
-                middles.low[k] = std::min(middles.low[k], item.middle(k));
-                middles.high[k] = std::max(middles.high[k], item.middle(k));
-            }
+        for (const auto& item : items) {
+            const std::array<Number, 3> middle{item.middle(0), item.middle(1), item.middle(2)};
+            middles.add(middle, middle);
+        }
         first = middles.low;
         for (std::size_t k = 0; k < 3; ++k) {
             const Number length = middles.high[k] - middles.low[k];
