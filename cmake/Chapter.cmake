@@ -374,7 +374,8 @@ function(course_finish)
   # All that the tests run, and nothing that a learner may have left half-written. The stubs as
   # shipped are code of the project.
   set(tested "")
-  foreach(folder ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/common ${CMAKE_SOURCE_DIR}/tests)
+  foreach(folder ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/common ${CMAKE_SOURCE_DIR}/companion
+          ${CMAKE_SOURCE_DIR}/tests)
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
     foreach(target ${targets})
       get_target_property(kind ${target} TYPE)

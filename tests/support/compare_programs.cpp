@@ -6,7 +6,7 @@
 //                                                new seeds; exit 0 when at most one run in 300 says
 //                                                that it differs
 #include <chrono>
-#include <course/drawing.hpp>
+#include <companion/compare/program_pictures.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -21,11 +21,11 @@ int differ(const char* mine, const char* solution) {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
     try {
-        const auto found = course::compare(course::drawn_by(mine, solution));
+        const auto found = companion::compare(companion::drawn_by(mine, solution));
         std::printf("%s, %.1f s\n", found.same ? "THE SAME" : "different", seconds());
         for (const std::string& line : found.words()) std::printf("  %s\n", line.c_str());
         return found.same ? 1 : 0;
-    } catch (const course::DrawingFailed& failed) {
+    } catch (const companion::DrawingFailed& failed) {
         const bool started = failed.result.exit_code != 127 && failed.result.exit_code != 2;
         std::printf("%s: %s, %.1f s\n", started ? "different" : "FAILED", failed.what(), seconds());
         return started ? 0 : 1;
@@ -33,19 +33,19 @@ int differ(const char* mine, const char* solution) {
 }
 
 // On a machine that has too much to do a program may be stopped for being slow: then once more.
-course::Comparison patiently(const course::Drawn& drawn, std::uint64_t start) {
+companion::Comparison patiently(const companion::Drawn& drawn, std::uint64_t start) {
     for (int i = 0; i < 5; ++i) try {
-            return course::compare(drawn, start);
-        } catch (const course::DrawingFailed& failed) {
+            return companion::compare(drawn, start);
+        } catch (const companion::DrawingFailed& failed) {
             if (!failed.result.timed_out) throw;
         }
-    return course::compare(drawn, start);
+    return companion::compare(drawn, start);
 }
 
 int alarms(int runs, int count, char** programs) {
     int all = 0;
     for (int i = 0; i < count; ++i) {
-        course::Drawn drawn = course::drawn_by(programs[i], programs[i]);
+        companion::Drawn drawn = companion::drawn_by(programs[i], programs[i]);
         int alarms = 0, second_steps = 0;
         const auto start = Clock::now();
         for (int run = 0; run < runs; ++run) {

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <app/errors.hpp>
-#include <course/check.hpp>
-#include <course/mistakes.hpp>
-#include <course/process.hpp>
+#include <companion/check/check.hpp>
+#include <companion/model/mistakes.hpp>
+#include <companion/system/process.hpp>
 #include <cstdio>
 #include <rt/image_file.hpp>
 
-using namespace course;
+using namespace companion;
 
 namespace {
 

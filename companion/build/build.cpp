@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <app/errors.hpp>
+#include <companion/build/build.hpp>
+#include <companion/model/state.hpp>
+#include <companion/system/file_lock.hpp>
+#include <companion/system/process.hpp>
+#include <sstream>
+#include <string_view>
+#include <thread>
+
+namespace companion {
+namespace {
+
+bool has(std::string_view text, std::string_view part) {
+    return text.find(part) != std::string_view::npos;
+}
+
+// A path of the course as a person of the course knows it.
+std::string relative(const Course& course, std::string line) {
+    for (const fs::path& folder : {course.root, fs::weakly_canonical(course.root)}) {
+        const std::string prefix = folder.string() + '/';
+        for (auto at = line.find(prefix); at != std::string::npos; at = line.find(prefix))
+            line.erase(at, prefix.size());
+    }
+    // The build runs in its own folder; compilers may name files relative to that.
+    if (line.rfind("../", 0) == 0) line.erase(0, 3);
+    return line;
+}
+
+}  // namespace
+
+BuildResult build(const Course& course, const std::vector<std::string>& targets) {
+    const FileLock lock{private_folder(course) / "build.lock"};
+    std::vector<std::string> command{"cmake", "--build", course.build.string(), "--target"};
+    command.insert(command.end(), targets.begin(), targets.end());
+    command.push_back("--");
+    if (fs::exists(course.build / "build.ninja"))
+        command.insert(command.end(), {"-k", "0"});
+    else  // make, which builds one thing at a time where it is not told otherwise
+        command.insert(
+            command.end(),
+            {"-k", "-j" + std::to_string(std::max(1u, std::thread::hardware_concurrency()))});
+    const Result result = run_process({.command = command});
+    return {result.ok(), result.output};
+}
+
+void must_build(const Course& course, const std::string& target) {
+    const BuildResult result = build(course, {target});
+    if (result.ok) return;
+    const std::string error = first_error(course, result.output);
+    throw app::Failure(error.empty() ? target + " cannot be built: " +
+                                           result.output.substr(0, result.output.find('\n'))
+                                     : error.substr(0, error.find('\n')));
+}
+
+std::string first_error(const Course& course, const std::string& output,
+                        const std::vector<fs::path>& files) {
+    // An error and what a compiler shows with it: before it how it came there, after it the source.
+    struct Error {
+        std::string text;
+        std::string came_from;  // "file:line" of the learner's, where that led to it
+        bool is_within = false;
+    };
+    std::vector<Error> errors;
+    std::string linker, came_from, open_brace;
+    int shown = 0;  // lines of source
+    // "file:line" in a line of output, of one of the files.
+    const auto place_in = [&](const std::string& line) -> std::string {
+        for (const fs::path& file : files)
+            if (const auto at = line.find(file.string() + ':'); at != std::string::npos) {
+                const auto number = at + file.string().size() + 1;
+                return line.substr(at, line.find_first_not_of("0123456789", number) - at);
+            }
+        return "";
+    };
+    std::istringstream in{output};
+    for (std::string line; std::getline(in, line);) {
+        line = relative(course, line);
+        const std::string place = place_in(line);
+        const bool is_in_files = !place.empty(), is_within = is_in_files && line.find(place) == 0;
+        // "file:line:column: error: what"
+        if (has(line, ": error: ") || has(line, ": fatal error: ")) {
+            errors.push_back({line, came_from, is_within});
+            came_from.clear();
+            shown = 0;
+        } else if (!errors.empty() && line.rfind(' ', 0) == 0 && shown < 2) {
+            errors.back().text += '\n' + line;
+            ++shown;
+        } else {
+            shown = 2;
+            if (is_within && has(line, "to match this")) open_brace = line;
+            if (is_in_files && (has(line, "from ") || has(line, "required "))) came_from = place;
+        }
+        if (linker.empty() &&
+            (has(line, "undefined reference to ") || has(line, "multiple definition of ") ||
+             has(line, "Undefined symbol")))
+            linker = "the linker says: " + line.substr(line.find_first_of("uUm", line.rfind(": ")));
+    }
+    for (const Error& error : errors)
+        if (error.is_within) return error.text;
+    // What follows a brace that is never closed is all wrong, and the last thing that is said.
+    if (!open_brace.empty())
+        return open_brace.substr(0, open_brace.find(": note: ")) +
+               ": error: the brace { here is never closed";
+    for (const Error& error : errors)
+        if (!error.came_from.empty()) return error.text + "\n  which came from " + error.came_from;
+    return errors.empty() ? linker : errors.front().text;
+}
+
+std::string first_warning(const Course& course, const std::string& output,
+                          const std::vector<fs::path>& files) {
+    const std::string mark = ": warning: ";
+    const char* const grave[]{"[-Wreturn-type",          "[-Wreturn-local-addr",
+                              "[-Wreturn-stack-address", "[-Wdangling",
+                              "[-Winfinite-recursion",   "[-Wuninitialized",
+                              "[-Wmaybe-uninitialized",  "[-Wsometimes-uninitialized"};
+    std::string first, elsewhere;
+    std::istringstream in{output};
+    for (std::string line; std::getline(in, line);) {
+        line = relative(course, line);
+        const auto at = line.find(mark);
+        const auto file = std::find_if(files.begin(), files.end(), [&](const fs::path& one) {
+            return line.rfind(one.string() + ':', 0) == 0;
+        });
+        const bool is_in_files = file != files.end();
+        // "file:line" of "file:line:column: what"
+        const auto place = [&] {
+            return line.substr(0, line.find(':', file->string().size() + 1));
+        };
+        if (at == std::string::npos) {
+            // g++ may warn of a variable where it is used, in the test that calls the learner's
+            // function, and only then note where it was declared.
+            if (is_in_files && !elsewhere.empty() && has(line, ": note: "))
+                return place() + ": " + elsewhere;
+            continue;
+        }
+        // "file:line:column: warning: what [-Wname]"
+        const auto option = line.rfind(" [-W");
+        const auto what = at + mark.size();
+        const std::string warning =
+            line.substr(what, option == std::string::npos ? option : option - what);
+        const bool is_grave = std::any_of(std::begin(grave), std::end(grave),
+                                          [&](const char* name) { return has(line, name); });
+        elsewhere = is_grave && !is_in_files ? warning : "";
+        if (!is_in_files) continue;
+        if (is_grave) return place() + ": " + warning;
+        if (first.empty()) first = place() + ": " + warning;
+    }
+    return first;
+}
+
+}  // namespace companion

@@ -1,0 +1,41 @@
+#pragma once
+// Checking the learner's answers: build, run, judge, remember.
+
+#include <companion/check/test_results.hpp>
+#include <companion/model/exercise.hpp>
+#include <companion/model/mistakes.hpp>
+
+namespace companion {
+
+enum class Verdict {
+    passed,
+    failing,       // an assertion does not hold, or an exception came
+    to_write,      // its own rt::todo is still there; trouble says what that may come from
+    waiting,       // an exercise that it needs is still to be written
+    not_compiled,  // trouble is the first error
+    crashed,       // trouble says of what
+    endless        // it was stopped
+};
+
+struct Checked {
+    Exercise exercise;
+    Verdict verdict = Verdict::to_write;
+    std::vector<TestCase> tests;       // as far as they were run
+    std::string trouble;               // what kept it from running to the end
+    std::string warning;               // of the compiler, on its files
+    std::string missing;               // waiting: the exercise that it needs
+    std::vector<LookAlikes> mistakes;  // that it looks like
+};
+
+// Seconds after which an exercise's checkpoints are stopped.
+inline constexpr double most_seconds = 20;
+
+// Checks these exercises, each in a program of its own, and remembers the verdicts. One of which
+// nothing is written is not built. Throws app::Failure where the build itself is broken.
+std::vector<Checked> check_exercises(const Course& course, const std::vector<Exercise>& exercises);
+
+// How many of its test cases pass, and how many there are. Of one that was stopped, those that were
+// begun.
+int passed_cases(const Checked& checked);
+
+}  // namespace companion

@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <companion/check/passing_chapters.hpp>
+
+namespace companion {
+namespace {
+
+const char* reason(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::passed:
+            return "passes";
+        case Verdict::failing:
+            return "fails";
+        case Verdict::to_write:
+            return "is still to be written";
+        case Verdict::waiting:
+            return "waits for another exercise";
+        case Verdict::not_compiled:
+            return "does not compile";
+        case Verdict::crashed:
+            return "crashes";
+        case Verdict::endless:
+            return "does not end";
+    }
+    return "";
+}
+
+}  // namespace
+
+bool ChapterStanding::is_yours() const {
+    return !exercises.empty() &&
+           std::all_of(exercises.begin(), exercises.end(),
+                       [](const Checked& one) { return one.verdict == Verdict::passed; });
+}
+
+std::string ChapterStanding::why() const {
+    const auto count = std::to_string(exercises.size());
+    if (exercises.empty()) return "it has no exercises";
+    if (is_yours()) return "all " + count + " exercises pass";
+    const auto unwritten =
+        std::count_if(exercises.begin(), exercises.end(),
+                      [](const Checked& one) { return one.verdict == Verdict::to_write; });
+    if (unwritten == static_cast<long>(exercises.size())) return "still to be written";
+    std::string text;
+    for (const Checked& one : exercises)
+        if (one.verdict != Verdict::passed)
+            text += (text.empty() ? "" : ", ") + one.exercise.id + ' ' + reason(one.verdict);
+    return text;
+}
+
+std::vector<ChapterStanding> check_all(const Course& course) {
+    std::vector<ChapterStanding> all;
+    for (const Chapter& chapter : chapters(course))
+        all.push_back({chapter, check_exercises(course, exercises(course, chapter))});
+    return all;
+}
+
+}  // namespace companion

@@ -1,0 +1,21 @@
+#pragma once
+// Which chapters' exercises are solved by the learner.
+
+#include <companion/check/check.hpp>
+
+namespace companion {
+
+struct ChapterStanding {
+    Chapter chapter;
+    std::vector<Checked> exercises;
+
+    bool is_yours() const;
+    // "yours: 7 exercises pass", or why the solution's is used: "01.3 fails", "02.1 to 02.4 are
+    // still to be written".
+    std::string why() const;
+};
+
+// Checks all exercises of all chapters.
+std::vector<ChapterStanding> check_all(const Course& course);
+
+}  // namespace companion

@@ -1,0 +1,35 @@
+#pragma once
+// What a wrong answer looks like from outside: which assertions fail, and with which values. Two
+// answers that are wrong in the same way have the same signature, however they are written.
+
+#include <companion/check/test_results.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+struct Signature {
+    // Hashes of the assertions that failed: test case and expression, no line numbers.
+    std::set<std::string> where;
+    // The same with the values that came, to three digits, so that how an answer rounds does not
+    // matter. Of many the smallest hashes are kept: an even sample of them.
+    std::set<std::string> what;
+};
+
+// Test cases that an rt::todo ended are left out: they say nothing of what was written.
+Signature signature_of(const std::vector<TestCase>& tests);
+
+// How alike two are, from 0 to 1: the share that both have of what either has, where and what
+// weighing the same. 0 where one is empty.
+double similarity(const Signature& a, const Signature& b);
+
+bool operator==(const Signature& a, const Signature& b);
+
+// Keeps the smallest of many hashes.
+void keep_sample(std::set<std::string>& hashes);
+
+// A text with its numbers rounded to three digits.
+std::string with_rounded_numbers(const std::string& text);
+
+}  // namespace companion

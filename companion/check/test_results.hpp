@@ -1,0 +1,33 @@
+#pragma once
+// What a program of test cases said, read from Catch2's XML (version 2 or 3).
+
+#include <string>
+#include <vector>
+
+namespace companion {
+
+// An assertion that did not hold, or an exception that nobody expected.
+struct FailedAssertion {
+    std::string expression;             // as the test's source has it: "CHECK( a == b )"
+    std::string expanded;               // with the values: "1 == 2"
+    std::string exception;              // what was thrown, where something was
+    std::vector<std::string> messages;  // what the test says of it: expected, computed, hints
+};
+
+struct TestCase {
+    std::string name;  // "01.3 the length follows from Pythagoras"
+    bool passed = false;
+    bool ended = false;  // false: it was running when the program ended
+    std::string crash;   // what the program died of within it, "SIGSEGV - Segmentation ..."
+    std::string output;  // what it printed
+    std::vector<FailedAssertion> failures;
+};
+
+// The test cases that were begun, in their order. The text may end anywhere: a program that was
+// killed leaves half of its report.
+std::vector<TestCase> read_report(const std::string& xml);
+
+// The exercise whose rt::todo ended a test case, such as "01.3"; empty where none did.
+std::string missing_exercise(const TestCase& test);
+
+}  // namespace companion

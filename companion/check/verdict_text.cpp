@@ -1,0 +1,284 @@
+#include <algorithm>
+#include <companion/check/verdict_text.hpp>
+#include <companion/model/mistakes.hpp>
+#include <companion/system/terminal.hpp>
+#include <sstream>
+
+namespace companion {
+namespace {
+
+// A string that fills this many columns.
+std::string padded(std::string text, std::size_t width) {
+    if (text.size() < width) text.resize(width, ' ');
+    return text;
+}
+
+std::string cases(int count) {
+    return std::to_string(count) + (count == 1 ? " test case" : " test cases");
+}
+
+std::string files_of(const Exercise& exercise) {
+    std::string files;
+    for (const fs::path& file : exercise.files)
+        files += (files.empty() ? "" : ", ") + file.string();
+    return files;
+}
+
+// Says so where a file is gone.
+std::string missing_files(const Course& course, const Exercise& exercise) {
+    for (const fs::path& file : exercise.files)
+        if (!fs::exists(course.root / file))
+            return "  " + red(file.string() + " is gone") + ": ./course reset " + exercise.id +
+                   " brings it back\n";
+    return "";
+}
+
+std::string verdict_text(const Checked& checked) {
+    const int all = static_cast<int>(checked.tests.size()), passed = passed_cases(checked);
+    const auto missing = static_cast<int>(std::count_if(
+        checked.tests.begin(), checked.tests.end(),
+        [](const TestCase& test) { return !test.passed && !missing_exercise(test).empty(); }));
+    const int failing = all - passed - missing;
+    switch (checked.verdict) {
+        case Verdict::passed:
+            return green("done");
+        case Verdict::failing:
+            if (failing == 0) return red("failing: no test case reaches it");
+            return red("failing: " + std::to_string(failing) + " of " + cases(all)) +
+                   (missing == 0 ? ""
+                                 : yellow(", " + std::to_string(missing) + " still to be written"));
+        case Verdict::to_write:
+            if (all == 0) return dim("to be written");
+            return yellow(passed == 0 ? "begun: all of its " + cases(all) + " meet an rt::todo"
+                                      : "begun: " + std::to_string(passed) + " of " + cases(all) +
+                                            " pass, the rest is to be written");
+        case Verdict::waiting:
+            return yellow("needs " + checked.missing + " first");
+        case Verdict::not_compiled:
+            return red("does not compile");
+        case Verdict::crashed:
+            return red("crashes");
+        case Verdict::endless:
+            return red("does not end");
+    }
+    return "";
+}
+
+std::string symbol_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::passed:
+            return green("+");
+        case Verdict::to_write:
+            return dim(".");
+        case Verdict::waiting:
+            return yellow("-");
+        default:
+            return red("x");
+    }
+}
+
+// At most this many lines of a text.
+std::string first_lines(const std::string& text, int count) {
+    constexpr std::size_t most = 2000;
+    std::istringstream in{text.substr(0, most)};
+    std::string kept, line;
+    for (int i = 0; i < count && std::getline(in, line); ++i) kept += line + '\n';
+    if (text.size() > most) return kept + "...\n";
+    if (std::getline(in, line)) kept += "...\n";
+    return kept;
+}
+
+// Catch2 shows whole numbers in hexadecimal as well: "3210 (0xc8a)".
+std::string without_hexadecimal(std::string text) {
+    for (auto at = text.find(" (0x"); at != std::string::npos; at = text.find(" (0x", at)) {
+        const auto end = text.find_first_not_of("0123456789abcdef", at + 4);
+        if (end == std::string::npos || text[end] != ')') break;
+        text.erase(at, end + 1 - at);
+    }
+    return text;
+}
+
+// Addresses as "address A", "address B": which are the same is all that they can say.
+std::string without_addresses(std::string text) {
+    const char* const digits = "0123456789abcdefABCDEF";
+    std::vector<std::string> seen;
+    for (auto at = text.find("0x"); at != std::string::npos; at = text.find("0x", at + 1)) {
+        const auto end = std::min(text.find_first_not_of(digits, at + 2), text.size());
+        if (end - at < 8 || (end < text.size() && (text[end] == '.' || text[end] == 'p'))) continue;
+        const std::string address = text.substr(at, end - at);
+        auto known = std::find(seen.begin(), seen.end(), address);
+        if (known == seen.end()) known = seen.insert(seen.end(), address);
+        const auto which = static_cast<std::size_t>(known - seen.begin());
+        text.replace(at, end - at,
+                     which < 26 ? "address " + std::string(1, static_cast<char>('A' + which))
+                                : "another address");
+    }
+    return text;
+}
+
+// Numbers with more digits than mean something, as "5.31e+303".
+std::string without_long_numbers(std::string text) {
+    constexpr std::size_t most = 30;
+    const char* const digits = "0123456789";
+    for (auto at = text.find_first_of(digits); at != std::string::npos;
+         at = text.find_first_of(digits, at)) {
+        auto end = std::min(text.find_first_not_of(digits, at), text.size());
+        if (end - at > most) {
+            const std::string exponent = "e+" + std::to_string(end - at - 1);
+            if (end + 1 < text.size() && text[end] == '.')
+                end = std::min(text.find_first_not_of(digits, end + 1), text.size());
+            text.replace(at, end - at,
+                         text.substr(at, 1) + '.' + text.substr(at + 1, 2) + exponent);
+            end = at + 4 + exponent.size();
+        }
+        at = end;
+    }
+    return text;
+}
+
+std::string readable(const std::string& text) {
+    return without_long_numbers(without_addresses(without_hexadecimal(text)));
+}
+
+// What Catch2 names the expression in which a program crashed.
+bool is_unknown(const FailedAssertion& failure) {
+    return failure.expression.find("{Unknown expression") != std::string::npos;
+}
+
+std::string describe(const FailedAssertion& failure) {
+    std::string text;
+    for (const std::string& message : failure.messages) text += wrapped(readable(message), "    ");
+    if (!failure.expression.empty() && failure.expression != "FAIL" && !is_unknown(failure)) {
+        text += wrapped("checked: " + failure.expression, "    ");
+        const bool says_more = failure.expanded != "false" && !failure.expanded.empty() &&
+                               failure.expression.find(failure.expanded) == std::string::npos;
+        if (says_more) text += wrapped("came as: " + readable(failure.expanded), "    ");
+    }
+    if (!failure.exception.empty()) text += wrapped("it threw: " + failure.exception, "    ");
+    return text;
+}
+
+// The first failure of a test case of which there is something to say.
+std::string describe_all(const TestCase& test) {
+    for (const FailedAssertion& failure : test.failures)
+        if (const std::string text = describe(failure); !text.empty()) return text;
+    return "";
+}
+
+// What failed before a program crashed or was stopped.
+std::string before_that(const std::string& failing) {
+    return failing.empty() ? "" : "\nBefore that:\n" + failing;
+}
+
+// The test cases that fail: the first with all that is known, the others by name.
+std::string failing_cases(const Checked& checked) {
+    std::string text, others;
+    for (const TestCase& test : checked.tests) {
+        if (test.passed || !missing_exercise(test).empty()) continue;
+        const bool crashed = !test.ended || !test.crash.empty();
+        if (crashed && describe_all(test).empty()) continue;  // the crash is told elsewhere
+        if (!text.empty()) {
+            others += "    " + test.name + '\n';
+            continue;
+        }
+        text += "  " + bold(test.name) + '\n';
+        text += describe_all(test);
+        if (!test.output.empty())
+            text += "    your code printed:\n" + wrapped(first_lines(test.output, 10), "      ");
+    }
+    if (!others.empty()) text += "\n  Also failing:\n" + others;
+    return text;
+}
+
+std::string warned(const Checked& checked) {
+    return checked.warning.empty()
+               ? ""
+               : "\n  " + yellow("The compiler warned:") + '\n' + wrapped(checked.warning, "    ");
+}
+
+std::string what_it_looks_like(const Course& course, const Checked& checked) {
+    std::string text;
+    for (const LookAlikes& alike : checked.mistakes)
+        for (const std::string& name : alike) {
+            const Mistake mistake = read_mistake(course, checked.exercise.chapter, name);
+            const char* const start = text.empty()            ? "This looks like: "
+                                      : name == alike.front() ? "and like: "
+                                                              : "or like: ";
+            text += "\n  " + yellow(start + mistake.title) + '\n' +
+                    wrapped(mistake.explanation, "    ");
+        }
+    return text;
+}
+
+}  // namespace
+
+std::string summary_line(const Checked& checked) {
+    return "  " + symbol_of(checked.verdict) + ' ' + checked.exercise.id + "  " +
+           padded(checked.exercise.title, 36) + ' ' + verdict_text(checked) + '\n';
+}
+
+std::string details(const Course& course, const Checked& checked) {
+    const Exercise& exercise = checked.exercise;
+    std::string text = bold(exercise.id + ' ' + exercise.title) + ", " + files_of(exercise) + "\n";
+    // The test case in which it crashed or did not end.
+    std::string where;
+    for (const TestCase& test : checked.tests)
+        if (!test.ended || !test.crash.empty()) where = test.name;
+    if (!where.empty()) where = " in the test case\n  " + bold(where);
+    switch (checked.verdict) {
+        case Verdict::not_compiled:
+            text += "It does not compile. The first error:\n\n" + checked.trouble + '\n';
+            break;
+        case Verdict::crashed:
+            text += "It crashes: " + checked.trouble + (where.empty() ? "" : ",\n " + where) +
+                    "\n  A forgotten return, an index out of range, a pointer to nothing, a "
+                    "reference to something\n  that is gone (such as v.back() after "
+                    "v.pop_back()), or a function that calls itself for ever?\n  The address "
+                    "sanitizer names the line: docs/00-toolchain.md, section Hard cases.\n" +
+                    warned(checked) + before_that(failing_cases(checked));
+            break;
+        case Verdict::endless:
+            text += "It was stopped, " + checked.trouble + "," + where +
+                    "\n  Which loop or recursion never ends?\n" + warned(checked) +
+                    before_that(failing_cases(checked));
+            break;
+        case Verdict::waiting:
+            text +=
+                "It calls what exercise " + checked.missing + " asks for: write that one first.\n";
+            break;
+        case Verdict::to_write:
+            text += "It is still to be written: replace the lines that say rt::todo.\n" +
+                    (checked.trouble.empty() ? "" : '\n' + wrapped(checked.trouble, "  "));
+            break;
+        case Verdict::failing:
+            text += '\n' +
+                    (checked.trouble.empty() ? failing_cases(checked)
+                                             : wrapped(checked.trouble, "  ")) +
+                    warned(checked);
+            break;
+        case Verdict::passed:
+            break;
+    }
+    if (checked.verdict != Verdict::passed) {
+        text += what_it_looks_like(course, checked);
+        text += "\n  Read " + exercise.section() + ". Stuck? ./course hint " + exercise.id + '\n';
+    }
+    return text;
+}
+
+std::string next_step(const Course& course, const Exercise* next) {
+    if (!next) return "All exercises are done. The last step: ./course certify\n";
+    return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
+           std::to_string(next->minutes) + " minutes\n  read   " + next->section() + "\n  write  " +
+           files_of(*next) + "\n  check  ./course check " + next->id + '\n' +
+           missing_files(course, *next);
+}
+
+std::string chapter_done(const Chapter& chapter) {
+    const std::string number = chapter.number();
+    return green("Chapter " + number + " is done: every checkpoint passes.") +
+           "\n  Look at your picture:          ./course run " + number +
+           "\n  Compare it with the solution:  ./course compare " + number + '\n';
+}
+
+}  // namespace companion

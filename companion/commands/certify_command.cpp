@@ -1,0 +1,224 @@
+#include <sys/utsname.h>
+
+#include <app/errors.hpp>
+#include <chrono>
+#include <companion/build/build.hpp>
+#include <companion/build/side_build.hpp>
+#include <companion/check/passing_chapters.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/pages/certificate.hpp>
+#include <companion/pages/studies.hpp>
+#include <companion/system/process.hpp>
+#include <companion/system/terminal.hpp>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <rt/image_file.hpp>
+#include <set>
+#include <sstream>
+#include <thread>
+
+namespace companion {
+namespace {
+
+constexpr double patience = 120;  // seconds for a program's tests or measurements
+
+std::string machine() {
+    std::string name;
+    std::ifstream in{"/proc/cpuinfo"};
+    for (std::string line; name.empty() && std::getline(in, line);)
+        if (line.rfind("model name", 0) == 0) name = line.substr(line.find(':') + 2);
+    utsname system{};
+    ::uname(&system);
+    if (name.empty()) name = system.machine;
+    return name + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, " +
+           system.sysname;
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%d", std::localtime(&now));
+    return text;
+}
+
+std::string compiler(const Course& course) {
+    const Result result =
+        run_process({.command = {cached(course, "CMAKE_CXX_COMPILER"), "--version"}});
+    return result.ok() ? result.output.substr(0, result.output.find('\n')) : "unknown compiler";
+}
+
+// Fills the certificate and shows each line as soon as it is known.
+class Examination {
+  public:
+    explicit Examination(const Course& course) : course_{course} {
+        certificate_.date = today();
+        certificate_.machine = machine();
+        certificate_.compiler = compiler(course);
+    }
+
+    Certificate certificate() const { return certificate_; }
+
+    void note(const CertifiedFigure& one) {
+        certificate_.measurements.push_back(one);
+        const std::string line = line_of(one);
+        std::puts((one.held == Held::fails ? red(line) : line).c_str());
+        std::fflush(stdout);
+    }
+    void note(bool holds, const std::string& exercise, const std::string& what,
+              const std::string& figure, const std::string& bound) {
+        note({holds ? Held::holds : Held::fails, exercise, what, figure, bound});
+    }
+
+    // True when all exercises are written.
+    bool check_exercises_of(const std::vector<ChapterStanding>& all) {
+        bool written = true;
+        for (const ChapterStanding& one : all) {
+            for (const Checked& checked : one.exercises)
+                written = written && checked.verdict != Verdict::to_write &&
+                          checked.verdict != Verdict::waiting;
+            std::string first;
+            for (const Checked& checked : one.exercises)
+                if (first.empty() && checked.verdict != Verdict::passed)
+                    first = checked.exercise.id;
+            note(one.is_yours(), first, "checkpoints of " + one.chapter.name, one.why(),
+                 "all pass");
+        }
+        return written;
+    }
+
+    // Builds everything of the learner's anew with -O3: any warning from exercises/ counts.
+    void build_with_warnings(const std::vector<Chapter>& all) {
+        fs::remove_all(course_.build / "certify");
+        fast_ = side_build(course_, "certify",
+                           {"-DCMAKE_BUILD_TYPE=Release", "-DCOURSE_MINE=all", "-DRT_WERROR=OFF"});
+        std::vector<std::string> targets;
+        for (const Chapter& chapter : all) {
+            targets.push_back(chapter.name + "_mine");
+            if (is_measured(chapter)) targets.push_back("certify." + chapter.name);
+        }
+        const BuildResult result = build(fast_, targets);
+        std::set<std::string> warnings;
+        std::istringstream in{result.output};
+        for (std::string line; std::getline(in, line);)
+            if (line.find("warning: ") != std::string::npos &&
+                line.find("exercises/") != std::string::npos)
+                warnings.insert(line.substr(line.find("exercises/")));
+        for (const std::string& warning : warnings) note(false, "", warning, "", "");
+        if (!result.ok) note(false, "", first_error(course_, result.output), "", "compiles");
+        note(result.ok && warnings.empty(), "", "builds with -O3 -Wall -Wextra -Wpedantic -Wshadow",
+             std::to_string(warnings.size()) + " warnings", "none");
+    }
+
+    // The checkpoints under the address and undefined-behavior sanitizers.
+    void check_memory(const std::vector<Chapter>& all) {
+        const Course checked = side_build(
+            course_, "certify-memory",
+            {"-DCMAKE_BUILD_TYPE=Debug", "-DCOURSE_MINE=", "-DRT_SANITIZE=address,undefined",
+             "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1"});
+        std::vector<std::string> targets;
+        for (const Chapter& chapter : all) targets.push_back(chapter.name + "_checkpoint");
+        const BuildResult built = build(checked, targets);
+        if (!built.ok) note(false, "", first_error(course_, built.output), "", "compiles");
+        for (const Chapter& chapter : all) {
+            const std::string what = "memory and undefined behavior, " + chapter.name;
+            const Result result =
+                run_process({.command = {checked.program(chapter.name + "_checkpoint").string()},
+                             .timeout = patience});
+            const std::string found = sanitizer_report(result.output);
+            if (!found.empty())
+                note(false, "", what, found, "clean");
+            else
+                note(result.ok(), "", what, result.ok() ? "clean" : how_it_ended(result), "clean");
+        }
+    }
+
+    void measure(const std::vector<Chapter>& all) {
+        for (const Chapter& chapter : all) {
+            if (!is_measured(chapter)) continue;
+            const Result result =
+                run_process({.command = {fast_.program("certify." + chapter.name).string()},
+                             .output = Output::errors_shown,
+                             .timeout = patience});
+            for (const CertifiedFigure& one : read_measurements(result.output)) note(one);
+            const bool ended = !result.timed_out && !result.signal && result.exit_code != 127;
+            if (!ended) note(false, "", "measuring " + chapter.name, how_it_ended(result), "ends");
+        }
+    }
+
+    void draw(const std::vector<Chapter>& all) {
+        const fs::path folder = course_.out() / "certificate";
+        make_folder(folder);
+        for (const Chapter& chapter : all) {
+            fs::remove(folder / chapter.picture());
+            const Result result =
+                run_process({.command = {fast_.program(chapter.name + "_mine").string(), "--quiet",
+                                         "--out", (folder / chapter.picture()).string()},
+                             .timeout = 900});
+            char seconds[32];
+            std::snprintf(seconds, sizeof seconds, "%.1f s", result.seconds);
+            note(result.ok(), "", "picture of " + chapter.name + ", all your code",
+                 result.ok() ? seconds : how_it_ended(result), "drawn");
+            if (result.ok()) certificate_.pictures.push_back("certificate/" + chapter.picture());
+        }
+    }
+
+  private:
+    bool is_measured(const Chapter& chapter) const {
+        return fs::exists(course_.root / "tests/certify" / (chapter.name + ".cpp"));
+    }
+    // The line of a sanitizer's report, with the place in the learner's code where there is one.
+    static std::string sanitizer_report(const std::string& output) {
+        std::string found;
+        std::istringstream in{output};
+        for (std::string line; std::getline(in, line);) {
+            const auto error = line.find("ERROR: AddressSanitizer: "),
+                       behavior = line.find("runtime error: "), place = line.find("exercises/");
+            if (found.empty() && error != std::string::npos) found = line.substr(error + 25);
+            if (found.empty() && behavior != std::string::npos)
+                found = place < behavior ? line.substr(place) : line.substr(behavior + 15);
+            if (!found.empty() && place != std::string::npos) {
+                if (found.find("exercises/") == std::string::npos)
+                    found += " at " + line.substr(place);
+                return found;
+            }
+        }
+        return found;
+    }
+
+    const Course& course_;
+    Course fast_;
+    Certificate certificate_;
+};
+
+}  // namespace
+
+int certify(const Course& course, const Arguments& arguments) {
+    if (!arguments.empty()) throw app::UsageError("certify takes no arguments");
+    make_folder(course.out());
+    const std::vector<Chapter> all = chapters(course);
+    Examination examination{course};
+    const bool written = examination.check_exercises_of(check_all(course));
+    if (written) {
+        std::puts("All is written. Building it anew takes a few minutes.");
+        std::fflush(stdout);
+        examination.build_with_warnings(all);
+        examination.measure(all);
+        examination.check_memory(all);
+        examination.draw(all);
+    }
+    const Certificate certificate = examination.certificate();
+    rt::replace_file(course.out() / "certificate.html", certificate_html(certificate));
+    if (certificate.passed()) {
+        std::puts("Everything holds. Your certificate is out/certificate.html.");
+        return app::done;
+    }
+    std::set<std::string> ids;
+    for (const CertifiedFigure& one : certificate.measurements)
+        if (one.held == Held::fails && !one.exercise.empty()) ids.insert(one.exercise);
+    std::puts("Not there yet; out/certificate.html says how far it is.");
+    if (!ids.empty()) std::printf("Next: ./course check %s\n", ids.begin()->c_str());
+    return written ? app::could_not : app::still_to_write;
+}
+
+}  // namespace companion

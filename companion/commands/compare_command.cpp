@@ -1,0 +1,40 @@
+#include <app/errors.hpp>
+#include <companion/build/build.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/compare/comparison_sheet.hpp>
+#include <companion/compare/program_pictures.hpp>
+#include <companion/pages/studies.hpp>
+#include <cstdio>
+#include <rt/image_file.hpp>
+
+namespace companion {
+
+int compare(const Course& course, const Arguments& arguments) {
+    if (arguments.size() != 1)
+        throw app::UsageError("compare takes one chapter, such as: compare 03");
+    const Chapter chapter = find_chapter(chapters(course), arguments[0]);
+    must_build(course, chapter.name);
+    must_build(course, chapter.name + "_solution");
+
+    Comparison found;
+    try {
+        found = compare(
+            drawn_by(course.program(chapter.name), course.program(chapter.name + "_solution")));
+    } catch (const DrawingFailed& failed) {
+        std::fprintf(stderr, "course: %s\n", failed.what());
+        const bool to_write =
+            !failed.result.signal && failed.result.exit_code == app::still_to_write;
+        return to_write ? app::still_to_write : app::could_not;
+    }
+    const auto words = found.words();
+    std::printf("%s: %s\n", chapter.name.c_str(), words[0].c_str());
+    for (std::size_t i = 1; i < words.size(); ++i) std::printf("  %s\n", words[i].c_str());
+    make_folder(course.out());
+    const fs::path path = course.out() / (chapter.name + "_compare.png");
+    rt::replace_file(path, rt::encode_png(compare_picture(found)));
+    std::printf("Both and their difference are in %s\n",
+                path.lexically_relative(course.root).c_str());
+    return found.same ? app::done : app::could_not;
+}
+
+}  // namespace companion

@@ -1,0 +1,48 @@
+#include <app/errors.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/model/exercise.hpp>
+#include <companion/model/hints.hpp>
+#include <companion/model/state.hpp>
+#include <companion/pages/plain_text.hpp>
+#include <companion/system/terminal.hpp>
+#include <cstdio>
+
+namespace companion {
+namespace {
+
+std::string solution_of(const Exercise& exercise) {
+    std::string files;
+    for (const fs::path& file : exercise.files)
+        files += (files.empty() ? "" : ", ") +
+                 (fs::path{"solutions"} / file.lexically_relative("exercises")).string();
+    return files;
+}
+
+}  // namespace
+
+int hint(const Course& course, const Arguments& arguments) {
+    if (arguments.size() != 1) throw app::UsageError("hint takes one exercise, such as: hint 03.2");
+    const Exercise exercise = find_exercise(course, arguments[0]);
+    const std::vector<std::string> all = hints(course, exercise);
+    if (all.empty())
+        throw app::Failure("there are no hints to " + exercise.id + "; read " + exercise.section());
+    int number = 0;
+    change_state(course, [&](State& state) {
+        int& shown = state[exercise.id].hints;
+        number = shown;
+        if (shown < static_cast<int>(all.size())) ++shown;
+    });
+    if (number < 0 || number >= static_cast<int>(all.size())) {
+        std::printf("There are no more hints to %s. Read %s once more; the solution is in %s.\n",
+                    exercise.id.c_str(), exercise.section().c_str(), solution_of(exercise).c_str());
+        return app::done;
+    }
+    std::printf("%s\n%s",
+                bold(exercise.id + ' ' + exercise.title + ", hint " + std::to_string(number + 1) +
+                     " of " + std::to_string(all.size()))
+                    .c_str(),
+                plain_text(all[static_cast<std::size_t>(number)]).c_str());
+    return app::done;
+}
+
+}  // namespace companion

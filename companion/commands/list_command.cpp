@@ -1,0 +1,89 @@
+#include <app/errors.hpp>
+#include <companion/check/verdict_text.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/model/progress.hpp>
+#include <companion/system/terminal.hpp>
+#include <cstdio>
+
+namespace companion {
+namespace {
+
+struct Progress {
+    int done = 0, exercises = 0;
+    double minutes = 0, minutes_left = 0;
+};
+
+std::string marked(Standing standing) {
+    const std::string text = std::string{symbol(standing)} + ' ';
+    switch (standing) {
+        case Standing::done:
+            return green(text);
+        case Standing::failing:
+            return red(text);
+        case Standing::to_write:
+            return dim(text);
+        default:
+            return yellow(text);
+    }
+}
+
+std::string duration(double minutes) {
+    const int whole = static_cast<int>(minutes + 0.5);
+    char text[32];
+    std::snprintf(text, sizeof text, "%d h %02d min", whole / 60, whole % 60);
+    return text;
+}
+
+// A chapter's hours are more than its exercises' minutes: reading takes the rest. What is left of
+// them is the share of the exercises that are not done.
+Progress progress(const Course& course, const State& state, const Chapter& chapter,
+                  const std::vector<Exercise>& all) {
+    Progress result;
+    double of_exercises = 0, left = 0;
+    for (const Exercise& exercise : all) {
+        const bool done = standing(course, state, exercise) == Standing::done;
+        result.done += done;
+        ++result.exercises;
+        of_exercises += exercise.minutes;
+        if (!done) left += exercise.minutes;
+    }
+    const int in_hours = 60 * hours(course, chapter);
+    result.minutes = in_hours > 0 ? in_hours : of_exercises;
+    result.minutes_left = of_exercises > 0 ? result.minutes * left / of_exercises : 0;
+    return result;
+}
+
+}  // namespace
+
+int list(const Course& course, const Arguments& arguments) {
+    if (!arguments.empty()) throw app::UsageError("list takes no arguments");
+    const State state = read_state(course);
+    Progress total;
+    std::vector<Exercise> every;
+    for (const Chapter& chapter : chapters(course)) {
+        const std::vector<Exercise> all = exercises(course, chapter);
+        const Progress part = progress(course, state, chapter, all);
+        std::printf("%s %s %d of %d\n",
+                    bold(chapter.name +
+                         std::string(16 - std::min<std::size_t>(16, chapter.name.size()), ' '))
+                        .c_str(),
+                    bar(part.done, part.exercises, 10).c_str(), part.done, part.exercises);
+        for (const Exercise& exercise : all) {
+            const Standing now = standing(course, state, exercise);
+            std::printf("  %s%s  %-38s %s\n", marked(now).c_str(), exercise.id.c_str(),
+                        exercise.title.c_str(), text(now));
+            every.push_back(exercise);
+        }
+        total.done += part.done;
+        total.exercises += part.exercises;
+        total.minutes += part.minutes;
+        total.minutes_left += part.minutes_left;
+    }
+    std::printf("\n%s %d of %d exercises, %s of %.0f hours left\n\n%s",
+                bar(total.done, total.exercises, 30).c_str(), total.done, total.exercises,
+                duration(total.minutes_left).c_str(), total.minutes / 60,
+                next_step(course, first_not_done(course, state, every)).c_str());
+    return app::done;
+}
+
+}  // namespace companion

@@ -1,0 +1,64 @@
+#include <app/errors.hpp>
+#include <chrono>
+#include <companion/commands/commands.hpp>
+#include <companion/model/exercise.hpp>
+#include <companion/model/state.hpp>
+#include <companion/model/stubs.hpp>
+#include <companion/system/files.hpp>
+#include <cstdio>
+#include <ctime>
+#include <rt/image_file.hpp>
+
+namespace companion {
+namespace {
+
+// .course/kept/01.3-20260131-174500, or with -2, -3, ... where that is there already.
+fs::path new_folder(const Course& course, const Exercise& exercise) {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    char time[32];
+    std::strftime(time, sizeof time, "%Y%m%d-%H%M%S", std::localtime(&now));
+    const fs::path kept = private_folder(course) / "kept";
+    fs::create_directories(kept);
+    const std::string name = exercise.id + '-' + time;
+    for (int i = 1;; ++i) {
+        const fs::path folder = kept / (i == 1 ? name : name + '-' + std::to_string(i));
+        if (fs::create_directory(folder)) return folder;  // false where it is there
+    }
+}
+
+}  // namespace
+
+int reset(const Course& course, const Arguments& arguments) {
+    if (arguments.size() != 1)
+        throw app::UsageError("reset takes one exercise, such as: reset 03.2");
+    const Exercise exercise = find_exercise(course, arguments[0]);
+    const Stubs stubs = shipped_stubs(course, exercise.chapter);
+    const fs::path chapter = fs::path{"exercises"} / exercise.chapter.name;
+
+    std::vector<fs::path> changed;
+    for (const fs::path& file : exercise.files)
+        if (!fs::exists(course.root / file) ||
+            read_file(course.root / file) != stubs.at(file.lexically_relative(chapter)))
+            changed.push_back(file);
+    if (changed.empty()) {
+        std::printf("%s is as it was shipped.\n", exercise.id.c_str());
+        return app::done;
+    }
+    fs::path folder;
+    for (const fs::path& file : changed) {
+        const fs::path path = course.root / file;
+        if (fs::exists(path)) {
+            if (folder.empty()) folder = new_folder(course, exercise);
+            fs::copy_file(path, folder / path.filename());
+            std::printf(
+                "kept   %s\n",
+                (folder / path.filename()).lexically_relative(course.root).string().c_str());
+        }
+        fs::create_directories(path.parent_path());
+        rt::replace_file(path, stubs.at(file.lexically_relative(chapter)));
+        std::printf("reset  %s\n", file.string().c_str());
+    }
+    return app::done;
+}
+
+}  // namespace companion

@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <app/errors.hpp>
+#include <companion/build/build.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/pages/studies.hpp>
+#include <companion/system/process.hpp>
+#include <cstdio>
+
+namespace companion {
+namespace {
+
+// Whether the learner says where the picture goes, or asks for none.
+bool says_where(const Arguments& options) {
+    return std::any_of(options.begin(), options.end(), [](const std::string& option) {
+        return option == "--out" || option.rfind("--out=", 0) == 0 || option == "--study" ||
+               option.rfind("--study=", 0) == 0 || option == "--help" || option == "-h";
+    });
+}
+
+}  // namespace
+
+int run(const Course& course, const Arguments& arguments) {
+    if (arguments.empty())
+        throw app::UsageError(
+            "run takes a chapter and its program's options, such as: run 03 --width 640");
+    const Chapter chapter = find_chapter(chapters(course), arguments[0]);
+    const Arguments options{arguments.begin() + 1, arguments.end()};
+    must_build(course, chapter.name);
+
+    std::vector<std::string> command{course.program(chapter.name).string()};
+    if (!says_where(options)) {
+        make_folder(course.out());
+        const fs::path picture = course.out() / (chapter.name + "_mine.png");
+        command.insert(command.end(), {"--out", picture.string()});
+    }
+    command.insert(command.end(), options.begin(), options.end());
+    const Result result = run_process({.command = command, .output = Output::shown});
+    if (result.signal != 0)
+        throw app::Failure(chapter.name + " crashed, " + how_it_ended(result) +
+                           "; in which exercise: ./course check " + chapter.number());
+    if (result.exit_code == app::still_to_write)
+        std::fprintf(stderr, "Which exercises are left: ./course check %s\n",
+                     chapter.number().c_str());
+    return result.exit_code;
+}
+
+}  // namespace companion

@@ -1,0 +1,227 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <app/errors.hpp>
+#include <chrono>
+#include <companion/check/check.hpp>
+#include <companion/check/verdict_text.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/model/progress.hpp>
+#include <companion/system/keyboard.hpp>
+#include <companion/system/process.hpp>
+#include <companion/system/terminal.hpp>
+#include <cstdio>
+#include <map>
+#include <thread>
+
+namespace companion {
+namespace {
+
+constexpr int pause_ms = 100;  // between two looks at the files
+
+void print(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+    std::fflush(stdout);
+}
+
+// When a file was last written; nothing where it is not there, as while an editor replaces it.
+using Written = std::map<fs::path, fs::file_time_type>;
+
+Written written(const Course& course, const std::vector<Exercise>& all) {
+    Written times;
+    for (const Exercise& exercise : all)
+        for (const fs::path& file : exercise.files) {
+            std::error_code missing;
+            const auto time = fs::last_write_time(course.root / file, missing);
+            if (!missing) times[file] = time;
+        }
+    return times;
+}
+
+class Watch {
+  public:
+    Watch(const Course& course, std::vector<Exercise> all, bool whole_course)
+        : course_{course},
+          all_{std::move(all)},
+          whole_course_{whole_course},
+          on_terminal_{::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO)},
+          keyboard_{on_terminal_} {}
+
+    int run() {
+        seen_ = written(course_, all_);
+        if (!go_on()) return app::done;
+        for (;;) {
+            while (!has_changed()) {
+                const auto key = keyboard_.key(pause_ms);
+                if (key && !obey(*key)) return app::done;
+                if (keyboard_.at_end()) return end_of_input();
+            }
+            if (check_current() && !go_on()) return app::done;
+        }
+    }
+
+  private:
+    // Finds the next exercise that is not done, from the current one on, and says what to do. What
+    // is written already is checked first, and passed over where it is right. False where all are
+    // done.
+    bool go_on() {
+        for (;;) {
+            const State state = read_state(course_);
+            const auto is_open = [&](const Exercise& exercise) {
+                return standing(course_, state, exercise) != Standing::done;
+            };
+            auto next =
+                std::find_if(all_.begin() + static_cast<long>(current_), all_.end(), is_open);
+            if (next == all_.end()) next = std::find_if(all_.begin(), all_.end(), is_open);
+            if (next == all_.end()) {
+                print('\n' + (whole_course_ ? next_step(course_, nullptr)
+                                            : chapter_done(all_.front().chapter)));
+                return false;
+            }
+            current_ = static_cast<std::size_t>(next - all_.begin());
+            if (standing(course_, state, *next) == Standing::to_write) {
+                print('\n' + next_step(course_, &*next));
+                print_keys();
+                return true;
+            }
+            if (!check_current()) return true;
+        }
+    }
+
+    // True where a file is another one than before; the exercise that it belongs to is then the
+    // current one.
+    bool has_changed() {
+        Written now = written(course_, all_);
+        if (now == seen_) return false;
+        // An editor may still be writing.
+        for (Written later; later != now;) {
+            if (!later.empty()) now = later;
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            later = written(course_, all_);
+        }
+        const auto differs = [&](const fs::path& file) {
+            return now.count(file) && (!seen_.count(file) || seen_.at(file) != now.at(file));
+        };
+        const auto is_touched = [&](const Exercise& exercise) {
+            return std::any_of(exercise.files.begin(), exercise.files.end(), differs);
+        };
+        bool found = is_touched(all_[current_]);
+        for (std::size_t i = 0; !found && i < all_.size(); ++i)
+            if (is_touched(all_[i])) {
+                current_ = i;
+                found = true;
+            }
+        seen_ = now;
+        return found;
+    }
+
+    // True where it passes.
+    bool check_current() {
+        if (on_terminal_) print("\033[2J\033[H" + dim("checking " + all_[current_].id + " ..."));
+        std::vector<Checked> checked;
+        std::string trouble;
+        try {
+            checked = check_exercises(course_, {all_[current_]});
+        } catch (const app::Failure& failure) {
+            trouble = failure.what();
+        }
+        if (on_terminal_) print("\r\033[K");
+        if (!trouble.empty()) {
+            print("course: " + trouble + '\n');
+            print_keys();
+            return false;
+        }
+        print(summary_line(checked[0]));
+        if (checked[0].verdict == Verdict::passed) {
+            print_chapter_end();
+            return true;
+        }
+        print('\n' + details(course_, checked[0]));
+        print_keys();
+        return false;
+    }
+
+    void print_chapter_end() const {
+        const Chapter& chapter = all_[current_].chapter;
+        if (whole_course_ &&
+            !first_not_done(course_, read_state(course_), exercises(course_, chapter)))
+            print('\n' + chapter_done(chapter));
+    }
+
+    // False where it is the end.
+    bool obey(char key) {
+        const Exercise& exercise = all_[current_];
+        const std::string number = exercise.chapter.number();
+        switch (key) {
+            case 'q':
+                return false;
+            case 'h':
+                call({"hint", exercise.id});
+                break;
+            case 'r':
+                call({"run", number});
+                break;
+            case 'c':
+                call({"compare", number});
+                break;
+            case 'l':
+                call({"list"});
+                break;
+            case 'n':
+                next_exercise();
+                break;
+            default:
+                return true;
+        }
+        return true;
+    }
+
+    // A command of the companion, in a process of its own: what goes wrong there ends there.
+    void call(std::vector<std::string> command) {
+        command.insert(command.begin(), course_.program("course").string());
+        if (on_terminal_) print("\n");
+        run_process({.command = std::move(command), .output = Output::shown});
+        print_keys();
+    }
+
+    void next_exercise() {
+        const State state = read_state(course_);
+        for (std::size_t step = 1; step <= all_.size(); ++step) {
+            const std::size_t i = (current_ + step) % all_.size();
+            if (standing(course_, state, all_[i]) == Standing::done) continue;
+            current_ = i;
+            break;
+        }
+        print('\n' + next_step(course_, &all_[current_]));
+        print_keys();
+    }
+
+    void print_keys() const {
+        print(dim("\nh hint   r run   c compare   l list   n next   q quit   (watching " +
+                  all_[current_].id + ": save a file to check it)\n"));
+    }
+
+    int end_of_input() const {
+        return first_not_done(course_, read_state(course_), all_) ? app::still_to_write : app::done;
+    }
+
+    const Course& course_;
+    std::vector<Exercise> all_;
+    bool whole_course_;
+    bool on_terminal_;
+    Keyboard keyboard_;
+    Written seen_;
+    std::size_t current_ = 0;
+};
+
+}  // namespace
+
+int watch(const Course& course, const Arguments& arguments) {
+    if (arguments.size() > 1)
+        throw app::UsageError("watch takes one chapter at most, such as: watch 03");
+    if (arguments.empty()) return Watch{course, exercises(course), true}.run();
+    const Chapter chapter = find_chapter(chapters(course), arguments[0]);
+    return Watch{course, exercises(course, chapter), false}.run();
+}
+
+}  // namespace companion

@@ -1,0 +1,11 @@
+#pragma once
+#include <companion/compare/comparison.hpp>
+#include <rt/image.hpp>
+
+namespace companion {
+
+// Both pictures side by side, and the solution's in gray with a heat map on it: orange where yours
+// is too bright, blue where it is too dark, violet where it has another color or noise.
+rt::Image compare_picture(const Comparison& comparison);
+
+}  // namespace companion

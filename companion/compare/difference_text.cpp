@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <companion/compare/difference_text.hpp>
+#include <cstdio>
+#include <map>
+#include <set>
+
+namespace companion {
+namespace {
+
+constexpr const char* channels[] = {"red", "green", "blue"};
+
+std::string percent(double part) {
+    char text[32];
+    const double value = 100 * std::abs(part);
+    std::snprintf(text, sizeof text, value < 9.95 ? "%.1f %%" : "%.0f %%", value);
+    return text;
+}
+
+// The light of a place, of both programs.
+struct Light {
+    std::array<double, 3> mine{}, solution{};
+    double apart = 0;  // sum of the tiles' differences, whatever their sign
+
+    explicit Light(const std::vector<TileTest>& tiles) {
+        for (const TileTest& tile : tiles)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double pixels = tile.tile.width * tile.tile.height;
+                mine[i] += tile.mine[i] * pixels;
+                solution[i] += tile.solution[i] * pixels;
+                apart += std::abs(tile.mine[i] - tile.solution[i]) * pixels;
+            }
+    }
+    static double sum(const std::array<double, 3>& light) { return light[0] + light[1] + light[2]; }
+    double relative() const { return sum(mine) / sum(solution) - 1; }
+    double relative(std::size_t i) const { return solution[i] > 0 ? mine[i] / solution[i] - 1 : 0; }
+};
+
+std::string brightness(const Light& light) {
+    const double relative = light.relative();
+    if (!(Light::sum(light.solution) > 0)) return "bright where it is black";
+    if (relative >= 1) {
+        char text[48];
+        std::snprintf(text, sizeof text, "%.2g times as bright", relative + 1);
+        return text;
+    }
+    return percent(relative) + (relative < 0 ? " too dark" : " too bright");
+}
+
+// The channel that goes another way than both others, if one does.
+std::string cast(const Light& light) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double own = light.relative(i), next = light.relative((i + 1) % 3),
+                     last = light.relative((i + 2) % 3);
+        const double apart = own - (next + last) / 2;
+        if (std::abs(apart) < 0.02 || std::abs(apart) < 3 * std::abs(next - last)) continue;
+        if (std::abs(apart) < std::abs(light.relative()) / 4) continue;
+        return percent(apart) + (apart > 0 ? " too " : " too little ") + channels[i];
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string region_of(const Tile& tile, int width, int height) {
+    constexpr const char* names[3][3] = {{"upper left", "top", "upper right"},
+                                         {"left", "middle", "right"},
+                                         {"lower left", "bottom", "lower right"}};
+    const auto third = [](int start, int size, int all) {
+        return std::clamp((2 * start + size) * 3 / (2 * all), 0, 2);
+    };
+    return names[third(tile.top, tile.height, height)][third(tile.left, tile.width, width)];
+}
+
+std::vector<std::string> regions_of(const std::vector<TileTest>& tiles, int width, int height) {
+    std::set<std::string> regions;
+    for (const TileTest& tile : tiles) regions.insert(region_of(tile.tile, width, height));
+    return {regions.begin(), regions.end()};
+}
+
+std::string describe_difference(const std::vector<TileTest>& tiles) {
+    const Light light{tiles};
+    const double all = Light::sum(light.solution);
+    const double apart = all > 0 ? light.apart / all : 1;
+    const std::string color = cast(light);
+    // Light and dark that make up for each other: shapes have moved.
+    if (std::abs(Light::sum(light.mine) - all) < light.apart / 3 && color.empty())
+        return "drawn differently, by " + percent(apart) + " on average";
+    std::string text;
+    if (std::abs(light.relative()) >= 1.0 / 1000 || color.empty()) text = brightness(light);
+    if (!color.empty()) text += (text.empty() ? "" : ", ") + color;
+    return text;
+}
+
+std::vector<std::string> describe_places(const std::vector<TileTest>& differing,
+                                         const std::vector<TileTest>& all, int width, int height) {
+    std::map<std::string, std::vector<TileTest>> by_region;
+    for (const TileTest& tile : differing)
+        by_region[region_of(tile.tile, width, height)].push_back(tile);
+    if (by_region.size() >= 7 && 2 * differing.size() > all.size())
+        return {"everywhere: " + describe_difference(differing)};
+    std::vector<std::pair<double, std::string>> lines;
+    for (const auto& [region, tiles] : by_region)
+        lines.push_back({-Light{tiles}.apart, region + ": " + describe_difference(tiles)});
+    std::sort(lines.begin(), lines.end());
+    std::vector<std::string> words;
+    for (const auto& [apart, line] : lines) words.push_back(line);
+    constexpr std::size_t shown = 4;
+    if (words.size() > shown) {
+        const auto more = words.size() - shown;
+        words.resize(shown);
+        words.push_back("and in " + std::to_string(more) +
+                        (more == 1 ? " more place" : " more places"));
+    }
+    return words;
+}
+
+}  // namespace companion

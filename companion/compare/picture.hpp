@@ -1,0 +1,30 @@
+#pragma once
+// A picture as a program wrote it to a file: 8 bits a channel, sRGB.
+
+#include <cstdint>
+#include <rt/image.hpp>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> bytes = {};  // red, green and blue of each pixel, from the top left
+
+    long pixels() const { return static_cast<long>(width) * height; }
+    friend bool operator==(const Picture&, const Picture&) = default;
+};
+
+// Reads a .ppm file's text, numbers (P3) or binary (P6), with values up to 255. Chapter 03 writes
+// the one, and whoever writes a file by hand may choose. Throws app::Failure, which says what is
+// wrong.
+Picture parse_ppm(const std::string& text);
+
+// The linear light, 0 to 1, that a byte stands for.
+double light_of(std::uint8_t byte);
+
+// The mean of pictures of one size, in linear light.
+rt::Image mean_of(const std::vector<Picture>& pictures);
+
+}  // namespace companion

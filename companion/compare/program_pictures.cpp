@@ -1,0 +1,105 @@
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <companion/compare/program_pictures.hpp>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+namespace companion {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double patience = 20;         // seconds for a picture
+constexpr double many_pixels = 36'864;  // 256 x 144
+constexpr int few_samples = 9;          // 3 x 3 cells, so that jitter has something to do
+constexpr int few_bounces = 5;          // so that what becomes of a path at its limit shows
+
+// A file that goes away.
+struct TemporaryFile {
+    fs::path path;
+    ~TemporaryFile() {
+        std::error_code ignored;
+        fs::remove(path, ignored);
+    }
+};
+
+std::string last_line(const std::string& text) {
+    const auto end = text.find_last_not_of('\n');
+    if (end == std::string::npos) return {};
+    const auto start = text.rfind('\n', end);
+    return text.substr(start == std::string::npos ? 0 : start + 1,
+                       end - (start == std::string::npos ? 0 : start + 1) + 1);
+}
+
+Result run_for(const std::vector<std::string>& command) {
+    const Result result = run_process({.command = command, .timeout = patience});
+    if (result.ok()) return result;
+    const std::string name = fs::path{command[0]}.filename().string();
+    const bool explained = result.signal == 0 && !result.timed_out && !result.output.empty();
+    throw DrawingFailed(explained ? last_line(result.output) : name + ": " + how_it_ended(result),
+                        result);
+}
+
+}  // namespace
+
+DrawingOptions options_from_help(const std::string& help) {
+    DrawingOptions options;
+    const auto default_of = [&](const char* name) {
+        // "--width INT:whole number=960", and newer versions "--width INT:whole number [960]"
+        const std::regex pattern{std::string(name) + "[^\n]*?(?:=|\\[)(\\d{1,7})\\b"};
+        std::smatch match;
+        return std::regex_search(help, match, pattern) ? std::stoi(match[1]) : 0;
+    };
+    options.width = default_of("--width");
+    options.height = default_of("--height");
+    options.spp = default_of("--spp");
+    options.depth = default_of("--depth");
+    options.has_seed = help.find("--seed") != std::string::npos;
+    return options;
+}
+
+DrawingOptions for_comparison(DrawingOptions options) {
+    if (!options.has_seed) return options;
+    const double scale =
+        std::sqrt(many_pixels / (static_cast<double>(options.width) * options.height));
+    if (scale < 1) {
+        options.width = static_cast<int>(std::lround(options.width * scale));
+        options.height = static_cast<int>(std::lround(options.height * scale));
+    }
+    options.spp = std::min(options.spp, few_samples);
+    options.depth = std::min(options.depth, few_bounces);
+    return options;
+}
+
+Picture draw_with(const fs::path& program, const DrawingOptions& options, std::uint64_t seed) {
+    static std::atomic<int> count = 0;
+    const TemporaryFile file{
+        fs::temp_directory_path() /
+        ("course-compare-" + std::to_string(::getpid()) + '-' + std::to_string(++count) + ".ppm")};
+    std::vector<std::string> command{program.string(), "--quiet", "--out", file.path.string()};
+    const auto add = [&](const char* name, std::uint64_t value) {
+        command.insert(command.end(), {name, std::to_string(value)});
+    };
+    if (options.width > 0) add("--width", static_cast<std::uint64_t>(options.width));
+    if (options.height > 0) add("--height", static_cast<std::uint64_t>(options.height));
+    if (options.spp > 0) add("--spp", static_cast<std::uint64_t>(options.spp));
+    if (options.depth > 0) add("--depth", static_cast<std::uint64_t>(options.depth));
+    if (options.has_seed) add("--seed", seed);
+    run_for(command);
+    std::ifstream in{file.path, std::ios::binary};
+    return parse_ppm({std::istreambuf_iterator<char>{in}, {}});
+}
+
+Drawn drawn_by(const fs::path& mine, const fs::path& solution) {
+    const DrawingOptions options =
+        for_comparison(options_from_help(run_for({solution.string(), "--help"}).output));
+    const auto draw = [options](const fs::path& program) {
+        return [=](std::uint64_t seed) { return draw_with(program, options, seed); };
+    };
+    return {draw(mine), draw(solution), options.has_seed};
+}
+
+}  // namespace companion

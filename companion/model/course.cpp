@@ -1,0 +1,43 @@
+#include <app/errors.hpp>
+#include <companion/model/course.hpp>
+#include <cstdlib>
+#include <fstream>
+
+namespace companion {
+
+Course this_course() {
+    // The tests try the companion on a small course of their own.
+    if (const char* const folder = std::getenv("COURSE_TEST_FOLDER"))
+        return {folder, fs::path{folder} / "build"};
+    return {COURSE_ROOT, COURSE_BUILD};
+}
+
+std::string Chapter::document() const {
+    std::string text = name;
+    if (const auto underscore = text.find('_'); underscore != std::string::npos)
+        text[underscore] = '-';
+    return text + ".md";
+}
+
+std::vector<Chapter> chapters(const Course& course) {
+    const fs::path list = course.build / "chapters.txt";
+    std::ifstream in{list};
+    if (!in) throw app::Failure(list.string() + " is not there: run cmake --preset release");
+    std::vector<Chapter> found;
+    for (std::string line; std::getline(in, line);)
+        if (!line.empty()) found.push_back({line});
+    return found;
+}
+
+Chapter find_chapter(const std::vector<Chapter>& chapters, const std::string& name) {
+    const std::string number = name.size() == 1 ? '0' + name : name;
+    std::string known;
+    for (const Chapter& chapter : chapters) {
+        const std::string topic = chapter.name.substr(chapter.name.find('_') + 1);
+        if (number == chapter.number() || name == chapter.name || name == topic) return chapter;
+        known += (known.empty() ? "" : ", ") + chapter.name;
+    }
+    throw app::UsageError("there is no chapter '" + name + "'; there are " + known);
+}
+
+}  // namespace companion

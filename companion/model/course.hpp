@@ -1,0 +1,41 @@
+#pragma once
+// Where the parts of the course are.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+namespace fs = std::filesystem;
+
+// A copy of the course and the folder that it was built in.
+struct Course {
+    fs::path root;
+    fs::path build;
+
+    fs::path program(const std::string& name) const { return build / "bin" / name; }
+    fs::path out() const { return root / "out"; }
+};
+
+// The copy of the course that this program was built from.
+Course this_course();
+
+// A chapter by its name, such as "03_sphere".
+struct Chapter {
+    std::string name;
+
+    std::string number() const { return name.substr(0, name.find('_')); }  // "03"
+    std::string document() const;                                          // "03-sphere.md"
+    std::string picture() const { return name + ".png"; }
+    std::string table() const { return name + ".csv"; }
+};
+
+// All chapters in their order, as the build wrote them down.
+std::vector<Chapter> chapters(const Course& course);
+
+// The chapter that a person means by "3", "03", "03_sphere" or "sphere". Throws app::UsageError,
+// which says which there are.
+Chapter find_chapter(const std::vector<Chapter>& chapters, const std::string& name);
+
+}  // namespace companion

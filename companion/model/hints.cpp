@@ -1,0 +1,36 @@
+#include <companion/model/hints.hpp>
+#include <companion/system/files.hpp>
+#include <sstream>
+
+namespace companion {
+
+std::vector<std::string> hints(const Course& course, const Exercise& exercise) {
+    const fs::path file = course.root / "docs/hints" / exercise.chapter.document();
+    std::vector<std::string> found;
+    if (!fs::exists(file)) return found;
+    std::istringstream text{read_file(file)};
+    bool in_section = false;
+    for (std::string line; std::getline(text, line);) {
+        if (line.rfind("## ", 0) == 0) {
+            const auto end = line.find(' ', 3);
+            in_section = line.substr(3, end == std::string::npos ? end : end - 3) == exercise.id;
+            continue;
+        }
+        if (!in_section) continue;
+        const std::string number = std::to_string(found.size() + 1) + ". ";
+        if (line.rfind(number, 0) == 0) {
+            found.push_back(line.substr(number.size()));
+        } else if (!found.empty()) {
+            // What goes on with an item stands three characters in.
+            const auto inner = line.find_first_not_of(' ');
+            found.back() +=
+                '\n' +
+                (inner == std::string::npos ? "" : line.substr(std::min<std::size_t>(3, inner)));
+        }
+    }
+    for (std::string& hint : found)
+        while (!hint.empty() && hint.back() == '\n') hint.pop_back();
+    return found;
+}
+
+}  // namespace companion

@@ -1,0 +1,10 @@
+#pragma once
+#include <companion/model/exercise.hpp>
+
+namespace companion {
+
+// The hints of an exercise, from docs/hints/NN-topic.md: the ordered list below the heading
+// "## NN.k". None where the file or the heading is missing.
+std::vector<std::string> hints(const Course& course, const Exercise& exercise);
+
+}  // namespace companion

@@ -1,0 +1,31 @@
+#pragma once
+// What the companion remembers between two calls, in .course/state.json.
+
+#include <companion/model/course.hpp>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace companion {
+
+// The verdict on the files with this hash; on any others nothing is known.
+struct Record {
+    bool passed = false;
+    std::string hash;       // empty: never checked
+    int hints = 0;          // that were shown
+    std::string warning{};  // the compiler's on these files; it comes only when it compiles them
+};
+
+using State = std::map<std::string, Record>;  // by exercise
+
+// The folder for what the companion keeps. It is made where it is missing.
+fs::path private_folder(const Course& course);
+
+// A missing file is an empty state. A file that is broken, or of another version, is set aside as
+// .course/state.broken-N.json, which is said on stderr, and the state begins anew.
+State read_state(const Course& course);
+
+// Reads, changes and writes the state, whole or not at all. No two processes do it at once.
+void change_state(const Course& course, const std::function<void(State&)>& change);
+
+}  // namespace companion

@@ -1,0 +1,25 @@
+#pragma once
+#include <companion/model/course.hpp>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+// One chapter's part of the gallery. What is missing (a picture that failed, a text that is not
+// written yet) is left out.
+struct Exhibit {
+    Chapter chapter;
+    std::string title;     // as the chapter's text has it, else the chapter's name
+    std::string caption;   // in Markdown
+    std::string rendered;  // how the picture was made, such as "960x540 pixels in 0.12 s"
+    bool has_picture = false, has_text = false, has_table = false;
+    std::vector<std::string> plots;  // file names within study/
+};
+
+// What out/ and docs/ hold of a chapter.
+Exhibit collect(const Course& course, const Chapter& chapter, const std::string& rendered);
+
+// The page out/index.html, with paths relative to out/.
+std::string gallery_html(const std::vector<Exhibit>& exhibits);
+
+}  // namespace companion

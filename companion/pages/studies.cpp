@@ -1,0 +1,72 @@
+#include <app/errors.hpp>
+#include <companion/pages/measurements.hpp>
+#include <companion/pages/plot.hpp>
+#include <companion/pages/studies.hpp>
+#include <companion/system/process.hpp>
+#include <rt/image_file.hpp>
+#include <system_error>
+
+namespace companion {
+namespace {
+
+std::string plot_file(const Chapter& chapter, const std::string& study) {
+    return chapter.name + '-' + slug(study) + ".svg";
+}
+
+}  // namespace
+
+fs::path study_folder(const Course& course) {
+    return course.out() / "study";
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw app::Failure(folder.string() + " cannot be made: " + error.message());
+}
+
+void measure(const Course& course, const Chapter& chapter, bool show_tables) {
+    make_folder(study_folder(course));
+    fs::remove(study_folder(course) / chapter.table());  // an older one must not pass for this one
+    for (const char* const suffix : {"_solution", "_solution_float"}) {
+        const std::string program = chapter.name + suffix;
+        Run run{
+            .command = {course.program(program).string(), "--study", study_folder(course).string()},
+            .output = show_tables ? Output::shown : Output::errors_shown};
+        if (!show_tables) run.command.push_back("--quiet");
+        const Result result = run_process(run);
+        if (!result.ok())
+            throw app::Failure("the study of " + program + " failed: " + how_it_ended(result));
+    }
+}
+
+int draw_plots(const Course& course, const Chapter& chapter) {
+    const fs::path folder = study_folder(course);
+    int count = 0;
+    for (const auto& rows : by_study(read_measurements(folder / chapter.table()))) {
+        const std::string file = plot_file(chapter, rows.front().study);
+        const fs::path script = folder / (file + ".gnuplot");
+        rt::replace_file(script, plot_script(rows, file));
+        const Result result = run_process(
+            {.command = {"gnuplot", script.filename().string()}, .folder = folder, .timeout = 60});
+        if (!result.ok())
+            throw app::Failure("gnuplot could not draw " + file + ": " + how_it_ended(result) +
+                               ' ' + result.output);
+        fs::remove(script);
+        ++count;
+    }
+    return count;
+}
+
+std::vector<std::string> plots(const Course& course, const Chapter& chapter) {
+    const fs::path folder = study_folder(course);
+    std::vector<std::string> files;
+    if (!fs::exists(folder / chapter.table())) return files;
+    for (const auto& rows : by_study(read_measurements(folder / chapter.table()))) {
+        const std::string file = plot_file(chapter, rows.front().study);
+        if (fs::exists(folder / file)) files.push_back(file);
+    }
+    return files;
+}
+
+}  // namespace companion

@@ -1,0 +1,25 @@
+#pragma once
+#include <companion/model/course.hpp>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+// Runs the studies of a chapter's solution in both precisions, into out/study/NN_topic.csv. Where
+// show_tables, what they print is shown. Throws app::Failure where a program fails.
+void measure(const Course& course, const Chapter& chapter, bool show_tables);
+
+// Draws out/study/NN_topic-STUDY.svg for each study of the chapter's table; returns how many.
+// Throws app::Failure where gnuplot fails.
+int draw_plots(const Course& course, const Chapter& chapter);
+
+// The plots of a chapter that are there, as file names within out/study, in the order of its table.
+std::vector<std::string> plots(const Course& course, const Chapter& chapter);
+
+// Where the tables and plots are.
+fs::path study_folder(const Course& course);
+
+// Makes a folder where it is missing. Throws app::Failure where it cannot.
+void make_folder(const fs::path& folder);
+
+}  // namespace companion

@@ -1,0 +1,24 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <app/errors.hpp>
+#include <cerrno>
+#include <companion/system/file_lock.hpp>
+#include <cstring>
+
+namespace companion {
+
+FileLock::FileLock(const std::filesystem::path& path)
+    : descriptor_{::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)} {
+    if (descriptor_ < 0)
+        throw app::Failure("cannot write " + path.string() + ": " + std::strerror(errno));
+    while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+}
+
+FileLock::~FileLock() {
+    ::close(descriptor_);
+}
+
+}  // namespace companion

@@ -1,0 +1,218 @@
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <companion/system/process.hpp>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <iterator>
+#include <mutex>
+#include <sstream>
+#include <system_error>
+
+namespace companion {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+[[noreturn]] void fail(const char* what) {
+    throw std::system_error(errno, std::generic_category(), what);
+}
+
+// The process groups that run now, for the handler of interruptions; 0 is none.
+std::atomic<pid_t> running_groups[16];
+
+extern "C" void end_running_group(int signal) {
+    end_running();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+// While one lives, what interrupts the companion also ends the groups.
+class EndedOnInterrupt {
+  public:
+    EndedOnInterrupt() {
+        const std::lock_guard lock{mutex_};
+        if (living_++ > 0) return;
+        for (std::size_t i = 0; i < std::size(signals); ++i) {
+            before_[i] = std::signal(signals[i], end_running_group);
+            if (before_[i] != SIG_DFL) std::signal(signals[i], before_[i]);
+        }
+    }
+    ~EndedOnInterrupt() {
+        if (group_) *group_ = 0;
+        const std::lock_guard lock{mutex_};
+        if (--living_ > 0) return;
+        for (std::size_t i = 0; i < std::size(signals); ++i) std::signal(signals[i], before_[i]);
+    }
+    EndedOnInterrupt(const EndedOnInterrupt&) = delete;
+    EndedOnInterrupt& operator=(const EndedOnInterrupt&) = delete;
+
+    // A group beyond the sixteenth would live on after an interruption.
+    void watch(pid_t id) {
+        for (auto& group : running_groups) {
+            pid_t none = 0;
+            if (!group.compare_exchange_strong(none, id)) continue;
+            group_ = &group;
+            return;
+        }
+    }
+
+  private:
+    static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+    static inline std::mutex mutex_;
+    static inline int living_ = 0;
+    static inline void (*before_[std::size(signals)])(int);
+    std::atomic<pid_t>* group_ = nullptr;
+};
+
+// Between fork and exec: only system calls.
+[[noreturn]] void become(char* const* command, const char* folder, int out, int err,
+                         std::size_t most_memory) {
+    ::setpgid(0, 0);
+    const int nothing = ::open("/dev/null", O_RDONLY);
+    if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
+    if (out >= 0) ::dup2(out, STDOUT_FILENO);
+    if (err >= 0) ::dup2(err, STDERR_FILENO);
+    if (most_memory > 0) {
+        const rlimit limit{most_memory, most_memory};
+        ::setrlimit(RLIMIT_DATA, &limit);
+    }
+    if (::chdir(folder) == 0) ::execvp(command[0], command);
+    ::_exit(127);
+}
+
+// A program that runs, and the end of the pipe from which its output is read.
+class Child {
+  public:
+    Child(pid_t id, int pipe) : id_{id}, pipe_{pipe}, start_{Clock::now()} {}
+
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+    // Waits until it ends, the time is over or its output is too much, and collects its output.
+    Result wait(double timeout, std::size_t most_output) {
+        Result result;
+        int status = 0;
+        for (int pause = 1; !has_ended(status); pause = std::min(2 * pause, 20)) {
+            result.timed_out = timeout > 0 && seconds() > timeout;
+            result.too_much = most_output > 0 && result.output.size() > most_output;
+            if (result.timed_out || result.too_much) {
+                ::kill(-id_, SIGKILL);
+                while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+                }
+                break;
+            }
+            if (read_for(pause, result.output)) pause = 1;
+        }
+        result.seconds = seconds();
+        while (read_for(0, result.output)) {
+        }  // what was still in the pipe
+        if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+        if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+        return result;
+    }
+
+  private:
+    bool has_ended(int& status) const {
+        const pid_t ended = ::waitpid(id_, &status, WNOHANG);
+        if (ended < 0 && errno != EINTR) fail("waitpid");
+        return ended == id_;
+    }
+
+    // Waits for output, this many milliseconds at most. True when some came.
+    bool read_for(int milliseconds, std::string& output) {
+        pollfd from{pipe_, POLLIN, 0};  // poll skips a pipe of -1 and only waits
+        if (::poll(&from, 1, milliseconds) <= 0) return false;
+        char bytes[65536];
+        const ssize_t count = ::read(pipe_, bytes, sizeof bytes);
+        if (count > 0) output.append(bytes, static_cast<std::size_t>(count));
+        if (count == 0) pipe_ = -1;  // its other end is closed: nothing more will come
+        return count > 0;
+    }
+
+    pid_t id_;
+    int pipe_;
+    Clock::time_point start_;
+};
+
+// Closes what it holds.
+struct Descriptor {
+    int value = -1;
+    Descriptor() = default;
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+    void close() {
+        if (value >= 0) ::close(value);
+        value = -1;
+    }
+};
+
+}  // namespace
+
+void end_running() noexcept {
+    for (const auto& group : running_groups)
+        if (const pid_t id = group) ::kill(-id, SIGKILL);
+}
+
+Result run_process(const Run& run) {
+    Descriptor from, into;
+    if (run.output != Output::shown) {
+        int ends[2];
+        if (::pipe(ends) != 0) fail("pipe");
+        from.value = ends[0];
+        into.value = ends[1];
+        for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+    }
+    std::vector<std::string> words = run.command;
+    std::vector<char*> command;
+    for (std::string& word : words) command.push_back(word.data());
+    command.push_back(nullptr);
+    Descriptor nowhere;
+    if (run.output == Output::errors_hidden)
+        nowhere.value = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const int err = run.output == Output::captured ? into.value : nowhere.value;
+
+    std::fflush(nullptr);  // else parts of the output would change places
+    EndedOnInterrupt guard;
+    const pid_t id = ::fork();
+    if (id < 0) fail("fork");
+    if (id == 0) become(command.data(), run.folder.c_str(), into.value, err, run.most_memory);
+    ::setpgid(id, id);  // here and there, since nobody knows who is first
+    guard.watch(id);
+    into.close();
+    return Child{id, from.value}.wait(run.timeout, run.most_output);
+}
+
+std::string how_it_ended(const Result& result) {
+    std::ostringstream text;
+    if (result.timed_out)
+        text << "no end after " << static_cast<int>(result.seconds) << " s";
+    else if (result.too_much)
+        text << "no end of printing after " << (result.output.size() >> 20) << " MB";
+    else if (result.signal)
+        text << "signal " << result.signal << " (" << ::strsignal(result.signal) << ')';
+    else if (result.exit_code == 127)
+        text << "it could not be started";
+    else
+        text << "exit code " << result.exit_code;
+    return text.str();
+}
+
+bool is_installed(const std::string& program) {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders{path ? path : ""};
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (::access((folder + '/' + program).c_str(), X_OK) == 0) return true;
+    return false;
+}
+
+}  // namespace companion

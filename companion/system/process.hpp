@@ -1,0 +1,57 @@
+#pragma once
+// Running other programs. The one place of the companion that knows the operating system.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+// Where what a program prints goes.
+enum class Output {
+    shown,         // where the companion's own output goes
+    captured,      // into Result::output
+    errors_shown,  // stdout captured, stderr shown
+    errors_hidden  // stdout captured, stderr dropped
+};
+
+struct Run {
+    // The program, then its arguments; no shell reads them, so they may hold anything. A program
+    // without a slash in its name is looked up in PATH.
+    std::vector<std::string> command;
+    std::filesystem::path folder = ".";  // that it runs in
+    Output output = Output::captured;
+    double timeout = 0;  // seconds after which it is killed with all that it started; 0 is never
+    std::size_t most_memory = 0;  // bytes that it may have, where the system can tell; 0 is any
+    std::size_t most_output = 0;  // bytes of captured output after which it is; 0 is never
+};
+
+struct Result {
+    int exit_code = 0;  // 127 where the program could not be started
+    int signal = 0;     // that ended it, else 0
+    bool timed_out = false;
+    bool too_much = false;  // output: the rest is lost
+    double seconds = 0;     // of wall time
+    std::string output;
+
+    bool ok() const { return exit_code == 0 && signal == 0 && !timed_out && !too_much; }
+};
+
+// Runs a program to its end. Its standard input is empty. An interruption of the companion ends it,
+// too. Threads may run programs at the same time. Throws std::system_error where the system refuses
+// another process.
+Result run_process(const Run& run);
+
+// Ends the program that runs now, if one does, with all that it started. For handlers of signals:
+// it does nothing that is not allowed there. An interruption does it by itself where nobody else
+// handles it.
+void end_running() noexcept;
+
+// How a run ended, for a person: "exit code 2", "no end after 20 s", "signal 11 (Segmentation
+// fault)".
+std::string how_it_ended(const Result& result);
+
+// True where a program of this name is in PATH.
+bool is_installed(const std::string& program);
+
+}  // namespace companion

@@ -1,0 +1,75 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <companion/system/terminal.hpp>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+namespace companion {
+namespace {
+
+bool has_colors() {
+    static const bool has = [] {
+        const char* const no = std::getenv("NO_COLOR");
+        const char* const terminal = std::getenv("TERM");
+        return ::isatty(STDOUT_FILENO) && !(no && *no) && terminal &&
+               std::strcmp(terminal, "dumb") != 0;
+    }();
+    return has;
+}
+
+std::string colored(const char* code, const std::string& text) {
+    return has_colors() ? std::string{"\033["} + code + 'm' + text + "\033[0m" : text;
+}
+
+// Bytes of UTF-8 that begin a character.
+std::size_t characters(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    }));
+}
+
+}  // namespace
+
+std::string green(const std::string& text) {
+    return colored("32", text);
+}
+std::string red(const std::string& text) {
+    return colored("31", text);
+}
+std::string yellow(const std::string& text) {
+    return colored("33", text);
+}
+std::string bold(const std::string& text) {
+    return colored("1", text);
+}
+std::string dim(const std::string& text) {
+    return colored("2", text);
+}
+
+std::string bar(int part, int whole, int width) {
+    const int filled = whole > 0 ? part * width / whole : 0;
+    return '[' + std::string(static_cast<std::size_t>(filled), '#') +
+           std::string(static_cast<std::size_t>(width - filled), '.') + ']';
+}
+
+std::string wrapped(const std::string& text, const std::string& indent, std::size_t width) {
+    std::string all;
+    std::istringstream lines{text};
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words{line};
+        std::string current;
+        for (std::string word; words >> word;) {
+            if (!current.empty() && characters(indent + current) + 1 + characters(word) > width) {
+                all += indent + current + '\n';
+                current.clear();
+            }
+            current += (current.empty() ? "" : " ") + word;
+        }
+        all += indent + current + '\n';
+    }
+    return all;
+}
+
+}  // namespace companion

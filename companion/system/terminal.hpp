@@ -1,0 +1,22 @@
+#pragma once
+// What a terminal can do beyond printing lines.
+
+#include <string>
+
+namespace companion {
+
+// Colors where the standard output is a terminal that has them and NO_COLOR is not set; else the
+// text as it is. Nothing is said by color alone.
+std::string green(const std::string& text);
+std::string red(const std::string& text);
+std::string yellow(const std::string& text);
+std::string bold(const std::string& text);
+std::string dim(const std::string& text);
+
+// "[#####.....]": how much of a whole is done.
+std::string bar(int part, int whole, int width);
+
+// The text in lines of this many characters at most, each after an indent. Its own line ends stay.
+std::string wrapped(const std::string& text, const std::string& indent, std::size_t width = 98);
+
+}  // namespace companion

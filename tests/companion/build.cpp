@@ -1,0 +1,69 @@
+#include <companion/build/build.hpp>
+
+#include "catch.hpp"
+
+using namespace companion;
+
+namespace {
+
+const Course here{"/c", "/c/build"};
+const std::vector<fs::path> mine{"exercises/01_x/rt/a.hpp"};
+
+}  // namespace
+
+TEST_CASE("the first error is that of a compiler, with its source", "[build]") {
+    CHECK(first_error(here, "[1/2] Building\nall is well\n").empty());
+    CHECK(first_error(here,
+                      "FAILED: x\n/c/tests/t.cpp:3:5: error: no\n    3 | source\n      | ^\n") ==
+          "tests/t.cpp:3:5: error: no\n    3 | source\n      | ^");
+    CHECK(first_error(here, "../tests/t.cpp:3:5: fatal error: no\n") ==
+          "tests/t.cpp:3:5: fatal error: no");
+    CHECK(first_error(here, "t.cpp:(.text+0x1): undefined reference to `f'\n") ==
+          "the linker says: undefined reference to `f'");
+}
+
+TEST_CASE("an error in the learner's file goes before others", "[build]") {
+    const std::string elsewhere = "/usr/include/v.h:9:1: error: elsewhere\n    9 | v\n";
+    const std::string there = "/c/exercises/01_x/rt/a.hpp:3:5: error: mine\n    3 | a\n";
+    CHECK(first_error(here, elsewhere + there) ==
+          "/usr/include/v.h:9:1: error: elsewhere\n    9 | v");
+    CHECK(first_error(here, elsewhere + there, mine) ==
+          "exercises/01_x/rt/a.hpp:3:5: error: mine\n    3 | a");
+    // Else one that came from there.
+    const std::string from = "/c/exercises/01_x/rt/a.hpp:7:2:   required from here\n";
+    CHECK(first_error(here, "/c/t.hpp:1:1: error: other\n" + from + elsewhere, mine) ==
+          "/usr/include/v.h:9:1: error: elsewhere\n    9 | v\n"
+          "  which came from exercises/01_x/rt/a.hpp:7");
+    // A brace that is never closed: what follows makes no sense, and the last note says it.
+    CHECK(first_error(here,
+                      elsewhere + "/c/tests/t.cpp:99:1: error: expected '}' at end of input\n" +
+                          "/c/exercises/01_x/rt/a.hpp:4:14: note: to match this '{'\n",
+                      mine) ==
+          "exercises/01_x/rt/a.hpp:4:14: error: the brace { here is never closed");
+}
+
+TEST_CASE("of the warnings the one that explains a crash goes first", "[build]") {
+    const std::string file = "/c/exercises/01_x/rt/a.hpp";
+    const std::string unused = file + ":3:5: warning: unused variable 'x' [-Wunused-variable]\n";
+    const std::string no_return = file + ":8:1: warning: no return statement [-Wreturn-type]\n";
+    CHECK(first_warning(here, unused + no_return, mine) ==
+          "exercises/01_x/rt/a.hpp:8: no return statement");
+    CHECK(first_warning(here, unused, mine) == "exercises/01_x/rt/a.hpp:3: unused variable 'x'");
+    CHECK(first_warning(here, "/c/tests/t.cpp:1:1: warning: what [-Wall]\n", mine).empty());
+    CHECK(first_warning(here, "../exercises/01_x/rt/a.hpp:1:1: warning: what\n", mine) ==
+          "exercises/01_x/rt/a.hpp:1: what");
+}
+
+TEST_CASE("a warning of a variable without a value leads to its declaration", "[build]") {
+    const std::string used =
+        "In function 'f',\n    inlined from 'void test()' at /c/tests/t.cpp:78:20:\n"
+        "/c/tests/t.cpp:78:20: warning: 'sum' is used uninitialized [-Wuninitialized]\n";
+    const std::string declared =
+        "/c/exercises/01_x/rt/a.hpp: In function 'f':\n"
+        "/c/exercises/01_x/rt/a.hpp:12:10: note: 'sum' was declared here\n";
+    CHECK(first_warning(here, used + declared, mine) ==
+          "exercises/01_x/rt/a.hpp:12: 'sum' is used uninitialized");
+    const std::string other = "/c/tests/t.cpp:9:1: warning: unused [-Wunused]\n";
+    CHECK(first_warning(here, other + declared, mine).empty());
+    CHECK(first_warning(here, used + other + declared, mine).empty());
+}

@@ -1,0 +1,40 @@
+#include <companion/pages/certificate.hpp>
+
+#include "catch.hpp"
+
+using companion::Held;
+
+TEST_CASE("measurements are read line by line", "[certificate]") {
+    const auto all = companion::read_measurements(
+        "holds\t05.3\tSnell\t2 epsilon\tat most 16 epsilon\nsome words\n"
+        "FAILS\t05.2\tfurnace\t4 %\tat most 0 %\nshows\t07.5\ta ray\t12 ns\t\nholds\tcut off");
+    REQUIRE(all.size() == 3);
+    CHECK(all[0].held == Held::holds);
+    CHECK(all[1].held == Held::fails);
+    CHECK(all[1].exercise == "05.2");
+    CHECK(all[2].bound.empty());
+    CHECK(companion::line_of(all[1]) == "FAILS  05.2  furnace: 4 % (at most 0 %)");
+}
+
+TEST_CASE("a certificate is passed only when all that was measured holds", "[certificate]") {
+    companion::Certificate certificate;
+    CHECK_FALSE(certificate.passed());
+    certificate.measurements = companion::read_measurements("holds\t01.1\tdot\t1\tat most 2\n");
+    CHECK(certificate.passed());
+    CHECK(companion::certificate_html(certificate).find("Not there yet") == std::string::npos);
+    certificate.measurements.push_back({Held::fails, "05.2", "loses <light>", "4 %", "0 %"});
+    CHECK_FALSE(certificate.passed());
+    const std::string page = companion::certificate_html(certificate);
+    CHECK(page.find("Not there yet: 1 line of this table fails.") != std::string::npos);
+    CHECK(page.find("loses &lt;light&gt;") != std::string::npos);
+}
+
+TEST_CASE("the certificate shows the pictures, the final scene first and alone", "[certificate]") {
+    companion::Certificate certificate;
+    certificate.date = "2030-01-02";
+    certificate.measurements = companion::read_measurements("holds\t01.1\tdot\t1\tat most 2\n");
+    certificate.pictures = {"certificate/01_vectors.png", "certificate/08_effects.png"};
+    const std::string page = companion::certificate_html(certificate);
+    CHECK(page.find("2030-01-02") != std::string::npos);
+    CHECK(page.find("08_effects.png") < page.find("01_vectors.png"));
+}

@@ -1,0 +1,445 @@
+#!/usr/bin/env python3
+"""companion.py COURSE SCRIPT: tries the companion's commands as a learner does, on a course of two
+exercises whose checkpoints are shell scripts. On a terminal too, a pseudo one."""
+
+import os
+import pty
+import re
+import select
+import signal
+import subprocess
+import sys
+import tempfile
+import termios
+import time
+import unittest
+from pathlib import Path
+
+COURSE, SCRIPT = sys.argv[1], sys.argv[2]
+
+CHECK = r"""#!/bin/sh
+# check.sh ID FILE: stands in for compiler and checkpoint. The words in FILE say how it goes.
+id=$1 file=$2
+if grep -q 'syntax error' "$file"; then
+    echo "FAILED: $id.o"
+    echo "$file:3:5: error: expected ';'"
+    echo "    3 | syntax error"
+    exit 1
+fi
+if grep -q warned "$file" && [ ! -f ../compiled ]; then
+    echo "$file:3:5: warning: no return [-Wreturn-type]"
+fi
+mkdir -p check
+{
+    echo '#!/bin/sh'
+    echo "cat <<'XML'"
+    echo "<Catch name=\"x\"><TestCase name=\"$id the answer is right\">"
+    if grep -q wrong "$file"; then
+        echo '<Info>expected 2, but yours gives 3.'
+        echo 'Hint: count once more</Info><Expression success="false" type="CHECK">'
+        echo '<Original>a == b</Original><Expanded>3 == 2</Expanded></Expression>'
+        echo '<OverallResult success="false"/></TestCase>'
+    elif grep -q 'needs 01.2' "$file"; then
+        echo '<Exception>exercise 01.2 is still to be written: there</Exception>'
+        echo '<OverallResult success="false"/></TestCase>'
+    elif grep -q 'needs 01.1' "$file"; then
+        echo '<Info>Hint: is it the function that was declared?</Info>'
+        echo '<Exception>exercise 01.1 is still to be written: there</Exception>'
+        echo '<OverallResult success="false"/></TestCase>'
+    elif grep -q 'endless\|crash\|chatter' "$file"; then
+        :
+    else
+        echo '<OverallResult success="true"/></TestCase>'
+    fi
+    echo XML
+    grep -q chatter "$file" && echo 'yes without end'
+    grep -q crash "$file" && echo 'kill -SEGV $$'
+    grep -q endless "$file" && echo 'sleep 60'
+    grep -q wrong "$file" && echo 'exit 1'
+    echo 'exit 0'
+} >check/check.$id
+chmod +x check/check.$id
+"""
+
+STUB = '#pragma once\n// Exercise 01.%d.\ninline int f() {\n    return rt::todo("01.%d");\n}\n'
+
+
+class Companion(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="course test ")
+        self.root = Path(self.folder.name)
+        exercises = [(1, "one"), (2, "two")]
+        text = "# Chapter 01: Tiny\n\nTime: about 1 hours.\n\n"
+        hints = "# Hints\n"
+        stubs = ""
+        cmake = "cmake_minimum_required(VERSION 3.22)\nproject(tiny NONE)\n"
+        for number, name in exercises:
+            text += f"### 01.{number} Number {name} (about {number}0 minutes)\n\n"
+            hints += f"\n## 01.{number}\n\n1. idea\n2. formula $\\sqrt x$\n3. shape\n"
+            stubs += f"==> rt/{name}.hpp\n" + STUB % (number, number)
+            self.write(name, STUB % (number, number))
+            cmake += (f"add_custom_target(check.01.{number} COMMAND sh ${{CMAKE_SOURCE_DIR}}/check.sh "
+                      f"01.{number} ${{CMAKE_SOURCE_DIR}}/exercises/01_tiny/rt/{name}.hpp VERBATIM)\n")
+        cmake += ("add_custom_target(01_tiny COMMAND ${CMAKE_COMMAND} -E make_directory bin "
+                  "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/program.sh bin/01_tiny)\n")
+        self.put("docs/01-tiny.md", text)
+        self.put("docs/hints/01-tiny.md", hints)
+        self.put("companion/shipped_stubs/01_tiny.txt", stubs)
+        self.put("tests/mistakes/01_tiny/01.1_off/mistake.txt",
+                 "exercise: 01.1\ntitle: one too many\ncaught by: x\n\nCount from 0.\n")
+        self.put("CMakeLists.txt", cmake)
+        self.put("check.sh", CHECK)
+        self.put("program.sh", '#!/bin/sh\necho "program $*"\n[ "$3" != --fail ] || exit 3\n'
+                 '[ "$3" != --crash ] || kill -SEGV $$\n')
+        os.chmod(self.root / "program.sh", 0o755)
+        subprocess.run(["cmake", "-S", self.root, "-B", self.root / "build"], check=True,
+                       stdout=subprocess.DEVNULL)
+        self.put("build/chapters.txt", "01_tiny\n")
+        self.put("build/bin/course", f'#!/bin/sh\nexec "{COURSE}" "$@"\n')
+        os.chmod(self.root / "build/bin/course", 0o755)
+        self.environment = {**os.environ, "COURSE_TEST_FOLDER": str(self.root), "TERM": "xterm"}
+        self.environment.pop("NO_COLOR", None)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def put(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+    def stub(self, name):
+        return self.root / "exercises/01_tiny/rt" / f"{name}.hpp"
+
+    def write(self, name, text):
+        self.put(f"exercises/01_tiny/rt/{name}.hpp", text)
+
+    def course(self, *words, code=0, stdin=subprocess.DEVNULL):
+        done = subprocess.run([COURSE, *words], env=self.environment, stdin=stdin, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        self.assertNotIn("\033", done.stdout + done.stderr)  # not a terminal
+        return done.stdout if code != 2 else done.stderr
+
+    # ---- list and check ----------------------------------------------------------------------
+
+    def test_list_says_where_things_stand(self):
+        said = self.course()
+        self.assertIn("0 of 2 exercises, 1 h 00 min of 1 hours left", said)
+        self.assertIn("Next: 01.1 Number one, about 10 minutes", said)
+        self.assertFalse((self.root / ".course").exists())
+        self.write("one", "right\n")
+        self.assertRegex(self.course("list"), r"\? 01.1 .* not checked since it changed")
+        self.course("check", "01.1")
+        said = self.course("list")
+        self.assertRegex(said, r"\+ 01.1 .* done")
+        self.assertIn("1 of 2 exercises, 0 h 40 min of 1 hours left", said)
+        self.assertIn("Next: 01.2", said)
+        self.write("one", "right, but touched\n")
+        self.assertRegex(self.course("list"), r"\? 01.1 .* not checked since it changed")
+
+    def test_check_an_exercise_that_is_to_be_written(self):
+        self.assertRegex(self.course("check", "01", code=3), r"\. 01.1 .* to be written")
+        self.assertFalse((self.root / "build/check").exists())  # nothing was built
+        self.assertIn("Nothing is written yet", self.course("check", code=3))
+
+    def test_check_a_wrong_answer(self):
+        self.write("one", "wrong\n")
+        self.write("two", "right\n")
+        said = self.course("check", code=1)
+        self.assertRegex(said, r"x 01.1 .* failing: 1 of 1 test case")
+        self.assertRegex(said, r"\+ 01.2 .* done")
+        for part in ("expected 2, but yours gives 3.", "Hint: count once more",
+                     "checked: CHECK( a == b )", "came as: 3 == 2",
+                     "docs/01-tiny.md, section 01.1", "./course hint 01.1"):
+            self.assertIn(part, said)
+        self.assertRegex(self.course("list"), r"x 01.1 .* failing")
+
+    def test_check_does_not_compile(self):
+        self.write("one", "syntax error\n")
+        self.write("two", "right\n")
+        said = self.course("check", "1", code=1)
+        self.assertIn("\nexercises/01_tiny/rt/one.hpp:3:5: error: expected ';'\n", said)
+        self.assertRegex(said, r"\+ 01.2 .* done")
+        self.assertNotIn("FAILED", said)
+
+    def test_check_crashes_and_waits(self):
+        self.write("one", "crash\n")
+        said = self.course("check", "01.1", code=1)
+        self.assertIn("It crashes: it used memory that is not its own (segmentation fault)", said)
+        self.assertIn("01.1 the answer is right", said)
+        self.write("one", "needs 01.2\n")
+        self.assertIn("needs 01.2 first", self.course("check", "01.1", code=3))
+        self.write("two", "needs 01.2\n")  # the linker took the definition that throws
+        self.assertIn("still your function is not", self.course("check", "01.2", code=1))
+
+    def test_check_stops_what_never_ends(self):
+        self.write("one", "endless\n")
+        self.write("two", "right\n")
+        started = time.time()
+        said = self.course("check", code=1)
+        self.assertLess(time.time() - started, 40)
+        self.assertIn("It was stopped, no end after 20 s", said)
+        self.assertRegex(said, r"\+ 01.2 .* done")
+
+    def test_check_all_right(self):
+        self.write("one", "right\n")
+        self.write("two", "right\n")
+        said = self.course("check", "tiny")
+        self.assertIn("Chapter 01 is done", said)
+        self.assertIn("./course compare 01", said)
+
+    def test_check_tells_of_a_warning_every_time(self):
+        self.write("one", "wrong, warned\n")
+        for _ in range(2):  # nothing is compiled the second time
+            said = self.course("check", "01.1", code=1)
+            self.assertIn("warned:\n    exercises/01_tiny/rt/one.hpp:3: no return\n", said)
+            self.put("compiled", "")
+        self.write("one", "wrong\n")
+        self.assertNotIn("warned", self.course("check", "01.1", code=1))
+        self.write("one", "warned\n")
+        self.assertNotIn("warned", self.course("check", "01.1"))
+
+    def test_check_tells_what_failed_before_a_crash(self):
+        self.write("one", "wrong, then crash\n")
+        said = self.course("check", "01.1", code=1)
+        self.assertIn("It crashes: it used memory that is not its own", said)
+        self.assertIn("Before that:\n  01.1 the answer is right\n", said)
+        self.assertIn("expected 2, but yours gives 3.", said)
+
+    def test_check_stops_what_prints_without_end(self):
+        self.write("one", "chatter\n")
+        started = time.time()
+        said = self.course("check", "01.1", code=1)
+        self.assertLess(time.time() - started, 15)
+        self.assertIn("no end of printing after 16 MB", said)
+
+    def test_check_a_file_that_is_changed_but_keeps_its_todo(self):
+        self.put("build/check/nothing", "")
+        self.write("one", STUB % (1, 1) + "int g() { return 1; }  // needs 01.1\n")
+        said = self.course("check", "01.1", code=3)
+        self.assertRegex(said, r"\. 01.1 .* begun")
+        self.assertIn("Hint: is it the function that was declared?", said)
+        self.assertRegex(self.course("list"), r"- 01.1 .* begun")
+        self.write("one", STUB % (1, 1) + "int f() { return 1; }  // right\n")
+        self.course("check", "01.1")
+        self.assertRegex(self.course("list"), r"\+ 01.1 .* done")
+
+    # ---- hint, reset, run --------------------------------------------------------------------
+
+    def test_hints_come_one_by_one(self):
+        said = [self.course("hint", "01.1") for _ in range(5)]
+        self.assertIn("hint 1 of 3\nidea", said[0])
+        self.assertIn("formula √x", said[1])
+        self.assertIn("shape", said[2])
+        self.assertIn("no more hints", said[3])
+        self.assertIn("solutions/01_tiny/rt/one.hpp", said[4])
+        self.assertIn("idea", self.course("hint", "1.2"))
+
+    def test_reset_keeps_what_was_there(self):
+        self.assertIn("as it was shipped", self.course("reset", "01.1"))
+        for text in ("first\n", "second\n"):
+            self.write("one", text)
+            self.write("two", "mine\n")
+            said = self.course("reset", "01.1")
+            self.assertEqual(self.stub("one").read_text(), STUB % (1, 1))
+            self.assertEqual(self.stub("two").read_text(), "mine\n")
+            kept = re.search(r"kept +(\S+)", said).group(1)
+            self.assertEqual((self.root / kept).read_text(), text)
+        self.stub("one").unlink()
+        self.course("reset", "01.1")
+        self.assertEqual(self.stub("one").read_text(), STUB % (1, 1))
+
+    def test_run_passes_options_on(self):
+        said = self.course("run", "01", "--width", "9")
+        self.assertIn(f"program --out {self.root}/out/01_tiny_mine.png --width 9", said)
+        self.assertIn("program --out a.png", self.course("run", "1", "--out", "a.png"))
+        self.course("run", "01", "--fail", code=3)
+        crashed = subprocess.run([COURSE, "run", "01", "--crash"], env=self.environment, text=True,
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.assertEqual(crashed.returncode, 1)
+        self.assertIn("./course check 01", crashed.stderr)
+
+    # ---- bad input ---------------------------------------------------------------------------
+
+    def test_bad_input_gets_one_line(self):
+        for words in (["nonsense"], ["check", "99"], ["check", "01.9"], ["check", "01", "02"],
+                      ["check", ""], ["hint"], ["hint", "01"], ["hint", "x"], ["reset"],
+                      ["reset", "01"], ["reset", "01.9"], ["run"], ["run", "99"], ["list", "x"],
+                      ["watch", "99"], ["watch", "01", "02"], ["chek"], ["check", "01.1", "--help"]):
+            said = self.course(*words, code=2)
+            self.assertEqual(said.count("\n"), 1, words)
+            self.assertTrue(said.startswith("course: "), said)
+
+    def test_help_and_guesses(self):
+        for command in ("list", "check", "watch", "hint", "run", "reset", "certify"):
+            for word in ("--help", "-h"):
+                self.assertTrue(self.course(command, word).startswith(f"usage: course {command}"))
+        for word, meant in (("chek", "check"), ("lst", "list"), ("hnit", "hint"), ("wach", "watch")):
+            self.assertIn(f"did you mean {meant}?", self.course(word, code=2))
+        self.assertIn("there are list, check", self.course("nonsense", code=2))
+        self.assertIn("'01' is a chapter; its exercises are 01.1, 01.2",
+                      self.course("hint", "01", code=2))
+
+    def test_broken_state_is_set_aside(self):
+        self.put(".course/state.json", "{broken")
+        self.course("list")
+        self.assertEqual((self.root / ".course/state.broken-1.json").read_text(), "{broken")
+
+    def test_many_at_once(self):
+        self.write("one", "right\n")
+        self.write("two", "right\n")
+        running = [subprocess.Popen([COURSE, *words.split()], env=self.environment,
+                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                    stderr=subprocess.STDOUT, text=True)
+                   for words in ["check", "hint 01.1", "hint 01.2", "list"] * 4]
+        for process in running:
+            said, _ = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 0, said)
+        said = self.course("list")
+        self.assertIn("2 of 2", said)
+        self.assertIn("no more hints", self.course("hint", "01.1"))
+        self.assertEqual(sorted(path.name for path in (self.root / ".course").iterdir()),
+                         ["build.lock", "state.json", "state.lock"])
+
+    def test_help_is_the_scripts_help(self):
+        mine = subprocess.run([COURSE, "help"], text=True, stdout=subprocess.PIPE).stdout
+        theirs = subprocess.run(["sh", SCRIPT, "help"], text=True, stdout=subprocess.PIPE).stdout
+        for line in mine.splitlines()[2:]:
+            self.assertIn(line + "\n", theirs)
+        unknown = subprocess.run(["sh", SCRIPT, "nonsense"], text=True, stderr=subprocess.PIPE)
+        self.assertEqual(unknown.returncode, 2)
+        self.assertEqual(unknown.stderr.count("\n"), 1)
+
+    # ---- watch -------------------------------------------------------------------------------
+
+    def test_watch_without_a_terminal(self):
+        said = self.course("watch", code=3)
+        self.assertIn("Next: 01.1", said)
+        process = subprocess.Popen([COURSE, "watch", "01"], env=self.environment, text=True,
+                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        process.stdin.write("h\nq\n")
+        process.stdin.flush()
+        said, _ = process.communicate(timeout=20)
+        self.assertEqual(process.returncode, 0)
+        self.assertIn("idea", said)
+        self.assertNotIn("\033", said)
+        self.write("one", "right\n")
+        self.write("two", "right\n")
+        self.assertIn("Chapter 01 is done", self.course("watch", "01"))
+
+    def watched(self, *words):
+        return Terminal([COURSE, "watch", *words], self.environment)
+
+    def test_watch_checks_on_save_and_moves_on(self):
+        with self.watched("01") as terminal:
+            terminal.expect("Next: .*01.1 Number one")
+            self.assertFalse(terminal.echoes())
+            self.write("one", "wrong\n")
+            terminal.expect("expected 2, but yours gives 3")
+            # As most editors save: into another file, which is then renamed.
+            self.write("new", "right\n")
+            self.stub("new").rename(self.stub("one"))
+            terminal.expect("01.1 .*done")
+            terminal.expect("Next: .*01.2 Number two")
+            terminal.press("h")
+            terminal.expect("idea")
+            terminal.press("l")
+            terminal.expect("1 of 2 exercises")
+            terminal.press("r")
+            terminal.expect("program --out")
+            terminal.press("x")
+            self.write("two", "right\n")
+            terminal.expect("Chapter 01 is done")
+            self.assertEqual(terminal.end(), 0)
+            self.assertTrue(terminal.echoes())
+
+    def test_watch_restores_the_terminal(self):
+        for how in ("q", "\x03", signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
+            with self.subTest(how=how), self.watched() as terminal:
+                terminal.expect("q quit")
+                self.assertFalse(terminal.echoes())
+                if isinstance(how, str):
+                    terminal.press(how)
+                else:
+                    os.kill(terminal.process, how)
+                code = terminal.end()
+                self.assertEqual(code, 0 if how == "q" else -int(how) if not isinstance(how, str)
+                                 else -signal.SIGINT)
+                self.assertTrue(terminal.echoes())
+
+    def test_watch_survives_a_crash_and_an_interruption_ends_what_runs(self):
+        with self.watched("01") as terminal:
+            terminal.expect("q quit")
+            self.write("one", "crash\n")
+            terminal.expect("It crashes")
+            self.write("one", "endless\n")
+            terminal.expect("checking 01.1")
+            time.sleep(1)
+            started = time.time()
+            terminal.press("\x03")
+            self.assertEqual(terminal.end(), -signal.SIGINT)
+            self.assertLess(time.time() - started, 5)
+            self.assertTrue(terminal.echoes())
+
+
+class Terminal:
+    """A program on a pseudo terminal."""
+
+    def __init__(self, command, environment):
+        self.here, self.there = pty.openpty()
+        self.process = os.fork()
+        if self.process == 0:
+            os.setsid()
+            for descriptor in range(3):
+                os.dup2(self.there, descriptor)
+            os.close(os.open(os.ttyname(0), os.O_RDWR))  # makes it the controlling terminal
+            os.closerange(3, 64)
+            os.execve(command[0], command, environment)
+        self.said = ""
+        self.code = None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.code is None:
+            os.kill(self.process, signal.SIGKILL)
+            os.waitpid(self.process, 0)
+        os.close(self.here)
+        os.close(self.there)
+
+    def read(self, seconds):
+        if select.select([self.here], [], [], seconds)[0]:
+            self.said += os.read(self.here, 65536).decode(errors="replace")
+
+    def expect(self, pattern, seconds=20):
+        end = time.time() + seconds
+        while time.time() < end:
+            found = re.search(pattern, self.said)
+            if found:
+                self.said = self.said[found.end():]
+                return
+            self.read(0.1)
+        raise AssertionError(f"{pattern!r} did not come; instead: {self.said!r}")
+
+    def press(self, key):
+        os.write(self.here, key.encode())
+
+    def echoes(self):
+        flags = termios.tcgetattr(self.there)[3]
+        return bool(flags & termios.ECHO) and bool(flags & termios.ICANON)
+
+    def end(self, seconds=20):
+        end = time.time() + seconds
+        while time.time() < end:
+            self.read(0.05)
+            ended, status = os.waitpid(self.process, os.WNOHANG)
+            if ended:
+                self.code = os.waitstatus_to_exitcode(status)
+                return self.code
+        raise AssertionError(f"it does not end; it said: {self.said!r}")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

@@ -1,0 +1,48 @@
+#include <companion/pages/gallery.hpp>
+
+#include "catch.hpp"
+#include "temporary_folder.hpp"
+
+using checkpoint::TemporaryFolder;
+using checkpoint::write_file;
+
+namespace {
+
+bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the gallery shows what there is of a chapter", "[gallery]") {
+    const TemporaryFolder folder;
+    const companion::Course here{folder.path(), folder / "build"};
+    write_file(folder / "docs/03-sphere.md",
+               "# The <sphere>\n\n## What you will see\n\n![x](y)\n\nA *ball*.\n");
+    write_file(folder / "out/03_sphere.png", "");
+    write_file(folder / "out/study/03_sphere.csv",
+               "study,variant,precision,x,x_name,error,error_name,cost,cost_name\n"
+               "Far away,v,double,1,n,0,ulp,1,ns\n");
+    write_file(folder / "out/study/03_sphere-far-away.svg", "");
+    const std::string html =
+        companion::gallery_html({companion::collect(here, {"03_sphere"}, "in 2 s")});
+    CHECK(holds(html, "<h2>The &lt;sphere&gt;</h2>"));
+    CHECK(holds(html, "<p>A <em>ball</em>.</p>"));
+    CHECK(holds(html, "src=\"03_sphere.png\""));
+    CHECK(holds(html, "in 2 s"));
+    CHECK(holds(html, "href=\"../docs/03-sphere.md\""));
+    CHECK(holds(html, "href=\"study/03_sphere.csv\""));
+    CHECK(holds(html, "src=\"study/03_sphere-far-away.svg\""));
+    CHECK_FALSE(holds(html, "http:"));
+    CHECK_FALSE(holds(html, "https:"));
+}
+
+TEST_CASE("the gallery does without what is missing", "[gallery]") {
+    const TemporaryFolder folder;
+    const companion::Course here{folder.path(), folder / "build"};
+    const std::string html = companion::gallery_html({companion::collect(here, {"03_sphere"}, "")});
+    CHECK(holds(html, "<h2>03_sphere</h2>"));
+    CHECK(holds(html, "No picture"));
+    CHECK_FALSE(holds(html, "<img"));
+    CHECK_FALSE(holds(html, "03-sphere.md"));
+}

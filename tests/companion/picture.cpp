@@ -1,0 +1,106 @@
+#include <stb_image.h>
+
+#include <app/errors.hpp>
+#include <companion/compare/comparison_sheet.hpp>
+#include <companion/compare/permutation.hpp>
+#include <companion/compare/program_pictures.hpp>
+#include <rt/image_file.hpp>
+
+#include "catch.hpp"
+
+using companion::Picture;
+
+TEST_CASE("both kinds of .ppm are read", "[picture]") {
+    const Picture expected{2, 1, {1, 2, 3, 10, 255, 35}};
+    CHECK(companion::parse_ppm("P3\n2 1\n255\n1 2 3\n10 255 35\n") == expected);
+    CHECK(companion::parse_ppm("P3 # a comment\n2 1 # another\n255 1 2 3 10 255 35") == expected);
+    CHECK(companion::parse_ppm(std::string("P6\n2 1\n255\n") + "\x01\x02\x03\x0a\xff\x23") ==
+          expected);
+}
+
+TEST_CASE("what is no .ppm is refused", "[picture]") {
+    for (const char* const text :
+         {"", "P", "P3", "P5\n1 1\n255\nx", "P3\n1 1\n255\n1 2", "P3\n1 1\n255\n1 2 256",
+          "P3\n0 1\n255\n", "P3\n1 1\n65535\n1 2 3", "P6\n1 1\n255\nxx", "P6\n1 1\n255\nxxxx",
+          "P3\n60000 60000\n255\n1 2 3", "P3\n1 1\n255\n1 2 -3", "P3\n#"}) {
+        INFO(text);
+        CHECK_THROWS_AS(companion::parse_ppm(text), app::Failure);
+    }
+}
+
+TEST_CASE("a written image is read as its bytes", "[picture]") {
+    const rt::Image image = rt::make_image(5, 4, [](int x, int y) {
+        return rt::Color{x / rt::Real(4), y / rt::Real(3), rt::Real(0.5)};
+    });
+    const Picture picture = companion::parse_ppm(rt::encode_ppm(image));
+    CHECK(picture.width == 5);
+    CHECK(picture.height == 4);
+    CHECK(picture.bytes[0] == 0);
+    CHECK(picture.bytes[2] == rt::to_byte(rt::Real(0.5)));
+    CHECK(companion::mean_of({picture, picture}).at(4, 3).r == 1);
+}
+
+TEST_CASE("a program's options are read from its help", "[picture]") {
+    const auto old_style = companion::options_from_help(
+        "  --width INT:whole number=960  Width\n  --height INT=540  Height\n"
+        "  --spp INT:whole number=64 Samples\n  --seed UINT=1\n");
+    CHECK(old_style.width == 960);
+    CHECK(old_style.height == 540);
+    CHECK(old_style.spp == 64);
+    CHECK(old_style.has_seed);
+    const auto new_style = companion::options_from_help(
+        "  --width INT:whole number [1280]  Width\n  --height INT [720]\n");
+    CHECK(new_style.width == 1280);
+    CHECK(new_style.height == 720);
+    CHECK(new_style.spp == 0);
+    CHECK_FALSE(new_style.has_seed);
+    const auto small = companion::for_comparison(old_style);
+    CHECK(small.width == 256);
+    CHECK(small.height == 144);
+    CHECK(small.spp == 9);
+    CHECK(companion::for_comparison(new_style).width == 1280);
+}
+
+TEST_CASE("a program that cannot draw is told from one that draws otherwise", "[picture]") {
+    CHECK_THROWS_AS(companion::draw_with("/nonexistent/program", {}, 1), companion::DrawingFailed);
+    CHECK_THROWS_AS(companion::draw_with("/bin/false", {}, 1), companion::DrawingFailed);
+}
+
+TEST_CASE("the picture of a comparison shows both and where they differ", "[picture]") {
+    Picture solution{64, 32, std::vector<std::uint8_t>(64 * 32 * 3, 128)};
+    Picture mine = solution;
+    for (int y = 16; y < 32; ++y)
+        for (int x = 0; x < 32; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                mine.bytes[3 * static_cast<std::size_t>(y * 64 + x) + c] = 64;
+    const rt::Image sheet = companion::compare_picture(companion::compare_still(mine, solution));
+    const std::string png = rt::encode_png(sheet);
+    int width, height, channels;
+    stbi_uc* const pixels =
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()),
+                              static_cast<int>(png.size()), &width, &height, &channels, 3);
+    REQUIRE(pixels);
+    // Eight times as large, side by side, 12 pixels apart, below a line of words.
+    CHECK(width == 3 * 64 * 8 + 4 * 12);
+    CHECK(height == 32 * 8 + 34 + 12);
+    const auto at = [&](int panel, int x, int y, int channel) {
+        return int(
+            pixels[3 * ((34 + 8 * y) * width + 12 + panel * (64 * 8 + 12) + 8 * x) + channel]);
+    };
+    CHECK(at(0, 8, 24, 0) == 64);
+    CHECK(at(1, 8, 24, 0) == 128);
+    CHECK(at(2, 8, 24, 2) > at(2, 8, 24, 0) + 50);  // too dark: blue
+    CHECK(at(2, 50, 4, 2) == at(2, 50, 4, 0));      // the same: gray
+    stbi_image_free(pixels);
+}
+
+TEST_CASE("dealing pictures out anew tells chance from difference", "[picture]") {
+    // 4 against 4 can be dealt out in 70 ways, two of which are the worst.
+    companion::Products apart{8}, alike{8};
+    const std::vector<double> groups{1, 1.01, 0.99, 1, -1, -1.02, -0.99, -0.99};
+    apart.add(groups);
+    alike.add({1, -1, 1, -1, 1, -1, 1, -1});
+    CHECK(std::abs(companion::permutation_p(apart, 4, 8) - 2.0 / 70) < 1e-12);
+    CHECK(companion::permutation_p(alike, 4, 8) == 1);
+    CHECK(companion::permutation_p(companion::Products{8}, 4, 8) == 1);
+}

@@ -1,0 +1,328 @@
+// The rules of DESIGN that concern the sources as a whole. What depends on the stubs as shipped is
+// tagged [stubs]: a learner's own code is free of these rules.
+
+#include <companion/model/course.hpp>
+#include <map>
+#include <set>
+#include <source_text.hpp>
+#include <sstream>
+
+#include "catch.hpp"
+
+namespace fs = std::filesystem;
+using namespace source_text;
+
+namespace {
+
+const fs::path root = companion::this_course().root;
+
+std::string name(const fs::path& path) {
+    return path.lexically_relative(root).string();
+}
+
+std::vector<companion::Chapter> chapters() {
+    return companion::chapters(companion::this_course());
+}
+
+// The chapter that a header <rt/NAME.hpp> belongs to, "" for common; and where it is.
+struct Header {
+    std::string chapter;
+    fs::path path;
+};
+
+std::multimap<std::string, Header> headers() {
+    std::multimap<std::string, Header> all;
+    for (const fs::path& path : files(root / "common/rt", {".hpp"}))
+        all.insert({path.filename().string(), {"", path}});
+    for (const fs::path& chapter : folders(root / "solutions"))
+        for (const fs::path& path : files(chapter / "rt", {".hpp"}))
+            all.insert({path.filename().string(), {chapter.filename().string(), path}});
+    return all;
+}
+
+struct TestCase {
+    std::string name, tags;
+};
+
+// The checkpoints of a chapter; what tests its given code, in a folder of its own, is left out.
+// A test case's name may be given as several literals, one after the other.
+std::vector<TestCase> test_cases(const std::string& chapter) {
+    std::vector<TestCase> all;
+    const std::regex pattern{"TEST_CASE\\(((?:\\s*\"[^\"]*\")+)\\s*,\\s*\"([^\"]*)\"\\s*\\)"};
+    for (const fs::path& path : files(root / "tests" / chapter, {".cpp"})) {
+        if (path.parent_path().filename() == "given") continue;
+        const std::string text = code_of(read(path), true);
+        for (std::sregex_iterator it{text.begin(), text.end(), pattern}, end; it != end; ++it) {
+            TestCase test{"", (*it)[2]};
+            for (const std::string& part : matches((*it)[1], "\"([^\"]*)\"")) test.name += part;
+            all.push_back(test);
+        }
+    }
+    return all;
+}
+
+// The exercises of a chapter, as its test cases name them.
+std::set<std::string> exercises(const std::string& chapter) {
+    std::set<std::string> ids;
+    for (const TestCase& test : test_cases(chapter))
+        ids.insert(test.name.substr(0, test.name.find(' ')));
+    return ids;
+}
+
+bool has_tag(const TestCase& test, const std::string& tag) {
+    return test.tags.find('[' + tag + ']') != std::string::npos;
+}
+
+std::vector<fs::path> documents() {
+    auto all = files(root / "docs", {".md"});
+    all.push_back(root / "README.md");
+    return all;
+}
+
+// A text without what it quotes as code.
+std::string without_code(const std::string& markdown) {
+    return std::regex_replace(markdown, std::regex{"```[\\s\\S]*?```|`[^`\n]*`"}, "");
+}
+
+// The chapter that a header may be used from: its own and all later ones.
+void check_includes(const fs::path& path, const std::string& chapter) {
+    for (const std::string& included : matches(read(path), "#include <rt/([^>]*)>")) {
+        const auto all = headers();
+        const auto [first, last] = all.equal_range(included);
+        INFO(name(path) << " includes <rt/" << included << '>');
+        CHECK(first != last);
+        for (auto it = first; it != last; ++it) CHECK(it->second.chapter <= chapter);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("every folder of a chapter belongs to a chapter that is built", "[structure]") {
+    std::set<std::string> known;
+    for (const auto& chapter : chapters()) known.insert(chapter.name);
+    for (const char* const kind : {"chapters", "exercises", "solutions", "tests/mistakes"})
+        for (const fs::path& folder : folders(root / kind)) {
+            INFO(name(folder));
+            CHECK(known.count(folder.filename().string()) == 1);
+        }
+}
+
+TEST_CASE("every stub has a solution of the same name", "[stubs]") {
+    for (const fs::path& stub : files(root / "exercises", {".hpp", ".cpp"})) {
+        INFO(name(stub));
+        CHECK(fs::exists(root / "solutions" / stub.lexically_relative(root / "exercises")));
+    }
+}
+
+TEST_CASE("a header's name is unique", "[structure]") {
+    for (const auto& [header, where] : headers()) {
+        INFO("<rt/" << header << ">: " << name(where.path));
+        CHECK(headers().count(header) == 1);
+    }
+}
+
+TEST_CASE("a stub's functions have the solution's signatures", "[stubs]") {
+    for (const fs::path& stub : files(root / "exercises", {".hpp"})) {
+        const auto wanted =
+            signatures(read(root / "solutions" / stub.lexically_relative(root / "exercises")));
+        const auto given = signatures(read(stub));
+        INFO(name(stub));
+        if (fs::exists(fs::path{stub}.replace_extension(".cpp"))) {
+            // Declarations alone: what is to be written is in the .cpp of that name.
+            CHECK(given.empty());
+            CHECK(code_of(read(stub)) ==
+                  code_of(read(root / "solutions" / stub.lexically_relative(root / "exercises"))));
+            continue;
+        }
+        CHECK_FALSE(given.empty());
+        for (const std::string& signature : given) {
+            INFO(signature);
+            CHECK(std::find(wanted.begin(), wanted.end(), signature) != wanted.end());
+        }
+    }
+}
+
+TEST_CASE("every exercise has a stub that says which one it is", "[stubs]") {
+    for (const auto& chapter : chapters()) {
+        std::set<std::string> ids;
+        for (const fs::path& stub : files(root / "exercises" / chapter.name, {".hpp", ".cpp"})) {
+            check_includes(stub, chapter.name);
+            const std::string text = read(stub);
+            for (const std::string& id : matches(text, "todo\\(\\s*\"([^\"]*)\"")) {
+                INFO(name(stub) << ", exercise " << id);
+                CHECK(text.find("Exercise " + id) != std::string::npos);
+                ids.insert(id);
+            }
+        }
+        INFO(chapter.name);
+        CHECK(ids == exercises(chapter.name));
+    }
+}
+
+TEST_CASE("no chapter uses what comes after it, and common uses no chapter", "[structure]") {
+    for (const fs::path& path : files(root / "common", {".hpp", ".cpp"})) check_includes(path, "");
+    for (const auto& chapter : chapters())
+        for (const char* const kind : {"chapters", "solutions", "tests", "tests/mistakes"})
+            for (const fs::path& path : files(root / kind / chapter.name, {".hpp", ".cpp"}))
+                check_includes(path, chapter.name);
+}
+
+TEST_CASE("there is no absolute epsilon in the solutions and in common", "[structure]") {
+    // Numbers this small that are no tolerances: file and literal.
+    const std::set<std::pair<std::string, std::string>> allowed{
+        {"common/rt/color.hpp", "0.0031308"}};  // where the sRGB transfer function turns linear
+    for (const char* const folder : {"solutions", "common"})
+        for (const fs::path& path : files(root / folder, {".hpp", ".cpp"}))
+            for (std::string literal :
+                 matches(code_of(read(path)),
+                         "(?:^|[^\\w.])((?:0[xX][0-9a-fA-F.']+[pP]-?\\d+)|"
+                         "(?:\\d[\\d']*\\.?[\\d']*|\\.\\d[\\d']*)(?:[eE][-+]?\\d+)?)")) {
+                literal.erase(std::remove(literal.begin(), literal.end(), '\''), literal.end());
+                const double value = std::stod(literal);
+                if (value == 0 || value > 0.01 || allowed.count({name(path), literal})) continue;
+                FAIL_CHECK(name(path) << ": " << literal
+                                      << " looks like an absolute tolerance; derive it from the "
+                                         "precision and the magnitudes at hand");
+            }
+}
+
+TEST_CASE("checkpoints are named and tagged by their exercise, some of them hard", "[structure]") {
+    for (const auto& chapter : chapters()) {
+        std::map<std::string, int> easy, hard;
+        std::set<std::string> names;
+        for (const TestCase& test : test_cases(chapter.name)) {
+            INFO(chapter.name << ": " << test.name << ' ' << test.tags);
+            const std::string id = test.name.substr(0, test.name.find(' '));
+            CHECK(id.rfind(chapter.number() + '.', 0) == 0);
+            CHECK(has_tag(test, id));
+            CHECK(test.name.find_first_of(",[]*\"\\") == std::string::npos);
+            CHECK(names.insert(test.name).second);
+            ++(has_tag(test, "hard") ? hard : easy)[id];
+        }
+        for (const std::string& id : exercises(chapter.name)) {
+            INFO("exercise " << id);
+            CHECK(easy[id] >= 1);
+            CHECK(hard[id] >= 1);
+        }
+    }
+}
+
+TEST_CASE("every mistake explains itself and is caught by a test case", "[structure]") {
+    for (const auto& chapter : chapters()) {
+        const std::set<std::string> ids = exercises(chapter.name);
+        std::map<std::string, int> count;
+        std::set<std::string> cases;
+        for (const TestCase& test : test_cases(chapter.name)) cases.insert(test.name);
+        for (const fs::path& mistake : folders(root / "tests/mistakes" / chapter.name)) {
+            INFO(name(mistake));
+            std::map<std::string, std::string> fields;
+            std::istringstream in{read(mistake / "mistake.txt")};
+            std::string line, explanation;
+            while (std::getline(in, line) && !line.empty()) {
+                const auto colon = line.find(": ");
+                CHECK(colon != std::string::npos);
+                if (colon != std::string::npos)
+                    fields[line.substr(0, colon)] = line.substr(colon + 2);
+            }
+            while (std::getline(in, line)) explanation += line + ' ';
+            const std::string id = fields["exercise"];
+            ++count[id];
+            CHECK(ids.count(id) == 1);
+            CHECK(mistake.filename().string().rfind(id + '_', 0) == 0);
+            CHECK_FALSE(fields["title"].empty());
+            CHECK(cases.count(fields["caught by"]) == 1);
+            CHECK(explanation.size() > 40);
+            const auto replaced = files(mistake / "rt", {".hpp", ".cpp"});
+            CHECK_FALSE(replaced.empty());
+            for (const fs::path& path : replaced) {
+                INFO(name(path));
+                CHECK(fs::exists(root / "solutions" / chapter.name / "rt" / path.filename()));
+            }
+        }
+        for (const std::string& id : ids) {
+            INFO("exercise " << id);
+            CHECK(count[id] >= 3);
+        }
+    }
+}
+
+TEST_CASE("a chapter has all of its parts", "[structure]") {
+    for (const auto& chapter : chapters()) {
+        INFO(chapter.name);
+        const std::string program = read(root / "chapters" / chapter.name / "main.cpp");
+        const std::string text = read(root / "docs" / chapter.document());
+        CHECK(program.find("app::run(") != std::string::npos);
+        CHECK(program.find(".study") != std::string::npos);
+        CHECK(program.find(".name = \"" + chapter.name + '"') != std::string::npos);
+        CHECK(fs::exists(root / "docs/images" / chapter.picture()));
+        CHECK(fs::exists(root / "solutions" / chapter.name / "rt"));
+
+        std::size_t at = 0;
+        for (const char* const section :
+             {"What you will see", "The mathematics", "Build it", "Hard cases",
+              "What accuracy costs", "Only what the scene calls for", "Common mistakes",
+              "Where to read on"}) {
+            INFO("the text needs a section '" << section << "', in this order");
+            const auto found = text.find("\n## " + std::string(section) + '\n');
+            CHECK(found != std::string::npos);
+            CHECK((found == std::string::npos || found > at));
+            if (found != std::string::npos) at = found;
+        }
+        CHECK(text.rfind("# ", 0) == 0);
+        CHECK(text.find("](images/" + chapter.picture() + ')') != std::string::npos);
+        CHECK(text.find("](plots/" + chapter.name + '-') != std::string::npos);
+
+        CHECK_FALSE(exercises(chapter.name).empty());
+        for (const std::string& id : exercises(chapter.name)) {
+            INFO("the text needs a section '### " << id << " Title (about M minutes)'");
+            CHECK(std::regex_search(
+                text, std::regex{"\n### " + id + " [^\n]+\\(about [0-9]+ minutes\\)\n"}));
+        }
+    }
+}
+
+TEST_CASE("the texts' formulas survive Markdown", "[structure]") {
+    for (const fs::path& document : documents()) {
+        for (const std::string& command : matches(without_code(read(document)),
+                                                  "(\\\\[^A-Za-z\\s]|\\\\(?:operatorname|texttt))"))
+            FAIL_CHECK(
+                name(document)
+                << ": GitHub shows " << command
+                << " as something else: it takes the backslash before a mark away, and knows "
+                   "not all of TeX. Write \\thinspace, \\cr, \\lbrace, \\mathrm");
+    }
+}
+
+TEST_CASE("every link and image of the texts leads somewhere", "[structure]") {
+    // As GitHub makes anchors of headings: lower case, hyphens for spaces, punctuation left out.
+    const auto anchors = [](const std::string& text) {
+        std::set<std::string> all;
+        for (const std::string& heading : matches(text, "(?:^|\n)#+ ([^\n]*)")) {
+            std::string anchor;
+            for (const char c : heading) {
+                const auto byte = static_cast<unsigned char>(c);
+                if (c == ' ' || c == '-') anchor += '-';
+                if (std::isalnum(byte) || c == '_' || byte > 127)
+                    anchor += static_cast<char>(std::tolower(byte));
+            }
+            all.insert(anchor);
+        }
+        return all;
+    };
+    for (const fs::path& document : documents()) {
+        const std::string text = without_code(read(document));
+        auto targets = matches(text, "\\]\\(([^)\\s]*)\\)");
+        for (const std::string& source : matches(text, "(?:src|href)=\"([^\"]*)\""))
+            targets.push_back(source);
+        for (const std::string& target : targets) {
+            if (std::regex_search(target, std::regex{"^[a-z]+:"})) continue;
+            INFO(name(document) << " links to " << target);
+            const auto hash = target.find('#');
+            const fs::path file =
+                hash == 0 ? document : document.parent_path() / target.substr(0, hash);
+            CHECK(fs::exists(file));
+            if (hash != std::string::npos && file.extension() == ".md")
+                CHECK(anchors(read(file)).count(target.substr(hash + 1)) == 1);
+        }
+    }
+}

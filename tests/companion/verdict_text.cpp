@@ -1,0 +1,73 @@
+#include <companion/check/verdict_text.hpp>
+
+#include "catch.hpp"
+
+using namespace companion;
+
+namespace {
+
+// What the learner reads of an answer that failed like this.
+std::string told(Verdict verdict, const std::vector<TestCase>& tests) {
+    Checked checked;
+    checked.exercise = {.id = "01.1", .title = "One", .chapter = {"01_x"}, .files = {"a.hpp"}};
+    checked.verdict = verdict;
+    checked.tests = tests;
+    return details({"/c", "/c/build"}, checked);
+}
+
+TestCase failing(const std::string& name, const std::string& expanded) {
+    TestCase test;
+    test.name = name;
+    test.ended = true;
+    test.failures.push_back({"CHECK( a == b )", expanded, "", {}});
+    return test;
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("numbers are shown as a person writes them", "[verdict_text]") {
+    CHECK(has(told(Verdict::failing, {failing("x", "1000 (0x3e8) == 1 (0x1)")}), "1000 == 1\n"));
+    const std::string addresses = told(
+        Verdict::failing,
+        {failing("x",
+                 "0x000055d0c0ffee00 == 0x000055d0c0ffee40 || 0x000055d0c0ffee00 == nullptr")});
+    CHECK(has(addresses, "address A == address B || address A == nullptr"));
+    CHECK(has(told(Verdict::failing, {failing("x", '-' + std::string(304, '5') + ".0 == 12.5")}),
+              "-5.55e+303 == 12.5"));
+    // Hexadecimal fractions and short numbers stay.
+    CHECK(has(told(Verdict::failing, {failing("x", "0x1.8000000p+1 == 0xff")}),
+              "0x1.8000000p+1 == 0xff"));
+}
+
+TEST_CASE("a crash does not hide what failed before it", "[verdict_text]") {
+    TestCase crashed = failing("second", "");
+    crashed.failures.front().expression = "CHECK( {Unknown expression after the reported line} )";
+    crashed.crash = "SIGSEGV";
+    const std::string both = told(Verdict::crashed, {failing("first", "1 == 2"), crashed});
+    CHECK(has(both, "second"));
+    CHECK(has(both, "Before that:\n  first\n"));
+    CHECK(has(both, "1 == 2"));
+    CHECK_FALSE(has(both, "Unknown expression"));
+    CHECK_FALSE(has(told(Verdict::crashed, {crashed}), "Before that"));
+}
+
+TEST_CASE("what is still to be written does not count as failing", "[verdict_text]") {
+    TestCase passing, missing = failing("later", "");
+    passing.passed = passing.ended = true;
+    missing.failures.front().exception = "exercise 01.1 is still to be written: there";
+    const auto line = [](const std::vector<TestCase>& tests) {
+        Checked checked;
+        checked.verdict = Verdict::failing;
+        checked.tests = tests;
+        return summary_line(checked);
+    };
+    const TestCase wrong = failing("wrong", "1 == 2");
+    CHECK(has(line({passing, wrong, missing, missing}),
+              "failing: 1 of 4 test cases, 2 still to be written"));
+    CHECK_FALSE(has(line({passing, wrong, wrong}), "written"));
+    CHECK(has(line({missing, missing}), "failing: no test case reaches it"));
+}
