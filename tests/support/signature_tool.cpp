@@ -16,7 +16,7 @@ namespace {
 
 Signature run_mistake(const fs::path& folder, const std::string& name) {
     const Result result =
-        run_process({.command = {(folder / ("mistake." + name)).string(), "-r", "xml"},
+        run_process({.command = {(folder / ("mistake." + name)).string(), "-r", "events"},
                      .output = Output::errors_hidden,
                      .timeout = most_seconds});
     if (result.exit_code == 127) throw app::Failure("mistake." + name + " is not built");
