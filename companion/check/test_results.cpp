@@ -55,11 +55,14 @@ void read_event(const json& event, std::vector<TestCase>& tests) {
 std::vector<TestCase> read_report(const std::string& lines) {
     std::vector<TestCase> tests;
     std::istringstream in{lines};
-    for (std::string line; std::getline(in, line);) try {
-            read_event(json::parse(line), tests);
-        } catch (const json::exception&) {
-            // No event: the tested code printed this, or it was cut off.
+    for (std::string line; std::getline(in, line);) {
+        if (line.rfind('{', 0) != 0) continue;  // the tested code printed this
+        try {
+            if (const json event = json::parse(line, nullptr, false); event.is_object())
+                read_event(event, tests);
+        } catch (const json::exception&) {  // and this
         }
+    }
     return tests;
 }
 
