@@ -25,9 +25,10 @@ std::string one_line(const std::string& text) {
 
 FailedAssertion read_failure(const json& event) {
     FailedAssertion failure;
-    failure.expression = event.contains("expression") ? event.value("macro", "") + "( " +
-                                                            one_line(event["expression"]) + " )"
-                                                      : "FAIL";
+    if (event.contains("expression"))
+        failure.expression = event.value("macro", "") + "( " + one_line(event["expression"]) + " )";
+    else if (!event.contains("exception"))
+        failure.expression = "FAIL";
     failure.expanded = one_line(event.value("expanded", ""));
     failure.exception = trimmed(event.value("exception", ""));
     failure.missing = event.value("missing", "");
@@ -42,7 +43,8 @@ void read_event(const json& event, std::vector<TestCase>& tests) {
     TestCase& test = tests.back();
     if (what == "failed") {
         test.failures.push_back(read_failure(event));
-        test.crash = event.value("crash", test.crash);
+    } else if (what == "crashes") {
+        test.crash = event.at("cause");
     } else if (what == "ends") {
         test.ended = true;
         test.passed = event.at("passed");
