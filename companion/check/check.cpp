@@ -3,7 +3,7 @@
 #include <companion/build/build.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/check/check.hpp>
-#include <companion/model/mistakes.hpp>
+#include <companion/check/recognition.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/process.hpp>
 #include <map>

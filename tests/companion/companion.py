@@ -85,8 +85,6 @@ class Companion(unittest.TestCase):
         self.put("docs/01-tiny.md", text)
         self.put("docs/hints/01-tiny.md", hints)
         self.put("companion/shipped_stubs/01_tiny.txt", stubs)
-        self.put("tests/mistakes/01_tiny/01.1_off/mistake.txt",
-                 "exercise: 01.1\ntitle: one too many\ncaught by: x\n\nCount from 0.\n")
         self.put("CMakeLists.txt", cmake)
         self.put("check.sh", CHECK)
         self.put("program.sh", '#!/bin/sh\necho "program $*"\n[ "$3" != --fail ] || exit 3\n'
