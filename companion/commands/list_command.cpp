@@ -47,9 +47,8 @@ Progress progress(const Course& course, const State& state, const Chapter& chapt
         of_exercises += exercise.minutes;
         if (!done) left += exercise.minutes;
     }
-    const int in_hours = 60 * hours(course, chapter);
-    result.minutes = in_hours > 0 ? in_hours : of_exercises;
-    result.minutes_left = of_exercises > 0 ? result.minutes * left / of_exercises : 0;
+    result.minutes = 60 * chapter.hours;
+    result.minutes_left = result.minutes * left / of_exercises;
     return result;
 }
 
