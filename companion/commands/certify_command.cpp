@@ -193,8 +193,7 @@ class Examination {
 
 }  // namespace
 
-int certify(const Course& course, const Arguments& arguments) {
-    if (!arguments.empty()) throw app::UsageError("certify takes no arguments");
+int certify(const Course& course) {
     make_folder(course.out());
     const std::vector<Chapter> all = chapters(course);
     Examination examination{course};

@@ -9,10 +9,8 @@
 
 namespace companion {
 
-int compare(const Course& course, const Arguments& arguments) {
-    if (arguments.size() != 1)
-        throw app::UsageError("compare takes one chapter, such as: compare 03");
-    const Chapter chapter = find_chapter(chapters(course), arguments[0]);
+int compare(const Course& course, const std::string& name) {
+    const Chapter chapter = find_chapter(chapters(course), name);
     must_build(course, chapter.name);
     must_build(course, chapter.name + "_solution");
 

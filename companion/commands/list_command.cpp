@@ -54,8 +54,7 @@ Progress progress(const Course& course, const State& state, const Chapter& chapt
 
 }  // namespace
 
-int list(const Course& course, const Arguments& arguments) {
-    if (!arguments.empty()) throw app::UsageError("list takes no arguments");
+int list(const Course& course) {
     const State state = read_state(course);
     Progress total;
     std::vector<Exercise> every;

@@ -10,8 +10,7 @@
 
 namespace companion {
 
-int mine(const Course& course, const Arguments& arguments) {
-    if (!arguments.empty()) throw app::UsageError("mine takes no arguments");
+int mine(const Course& course) {
     std::string numbers, last;
     for (const ChapterStanding& one : check_all(course)) {
         last = one.chapter.name;

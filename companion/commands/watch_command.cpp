@@ -216,11 +216,9 @@ class Watch {
 
 }  // namespace
 
-int watch(const Course& course, const Arguments& arguments) {
-    if (arguments.size() > 1)
-        throw app::UsageError("watch takes one chapter at most, such as: watch 03");
-    if (arguments.empty()) return Watch{course, exercises(course), true}.run();
-    const Chapter chapter = find_chapter(chapters(course), arguments[0]);
+int watch(const Course& course, const Named& name) {
+    if (!name) return Watch{course, exercises(course), true}.run();
+    const Chapter chapter = find_chapter(chapters(course), *name);
     return Watch{course, exercises(course, chapter), false}.run();
 }
 

@@ -284,7 +284,8 @@ TEST_CASE("the texts and checkpoints have the exercises of course.json", "[struc
             INFO(chapter.text << " needs one section '### " << exercise.id
                               << " ...', and minutes in "
                               << "its heading are those of course.json");
-            const auto headings = matches(text, "\n### " + exercise.id + " ([^\n]*)");
+            const std::string heading = "\n### " + exercise.id + " ([^\n]*)";
+            const auto headings = matches(text, heading.c_str());
             REQUIRE(headings.size() == 1);
             for (const std::string& minutes : matches(headings[0], "([0-9]+) minutes"))
                 CHECK(minutes == std::to_string(exercise.minutes));
