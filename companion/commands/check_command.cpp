@@ -18,7 +18,7 @@ std::vector<Exercise> chosen(const Course& course, const Named& name) {
     const State state = read_state(course);
     std::vector<Exercise> written;
     for (Exercise& exercise : exercises(course))
-        if (standing(course, state, exercise) != Standing::to_write)
+        if (progress_of(course, state, exercise) != Progress::to_write)
             written.push_back(std::move(exercise));
     return written;
 }
