@@ -1,7 +1,7 @@
 // The rules of DESIGN that concern the sources as a whole. What depends on the stubs as shipped is
 // tagged [stubs]: a learner's own code is free of these rules.
 
-#include <companion/model/course.hpp>
+#include <companion/model/exercise.hpp>
 #include <companion/model/mistakes.hpp>
 #include <map>
 #include <set>
@@ -246,7 +246,7 @@ TEST_CASE("a chapter has all of its parts", "[structure]") {
     for (const auto& chapter : chapters()) {
         INFO(chapter.name);
         const std::string program = read(root / "chapters" / chapter.name / "main.cpp");
-        const std::string text = read(root / "docs" / chapter.document());
+        const std::string text = read(root / chapter.text);
         CHECK(program.find("app::run(") != std::string::npos);
         CHECK(program.find(".study") != std::string::npos);
         CHECK(program.find(".name = \"" + chapter.name + '"') != std::string::npos);
@@ -267,13 +267,27 @@ TEST_CASE("a chapter has all of its parts", "[structure]") {
         CHECK(text.rfind("# ", 0) == 0);
         CHECK(text.find("](images/" + chapter.picture() + ')') != std::string::npos);
         CHECK(text.find("](plots/" + chapter.name + '-') != std::string::npos);
+    }
+}
 
-        CHECK_FALSE(exercises(chapter.name).empty());
-        for (const std::string& id : exercises(chapter.name)) {
-            INFO("the text needs a section '### " << id << " Title (about M minutes)'");
-            CHECK(std::regex_search(
-                text, std::regex{"\n### " + id + " [^\n]+\\(about [0-9]+ minutes\\)\n"}));
+TEST_CASE("the texts and checkpoints have the exercises of course.json", "[structure]") {
+    const companion::Course here = companion::this_course();
+    for (const auto& chapter : chapters()) {
+        const std::string text = read(root / chapter.text);
+        std::set<std::string> ids;
+        for (const auto& exercise : companion::exercises(here, chapter)) {
+            ids.insert(exercise.id);
+            INFO(chapter.text << " needs one section '### " << exercise.id
+                              << " ...', and minutes in "
+                              << "its heading are those of course.json");
+            const std::string heading = "\n### " + exercise.id + " ([^\n]*)";
+            const auto headings = matches(text, heading.c_str());
+            REQUIRE(headings.size() == 1);
+            for (const std::string& minutes : matches(headings[0], "([0-9]+) minutes"))
+                CHECK(minutes == std::to_string(exercise.minutes));
         }
+        INFO(chapter.name);
+        CHECK(ids == exercises(chapter.name));
     }
 }
 
