@@ -24,7 +24,7 @@ namespace {
 // What the checkpoints say of a mistake, all of them or one test case.
 std::vector<TestCase> run_mistake(const fs::path& folder, const std::string& name,
                                   const std::string& test_case = "") {
-    std::vector<std::string> command{(folder / ("mistake." + name)).string(), "-r", "xml"};
+    std::vector<std::string> command{(folder / ("mistake." + name)).string(), "-r", "events"};
     if (!test_case.empty()) command.push_back(test_case);
     const Result result =
         run_process({.command = command, .output = Output::errors_hidden, .timeout = most_seconds});
