@@ -101,7 +101,6 @@ function(course_learners_checkpoints chapter)
     target_include_directories(${tests} PRIVATE ${arg_INCLUDE} ${CMAKE_SOURCE_DIR}/tests/support)
     target_link_libraries(${tests} PRIVATE checkpoint_double)
     target_precompile_headers(${tests} REUSE_FROM checkpoint_double)
-    target_compile_options(${tests} PRIVATE -O1)
     add_executable(${check} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${tests}> ${learners})
     target_link_libraries(${check} PRIVATE ${libraries})
     set_target_properties(${check} PROPERTIES
@@ -134,7 +133,7 @@ function(course_certificate chapter)
   add_test(NAME certify.${chapter} COMMAND certify.${chapter}_solution --no-timing)
   set_tests_properties(certify.${chapter} PROPERTIES LABELS solution TIMEOUT 300
     FAIL_REGULAR_EXPRESSION "FAILS")
-  if(COURSE_MISTAKES)
+  if(COURSE_ALL_TESTS)
     course_mistake_certificates(${chapter} ${source})
   endif()
 endfunction()
@@ -219,7 +218,7 @@ function(course_chapter chapter)
   endif()
 
   course_edit_mistakes(${chapter})
-  if(COURSE_MISTAKES)
+  if(COURSE_ALL_TESTS)
     course_mistake_tests(${chapter})
   endif()
   if(COURSE_MISTAKE_PICTURES)
@@ -257,16 +256,20 @@ function(course_chapter chapter)
             $<TARGET_FILE:image_compare> ${root}/docs/images/${chapter}.png)
   add_test(NAME ${chapter}.bad_input
     COMMAND sh ${root}/tests/app/bad_input.sh $<TARGET_FILE:${chapter}_solution>)
-  add_test(NAME ${chapter}.float_program
-    COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
-            --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
   # `course compare` does not call right code wrong; see tests/support/compare_programs.cpp for more
   # runs. A still picture takes one.
   add_test(NAME ${chapter}.compare
     COMMAND compare_programs alarms 1 $<TARGET_FILE:${chapter}_solution>)
   set_tests_properties(${chapter}.compare PROPERTIES LABELS solution TIMEOUT 600)
-  set_tests_properties(${chapter}.image ${chapter}.bad_input ${chapter}.float_program
-                       PROPERTIES LABELS solution TIMEOUT 300)
+  set_tests_properties(${chapter}.image ${chapter}.bad_input PROPERTIES LABELS solution TIMEOUT 300)
+  if(COURSE_ALL_TESTS)
+    add_test(NAME ${chapter}.float_program
+      COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
+              --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
+    set_tests_properties(${chapter}.float_program PROPERTIES LABELS solution TIMEOUT 300)
+  else()
+    set_target_properties(${chapter}_solution_float PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
 endfunction()
 
 # Once after the last chapter: targets over all of them.
