@@ -19,9 +19,8 @@ std::string solution_of(const Exercise& exercise) {
 
 }  // namespace
 
-int hint(const Course& course, const Arguments& arguments) {
-    if (arguments.size() != 1) throw app::UsageError("hint takes one exercise, such as: hint 03.2");
-    const Exercise exercise = find_exercise(course, arguments[0]);
+int hint(const Course& course, const std::string& id) {
+    const Exercise exercise = find_exercise(course, id);
     std::vector<std::string> all = hints(course, exercise);
     if (all.empty())
         throw app::Failure("there are no hints to " + exercise.id + "; read " + exercise.section());

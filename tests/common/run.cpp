@@ -1,8 +1,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <app/json.hpp>
 #include <app/run.hpp>
 #include <csignal>
+#include <map>
 #include <study/report.hpp>
 
 #include "checkpoint.hpp"
@@ -77,6 +79,32 @@ TEST_CASE("a program has no options that do not apply", "[run]") {
     for (const char* const option : {"--spp", "--depth", "--threads", "--seed", "--study"})
         CHECK(run({"--out", folder / "b.png", option, "1"}, plain) == app::bad_input);
     CHECK(folder.count() == 1);
+}
+
+TEST_CASE("a program describes its options and their defaults", "[run]") {
+    app::Program with_more = program();
+    with_more.choices = {{"ending", "How a path ends", {"sky", "black"}}};
+    const auto described = [](const app::Program& one) {
+        std::map<std::string, std::string> defaults;
+        const app::Json json = app::parse_json(app::describe(one), "--describe");
+        for (std::size_t i = 0; i < json.keys.size(); ++i)
+            defaults[json.keys[i]] = json.items[i].text;
+        return defaults;
+    };
+    auto defaults = described(with_more);
+    CHECK(defaults["out"] == "99_test.png");
+    CHECK(defaults["width"] == "8");
+    CHECK(defaults["spp"] == "3");
+    CHECK(defaults["seed"] == "7");
+    CHECK(defaults["ending"] == "sky");
+    CHECK(defaults.count("study") == 1);
+    app::Program plain = program();
+    plain.defaults = {.width = 8, .height = 4};
+    plain.study = nullptr;
+    defaults = described(plain);
+    for (const char* const option : {"spp", "depth", "threads", "seed", "study", "ending"})
+        CHECK(defaults.count(option) == 0);
+    CHECK(run({"--describe"}) == app::done);
 }
 
 TEST_CASE("a chapter may encode PPM files in its own way", "[run]") {

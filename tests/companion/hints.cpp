@@ -9,7 +9,7 @@ using namespace companion;
 TEST_CASE("every exercise has three hints", "[hints]") {
     const Course here = this_course();
     for (const Exercise& exercise : exercises(here)) {
-        INFO("exercise " << exercise.id << " in docs/hints/" << exercise.chapter.document());
+        INFO("exercise " << exercise.id << " in " << exercise.chapter.hints);
         const auto all = hints(here, exercise);
         CHECK(all.size() == 3);
         for (const std::string& hint : all) {
@@ -29,7 +29,7 @@ TEST_CASE("hints are the items of the exercise's own list", "[hints]") {
                            "         deep;\n3. three\n\n## 01.10\n\n1. other\n");
     const Course course{folder.path(), folder / "build"};
     Exercise exercise;
-    exercise.chapter = {"01_x"};
+    exercise.chapter = {.name = "01_x", .hints = "docs/hints/01-x.md"};
     exercise.id = "01.1";
     CHECK(hints(course, exercise) ==
           std::vector<std::string>{"one\nmore", "two:\n\n    code;\n      deep;", "three"});

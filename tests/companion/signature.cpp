@@ -1,3 +1,4 @@
+#include <companion/check/recognition.hpp>
 #include <companion/check/signature.hpp>
 #include <companion/model/mistakes.hpp>
 
@@ -86,12 +87,11 @@ TEST_CASE("every mistake has a signature that was written down", "[signature]") 
     const Course here = this_course();
     for (const Chapter& chapter : chapters(here)) {
         const Signatures known = read_signatures(here, chapter);
-        for (const auto& entry :
-             fs::directory_iterator{here.root / "tests/mistakes" / chapter.name}) {
-            if (!entry.is_directory()) continue;
-            INFO("cmake --build build --target mistake_signatures writes that of "
-                 << entry.path().filename());
-            const auto found = known.find(entry.path().filename().string());
+        const std::vector<Mistake> mistakes = read_mistakes(here, chapter);
+        CHECK(known.size() == mistakes.size());
+        for (const Mistake& mistake : mistakes) {
+            INFO("cmake --build build --target mistake_signatures writes that of " << mistake.name);
+            const auto found = known.find(mistake.name);
             REQUIRE(found != known.end());
             CHECK_FALSE(found->second.where.empty());
         }
