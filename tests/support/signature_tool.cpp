@@ -21,13 +21,17 @@ using namespace companion;
 
 namespace {
 
-// What the checkpoints say of a mistake, all of them or one test case.
+// What the checkpoints say of a mistake, all of them or one test case. One alone may take its time.
 std::vector<TestCase> run_mistake(const fs::path& folder, const std::string& name,
                                   const std::string& test_case = "") {
-    std::vector<std::string> command{(folder / ("mistake." + name)).string(), "-r", "events"};
-    if (!test_case.empty()) command.push_back(test_case);
-    const Result result =
-        run_process({.command = command, .output = Output::errors_hidden, .timeout = most_seconds});
+    Run run{.command = {(folder / ("mistake." + name)).string(), "-r", "events"},
+            .output = Output::errors_hidden,
+            .timeout = most_seconds};
+    if (!test_case.empty()) {
+        run.command.push_back(test_case);
+        run.timeout = 60;
+    }
+    const Result result = run_process(run);
     if (result.exit_code == 127) throw app::Failure("mistake." + name + " is not built");
     return read_report(result.output);
 }
