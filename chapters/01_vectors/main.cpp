@@ -4,6 +4,7 @@
 // point of the ball of radius 1 that shows at (x, y) is (x, y, sqrt(1 - x^2 - y^2)), and it is its
 // own normal.
 
+#include <app/figure.hpp>
 #include <app/run.hpp>
 #include <array>
 #include <rt/dot.hpp>
@@ -147,10 +148,11 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     for (int i = 0; i < 6; ++i)
         turned.push_back(turned_ball(radians(-50 + 20 * static_cast<Real>(i))));
 
-    // The sheet is 16 wide and 9 high: the large ball left, two columns of three turned ones right.
+    // The picture is 16 wide and 9 high: the large ball left, two columns of three turned ones
+    // right.
     const Real unit =
         std::min(static_cast<Real>(settings.width) / 16, static_cast<Real>(settings.height) / 9);
-    const auto sheet_color = [&](Real x, Real y) {
+    const auto color_at = [&](Real x, Real y) {
         if (x < 9) return large.at((x - Real(4.5)) / 3, (Real(4.5) - y) / 3, light);
         const int column = x < Real(12.5) ? 0 : 1, row = std::clamp(static_cast<int>(y / 3), 0, 2);
         const Real middle_x = Real(10.7) + Real(3.4) * static_cast<Real>(column);
@@ -158,15 +160,11 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         return turned[static_cast<std::size_t>(2 * row + column)].at(x - middle_x, middle_y - y,
                                                                      light);
     };
-    // Each pixel is the average of 3x3 places in it, so that edges are smooth: chapter 04 tells
+    // Each pixel is the average of nine places in it, so that edges are smooth: chapter 04 tells
     // why.
     return {app::draw(settings, progress, [&](int column, int row) {
-        Color sum;
-        for (int i = 0; i < 9; ++i)
-            sum += sheet_color(
-                (static_cast<Real>(column) + (static_cast<Real>(i % 3) + Real(0.5)) / 3) / unit,
-                (static_cast<Real>(row) + (static_cast<Real>(i / 3) + Real(0.5)) / 3) / unit);
-        return sum / 9;
+        return app::average_of_nine(column, row,
+                                    [&](Real x, Real y) { return color_at(x / unit, y / unit); });
     })};
 }
 
