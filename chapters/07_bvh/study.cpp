@@ -1,5 +1,5 @@
-// One file for all that is timed: compilers copy functions into a loop only as long as the file
-// does not grow too much by it, and the more it holds, the more they do.
+// All that is timed is in one file: how much a compiler inlines depends on how much the file holds.
+// Split in two, the linear list took three times as long.
 
 #include "study.hpp"
 
