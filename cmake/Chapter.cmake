@@ -230,7 +230,7 @@ function(course_chapter chapter)
   # What a chapter gives beyond its exercises has tests of its own, and so have the program's parts.
   file(GLOB given CONFIGURE_DEPENDS ${root}/tests/${chapter}/given/*.cpp)
   set(parts ${program})
-  list(FILTER parts EXCLUDE REGEX "/main\\.cpp$")
+  list(FILTER parts EXCLUDE REGEX "/(main|study|narrowest_renderer)\\.cpp$")
   if(given)
     foreach(real double float)
       course_checkpoint(${chapter}_given_${real} ${real} ${given} ${parts}

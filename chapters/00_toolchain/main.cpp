@@ -4,11 +4,14 @@
 
 #include <app/run.hpp>
 #include <cstdio>
+#include <rt/gradient.hpp>
 #include <string>
 
 #include "address_map.hpp"
-#include "poster.hpp"
+#include "chain_panel.hpp"
+#include "memory_panel.hpp"
 #include "study.hpp"
+#include "time_panels.hpp"
 
 namespace {
 
@@ -108,14 +111,16 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
 
     const Canvas<Color> sky = paint_dusk(settings.width, settings.height);
     progress.start(settings.height);
-    Image background = make_image(settings.width, settings.height, [&](int x, int y) {
+    Image image = make_image(settings.width, settings.height, [&](int x, int y) {
         if (x == 0) progress.step();
         return sky.at(x, y);
     });
-    Exhibits show{canvas, root.get(), model_steps(), {}, by_machine, {}};
+    std::vector<Steps> steps = model_steps();
+    Objects objects;
+    std::vector<std::string> addresses;
     if (by_machine) {
-        show.steps = measure_steps();
-        show.objects = measure_objects<64>();
+        steps = measure_steps();
+        objects = measure_objects<64>();
         for (const void* const address :
              {static_cast<const void*>(&canvas), static_cast<const void*>(&root),
               static_cast<const void*>(&paint), static_cast<const void*>(canvas.begin()),
@@ -124,10 +129,14 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
             std::transform(text.begin(), text.end(), text.begin(), [](unsigned char letter) {
                 return static_cast<char>(std::toupper(letter));
             });
-            show.addresses.push_back(text);
+            addresses.push_back(text);
         }
     }
-    Image image = draw_poster(std::move(background), show);
+    Figure figure{image, 960, 540};
+    draw_memory(figure, {24, 24, 440, 492}, canvas, root.get(), addresses);
+    draw_chain(figure, {484, 24, 452, 232});
+    draw_steps(figure, {484, 276, 268, 240}, steps, by_machine);
+    draw_objects(figure, {772, 276, 164, 240}, objects, by_machine);
     return {std::move(image), 0, [map, said = facts(std::move(root), canvas)] {
                 return "Where things are in this run:\n" + map + '\n' + said + '\n' +
                        objects_table({measure_objects<16>(), measure_objects<256>(),

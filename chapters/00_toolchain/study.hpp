@@ -1,13 +1,14 @@
 #pragma once
 // What accuracy costs where numbers are added up; and what memory costs.
 
+#include <functional>
 #include <rt/rng.hpp>
 #include <study/double_double.hpp>
 #include <study/report.hpp>
 #include <study/ulp.hpp>
 #include <type_traits>
 
-#include "measure.hpp"
+#include "memory_times.hpp"
 #include "sums.hpp"
 
 namespace toolchain {
@@ -40,10 +41,10 @@ inline void study_sums(study::Report& report) {
         DoubleDouble exact;
         for (std::size_t i = 0; i < count; ++i)
             exact = exact + DoubleDouble(static_cast<double>(terms[i]));
-        std::vector<std::function<void()>> works;
+        std::vector<study::Work> works;
         for (const Variant& variant : variants)
             works.push_back([&] { study::keep(variant.sum(terms.data(), count)); });
-        const auto times = in_turn_ns(works);
+        const auto times = in_turns_ns(works);
         // A single sum may be right by luck: eight orders of the same terms, the root of the mean
         // square of their errors.
         constexpr std::size_t orders = 8;

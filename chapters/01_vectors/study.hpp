@@ -6,6 +6,7 @@
 #include <rt/length.hpp>
 #include <rt/rng.hpp>
 #include <study/report.hpp>
+#include <study/timing.hpp>
 #include <study/ulp.hpp>
 #include <vector>
 

@@ -2,7 +2,7 @@
 // at and the up vector change.
 
 #include <algorithm>
-#include <app/lettering.hpp>
+#include <app/figure.hpp>
 #include <app/run.hpp>
 #include <array>
 #include <cmath>
@@ -17,7 +17,6 @@ namespace {
 
 using rt::Color;
 using rt::Real;
-using rt::Vec2;
 using rt::Vec3;
 
 struct Panel {
@@ -62,48 +61,44 @@ Span part(int pixels, int i, int n) {
     return {edge(i) + gutter, size - 2 * gutter};
 }
 
-// The last part that does not begin after pixel x, counting the gutter before it.
-int part_at(int pixels, int x, int n) {
-    int i = n - 1;
-    while (static_cast<std::int64_t>(i) * pixels / n > x) --i;
-    return i;
-}
-
-Color with_caption(Color color, std::string_view caption, Real x, Real y, int panel_height) {
-    const Real height = static_cast<Real>(panel_height), unit = height / 90;  // of the letters
-    const Vec2 p{x / unit - 3, (y - height) / unit + 7};
-    const Real distance = app::distance_to_text(p, caption) * unit;
-    const Real shadow = std::exp(-distance * distance / (9 * unit * unit));
-    color = mix(color, {}, Real(0.5) * shadow);
-    return mix(color, {1, 1, 1}, dome::coverage(distance, Real(0.75) * unit, 1));
+// The words stand in a soft shadow, which makes them readable on any ground.
+void write_caption(app::Figure& panel, std::string_view caption) {
+    const Real height = static_cast<Real>(panel.rows()), unit = height / 90;
+    const rt::Vec2 corner{3 * unit, height - 7 * unit};
+    panel.blend(
+        app::pixel_box(0, 0, panel.columns(), panel.rows()),
+        [&](rt::Vec2 p) {
+            const Real distance =
+                app::distance_to_text({(p.x - corner.x) / unit, (p.y - corner.y) / unit}, caption);
+            return Real(0.5) * std::exp(-distance * distance / 9);
+        },
+        [](rt::Vec2) { return Color{}; });
+    panel.words(corner, caption, {4 * unit, {1, 1, 1}, Real(0.375)});
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    const auto sheet = panels();
-    std::array<rt::Camera, columns * rows> cameras;
-    for (int k = 0; k < columns * rows; ++k)
-        cameras[index(k)] =
-            rt::make_camera(sheet[index(k)].view, part(settings.width, k % columns, columns).size,
-                            part(settings.height, k / columns, rows).size);
+    rt::Image image{settings.width, settings.height, rt::from_hex(0xf4f1ea)};
+    app::Figure figure{image};
+    progress.start(rows);
     std::uint64_t rays = 0;
-    rt::Image image = app::draw(settings, progress, [&](int x, int y) {
-        const int i = part_at(settings.width, x, columns), j = part_at(settings.height, y, rows);
-        const Span across = part(settings.width, i, columns), down = part(settings.height, j, rows);
-        const int column = x - across.begin, row = y - down.begin;
-        if (column < 0 || column >= across.size || row < 0 || row >= down.size)
-            return rt::from_hex(0xf4f1ea);
-
-        const Panel& panel = sheet[index(j * columns + i)];
-        const rt::Camera& camera = cameras[index(j * columns + i)];
-        const Real half = Real(0.5);
-        const dome::Beam beam{primary_ray(camera, column, row, {half, half}),
-                              primary_ray(camera, column + 1, row, {half, half}),
-                              primary_ray(camera, column, row + 1, {half, half})};
-        rays += 3;
-        return with_caption(dome::look(beam), panel.caption, static_cast<Real>(column) + half,
-                            static_cast<Real>(row) + half, down.size);
-    });
-    return {image, rays};
+    for (int k = 0; k < columns * rows; ++k) {
+        const auto [caption, view] = panels()[index(k)];
+        const Span across = part(settings.width, k % columns, columns),
+                   down = part(settings.height, k / columns, rows);
+        app::Figure panel =
+            figure.part(app::pixel_box(across.begin, down.begin, across.size, down.size));
+        const rt::Camera camera = rt::make_camera(view, panel.columns(), panel.rows());
+        panel.fill([&](int x, int y) {
+            const rt::Vec2 middle{Real(0.5), Real(0.5)};
+            rays += 3;
+            return dome::look({primary_ray(camera, x, y, middle),
+                               primary_ray(camera, x + 1, y, middle),
+                               primary_ray(camera, x, y + 1, middle)});
+        });
+        write_caption(panel, caption);
+        if (k % columns == columns - 1) progress.step();
+    }
+    return {std::move(image), rays};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <rt/rng.hpp>
 #include <study/double_double.hpp>
 #include <study/report.hpp>
+#include <study/timing.hpp>
 #include <vector>
 
 namespace camera_study {
@@ -76,7 +77,8 @@ double time_each(F make) {
             study::keep(results[i]);
         }
     };
-    return study::time_ns(fill, 15) / static_cast<double>(results.size());
+    return study::time_ns(fill, {.rounds = 15, .at_least_ms = 1}) /
+           static_cast<double>(results.size());
 }
 
 template <auto map>  // the function is a template's argument so that the compiler can inline it

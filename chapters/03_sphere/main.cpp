@@ -1,7 +1,7 @@
 // A planet with rings of moons; beside it one sphere seen from farther and farther away, by the
 // formula of the textbook and by the stable one.
 
-#include <app/lettering.hpp>
+#include <app/figure.hpp>
 #include <app/run.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/make_camera.hpp>
@@ -9,11 +9,10 @@
 #include <rt/primary_ray.hpp>
 #include <sstream>
 #include <string>
-#include <type_traits>
 
+#include "far_spheres.hpp"
 #include "scene.hpp"
 #include "study.hpp"
-#include "variants.hpp"
 
 namespace {
 
@@ -42,78 +41,27 @@ Color trace(const std::vector<scene::Body>& bodies, const Ray& ray) {
     return color;
 }
 
-// One of the small pictures: a sphere of radius 1 this far away always fills the same angle.
-class Panel {
-  public:
-    Panel(Real distance, int side, variants::HitFunction hit)
-        : sphere_{distance / 7 * Vec3{2, 3, -6}, 1},
-          camera_{rt::make_camera(
-              {.at = sphere_.center, .vertical_fov = 2 * std::atan(Real(1.3) / distance)}, side,
-              side)},
-          hit_{hit} {}
-
-    Color shade(int x, int y) const {
-        const Ray ray = rt::primary_ray(camera_, x, y, {Real(0.5), Real(0.5)});
-        const auto t = hit_(sphere_, ray, {0, rt::infinity});
-        if (!t) return rt::from_hex(0x0b0e1f);
-        const Vec3 to_lamp = camera_.basis.to_world({Real(-0.48), Real(0.48), Real(0.73)});
-        const Real distance = scene::lamp_distance(sphere_, ray.at(*t), to_lamp);
-        return scene::ramp(scene::bands(distance, 14));
-    }
-
-  private:
-    Sphere sphere_;
-    rt::Camera camera_;
-    variants::HitFunction hit_;
-};
-
-// Powers of ten around 1 / sqrt(epsilon), where the textbook's formula loses the sphere.
-constexpr int exponents[] = {1, std::is_same_v<Real, float> ? 3 : 7,
-                             std::is_same_v<Real, float> ? 4 : 8,
-                             std::is_same_v<Real, float> ? 5 : 9};
-
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    // The panels stand on the right, two columns by four rows under a line of words; a picture that
-    // is too small for them shows the planet alone.
-    const int gap = settings.height / 60, dot = std::max(1, settings.height / 360);
-    const int top = 7 * dot + gap, side = (settings.height - top - 4 * gap) / 4;
-    const bool has_panels = gap > 0 && side > 0 && settings.width > 4 * (side + gap);
-    const int left = has_panels ? settings.width - 2 * (side + gap) - gap : settings.width;
+    const far_spheres::Panels panels{settings.height};
+    const int left = panels.left(settings.width);
+    rt::Image image{settings.width, settings.height, far_spheres::paper};
+    app::Figure figure{image};
 
     const auto bodies = scene::bodies();
     const auto camera = rt::make_camera(
         {.from = {0, Real(0.75), 6}, .at = {Real(0.02), 0, 0}, .vertical_fov = rt::radians(33)},
         left, settings.height);
-    std::vector<Panel> panels;
-    for (const int exponent : exponents)
-        for (const auto hit : {variants::textbook, rt::hit_sphere})
-            if (has_panels)
-                panels.emplace_back(std::pow(Real(10), static_cast<Real>(exponent)), side, hit);
-
-    const auto shade = [&](int x, int y) {
-        if (x < left) return trace(bodies, rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}));
-        const Color paper = rt::from_hex(0x05060f), ink = rt::from_hex(0xb8bfdc);
-        const int column = (x - left - gap) / (side + gap), u = (x - left - gap) % (side + gap);
-        // How much of the pixel a text covers whose first letter starts so many pixels away.
-        const auto word = [&](std::string_view text, int right, int down) {
-            const auto unit = static_cast<Real>(dot);
-            const rt::Vec2 place{static_cast<Real>(right) / unit, static_cast<Real>(down) / unit};
-            const Real distance = app::distance_to_text(place, text) * unit;
-            return std::clamp(Real(0.3) * unit + Real(0.5) - distance, Real(0), Real(1));
-        };
-        if (x - left < gap || column > 1) return paper;
-        if (y < top) return mix(paper, ink, word(column ? "STABLE" : "TEXTBOOK", u, y - gap));
-        const int row = (y - top) / (side + gap), v = (y - top) % (side + gap);
-        if (row > 3 || u >= side || v >= side) return paper;
-        const int base = v - (side - 7 * dot);
-        const Real label =
-            std::max(word("10", u - 3 * dot, base),
-                     word(std::to_string(exponents[row]), u - 10 * dot, base + 3 * dot));
-        return mix(panels[static_cast<std::size_t>(2 * row + column)].shade(u, v), ink, label);
-    };
+    progress.start(settings.height);
+    figure.part(app::pixel_box(0, 0, left, settings.height))
+        .fill(
+            [&](int x, int y) {
+                return trace(bodies, rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}));
+            },
+            &progress);
+    if (left < settings.width) panels.draw(figure, left);
     const auto pixels =
         static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);
-    return {app::draw(settings, progress, shade), pixels};
+    return {std::move(image), pixels};
 }
 
 std::string encode_ppm(const rt::Image& image) {

@@ -6,6 +6,7 @@
 #include <rt/rng.hpp>
 #include <study/double_double.hpp>
 #include <study/report.hpp>
+#include <study/timing.hpp>
 #include <vector>
 
 #include "variants.hpp"

@@ -2,6 +2,7 @@
 // with one sample a pixel against many, and with the light followed from bounce to bounce.
 
 #include <algorithm>
+#include <app/figure.hpp>
 #include <app/run.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/lambert.hpp>
@@ -16,29 +17,21 @@ namespace {
 
 using namespace normals_aa;
 
-const Color sheet_color = from_hex(0x1b1f2a), line_color = from_hex(0xf4efe6);
+const Color paper = from_hex(0x1b1f2a), line_color = from_hex(0xf4efe6);
 
-// A part of the sheet, in pixels.
-struct Panel {
-    int left, top, width, height;
-
-    bool contains(int x, int y) const {
-        return left <= x && x < left + width && top <= y && y < top + height;
-    }
-};
-
-// A third of the width for three small panels above each other, the rest for the large one.
+// A third of the width for three small panels above each other, the rest for the large one; in
+// pixels.
 struct Layout {
-    Panel normals, lambert, samples, paths;
+    app::Box normals, lambert, samples, paths;
 
     Layout(int width, int height) {
         const int gap = std::min(width, height) / 68;
         const int column = (width - 3 * gap) * 3 / 10, row = (height - 4 * gap) / 3;
-        normals = {gap, gap, column, row};
-        lambert = {gap, 2 * gap + row, column, row};
-        samples = {gap, 3 * gap + 2 * row, column, height - 4 * gap - 2 * row};
         const int left = column > 0 ? 2 * gap + column : gap;
-        paths = {left, gap, width - gap - left, height - 2 * gap};
+        normals = app::pixel_box(gap, gap, column, row);
+        lambert = app::pixel_box(gap, 2 * gap + row, column, row);
+        samples = app::pixel_box(gap, 3 * gap + 2 * row, column, height - 4 * gap - 2 * row);
+        paths = app::pixel_box(left, gap, width - gap - left, height - 2 * gap);
     }
 };
 
@@ -50,13 +43,13 @@ struct SingleRays {
 
     Color normal_color(const Ray& ray) const {
         const auto hit = world.hit(ray, {});
-        if (!hit) return sheet_color * Real(2.5);
+        if (!hit) return paper * Real(2.5);
         const Vec3 n = hit->normal;
         return Color{n.x + 1, n.y + 1, n.z + 1} / 2;
     }
     Color lambert_color(const Ray& ray) const {
         const auto hit = world.hit(ray, {});
-        if (!hit) return sheet_color;
+        if (!hit) return paper;
         const Color albedo =
             scene.materials.materials[static_cast<std::size_t>(hit->material)].albedo;
         return albedo * (Real(0.04) + Real(0.96) * lambert(hit->normal, scene.sky.to_sun));
@@ -71,52 +64,56 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
     const CountingWorld<SphereList> world{scene.world, rays};
     const SingleRays<CountingWorld<SphereList>> single{world, scene};
     const Layout layout{settings.width, settings.height};
-    const auto camera_of = [](const Panel& panel, Real wide_view) {
+    Image image{settings.width, settings.height, paper};
+    app::Figure figure{image};
+    app::Figure normals = figure.part(layout.normals), lit = figure.part(layout.lambert),
+                samples = figure.part(layout.samples), paths = figure.part(layout.paths);
+    progress.start(normals.rows() + lit.rows() + samples.rows() + paths.rows());
+    const auto camera_of = [](const app::Figure& panel, Real wide_view) {
         // Narrow panels see less at the sides, never a part of the group's height less.
         View view = group_view();
         view.vertical_fov = wide_view;
-        return make_camera(view, std::max(panel.width, 1), std::max(panel.height, 1));
+        return make_camera(view, panel.columns(), panel.rows());
     };
-    const Camera small = camera_of(layout.normals, radians(28));
-    const Camera large = camera_of(layout.paths, radians(33));
+    const Camera small = camera_of(normals, radians(28));
+    const Camera large = camera_of(paths, radians(33));
 
     // The third panel shows pixels as large blocks.
-    const int block = std::max(1, layout.samples.height / 24);
+    const int block = std::max(1, samples.rows() / 24);
     View near = group_view();
     near.vertical_fov = radians(11);
     near.at = {Real(0.62), Real(0.7), 1};
-    const Camera blocks = make_camera(near, std::max(1, layout.samples.width / block),
-                                      std::max(1, layout.samples.height / block));
+    const Camera blocks = make_camera(near, std::max(1, samples.columns() / block),
+                                      std::max(1, samples.rows() / block));
 
     const Quality quality{settings.spp, settings.depth, *settings.seed};
-    const auto average = [&](const Camera& camera, int x, int y, int samples, auto see) {
+    const auto average = [&](const Camera& camera, int x, int y, int count, auto see) {
         Rng random = pixel_rng(quality.seed, x, y);
-        return pixel_average(samples, random, [&](Vec2 offset) {
+        return pixel_average(count, random, [&](Vec2 offset) {
             return see(make_ray(camera, x, y, offset, random));
         });
     };
-    const auto normals = [&](const Ray& ray) { return single.normal_color(ray); };
-    const auto lit = [&](const Ray& ray) { return single.lambert_color(ray); };
+    const auto normal_color = [&](const Ray& ray) { return single.normal_color(ray); };
+    const auto lambert_color = [&](const Ray& ray) { return single.lambert_color(ray); };
     const int smooth = std::min(quality.samples_per_pixel, 16);
 
-    Image image = app::draw(settings, progress, [&](int x, int y) -> Color {
-        if (const Panel& p = layout.normals; p.contains(x, y))
-            return average(small, x - p.left, y - p.top, smooth, normals);
-        if (const Panel& p = layout.lambert; p.contains(x, y))
-            return average(small, x - p.left, y - p.top, smooth, lit);
-        if (const Panel& p = layout.samples; p.contains(x, y)) {
-            const int column = (x - p.left) / block, row = (y - p.top) / block;
-            const int middle = blocks.width / 2;
-            if (column == middle && (x - p.left) % block == 0) return line_color;
+    normals.fill([&](int x, int y) { return average(small, x, y, smooth, normal_color); },
+                 &progress);
+    lit.fill([&](int x, int y) { return average(small, x, y, smooth, lambert_color); }, &progress);
+    samples.fill(
+        [&](int x, int y) {
+            const int column = x / block, row = y / block, middle = blocks.width / 2;
+            if (column == middle && x % block == 0) return line_color;
             if (column >= middle)
-                return average(blocks, column, row, quality.samples_per_pixel, lit);
-            return lit(primary_ray(blocks, column, row, {Real(0.5), Real(0.5)}));
-        }
-        if (const Panel& p = layout.paths; p.contains(x, y))
-            return render_pixel(large, world, scene.materials, scene.sky, ending, quality,
-                                x - p.left, y - p.top);
-        return sheet_color;
-    });
+                return average(blocks, column, row, quality.samples_per_pixel, lambert_color);
+            return lambert_color(primary_ray(blocks, column, row, {Real(0.5), Real(0.5)}));
+        },
+        &progress);
+    paths.fill(
+        [&](int x, int y) {
+            return render_pixel(large, world, scene.materials, scene.sky, ending, quality, x, y);
+        },
+        &progress);
     return {std::move(image), rays};
 }
 

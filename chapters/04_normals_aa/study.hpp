@@ -8,6 +8,7 @@
 #include <rt/path.hpp>
 #include <rt/render_pixel.hpp>
 #include <study/report.hpp>
+#include <study/timing.hpp>
 #include <vector>
 
 #include "low_discrepancy.hpp"
@@ -87,12 +88,6 @@ inline double mean_radiance(const Pixels& pixels) {
     return sum / (3 * static_cast<double>(pixels.size()));
 }
 
-// The processor's time for one call in milliseconds.
-template <class Work>
-double milliseconds(Work work) {
-    return 1e-6 * study::once_ns(work, 1);
-}
-
 // The root of the mean squared error of a pixel, over some seeds, and the median time of a picture.
 struct Measured {
     double error, cost;
@@ -100,15 +95,11 @@ struct Measured {
 template <class Draw>
 Measured measure(const Pixels& reference, Draw draw) {
     constexpr int seeds = 5;
+    std::uint64_t seed = 100;
     double sum = 0;
-    std::array<double, seeds> times;
-    for (std::size_t i = 0; i < seeds; ++i) {
-        Pixels pixels;
-        times[i] = milliseconds([&] { pixels = draw(std::uint64_t{100} + i); });
-        sum += squared_error(pixels, reference);
-    }
-    std::nth_element(times.begin(), times.begin() + seeds / 2, times.end());
-    return {std::sqrt(sum / seeds), times[seeds / 2]};
+    const double ns =
+        study::time_ns([&] { sum += squared_error(draw(seed++), reference); }, {.rounds = seeds});
+    return {std::sqrt(sum / seeds), 1e-6 * ns};
 }
 
 inline void study_samples(study::Report& report, const Stage& stage) {
@@ -163,7 +154,7 @@ inline void study_edge(study::Report& report) {
     };
     const auto add = [&](const char* variant, int samples, auto average) {
         double sum = 0;
-        const double time = milliseconds([&] {
+        const auto judge_all = [&] {
             Rng choose{4, 2};
             for (int i = 0; i < edges; ++i) {
                 const Real angle = choose.uniform(Real(0.1), Real(1.4));
@@ -176,8 +167,9 @@ inline void study_edge(study::Report& report) {
                                      static_cast<double>(edge));
                 sum += error * error;
             }
-        });
-        const Measured m{std::sqrt(sum / edges), 1e6 * time / edges / samples};
+        };
+        const double ns = study::time_ns(judge_all, {.rounds = 1});
+        const Measured m{std::sqrt(sum / edges), ns / edges / samples};
         add_row(variant, samples, m);
         return m;
     };
@@ -217,14 +209,15 @@ inline void study_depth(study::Report& report, const Stage& stage) {
     const double reference = mean_radiance(draw(64, SkyEnding{}));
     const auto add = [&](const char* variant, int depth, const auto& ending) {
         double mean = 0;
-        const double cost = milliseconds([&] { mean = mean_radiance(draw(depth, ending)); });
+        const double ns =
+            study::time_ns([&] { mean = mean_radiance(draw(depth, ending)); }, {.rounds = 1});
         report.add({.study = "Depth limit",
                     .variant = variant,
                     .x = static_cast<double>(depth),
                     .x_name = "most bounces",
                     .error = 100 * std::abs(mean / reference - 1),
                     .error_name = "mean radiance off / %",
-                    .cost = cost,
+                    .cost = 1e-6 * ns,
                     .cost_name = "time / ms"});
     };
     for (const int depth : {1, 2, 3, 4, 6, 8, 16}) {

@@ -10,6 +10,7 @@
 #include <rt/transform.hpp>
 #include <string>
 #include <study/report.hpp>
+#include <study/timing.hpp>
 #include <study/ulp.hpp>
 #include <vector>
 
@@ -263,28 +264,19 @@ inline void add_fuzz(study::Report& report) {
             }
 }
 
-// A small picture as a list of colors, and the time it took, in nanoseconds a path: the median of
-// a few runs.
-struct Drawn {
-    std::vector<Color> pixels;
-    double ns = 0;
-};
+// A small picture as a list of colors.
+constexpr int drawn_width = 64, drawn_height = 36;
 
 template <class World, class Materials, class Ending>
-Drawn draw(const World& world, const Materials& materials, const Ending& ending, const View& view,
-           Quality quality, int runs = 5) {
-    const int width = 64, height = 36;
-    const Camera camera = make_camera(view, width, height);
-    Drawn drawn;
-    const auto draw_once = [&] {
-        drawn.pixels.clear();
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                drawn.pixels.push_back(render_pixel(camera, world, materials, scene::EveningSky{},
-                                                    ending, quality, x, y));
-    };
-    drawn.ns = study::time_ns(draw_once, runs) / (width * height * quality.samples_per_pixel);
-    return drawn;
+std::vector<Color> draw(const World& world, const Materials& materials, const Ending& ending,
+                        const View& view, Quality quality) {
+    const Camera camera = make_camera(view, drawn_width, drawn_height);
+    std::vector<Color> pixels;
+    for (int y = 0; y < drawn_height; ++y)
+        for (int x = 0; x < drawn_width; ++x)
+            pixels.push_back(
+                render_pixel(camera, world, materials, scene::EveningSky{}, ending, quality, x, y));
+    return pixels;
 }
 
 inline double mean_difference(const std::vector<Color>& a, const std::vector<Color>& b) {
@@ -303,20 +295,25 @@ inline void add_depth(study::Report& report) {
     const MaterialSet<Dielectric> glass{
         {Dielectric{Real(1.5)}, Dielectric{Real(2.4 / 1.5)}, Dielectric{Real(1 / 2.4)}}};
     const View view{{0, Real(0.3), 4}, {0, 0, 0}, {0, 1, 0}, radians(30)};
-    const auto correct = draw(world, glass, BlackEnding{}, view, {4, 2000, 1}).pixels;
-    const auto add = [&](const char* name, int depth, const Drawn& drawn) {
+    const auto correct = draw(world, glass, BlackEnding{}, view, {4, 2000, 1});
+    const auto add = [&](const char* name, int depth, const auto& ending) {
+        constexpr int samples = 4;
+        std::vector<Color> pixels;
+        const double ns = study::time_ns([&] {
+            pixels = draw(world, glass, ending, view, {samples, depth, 1});
+        });
         report.add({.study = "Depth limit",
                     .variant = name,
                     .x = static_cast<double>(depth),
                     .x_name = "depth",
-                    .error = mean_difference(drawn.pixels, correct),
+                    .error = mean_difference(pixels, correct),
                     .error_name = "mean error of a pixel",
-                    .cost = drawn.ns,
+                    .cost = ns / (drawn_width * drawn_height * samples),
                     .cost_name = "time of a path / ns"});
     };
     for (const int depth : {1, 2, 4, 6, 8, 12, 16, 32, 64}) {
-        add("ends in sky", depth, draw(world, glass, SkyEnding{}, view, {4, depth, 1}));
-        add("ends in black", depth, draw(world, glass, BlackEnding{}, view, {4, depth, 1}));
+        add("ends in sky", depth, SkyEnding{});
+        add("ends in black", depth, BlackEnding{});
     }
 }
 
@@ -336,21 +333,16 @@ inline void add_choice_row(study::Report& report, const char* study, const char*
 inline void add_choice_in_paths(study::Report& report, const scene::Scene& evening,
                                 const classic::Materials& objects) {
     const View view{{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)};
-    // By turns, so that whatever else the machine does at the time touches both.
-    std::vector<double> value_ns, object_ns;
-    double difference = 0;
-    for (int turn = 0; turn < 9; ++turn) {
-        const Quality quality{4, 12, 1};
-        const Drawn values = draw(evening.world, evening.set, SkyEnding{}, view, quality, 1),
-                    classes = draw(evening.world, objects, SkyEnding{}, view, quality, 1);
-        value_ns.push_back(values.ns);
-        object_ns.push_back(classes.ns);
-        difference = std::max(difference, mean_difference(values.pixels, classes.pixels));
-    }
-    std::sort(value_ns.begin(), value_ns.end());
-    std::sort(object_ns.begin(), object_ns.end());
-    add_choice_row(report, "Choice, whole path", "std::variant", 4, 0, value_ns[4]);
-    add_choice_row(report, "Choice, whole path", "virtual", 4, difference, object_ns[4]);
+    const Quality quality{4, 12, 1};
+    std::vector<Color> values, classes;
+    const auto ns = study::in_turns_ns(
+        {[&] { values = draw(evening.world, evening.set, SkyEnding{}, view, quality); },
+         [&] { classes = draw(evening.world, objects, SkyEnding{}, view, quality); }},
+        {.rounds = 9});
+    const int paths = drawn_width * drawn_height * quality.samples_per_pixel;
+    add_choice_row(report, "Choice, whole path", "std::variant", 4, 0, ns[0] / paths);
+    add_choice_row(report, "Choice, whole path", "virtual", 4, mean_difference(values, classes),
+                   ns[1] / paths);
 }
 
 // The choice alone: nothing but scatter() on a list of hits. Metal alone, or all materials of the

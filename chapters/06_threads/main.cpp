@@ -1,36 +1,30 @@
-// Chapter 06: one scene, rendered by all cores. The poster shows which worker rendered what, how
+// Chapter 06: one scene, rendered by all cores. The figure shows which worker rendered what, how
 // long each one waited for the others, and the speed-up; beside it everything is measured and
 // printed.
 
 #include <app/run.hpp>
 #include <atomic>
-#include <cstdio>
 #include <string>
 #include <thread>
 
-#include "measure.hpp"
-#include "poster.hpp"
 #include "scene.hpp"
 #include "schedule.hpp"
+#include "speed_up.hpp"
 #include "study.hpp"
+#include "work_figure.hpp"
 
 namespace {
 
 using namespace threads;
 
-constexpr int tile_size = 16, poster_workers = 6, most_workers = 16;
-
-// What the poster shows beside the scene.
-struct Schedules {
-    Schedule slices, tiles;
-    std::vector<Curve> curves;
-};
+constexpr int tile_size = 16, shown_workers = 6, most_workers = 16;
 
 // By counting rays: the same on every machine.
 Schedules count_rays(const RayCounts& rays, const TileGrid& grid) {
-    Schedules all{slices_by_rays(rays, grid, poster_workers),
-                  tiles_by_rays(rays, grid, poster_workers),
-                  {{{}, slices_color}, {{}, tiles_color}}};
+    Schedules all{slices_by_rays(rays, grid, shown_workers),
+                  tiles_by_rays(rays, grid, shown_workers),
+                  {{{}, slices_color}, {{}, tiles_color}},
+                  "RAYS"};
     const double alone = slices_by_rays(rays, grid, 1).end();
     for (int workers = 1; workers <= most_workers; ++workers) {
         all.curves[0].speed_up.push_back(alone / slices_by_rays(rays, grid, workers).end());
@@ -43,26 +37,29 @@ Schedules count_rays(const RayCounts& rays, const TileGrid& grid) {
 Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers) {
     Schedules all{by_seconds(render_slices, grid, workers, shader),
                   by_seconds(render_tiles, grid, workers, shader),
-                  {{{}, slices_color}, {{}, tiles_color}}};
-    for (const Measured& row : measure(shader.scene, workers)) {
+                  {{{}, slices_color}, {{}, tiles_color}},
+                  "SECONDS"};
+    for (const SpeedUp& row : speed_ups(shader.scene, workers)) {
         if (row.strategy != "slices" && row.strategy != "tiles") continue;
         auto& speed_up = all.curves[row.strategy == "tiles"].speed_up;
         speed_up.resize(static_cast<std::size_t>(workers));
-        speed_up[static_cast<std::size_t>(row.workers - 1)] = row.speed_up;
+        speed_up[static_cast<std::size_t>(row.workers - 1)] = row.times;
     }
     return all;
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Scene scene = make_scene();
-    const Layout layout{settings.width, settings.height};
-    const TileGrid grid = layout.grid(tile_size);
+    Image image{settings.width, settings.height, paper};
+    app::Figure figure{image, figure_width, figure_height};
+    const app::Figure view = figure.part(scene_box);
+    const TileGrid grid{view.columns(), view.rows(), tile_size};
     const SceneShader shader{scene, make_camera(scene_view(), grid.width, grid.height),
                              settings.spp, settings.depth, *settings.seed};
 
     // Each worker writes to the pixels of its own tiles alone.
-    Image image{grid.width, grid.height};
-    std::vector<std::uint32_t> rays(image.pixels().size());
+    Image picture{grid.width, grid.height};
+    std::vector<std::uint32_t> rays(picture.pixels().size());
     std::atomic<std::uint64_t> all_rays = 0;
     progress.start(tile_count(grid));
     render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
@@ -70,7 +67,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         for (int y = tile.top; y < tile.bottom; ++y)
             for (int x = tile.left; x < tile.right; ++x) {
                 const ScenePixel pixel = shader(x, y);
-                image.at(x, y) = pixel.color;
+                picture.at(x, y) = pixel.color;
                 rays[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width) +
                      static_cast<std::size_t>(x)] = static_cast<std::uint32_t>(pixel.rays);
                 tile_rays += pixel.rays;
@@ -79,13 +76,12 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         progress.step();
     });
 
-    const bool by_rays = settings.picked.front() == "rays";
-    const Schedules shown = by_rays ? count_rays({grid.width, grid.height, rays}, grid)
-                                    : take_time(shader, grid, settings.threads);
-    return {draw_poster(settings.width, settings.height, layout, image, shown.slices, shown.tiles,
-                        shown.curves, by_rays ? "RAYS" : "SECONDS"),
-            all_rays,
-            [threads = settings.threads] { return table(measure(make_scene(), threads)); }};
+    const Schedules shown = settings.picked.front() == "rays"
+                                ? count_rays({grid.width, grid.height, rays}, grid)
+                                : take_time(shader, grid, settings.threads);
+    draw_figure(figure, picture, shown);
+    return {std::move(image), all_rays,
+            [threads = settings.threads] { return table(speed_ups(make_scene(), threads)); }};
 }
 
 }  // namespace
@@ -102,7 +98,7 @@ int main(int argc, char** argv) {
          .about = "a scene rendered by all cores, which worker rendered what, and the speed-up",
          .defaults = defaults,
          .render = render,
-         .study = threads::study_workers,
+         .study = threads::run_study,
          .choices = {{"clock",
                       "What the maps, bars and curves count: rays (the same on every machine), or "
                       "seconds of this machine",

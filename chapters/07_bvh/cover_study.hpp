@@ -1,30 +1,64 @@
 #pragma once
 // The whole picture against the classic way, and with no more materials than it needs.
 
-#include <algorithm>
 #include <array>
-#include <functional>
-#include <limits>
 #include <optional>
+#include <rt/dielectric.hpp>
+#include <rt/lambertian.hpp>
+#include <rt/make_camera.hpp>
+#include <rt/material_set.hpp>
+#include <rt/metal.hpp>
+#include <rt/render_pixel.hpp>
+#include <rt/sky.hpp>
+#include <rt/sphere_tree.hpp>
 #include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
+#include <study/classic.hpp>
+#include <study/cover.hpp>
 #include <study/report.hpp>
+#include <study/timing.hpp>
 #include <vector>
-
-#include "cover.hpp"
-#include "variants.hpp"
 
 namespace bvh {
 
-// Times all by turns, so that what else the machine does slows all alike, and returns the shortest
-// time of each, in milliseconds.
-inline std::vector<double> by_turns_ms(const std::vector<std::function<void()>>& works,
-                                       int turns = 5) {
-    std::vector<double> times(works.size(), std::numeric_limits<double>::infinity());
-    for (int turn = 0; turn < turns; ++turn)
-        for (std::size_t i = 0; i < works.size(); ++i)
-            times[i] = std::min(times[i], study::once_ns(works[i], 1) * 1e-6);
-    return times;
+using namespace rt;
+
+// Schlick's reflectance, as the baseline has it.
+using CoverMaterials = MaterialSet<Lambertian, Metal, SchlickDielectric>;
+
+inline std::vector<SceneSphere> spheres_of(const study::Cover& cover) {
+    std::vector<SceneSphere> spheres;
+    for (const study::CoverSphere& s : cover.spheres)
+        spheres.push_back({{s.center, s.radius}, static_cast<int>(spheres.size())});
+    return spheres;
+}
+
+inline CoverMaterials materials_of(const study::Cover& cover) {
+    CoverMaterials all;
+    for (const study::CoverSphere& s : cover.spheres) switch (s.material) {
+            case study::CoverMaterial::matte:
+                all.materials.push_back(Lambertian{s.color});
+                break;
+            case study::CoverMaterial::metal:
+                all.materials.push_back(Metal{s.color, s.fuzz});
+                break;
+            case study::CoverMaterial::glass:
+                all.materials.push_back(SchlickDielectric{study::cover_glass_index});
+                break;
+        }
+    return all;
+}
+
+// The mean of green over the picture.
+template <class World, class Materials>
+double render(const study::Cover& cover, const World& world, const Materials& materials) {
+    const Camera camera = make_camera(cover.view, cover.width, cover.height);
+    const GradientSky sky{cover.horizon, cover.above};
+    const Quality quality{cover.samples_per_pixel, cover.depth, 1};
+    const Color mean = study::mean_color(cover, [&](int x, int y) {
+        return render_pixel(camera, world, materials, sky, BlackEnding{}, quality, x, y);
+    });
+    return static_cast<double>(mean.g);
 }
 
 // Writes down every ray that it is asked for, and what it answered.
@@ -56,68 +90,75 @@ struct Player {
 };
 
 // What a ray of the cover scene costs: the search alone, with its hit, and the shading alone.
-inline void study_parts(study::Report& report, const Cover& cover, const WideTree& world) {
+inline void study_parts(study::Report& report, const study::Cover& cover, const WideTree& world,
+                        const CoverMaterials& materials) {
     std::vector<Recorder::Answer> answers;
-    study::keep(render_cover(cover, Recorder{world, answers}, cover.materials));
+    study::keep(render(cover, Recorder{world, answers}, materials));
     const auto rays = static_cast<double>(answers.size());
     double tests = 0;
     for (const auto& answer : answers) {
         const auto found = world.search(answer.ray, {});
         tests += (found.box_tests + found.sphere_tests) / rays;
     }
-    const auto part = [&](const char* name, const auto& work) {
-        report.add({"cover-parts", name, rays, "rays", tests, "wide tests per ray",
-                    study::once_ns(work, 5) / rays, "time per ray / ns"});
-    };
-    part("all", [&] { study::keep(render_cover(cover, world, cover.materials)); });
-    part("search", [&] {
-        for (const auto& answer : answers) study::keep(world.search(answer.ray, {}));
-    });
-    part("hit", [&] {
-        for (const auto& answer : answers) study::keep(world.hit(answer.ray, {}));
-    });
-    part("shading", [&] {
-        std::size_t next = 0;
-        study::keep(render_cover(cover, Player{answers, next}, cover.materials));
-    });
+    constexpr std::array<const char*, 4> names{"all", "search", "hit", "shading"};
+    const auto ns =
+        study::in_turns_ns({[&] { study::keep(render(cover, world, materials)); },
+                            [&] {
+                                for (const auto& answer : answers)
+                                    study::keep(world.search(answer.ray, {}));
+                            },
+                            [&] {
+                                for (const auto& answer : answers)
+                                    study::keep(world.hit(answer.ray, {}));
+                            },
+                            [&] {
+                                std::size_t next = 0;
+                                study::keep(render(cover, Player{answers, next}, materials));
+                            }});
+    for (std::size_t i = 0; i < names.size(); ++i)
+        report.add({"cover-parts", names[i], rays, "rays", tests, "wide tests per ray",
+                    ns[i] / rays, "time per ray / ns"});
+}
+
+// Adds a row for each way to draw the cover, beside the first one. That the mean colors agree shows
+// that all draw the same.
+template <std::size_t count>
+void add_rows(study::Report& report, const char* study, const study::Cover& cover,
+              const std::array<const char*, count>& names, const std::array<double, count>& greens,
+              const std::vector<double>& ns) {
+    for (std::size_t i = 0; i < count; ++i)
+        report.add({study, names[i], ns[0] / ns[i], "times as fast", greens[i], "mean green",
+                    cover.whole_ms(ns[i]), "time / ms"});
 }
 
 inline void study_cover(study::Report& report) {
-    const Cover cover = make_cover();
-    const auto classic = make_classic(cover);
-    const SphereTree by_area = make_tree(cover.spheres, split_by_area);
-    const WideTreeOf<Real> wide = make_wide_tree<Real>(cover.spheres);
-    const WideTree best = make_wide_tree<float>(cover.spheres);
+    const study::Cover cover = study::make_cover();
+    const std::vector<SceneSphere> spheres = spheres_of(cover);
+    const CoverMaterials materials = materials_of(cover);
+    const auto classic = study::classic::make_world(cover);
+    const SphereTree by_area = make_tree(spheres, split_by_area);
+    const WideTreeOf<Real> wide = make_wide_tree<Real>(spheres);
+    const WideTree best = make_wide_tree<float>(spheres);
 
-    // That the mean colors agree shows that all draw the same.
-    constexpr std::array<const char*, 4> names{"classic", "tree by area", "8-wide",
-                                               "8-wide float boxes"};
     std::array<double, 4> greens{};
-    const auto green = [](const auto& mean) { return static_cast<double>(mean.g); };
-    const std::vector<double> whole =
-        by_turns_ms({[&] { greens[0] = green(render_cover(cover, classic)); },
-                     [&] { greens[1] = green(render_cover(cover, by_area, cover.materials)); },
-                     [&] { greens[2] = green(render_cover(cover, wide, cover.materials)); },
-                     [&] { greens[3] = green(render_cover(cover, best, cover.materials)); }});
-    for (std::size_t i = 0; i < names.size(); ++i)
-        report.add({"cover", names[i], whole[0] / whole[i], "times as fast", greens[i],
-                    "mean green", whole[i], "time / ms"});
-    study_parts(report, cover, best);
+    const auto whole = study::in_turns_ns(
+        {[&] { greens[0] = static_cast<double>(study::classic::mean_color(cover, *classic).g); },
+         [&] { greens[1] = render(cover, by_area, materials); },
+         [&] { greens[2] = render(cover, wide, materials); },
+         [&] { greens[3] = render(cover, best, materials); }});
+    add_rows<4>(report, "cover", cover, {"classic", "tree by area", "8-wide", "8-wide float boxes"},
+                greens, whole);
+    study_parts(report, cover, best, materials);
 
     // The same spheres, all matte: once with metal and glass compiled in, once without.
     CoverMaterials all;
     MaterialList<Lambertian> matte;
-    for (std::size_t i = 0; i < cover.spheres.size(); ++i) {
-        matte.materials.push_back({{Real(0.5), Real(0.5), Real(0.5)}});
-        all.materials.push_back(matte.materials.back());
-    }
-    const std::vector<double> times =
-        by_turns_ms({[&] { greens[0] = green(render_cover(cover, best, all)); },
-                     [&] { greens[1] = green(render_cover(cover, best, matte)); }});
-    constexpr std::array<const char*, 2> kinds{"matte, metal and glass", "matte alone"};
-    for (std::size_t i = 0; i < kinds.size(); ++i)
-        report.add({"materials", kinds[i], times[0] / times[i], "times as fast", greens[i],
-                    "mean green", times[i], "time / ms"});
+    matte.materials.assign(spheres.size(), {{Real(0.5), Real(0.5), Real(0.5)}});
+    all.materials.assign(matte.materials.begin(), matte.materials.end());
+    std::array<double, 2> same{};
+    const auto times = study::in_turns_ns({[&] { same[0] = render(cover, best, all); },
+                                           [&] { same[1] = render(cover, best, matte); }});
+    add_rows<2>(report, "materials", cover, {"matte, metal and glass", "matte alone"}, same, times);
 }
 
 }  // namespace bvh

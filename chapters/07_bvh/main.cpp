@@ -2,9 +2,13 @@
 // pixel is for the linear list, for the sorted tree and for the tree by surface area.
 
 #include <app/run.hpp>
+#include <rt/counting_world.hpp>
+#include <rt/render_pixel.hpp>
+#include <rt/split_by_area.hpp>
 
-#include "panels.hpp"
+#include "scene.hpp"
 #include "study.hpp"
+#include "tree_figure.hpp"
 
 namespace {
 
@@ -12,26 +16,37 @@ using namespace bvh;
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     // The seed that was asked for is the light's alone: the scene stays the same.
-    const Forest forest{make_scene(10'000, 1)};
-    const Layout layout{settings.width, settings.height};
-    std::uint64_t rays = 0;
-    Image image{settings.width, settings.height, paper};
-    progress.start(layout.picture.height + 4 + 3);
+    const Scene scene = make_scene(10'000, 1);
+    const SphereTree sorted = make_tree(scene.spheres, split_in_half);
+    const SphereTree by_area = make_tree(scene.spheres, split_by_area);
 
-    draw_scene(image, layout.picture, forest, {settings.spp, settings.depth, *settings.seed}, rays,
-               progress);
+    Image image{settings.width, settings.height, paper};
+    Figure figure{image, figure_width, figure_height};
+    Figure view = figure.part(picture);
+    progress.start(view.rows() + static_cast<int>(levels.size() + maps.size()));
+
+    std::uint64_t rays = 0;
+    const CountingWorld<SphereTree> world{by_area, rays};
+    const Camera camera = camera_of(view);
+    const Quality quality{settings.spp, settings.depth, *settings.seed};
+    view.fill(
+        [&](int x, int y) {
+            return render_pixel(camera, world, scene.materials, StudioSky{}, SkyEnding{}, quality,
+                                x, y);
+        },
+        &progress);
 
     constexpr std::array<int, 4> shown{1, 3, 5, 8};
     const Color colors[] = {from_hex(0x8ecae6), from_hex(0xffd166), from_hex(0xef8354),
                             from_hex(0xc77dff)};
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        draw_boxes(image, layout.levels[i], forest, shown[i], colors[i],
-                   Real(0.7) / static_cast<Real>(1 + i), layout.letters, rays);
+        draw_level(figure, levels[i], scene, by_area, shown[i], colors[i],
+                   Real(0.9) / static_cast<Real>(1 + i));
         progress.step();
     }
 
     const auto draw_map = [&](std::size_t i, const char* name, auto tests) {
-        draw_heat_map(image, layout.maps[i], name, tests, layout.letters);
+        draw_heat_map(figure, maps[i], name, tests);
         progress.step();
     };
     const auto tests_in = [&](const SphereTree& tree, const Ray& ray) {
@@ -40,11 +55,11 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         return static_cast<Real>(search.box_tests + search.sphere_tests);
     };
     // The list tests every sphere for every ray: no ray is needed to know that.
-    const auto all = static_cast<Real>(forest.scene.spheres.size());
+    const auto all = static_cast<Real>(scene.spheres.size());
     draw_map(0, "LINEAR LIST", [&](const Ray&) { return all; });
-    draw_map(1, "SORTED TREE", [&](const Ray& ray) { return tests_in(forest.sorted, ray); });
-    draw_map(2, "TREE BY AREA", [&](const Ray& ray) { return tests_in(forest.by_area, ray); });
-    draw_legend(image, layout.legend, layout.letters);
+    draw_map(1, "SORTED TREE", [&](const Ray& ray) { return tests_in(sorted, ray); });
+    draw_map(2, "TREE BY AREA", [&](const Ray& ray) { return tests_in(by_area, ray); });
+    draw_legend(figure);
     return {std::move(image), rays};
 }
 
@@ -62,5 +77,5 @@ int main(int argc, char** argv) {
                      .about = "10,000 spheres, the boxes of their tree, and the work of each pixel",
                      .defaults = defaults,
                      .render = render,
-                     .study = study_structures});
+                     .study = bvh::run_study});
 }

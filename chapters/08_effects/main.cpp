@@ -6,13 +6,12 @@
 #include <app/limits.hpp>
 #include <app/run.hpp>
 #include <atomic>
-#include <rt/choose_renderer.hpp>
 #include <rt/effects_of.hpp>
 #include <rt/render_tiles.hpp>
-#include <rt/renderers.hpp>
 #include <thread>
 
 #include "final_scene.hpp"
+#include "narrowest_renderer.hpp"
 #include "scene_file.hpp"
 #include "study.hpp"
 
@@ -41,14 +40,14 @@ SceneDescription open_scene(const app::Settings& settings) {
 
 std::string explanation(const SceneDescription& scene, const std::string& file) {
     const Effects needed = effects_of(scene);
-    const Effects chosen = renderer_effects[narrowest(needed, renderer_effects)];
+    const effects::Choice choice = effects::choose(needed);
     const std::size_t spheres = scene.spheres.size();
     return "scene:    " + (file.empty() ? "the final scene" : file) + ", " +
            std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
-           "\nneeds:    " + names(needed) + "\nrenderer: " + names(chosen) + ", one of " +
-           std::to_string(renderer_effects.size()) +
-           "\nunused:   " + names(without(chosen, needed)) +
-           "\nleft out: " + names(without(with_all, chosen)) + '\n';
+           "\nneeds:    " + names(needed) + "\nrenderer: " + names(choice.chosen) + ", one of " +
+           std::to_string(choice.renderers) +
+           "\nunused:   " + names(without(choice.chosen, needed)) +
+           "\nleft out: " + names(choice.left_out) + '\n';
 }
 
 // What the person may have overlooked; "" if nothing.
@@ -64,9 +63,9 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = open_scene(settings);
     const RenderSettings& chosen = scene.settings;
     if (settings.explain) settings.explain(explanation(scene, settings.file));
-    const std::size_t renderer = narrowest(effects_of(scene), renderer_effects);
-    const PixelShader shade = renderer_makers[renderer](
-        scene, chosen.width, chosen.height, {chosen.samples_per_pixel, chosen.depth, chosen.seed});
+    const effects::Shader shade =
+        effects::make_narrowest(effects_of(scene), scene, chosen.width, chosen.height,
+                                {chosen.samples_per_pixel, chosen.depth, chosen.seed});
 
     Image image = app::unfinished_image(chosen.width, chosen.height);
     std::atomic<std::uint64_t> all_rays = 0;
@@ -113,7 +112,7 @@ int main(int argc, char** argv) {
                      .about = "a scene, drawn by a renderer that has its effects and no others",
                      .defaults = defaults,
                      .render = render,
-                     .study = effects::study_effects,
+                     .study = effects::run_study,
                      .reads = "The scene file, .json; without it the final scene is drawn",
                      .explains = true,
                      .can_be_stopped = true});

@@ -1,12 +1,8 @@
 #pragma once
 // Measuring what accuracy costs: rows of (error, cost), a table for the terminal, CSV for plots.
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
-#include <rt/compiler.hpp>
 #include <string>
 #include <vector>
 
@@ -47,44 +43,5 @@ class Report {
 
 // "float" or "double": what rt::Real is in this program.
 std::string precision();
-
-// Keeps the compiler from leaving out the computation of a value that nobody reads.
-template <class T>
-void keep(const T& value) {
-    RT_KEEP(value);
-}
-
-// The time of one call in nanoseconds: of `runs` timings, each of which calls work() often enough
-// to take at least a millisecond, the median.
-template <class Work>
-double time_ns(Work work, int runs = 9) {
-    using Clock = std::chrono::steady_clock;
-    const auto time_of = [&](long calls) {
-        const auto start = Clock::now();
-        for (long i = 0; i < calls; ++i) work();
-        return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-    };
-    long calls = 1;
-    while (time_of(calls) < 1e6) calls *= 2;
-    std::vector<double> times;
-    for (int i = 0; i < runs; ++i) times.push_back(time_of(calls) / static_cast<double>(calls));
-    std::nth_element(times.begin(), times.begin() + runs / 2, times.end());
-    return times[static_cast<std::size_t>(runs / 2)];
-}
-
-// The time of one call in nanoseconds, of work that takes a millisecond or more: the median of
-// `runs` calls. It is the processor's time for this program, in which others that run at the same
-// time count less.
-template <class Work>
-double once_ns(Work work, int runs = 3) {
-    std::vector<double> times;
-    for (int i = 0; i < runs; ++i) {
-        const std::clock_t start = std::clock();
-        work();
-        times.push_back(1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-    std::sort(times.begin(), times.end());
-    return times[times.size() / 2];
-}
 
 }  // namespace study

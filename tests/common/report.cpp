@@ -80,22 +80,3 @@ TEST_CASE("a report prints a table a study", "[report]") {
          {"99_test", "far, \"very\" far", mine.c_str(), "a,b", "0.25", "2.5"})
         CHECK(text.find(part) != std::string::npos);
 }
-
-TEST_CASE("time_ns measures the work, not its absence", "[report]") {
-    double x = 1.000001;
-    const auto work = [&](int times) {
-        return study::time_ns(
-            [&] {
-                double y = x;
-                for (int i = 0; i < times; ++i) {
-                    y *= x;
-                    study::keep(y);
-                }
-            },
-            5);
-    };
-    const double little = work(10), much = work(1000);
-    INFO(little << " ns and " << much << " ns");
-    CHECK(little > 0);
-    CHECK(much > 10 * little);  // 100 times the work
-}

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace classic {
+namespace study::classic {
 
 struct Vec {
     double e[3] = {0, 0, 0};
@@ -63,4 +63,4 @@ inline Vec random_unit() {
     }
 }
 
-}  // namespace classic
+}  // namespace study::classic

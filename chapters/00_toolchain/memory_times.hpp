@@ -1,42 +1,18 @@
 #pragma once
-// What memory costs: this machine's times, and a model of them that is the same everywhere. All
-// times are processor time of this program.
+// What memory costs: this machine's times, and a model of them that is the same everywhere.
 
-#include <ctime>
-#include <functional>
 #include <memory>
 #include <string>
-#include <study/report.hpp>
+#include <study/timing.hpp>
 
 #include "chains.hpp"
 
 namespace toolchain {
 
-// Times several pieces of work in turn, three rounds, so that whatever else the machine does
-// disturbs all alike. Each is repeated for some milliseconds; what takes long by itself is done
-// once a round, and what takes very long in the first round alone. Nanoseconds, the median of each.
-inline std::vector<double> in_turn_ns(const std::vector<std::function<void()>>& works) {
-    const std::clock_t enough = CLOCKS_PER_SEC / 500, long_enough = CLOCKS_PER_SEC / 10;
-    const auto ticks_of = [](const std::function<void()>& work, int calls) {
-        const std::clock_t start = std::clock();
-        for (int i = 0; i < calls; ++i) work();
-        return std::clock() - start;
-    };
-    std::vector<double> medians;
-    std::vector<int> calls(works.size(), 1);
-    std::vector<std::vector<double>> times(works.size());
-    for (int round = 0; round < 3; ++round)
-        for (std::size_t i = 0; i < works.size(); ++i) {
-            if (!times[i].empty() && times[i][0] * 1e-9 * CLOCKS_PER_SEC > long_enough) continue;
-            std::clock_t ticks = ticks_of(works[i], calls[i]);
-            while (ticks < enough) ticks = ticks_of(works[i], calls[i] *= 2);
-            times[i].push_back(1e9 * static_cast<double>(ticks) / CLOCKS_PER_SEC / calls[i]);
-        }
-    for (auto& of_one : times) {
-        std::sort(of_one.begin(), of_one.end());
-        medians.push_back(of_one[of_one.size() / 2]);
-    }
-    return medians;
+// Each short work is repeated for some milliseconds; what takes long by itself is done once a
+// round, and what takes very long in the first round alone. Nanoseconds of processor time.
+inline std::vector<double> in_turns_ns(const std::vector<study::Work>& works) {
+    return study::in_turns_ns(works, {.at_least_ms = 2, .once_from_ms = 100});
 }
 
 // The time of one step along a chain that fills so much memory, and along a plain array.
@@ -54,13 +30,13 @@ inline std::vector<Steps> measure_steps() {
         const ScatteredChain chain{count};
         const std::vector<Link> links = rt::gathered(chain.first());
         const std::vector<Real> array(static_cast<std::size_t>(bytes) / sizeof(Real), 1);
-        const auto times = in_turn_ns({[&] {
-                                           Real sum = 0;
-                                           for (const Real value : array) sum += value;
-                                           study::keep(sum);
-                                       },
-                                       [&] { study::keep(rt::sum_along(links.data())); },
-                                       [&] { study::keep(rt::sum_along(chain.first())); }});
+        const auto times = in_turns_ns({[&] {
+                                            Real sum = 0;
+                                            for (const Real value : array) sum += value;
+                                            study::keep(sum);
+                                        },
+                                        [&] { study::keep(rt::sum_along(links.data())); },
+                                        [&] { study::keep(rt::sum_along(chain.first())); }});
         const auto steps = static_cast<double>(count);
         all.push_back({bytes, times[0] / static_cast<double>(array.size()), times[1] / steps,
                        times[2] / steps});
@@ -110,22 +86,22 @@ Objects measure_objects() {
         unsigned char byte[bytes];
     };
     const auto times =
-        in_turn_ns({[] {
-                        for (int i = 0; i < object_count; ++i) {
-                            Object object;
-                            study::keep(object);
-                        }
-                    },
-                    [] {
-                        for (int i = 0; i < object_count; ++i) {
-                            const std::unique_ptr<Object> object{new Object};
-                            study::keep(*object);
-                        }
-                    },
-                    [] {
-                        const std::unique_ptr<Object[]> all{new Object[object_count]};
-                        for (int i = 0; i < object_count; ++i) study::keep(all[i]);
-                    }});
+        in_turns_ns({[] {
+                         for (int i = 0; i < object_count; ++i) {
+                             Object object;
+                             study::keep(object);
+                         }
+                     },
+                     [] {
+                         for (int i = 0; i < object_count; ++i) {
+                             const std::unique_ptr<Object> object{new Object};
+                             study::keep(*object);
+                         }
+                     },
+                     [] {
+                         const std::unique_ptr<Object[]> all{new Object[object_count]};
+                         for (int i = 0; i < object_count; ++i) study::keep(all[i]);
+                     }});
     return {bytes, times[0] / object_count, times[1] / object_count, times[2] / object_count};
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "classic_numbers.hpp"
+#include <study/classic_numbers.hpp>
 
-namespace classic {
+namespace study::classic {
 
 class Material;
 
@@ -88,4 +88,4 @@ class Glass : public Material {
     double index_;
 };
 
-}  // namespace classic
+}  // namespace study::classic

@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "classic_objects.hpp"
+#include <study/classic_objects.hpp>
 
-namespace classic {
+namespace study::classic {
 
 using Objects = std::vector<std::shared_ptr<Hittable>>;
 
@@ -73,4 +73,4 @@ class List : public Hittable {
     Objects objects_;
 };
 
-}  // namespace classic
+}  // namespace study::classic

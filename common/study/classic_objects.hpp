@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "classic_materials.hpp"
+#include <study/classic_materials.hpp>
 
-namespace classic {
+namespace study::classic {
 
 struct Range {
     double min = 0, max = 0;
@@ -89,4 +89,4 @@ class Ball : public Hittable {
     std::shared_ptr<Material> material_;
 };
 
-}  // namespace classic
+}  // namespace study::classic

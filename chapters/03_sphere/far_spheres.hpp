@@ -1,0 +1,80 @@
+#pragma once
+// The small pictures beside the planet: one sphere from farther and farther away, by the formula of
+// the textbook and by the stable one.
+
+#include <app/figure.hpp>
+#include <rt/hit_sphere.hpp>
+#include <rt/make_camera.hpp>
+#include <rt/primary_ray.hpp>
+#include <string>
+#include <type_traits>
+
+#include "scene.hpp"
+#include "variants.hpp"
+
+namespace far_spheres {
+
+using rt::Color, rt::Ray, rt::Real, rt::Sphere, rt::Vec3;
+
+inline const Color paper = rt::from_hex(0x05060f), ink = rt::from_hex(0xb8bfdc);
+
+// A sphere of radius 1 from this far away: it always fills the same angle.
+inline void draw_far_sphere(app::Figure panel, Real distance, variants::HitFunction hit) {
+    const Sphere sphere{distance / 7 * Vec3{2, 3, -6}, 1};
+    const rt::Camera camera =
+        rt::make_camera({.at = sphere.center, .vertical_fov = 2 * std::atan(Real(1.3) / distance)},
+                        panel.columns(), panel.rows());
+    const Vec3 to_lamp = camera.basis.to_world({Real(-0.48), Real(0.48), Real(0.73)});
+    panel.fill([&](int x, int y) {
+        const Ray ray = rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)});
+        const auto t = hit(sphere, ray, {0, rt::infinity});
+        if (!t) return rt::from_hex(0x0b0e1f);
+        return scene::ramp(scene::bands(scene::lamp_distance(sphere, ray.at(*t), to_lamp), 14));
+    });
+}
+
+// Powers of ten around 1 / sqrt(epsilon), where the textbook's formula loses the sphere.
+inline constexpr int exponents[] = {1, std::is_same_v<Real, float> ? 3 : 7,
+                                    std::is_same_v<Real, float> ? 4 : 8,
+                                    std::is_same_v<Real, float> ? 5 : 9};
+
+// Where they are: two columns of four under a line of words. All in pixels.
+struct Panels {
+    int gap, dot, top, side;  // letters are made of dots
+
+    explicit Panels(int height)
+        : gap{height / 60},
+          dot{std::max(1, height / 360)},
+          top{7 * dot + gap},
+          side{(height - top - 4 * gap) / 4} {}
+
+    // What is left of the width for the planet. Where there is no room for panels it gets all.
+    int left(int width) const {
+        const bool have_room = gap > 0 && side > 0 && width > 4 * (side + gap);
+        return have_room ? width - 2 * (side + gap) - gap : width;
+    }
+
+    void draw(app::Figure& figure, int left) const {
+        const auto pixels = [](int n) { return static_cast<Real>(n); };
+        const auto place = [&](int x, int y) {
+            return rt::Vec2{pixels(x) + Real(0.5), pixels(y) + Real(0.5)};
+        };
+        const app::Lettering letters{pixels(4 * dot), ink, Real(0.3)};
+        for (int column = 0; column < 2; ++column) {
+            const int x = left + gap + column * (side + gap);
+            figure.part(app::pixel_box(x, 0, side, top))
+                .words(place(0, gap), column ? "STABLE" : "TEXTBOOK", letters);
+            for (int row = 0; row < 4; ++row) {
+                app::Figure panel =
+                    figure.part(app::pixel_box(x, top + row * (side + gap), side, side));
+                draw_far_sphere(panel, std::pow(Real(10), pixels(exponents[row])),
+                                column ? rt::hit_sphere : variants::textbook);
+                panel.words(place(3 * dot, side - 7 * dot), "10", letters);
+                panel.words(place(10 * dot, side - 10 * dot), std::to_string(exponents[row]),
+                            letters);
+            }
+        }
+    }
+};
+
+}  // namespace far_spheres

@@ -1,0 +1,244 @@
+#include "study.hpp"
+
+#include <array>
+#include <rt/effects_of.hpp>
+#include <rt/hit_sphere.hpp>
+#include <rt/light_sample.hpp>
+#include <rt/sphere_light.hpp>
+#include <study/classic.hpp>
+#include <study/cover.hpp>
+#include <study/double_double.hpp>
+#include <study/timing.hpp>
+#include <study/ulp.hpp>
+
+#include "narrowest_renderer.hpp"
+
+namespace effects {
+namespace {
+
+using namespace rt;
+
+// The irradiance of a floor that faces a light, over pi: what each of several ways of looking for
+// it gives for one sample. The right answer is sin^2 a.
+struct LightAbove {
+    Real distance;  // of a light of radius 1
+    Sphere light() const { return {{0, distance, 0}, 1}; }
+
+    // The path has to meet the light by itself.
+    Real by_chance(Rng& random) const {
+        const Vec3 direction = cosine_direction({0, 1, 0}, random_place(random));
+        return meets(direction) ? 1 : 0;
+    }
+    // A point anywhere on the light, also on its far side.
+    Real by_area(Rng& random) const {
+        const Vec3 normal = uniform_direction(random_place(random));
+        const Vec3 apart = light().center + normal;
+        const Real squared = dot(apart, apart);
+        const Vec3 direction = apart / std::sqrt(squared);
+        const Real facing = -dot(normal, direction);
+        return facing > 0 ? 4 * direction.y * facing / squared : 0;
+    }
+    Real by_cone(Rng& random) const {
+        const auto sample = sample_light(light(), {0, 0, 0}, random_place(random));
+        return sample->direction.y / (pi * sample->density);
+    }
+    // The cone and the path, weighed.
+    Real by_both(Rng& random) const {
+        const auto sample = sample_light(light(), {0, 0, 0}, random_place(random));
+        const Real toward = sample->direction.y / pi;
+        Real sum = toward / sample->density * shared_weight(sample->density, toward);
+        const Vec3 direction = cosine_direction({0, 1, 0}, random_place(random));
+        if (meets(direction))
+            sum += shared_weight(direction.y / pi, light_density(light(), {0, 0, 0}));
+        return sum;
+    }
+    bool meets(Vec3 direction) const {
+        return hit_sphere(light(), {{0, 0, 0}, direction}, {}).has_value();
+    }
+};
+
+// A few hundred matte spheres on the ground, and one effect more.
+SceneDescription scene_with(const char* name) {
+    SceneDescription scene;
+    const std::string effect = name;
+    scene.sky = {{1, 1, 1}, {Real(0.5), Real(0.7), 1}};
+    scene.camera.view = {{0, 3, 9}, {0, Real(0.3), 0}, {0, 1, 0}, radians(35)};
+    scene.materials = {Lambertian{{Real(0.6), Real(0.5), Real(0.4)}},
+                       Lambertian{{Real(0.2), Real(0.5), Real(0.8)}}};
+    if (effect == "mirror") scene.materials.push_back(Metal{{1, Real(0.8), 1}, 0});
+    if (effect == "fuzz") scene.materials.push_back(Metal{{1, 1, 1}, Real(0.3)});
+    if (effect == "glass") scene.materials.push_back(Dielectric{});
+    if (effect == "texture")
+        scene.materials.push_back(CheckeredMatte{{0, 0, 0}, {1, 1, 1}, Real(0.1)});
+    if (effect == "lights") scene.materials.push_back(Emitter{{2, 2, 2}});
+    if (effect == "lens") scene.camera.lens = {Real(0.2), 9};
+    if (effect == "motion") scene.camera.shutter = 1;
+    if (effect == "fog") scene.fog = Fog{{{0, 0, 0}, 20}, Real(0.02), {1, 1, 1}, 0};
+    scene.spheres.push_back({{{0, -1000, 0}, 1000}, 0});
+    Rng random{1, 8};
+    const auto kinds = static_cast<int>(scene.materials.size()) - 1;
+    for (int i = 0; i < 200; ++i) {
+        const Real radius = Real(0.1) + Real(0.3) * random.uniform();
+        SphereDescription sphere{{{random.uniform(-6, 6), radius, random.uniform(-8, 5)}, radius},
+                                 1 + i % kinds};
+        if (effect == "lights" && sphere.material == 2 && i > 20) sphere.material = 1;
+        if (effect == "motion" && i < 20) sphere.velocity = {0, radius, 0};
+        scene.spheres.push_back(sphere);
+    }
+    return scene;
+}
+
+SceneDescription cover_scene(const study::Cover& cover) {
+    SceneDescription scene;
+    scene.camera.view = cover.view;
+    scene.sky = {cover.horizon, cover.above};
+    for (const study::CoverSphere& sphere : cover.spheres) {
+        const auto number = static_cast<int>(scene.spheres.size());
+        scene.spheres.push_back({{sphere.center, sphere.radius}, number, {}});
+        switch (sphere.material) {
+            case study::CoverMaterial::matte:
+                scene.materials.push_back(Lambertian{sphere.color});
+                break;
+            case study::CoverMaterial::metal:
+                scene.materials.push_back(Metal{sphere.color, sphere.fuzz});
+                break;
+            case study::CoverMaterial::glass:
+                scene.materials.push_back(Dielectric{study::cover_glass_index});
+                break;
+        }
+    }
+    return scene;
+}
+
+// Four ways to find a light: how far off the mean one sample is, and its time.
+void study_light(study::Report& report) {
+    using Way = Real (LightAbove::*)(Rng&) const;
+    constexpr std::array<std::pair<const char*, Way>, 4> ways{
+        {{"by chance", &LightAbove::by_chance},
+         {"point on the sphere", &LightAbove::by_area},
+         {"cone", &LightAbove::by_cone},
+         {"cone and chance", &LightAbove::by_both}}};
+    for (const auto& named_way : ways)
+        for (const Real distance : {Real(1.1), Real(1.5), Real(3), Real(10), Real(30), Real(100)}) {
+            const Way way = named_way.second;
+            const LightAbove scene{distance};
+            const double expected = 1 / static_cast<double>(distance * distance);
+            Rng random{8, 3};
+            double squares = 0;
+            constexpr int timed = 100'000;
+            // By chance one direction in distance^2 meets the light. A thousand must, or their
+            // number is itself chance.
+            const int count = way == &LightAbove::by_chance
+                                  ? std::max(timed, static_cast<int>(1000 / expected))
+                                  : timed;
+            for (int i = 0; i < count; ++i) {
+                const double off = static_cast<double>((scene.*way)(random)) - expected;
+                squares += off * off;
+            }
+            const auto many = [&] {
+                for (int i = 0; i < timed; ++i) study::keep((scene.*way)(random));
+            };
+            report.add({"light", named_way.first, static_cast<double>(distance),
+                        "distance / radius", std::sqrt(squares / count) / expected,
+                        "error of one sample / mean", study::time_ns(many, {.rounds = 3}) / timed,
+                        "time per sample / ns"});
+        }
+}
+
+// The height of the cap, 1 - cos a.
+template <class Formula>
+void study_cap(study::Report& report, const char* name, double power, Formula formula) {
+    using Exact = study::DoubleDouble;
+    constexpr int count = 200;
+    std::vector<Real> distances;
+    Rng random{8, 4};
+    for (int i = 0; i < count; ++i)
+        distances.push_back(static_cast<Real>(std::pow(10, power)) * random.uniform(1, 2));
+    double largest = 0;
+    for (const Real distance : distances) {
+        const Exact d = static_cast<double>(distance), one = 1;
+        const Exact cosine = sqrt((d - one) * (d + one)) / d;
+        largest =
+            std::max(largest, std::min(1e18, study::error_in_ulp(formula(Real(1), distance),
+                                                                 one / (d * d) / (one + cosine))));
+    }
+    const double ns = study::time_ns([&] {
+        for (const Real distance : distances) study::keep(formula(Real(1), distance));
+    });
+    report.add({"solid-angle", name, std::pow(10, power), "distance / radius", largest,
+                "largest error / ulp", ns / count, "time / ns"});
+}
+
+void study_solid_angle(study::Report& report) {
+    const auto naive = [](Real radius, Real distance) {
+        const Real sine = radius / distance;
+        return 1 - std::sqrt(1 - sine * sine);
+    };
+    for (double power = 0.5; power < 9; ++power) {
+        study_cap(report, "1 - cos", power, naive);
+        study_cap(report, "sin^2 / (1 + cos)", power, cone_height);
+    }
+}
+
+// What each effect costs where it is absent, compiled in but unused, and present.
+void study_each_effect(study::Report& report) {
+    constexpr int width = 64, rows = 36;
+    constexpr std::array<const char*, 3> names{"absent", "compiled in", "present"};
+    const SceneDescription matte = scene_with("matte");
+    for (const NamedEffect& effect : all_effects) {
+        const SceneDescription scene = scene_with(effect.name);
+        Effects one;
+        one.*effect.member = true;
+        const Quality quality{4, 8, 1};
+        const std::array<Shader, 3> shaders{make_narrowest({}, matte, width, rows, quality),
+                                            make_narrowest(one, matte, width, rows, quality),
+                                            make_narrowest(one, scene, width, rows, quality)};
+        std::array<std::uint64_t, 3> rays{};
+        std::vector<study::Work> works;
+        for (std::size_t i = 0; i < shaders.size(); ++i)
+            works.push_back([&, i] {
+                rays[i] = 0;
+                for (int y = 0; y < rows; ++y)
+                    for (int x = 0; x < width; ++x) study::keep(shaders[i](x, y, rays[i]));
+            });
+        std::vector<double> per_ray = study::in_turns_ns(works, {.rounds = 7});
+        for (std::size_t i = 0; i < shaders.size(); ++i) {
+            per_ray[i] /= static_cast<double>(rays[i]);
+            report.add({"effects", std::string(effect.name) + ", " + names[i],
+                        static_cast<double>(i), "absent, compiled in, present",
+                        per_ray[i] / per_ray[0], "times the time without", per_ray[i],
+                        "time per ray / ns"});
+        }
+    }
+}
+
+// The cover scene, end to end, against the classic way.
+void study_cover(study::Report& report) {
+    const study::Cover cover = study::make_cover();
+    const auto classic = study::classic::make_world(cover);
+    const SceneDescription scene = cover_scene(cover);
+    const auto ns = study::in_turns_ns(
+        {[&] { study::keep(study::classic::mean_color(cover, *classic)); },
+         [&] {
+             const Shader shade =
+                 make_narrowest(effects_of(scene), scene, cover.width, cover.height,
+                                {cover.samples_per_pixel, cover.depth, 1});
+             std::uint64_t rays = 0;
+             study::keep(study::mean_color(cover, [&](int x, int y) { return shade(x, y, rays); }));
+         }});
+    constexpr std::array<const char*, 2> names{"classic", "narrowest renderer"};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        report.add({"cover", names[i], static_cast<double>(cover.spheres.size()), "spheres",
+                    ns[0] / ns[i], "times as fast", cover.whole_ms(ns[i]), "time / ms"});
+}
+
+}  // namespace
+
+void run_study(study::Report& report) {
+    study_light(report);
+    study_solid_angle(report);
+    study_each_effect(report);
+    study_cover(report);
+}
+
+}  // namespace effects

@@ -1,0 +1,47 @@
+#pragma once
+// A scene like the cover of the classic tutorial, as plain values: 486 spheres of matte, metal and
+// glass, three of them large and one the ground. Studies draw it in several ways and compare.
+
+#include <rt/camera.hpp>
+#include <rt/color.hpp>
+#include <vector>
+
+namespace study {
+
+enum class CoverMaterial { matte, metal, glass };
+
+struct CoverSphere {
+    rt::Vec3 center;
+    rt::Real radius = 1;
+    CoverMaterial material = CoverMaterial::matte;
+    rt::Color color{};  // of matte and metal
+    rt::Real fuzz = 0;  // of metal
+};
+
+constexpr rt::Real cover_glass_index = rt::Real(1.5);
+
+// The picture is as small as the tutorial's first ones. To time it a part of its rows is enough.
+struct Cover {
+    std::vector<CoverSphere> spheres;
+    rt::View view{{13, 2, 3}, {0, 0, 0}, {0, 1, 0}, rt::radians(20)};
+    rt::Color horizon{1, 1, 1}, above{rt::Real(0.5), rt::Real(0.7), 1};  // the sky
+    int width = 400, height = 225, samples_per_pixel = 10, depth = 50;
+    int row_step = 5;  // every fifth row is drawn
+
+    int rows_drawn() const { return (height + row_step - 1) / row_step; }
+    // The time of the whole picture, by that of the rows that are drawn.
+    double whole_ms(double drawn_ns) const { return 1e-6 * drawn_ns * height / rows_drawn(); }
+};
+
+Cover make_cover();
+
+// The mean color of the rows that are drawn, by shade(column, row): what is computed is used.
+template <class Shade>
+rt::Color mean_color(const Cover& cover, Shade shade) {
+    rt::Color sum;
+    for (int y = 0; y < cover.height; y += cover.row_step)
+        for (int x = 0; x < cover.width; ++x) sum += shade(x, y);
+    return sum / static_cast<rt::Real>(cover.width * cover.rows_drawn());
+}
+
+}  // namespace study
