@@ -3,12 +3,12 @@
 // real addresses and times of this machine are printed.
 
 #include <app/run.hpp>
-#include <cstdio>
 #include <rt/gradient.hpp>
 #include <string>
 
 #include "address_map.hpp"
 #include "chain_panel.hpp"
+#include "facts.hpp"
 #include "memory_panel.hpp"
 #include "study.hpp"
 #include "time_panels.hpp"
@@ -19,15 +19,6 @@ using namespace toolchain;
 
 // Static: there before main() begins, and as long as the program runs.
 const Corners dusk{from_hex(0x17153b), from_hex(0x5b2a86), from_hex(0xc8496b), from_hex(0xffb35c)};
-
-// How many of them are there?
-struct Counted {
-    inline static int alive = 0;
-    Counted() { ++alive; }
-    Counted(const Counted&) { ++alive; }
-    Counted& operator=(const Counted&) = default;
-    ~Counted() { --alive; }
-};
 
 // Filled as in school, y upwards; then turned, as row 0 of a picture is the top one. The canvas is
 // moved through flipped() and out of here: no pixel is copied.
@@ -40,49 +31,6 @@ Canvas<Color> paint_dusk(int width, int height) {
             canvas.at(x, y) = gradient(dusk, across, 1 - up);
         }
     return flipped(std::move(canvas));
-}
-
-Canvas<Real> lightness(const Canvas<Color>& canvas) {
-    Canvas<Real> light{canvas.width(), canvas.height()};
-    std::transform(canvas.begin(), canvas.end(), light.begin(),
-                   [](const Color& c) { return c.r + c.g + c.b; });
-    return light;
-}
-
-std::string printed(const char* format, auto... values) {
-    char text[160];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
-
-// The lines that show what the text speaks of.
-std::string facts(std::unique_ptr<RangeNode> root, const Canvas<Color>& canvas) {
-    std::string text;
-    const Canvas<Real> light = lightness(canvas);
-    const Real& lightest = largest(light);
-    const auto index = static_cast<int>(&lightest - light.begin());
-    text += printed(
-        "A reference   lightest is another name of pixel (%d, %d): its address is the "
-        "pixel's, %s\n",
-        index % light.width(), index / light.width(), hex(&lightest).c_str());
-    const int before = Counted::alive;
-    int inside = 0;
-    {
-        const Canvas<Counted> twelve{4, 3};
-        inside = Counted::alive;
-    }
-    text += printed(
-        "RAII          pixels alive: %d before the block, %d inside, %d after its "
-        "closing brace\n",
-        before, inside, Counted::alive);
-    const void* const held = root.get();
-    const std::unique_ptr<RangeNode> owner = std::move(root);
-    text += printed("A unique_ptr  root held %s; moved away it holds %s, and its new owner %s\n",
-                    hex(held).c_str(), hex(root.get()).c_str(), hex(owner.get()).c_str());
-    text += printed("A tree        over %d things has %d nodes and is %d deep\n",
-                    owner ? owner->last - owner->first : 0, count_nodes(owner.get()),
-                    depth_of(owner.get()));
-    return text;
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
