@@ -3,7 +3,7 @@
 #include <companion/build/build.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/check/check.hpp>
-#include <companion/model/mistakes.hpp>
+#include <companion/check/recognition.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/process.hpp>
 #include <csignal>
@@ -81,7 +81,7 @@ void run_tests(const Course& course, Checked& checked) {
     // Sanitizers take address space by the terabyte.
     const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
     const Result result = run_process(
-        {.command = {(course.build / "check" / target_of(checked.exercise)).string(), "-r", "xml"},
+        {.command = {(course.build / "check" / target_of(checked.exercise)).string(), "-r", "events"},
          .folder = course.build,
          .output = Output::errors_hidden,
          .timeout = most_seconds,

@@ -1,3 +1,6 @@
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <app/json.hpp>
 #include <app/run.hpp>
 #include <csignal>
@@ -148,11 +151,29 @@ TEST_CASE("an ignored signal is still ignored after another one came", "[run]") 
         CHECK(app::Interruption::signal() == 0);
         std::raise(SIGTERM);
         CHECK(app::Interruption::signal() == SIGTERM);
-        CHECK(std::signal(SIGTERM, SIG_DFL) == SIG_DFL);  // the next one ends the program
         CHECK(std::signal(SIGINT, SIG_IGN) == SIG_IGN);
     }
     std::signal(SIGTERM, terminate);
     std::signal(SIGINT, interrupt);
+}
+
+TEST_CASE("the second signal ends the program", "[run]") {
+    for (const int second : {SIGINT, SIGTERM}) {
+        const pid_t child = ::fork();
+        REQUIRE(child >= 0);
+        if (child == 0) {
+            std::signal(SIGINT, SIG_DFL);
+            std::signal(SIGTERM, SIG_DFL);
+            const app::Interruption interruption;
+            std::raise(SIGTERM);
+            if (app::Interruption::signal() == SIGTERM) std::raise(second);
+            ::_exit(0);
+        }
+        int status = 0;
+        REQUIRE(::waitpid(child, &status, 0) == child);
+        CHECK(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == second);
+    }
 }
 
 TEST_CASE("a program that reads no file takes none", "[run]") {

@@ -21,6 +21,7 @@ COURSE, SCRIPT = sys.argv[1], sys.argv[2]
 CHECK = r"""#!/bin/sh
 # check.sh ID FILE: stands in for compiler and checkpoint. The words in FILE say how it goes.
 id=$1 file=$2
+say() { printf '%s\n' "$*"; }  # echo would turn \n into the end of a line
 if grep -q 'syntax error' "$file"; then
     echo "FAILED: $id.o"
     echo "$file:3:5: error: expected ';'"
@@ -33,26 +34,26 @@ fi
 mkdir -p check
 {
     echo '#!/bin/sh'
-    echo "cat <<'XML'"
-    echo "<Catch name=\"x\"><TestCase name=\"$id the answer is right\">"
+    echo "cat <<'EVENTS'"
+    say '{"event":"begins","name":"'"$id"' the answer is right"}'
+    failed='{"event":"ends","passed":false,"output":""}'
     if grep -q wrong "$file"; then
-        echo '<Info>expected 2, but yours gives 3.'
-        echo 'Hint: count once more</Info><Expression success="false" type="CHECK">'
-        echo '<Original>a == b</Original><Expanded>3 == 2</Expanded></Expression>'
-        echo '<OverallResult success="false"/></TestCase>'
+        say '{"event":"failed","macro":"CHECK","expression":"a == b","expanded":"3 == 2",' \
+            '"messages":["expected 2, but yours gives 3.\nHint: count once more"]}'
+        say "$failed"
     elif grep -q 'needs 01.2' "$file"; then
-        echo '<Exception>exercise 01.2 is still to be written: there</Exception>'
-        echo '<OverallResult success="false"/></TestCase>'
+        say '{"event":"failed","exception":"there","missing":"01.2","messages":[]}'
+        say "$failed"
     elif grep -q 'needs 01.1' "$file"; then
-        echo '<Info>Hint: is it the function that was declared?</Info>'
-        echo '<Exception>exercise 01.1 is still to be written: there</Exception>'
-        echo '<OverallResult success="false"/></TestCase>'
+        say '{"event":"failed","exception":"there","missing":"01.1",' \
+            '"messages":["Hint: is it the function that was declared?"]}'
+        say "$failed"
     elif grep -q 'endless\|crash\|chatter' "$file"; then
         :
     else
-        echo '<OverallResult success="true"/></TestCase>'
+        say '{"event":"ends","passed":true,"output":""}'
     fi
-    echo XML
+    echo EVENTS
     grep -q chatter "$file" && echo 'yes without end'
     grep -q crash "$file" && echo 'kill -SEGV $$'
     grep -q endless "$file" && echo 'sleep 60'
@@ -77,7 +78,7 @@ class Companion(unittest.TestCase):
         for number, name in exercises:
             facts.append({"id": f"01.{number}", "title": f"Number {name}", "minutes": 10 * number,
                           "files": [f"rt/{name}.hpp"]})
-            hints += f"\n## 01.{number}\n\n1. idea\n2. formula $\\sqrt x$\n3. shape\n"
+            hints += f"\n## 01.{number}\n\n1. idea\n2. formula √x in `code`\n3. shape\n"
             stubs += f"==> rt/{name}.hpp\n" + STUB % (number, number)
             self.write(name, STUB % (number, number))
             cmake += (f"add_custom_target(check.01.{number} COMMAND sh ${{CMAKE_SOURCE_DIR}}/check.sh "
@@ -89,8 +90,6 @@ class Companion(unittest.TestCase):
              "hints": "docs/hints/01-tiny.md", "caption": "Nothing", "exercises": facts}]}))
         self.put("docs/hints/01-tiny.md", hints)
         self.put("companion/shipped_stubs/01_tiny.txt", stubs)
-        self.put("tests/mistakes/01_tiny/01.1_off/mistake.txt",
-                 "exercise: 01.1\ntitle: one too many\ncaught by: x\n\nCount from 0.\n")
         self.put("CMakeLists.txt", cmake)
         self.put("check.sh", CHECK)
         self.put("program.sh", '#!/bin/sh\necho "program $*"\n[ "$3" != --fail ] || exit 3\n'
@@ -233,7 +232,7 @@ class Companion(unittest.TestCase):
     def test_hints_come_one_by_one(self):
         said = [self.course("hint", "01.1") for _ in range(5)]
         self.assertIn("hint 1 of 3\nidea", said[0])
-        self.assertIn("formula √x", said[1])
+        self.assertIn("formula √x in code\n", said[1])
         self.assertIn("shape", said[2])
         self.assertIn("no more hints", said[3])
         self.assertIn("solutions/01_tiny/rt/one.hpp", said[4])
