@@ -25,9 +25,10 @@ std::string one_line(const std::string& text) {
 
 FailedAssertion read_failure(const json& event) {
     FailedAssertion failure;
-    failure.expression = event.contains("expression") ? event.value("macro", "") + "( " +
-                                                            one_line(event["expression"]) + " )"
-                                                      : "FAIL";
+    if (event.contains("expression"))
+        failure.expression = event.value("macro", "") + "( " + one_line(event["expression"]) + " )";
+    else if (!event.contains("exception"))
+        failure.expression = "FAIL";
     failure.expanded = one_line(event.value("expanded", ""));
     failure.exception = trimmed(event.value("exception", ""));
     failure.missing = event.value("missing", "");
@@ -42,7 +43,8 @@ void read_event(const json& event, std::vector<TestCase>& tests) {
     TestCase& test = tests.back();
     if (what == "failed") {
         test.failures.push_back(read_failure(event));
-        test.crash = event.value("crash", test.crash);
+    } else if (what == "crashes") {
+        test.crash = event.at("cause");
     } else if (what == "ends") {
         test.ended = true;
         test.passed = event.at("passed");
@@ -55,11 +57,14 @@ void read_event(const json& event, std::vector<TestCase>& tests) {
 std::vector<TestCase> read_report(const std::string& lines) {
     std::vector<TestCase> tests;
     std::istringstream in{lines};
-    for (std::string line; std::getline(in, line);) try {
-            read_event(json::parse(line), tests);
-        } catch (const json::exception&) {
-            // No event: the tested code printed this, or it was cut off.
+    for (std::string line; std::getline(in, line);) {
+        if (line.rfind('{', 0) != 0) continue;  // the tested code printed this
+        try {
+            if (const json event = json::parse(line, nullptr, false); event.is_object())
+                read_event(event, tests);
+        } catch (const json::exception&) {  // and this
         }
+    }
     return tests;
 }
 

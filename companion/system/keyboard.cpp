@@ -29,6 +29,8 @@ Keyboard::Keyboard(bool immediately) {
     while_reading.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
     while_reading.c_cc[VMIN] = 1;
     while_reading.c_cc[VTIME] = 0;
+    // Ctrl-C and Ctrl-\ are keys, too, even where a script had them ignored.
+    for (const int signal : {SIGINT, SIGQUIT}) std::signal(signal, SIG_DFL);
     on_signal_.emplace(
         std::initializer_list{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT, SIGSEGV, SIGTSTP},
         restore_terminal);

@@ -371,6 +371,20 @@ class Companion(unittest.TestCase):
                                  else -signal.SIGINT)
                 self.assertTrue(terminal.echoes())
 
+    def test_watch_stops_and_goes_on(self):
+        with self.watched() as terminal:
+            terminal.expect("q quit")
+            os.kill(terminal.process, signal.SIGTSTP)  # as Ctrl-Z does
+            _, status = os.waitpid(terminal.process, os.WUNTRACED)
+            self.assertTrue(os.WIFSTOPPED(status))
+            self.assertTrue(terminal.echoes())
+            os.kill(terminal.process, signal.SIGCONT)  # as fg does
+            terminal.press("l")
+            terminal.expect("0 of 2 exercises")
+            self.assertFalse(terminal.echoes())
+            terminal.press("q")
+            self.assertEqual(terminal.end(), 0)
+
     def test_watch_survives_a_crash_and_an_interruption_ends_what_runs(self):
         with self.watched("01") as terminal:
             terminal.expect("q quit")

@@ -72,11 +72,12 @@ TEST_CASE("a report that ends anywhere is read as far as it goes", "[test_result
 
 TEST_CASE("a crash is told with the test case in which it came", "[test_results]") {
     const auto tests = read_report(R"({"event":"begins","name":"01.1 x"}
-{"event":"failed","crash":"SIGSEGV - Segmentation violation signal","messages":[]}
+{"event":"crashes","cause":"SIGSEGV - Segmentation violation signal"}
 {"event":"ends","passed":false,"output":""})");
     REQUIRE(tests.size() == 1);
     CHECK(tests[0].crash == "SIGSEGV - Segmentation violation signal");
     CHECK_FALSE(tests[0].passed);
+    CHECK(tests[0].failures.empty());
 }
 
 // What the reporter itself writes: the test cases below run in a process of their own.

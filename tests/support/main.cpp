@@ -43,8 +43,6 @@ json failure(const Catch::AssertionStats& stats) {
     if (result.getResultType() == ResultWas::ThrewException) {
         event["exception"] = std::string{result.getMessage()};
         event["missing"] = missing_exercise();
-    } else if (result.getResultType() == ResultWas::FatalErrorCondition) {
-        event["crash"] = std::string{result.getMessage()};
     }
     return event;
 }
@@ -57,7 +55,7 @@ class EventReporter : public Catch::StreamingReporterBase<EventReporter> {
     }
     void assertionStarting(const Catch::AssertionInfo&) override {}
     bool assertionEnded(const Catch::AssertionStats& stats) override {
-        if (!stats.assertionResult.isOk()) write(failure(stats));
+        report(stats);
         return true;
     }
     std::ostream& out() { return stream; }
@@ -68,9 +66,7 @@ class EventReporter : public Catch::StreamingReporterBase {
         : StreamingReporterBase{std::move(config)} {
         m_preferences.shouldRedirectStdOut = true;
     }
-    void assertionEnded(const Catch::AssertionStats& stats) override {
-        if (!stats.assertionResult.isOk()) write(failure(stats));
-    }
+    void assertionEnded(const Catch::AssertionStats& stats) override { report(stats); }
     std::ostream& out() { return m_stream; }
 #endif
     static std::string getDescription() {
@@ -89,6 +85,14 @@ class EventReporter : public Catch::StreamingReporterBase {
     }
 
   private:
+    void report(const Catch::AssertionStats& stats) {
+        const Catch::AssertionResult& result = stats.assertionResult;
+        const bool crashes = result.getResultType() == Catch::ResultWas::FatalErrorCondition;
+        // Of a crash before the first assertion there is no more to say.
+        if (!result.isOk() && (!crashes || result.hasExpression())) write(failure(stats));
+        if (crashes) write({{"event", "crashes"}, {"cause", std::string{result.getMessage()}}});
+    }
+
     // On a line of its own, whatever the tested code has printed before.
     void write(const json& event) {
         out() << '\n' << event.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
