@@ -80,13 +80,14 @@ bool is_failing(const TestCase& test) {
 void run_tests(const Course& course, Checked& checked) {
     // Sanitizers take address space by the terabyte.
     const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
-    const Result result = run_process(
-        {.command = {(course.build / "check" / target_of(checked.exercise)).string(), "-r", "events"},
-         .folder = course.build,
-         .output = Output::errors_hidden,
-         .timeout = most_seconds,
-         .most_memory = is_sanitized ? 0 : most_memory,
-         .most_output = most_bytes});
+    const Result result =
+        run_process({.command = {(course.build / "check" / target_of(checked.exercise)).string(),
+                                 "-r", "events"},
+                     .folder = course.build,
+                     .output = Output::errors_hidden,
+                     .timeout = most_seconds,
+                     .most_memory = is_sanitized ? 0 : most_memory,
+                     .most_output = most_bytes});
     checked.tests = read_report(result.output);
     const auto& tests = checked.tests;
     const auto crashed = std::find_if(tests.begin(), tests.end(), [](const TestCase& test) {

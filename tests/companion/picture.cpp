@@ -14,8 +14,7 @@ TEST_CASE("both kinds of .ppm are read", "[picture]") {
     const Picture expected{2, 1, {1, 2, 3, 10, 255, 35}};
     CHECK(companion::parse_ppm("P3\n2 1\n255\n1 2 3\n10 255 35\n") == expected);
     CHECK(companion::parse_ppm("P3 # a comment\n2 1 # another\n255 1 2 3 10 255 35") == expected);
-    const std::string binary = "P6\n2 1\n255\n\x01\x02\x03\x0a\xff\x23";
-    CHECK(companion::parse_ppm(binary) == expected);
+    CHECK(companion::parse_ppm("P6\n2 1\n255\n\x01\x02\x03\x0a\xff\x23") == expected);
 }
 
 TEST_CASE("what is no .ppm is refused", "[picture]") {
