@@ -4,7 +4,7 @@
 #   solution of chapter N    solutions of chapters up to N, common
 #   learner's chapter N      exercises/N, solutions of chapters up to N, common
 #   mine                     exercises/ of the chosen chapters, solutions up to N, common
-#   a mistake                tests/mistakes/N/MISTAKE, solutions up to N, common
+#   a mistake                the edited files (see Mistakes.cmake), solutions up to N, common
 #
 # Solutions of later chapters are never among them, so no chapter can use what comes after it.
 #
@@ -28,7 +28,8 @@ function(course_sources_of out)
   set(sources "")
   foreach(name ${course_sources})
     foreach(folder ${ARGN})
-      if(EXISTS ${folder}/rt/${name})
+      get_source_file_property(is_made ${folder}/rt/${name} GENERATED)
+      if(is_made OR EXISTS ${folder}/rt/${name})
         list(APPEND sources ${folder}/rt/${name})
         # It is compiled as it stands, with no header that it does not name.
         set_source_files_properties(${folder}/rt/${name} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
@@ -100,7 +101,6 @@ function(course_learners_checkpoints chapter)
     target_include_directories(${tests} PRIVATE ${arg_INCLUDE} ${CMAKE_SOURCE_DIR}/tests/support)
     target_link_libraries(${tests} PRIVATE checkpoint_double)
     target_precompile_headers(${tests} REUSE_FROM checkpoint_double)
-    target_compile_options(${tests} PRIVATE -O1)
     add_executable(${check} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${tests}> ${learners})
     target_link_libraries(${check} PRIVATE ${libraries})
     set_target_properties(${check} PROPERTIES
@@ -115,62 +115,8 @@ function(course_learners_checkpoints chapter)
   endif()
 endfunction()
 
-# Reads one line "key: value" of a file.
-function(course_read_line file key out)
-  file(STRINGS ${file} line REGEX "^${key}: ")
-  list(LENGTH line count)
-  if(NOT count EQUAL 1)
-    message(FATAL_ERROR "${file} needs one line that starts with '${key}: '")
-  endif()
-  string(REPLACE "${key}: " "" value "${line}")
-  set(${out} "${value}" PARENT_SCOPE)
-endfunction()
-
-# A typical wrong answer: the test case that mistake.txt names must fail, by an assertion.
-function(course_mistake chapter folder)
-  get_filename_component(mistake ${folder} NAME)
-  string(REGEX MATCH "^[0-9]+\\.[0-9]+" id ${mistake})
-  file(GLOB source ${CMAKE_SOURCE_DIR}/tests/${chapter}/${id}_*.cpp)
-  if(NOT source OR NOT EXISTS ${folder}/mistake.txt)
-    message(FATAL_ERROR "${folder} needs a mistake.txt and tests/${chapter}/${id}_*.cpp")
-  endif()
-  course_read_line(${folder}/mistake.txt "caught by" caught_by)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/mistake.txt)
-  set(target mistake.${mistake})
-  course_checkpoint(${target} double ${source} INCLUDE ${folder} ${course_solutions})
-  set_target_properties(${target} PROPERTIES
-    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
-  target_compile_options(${target} PRIVATE -O1)  # there are many of them
-  file(STRINGS ${folder}/mistake.txt warned REGEX "^compiler warns: yes$")
-  if(warned)
-    target_compile_options(${target} PRIVATE -w)  # the learner is told; here it is on purpose
-  endif()
-  add_test(NAME ${target} COMMAND ${target} "${caught_by}")
-  set_tests_properties(${target} PROPERTIES LABELS mistakes TIMEOUT 60
-    PASS_REGULAR_EXPRESSION "test cases: +1 \\|( +0 passed \\|)? +1 failed"
-    FAIL_REGULAR_EXPRESSION "SIG[A-Z]+;AddressSanitizer;runtime error")
-endfunction()
-
-# A mistake that changes the picture: `course compare` must see that.
-function(course_mistake_picture chapter folder)
-  file(STRINGS ${folder}/mistake.txt changes REGEX "^changes picture: yes$")
-  if(NOT changes)
-    return()
-  endif()
-  get_filename_component(mistake ${folder} NAME)
-  set(target picture.${mistake})
-  file(GLOB program CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/*.cpp)
-  course_program(${target} double ${program} INCLUDE ${folder} ${course_solutions})
-  set_target_properties(${target} PROPERTIES
-    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
-  set_property(GLOBAL APPEND PROPERTY course_mistake_pictures ${target})
-  add_test(NAME ${target} COMMAND compare_programs differ $<TARGET_FILE:${target}>
-                                  $<TARGET_FILE:${chapter}_solution>)
-  set_tests_properties(${target} PROPERTIES LABELS pictures TIMEOUT 600)
-endfunction()
-
-# What `course certify` measures of a chapter: on the solution, on the learner's own code of all
-# chapters up to this one, and on some mistakes, each of which must make the right line fail.
+# What `course certify` measures of a chapter: on the solution, and on the learner's own code of all
+# chapters up to this one.
 function(course_certificate chapter)
   set(source ${CMAKE_SOURCE_DIR}/tests/certify/${chapter}.cpp)
   if(NOT EXISTS ${source})
@@ -187,27 +133,9 @@ function(course_certificate chapter)
   add_test(NAME certify.${chapter} COMMAND certify.${chapter}_solution --no-timing)
   set_tests_properties(certify.${chapter} PROPERTIES LABELS solution TIMEOUT 300
     FAIL_REGULAR_EXPRESSION "FAILS")
-  if(NOT COURSE_MISTAKES)
-    return()
+  if(COURSE_ALL_TESTS)
+    course_mistake_certificates(${chapter} ${source})
   endif()
-  foreach(mistake 01.1_in_float 01.3_no_root 02.2_whole_angle 02.3_turned_over 04.2_half_lambert
-                  04.3_uniform_hemisphere 05.2_absorbs_below 05.3_clamps_total_reflection
-                  05.4_schlick_inner_cosine 06.3_skips_the_first 06.4_neighbors_alike
-                  07.3_drops_the_middle)
-    set(folder ${CMAKE_SOURCE_DIR}/tests/mistakes/${chapter}/${mistake})
-    if(NOT EXISTS ${folder})
-      continue()
-    endif()
-    string(REGEX MATCH "^[0-9]+\\.[0-9]+" id ${mistake})
-    set(target certify.mistake.${mistake})
-    course_program(${target} double ${source}
-                   INCLUDE ${folder} ${course_solutions} ${CMAKE_SOURCE_DIR}/tests/support)
-    set_target_properties(${target} PROPERTIES
-      RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/mistakes)
-    add_test(NAME ${target} COMMAND ${target} --no-timing)
-    set_tests_properties(${target} PROPERTIES LABELS mistakes TIMEOUT 120
-      PASS_REGULAR_EXPRESSION "FAILS\t${id}")
-  endforeach()
 endfunction()
 
 function(course_chapter chapter)
@@ -225,7 +153,16 @@ function(course_chapter chapter)
   endforeach()
   file(GLOB course_sources RELATIVE ${root}/solutions/${chapter}/rt CONFIGURE_DEPENDS
        ${root}/solutions/${chapter}/rt/*.cpp)
-  file(GLOB checkpoints CONFIGURE_DEPENDS ${root}/tests/${chapter}/*.cpp)
+  set(ids ${course_ids_${chapter}})
+  set(checkpoints "")
+  foreach(id ${ids})
+    file(GLOB source CONFIGURE_DEPENDS ${root}/tests/${chapter}/${id}_*.cpp)
+    list(LENGTH source count)
+    if(NOT count EQUAL 1)
+      message(FATAL_ERROR "course.json names exercise ${id}: it needs one tests/${chapter}/${id}_NAME.cpp")
+    endif()
+    list(APPEND checkpoints ${source})
+  endforeach()
   set(learner ${root}/exercises/${chapter} ${course_solutions})
 
   file(GLOB missing CONFIGURE_DEPENDS ${root}/chapters/${chapter}/missing/*.cpp)
@@ -266,12 +203,6 @@ function(course_chapter chapter)
     endforeach()
   endif()
 
-  set(ids "")
-  foreach(source ${checkpoints})
-    get_filename_component(name ${source} NAME)
-    string(REGEX MATCH "^[0-9]+\\.[0-9]+" id ${name})
-    list(APPEND ids ${id})
-  endforeach()
   course_exercise_tests(${chapter}_checkpoint exercise ${ids})
   course_exercise_tests(${chapter}_checkpoint_solution solution ${ids})
   course_exercise_tests(${chapter}_checkpoint_solution_float solution ${ids})
@@ -286,27 +217,12 @@ function(course_chapter chapter)
     endforeach()
   endif()
 
-  if(COURSE_MISTAKES)
-    file(GLOB mistakes CONFIGURE_DEPENDS ${root}/tests/mistakes/${chapter}/*)
-    foreach(folder ${mistakes})
-      if(IS_DIRECTORY ${folder})  # beside them is signatures.json
-        course_mistake(${chapter} ${folder})
-        get_filename_component(name ${folder} NAME)
-        set_property(GLOBAL APPEND PROPERTY course_mistakes.${chapter} mistake.${name})
-      endif()
-    endforeach()
-    add_test(NAME mistakes.recognized.${chapter}
-      COMMAND signature_tool --check ${CMAKE_BINARY_DIR}/mistakes ${chapter})
-    set_tests_properties(mistakes.recognized.${chapter} PROPERTIES LABELS mistakes TIMEOUT 300)
+  course_edit_mistakes(${chapter})
+  if(COURSE_ALL_TESTS)
+    course_mistake_tests(${chapter})
   endif()
-
   if(COURSE_MISTAKE_PICTURES)
-    file(GLOB mistakes CONFIGURE_DEPENDS ${root}/tests/mistakes/${chapter}/*)
-    foreach(folder ${mistakes})
-      if(IS_DIRECTORY ${folder})
-        course_mistake_picture(${chapter} ${folder})
-      endif()
-    endforeach()
+    course_mistake_pictures(${chapter} ${program})
   endif()
 
   course_certificate(${chapter})
@@ -340,19 +256,23 @@ function(course_chapter chapter)
             $<TARGET_FILE:image_compare> ${root}/docs/images/${chapter}.png)
   add_test(NAME ${chapter}.bad_input
     COMMAND sh ${root}/tests/app/bad_input.sh $<TARGET_FILE:${chapter}_solution>)
-  add_test(NAME ${chapter}.float_program
-    COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
-            --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
   # `course compare` does not call right code wrong; see tests/support/compare_programs.cpp for more
   # runs. A still picture takes one.
   add_test(NAME ${chapter}.compare
     COMMAND compare_programs alarms 1 $<TARGET_FILE:${chapter}_solution>)
   set_tests_properties(${chapter}.compare PROPERTIES LABELS solution TIMEOUT 600)
-  set_tests_properties(${chapter}.image ${chapter}.bad_input ${chapter}.float_program
-                       PROPERTIES LABELS solution TIMEOUT 300)
+  set_tests_properties(${chapter}.image ${chapter}.bad_input PROPERTIES LABELS solution TIMEOUT 300)
+  if(COURSE_ALL_TESTS)
+    add_test(NAME ${chapter}.float_program
+      COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
+              --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
+    set_tests_properties(${chapter}.float_program PROPERTIES LABELS solution TIMEOUT 300)
+  else()
+    set_target_properties(${chapter}_solution_float PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
 endfunction()
 
-# Once after the last chapter: targets over all of them, and the list that the companion reads.
+# Once after the last chapter: targets over all of them.
 function(course_finish)
   set(programs ${course_chapters})
   list(TRANSFORM programs APPEND _solution OUTPUT_VARIABLE solutions)
@@ -387,23 +307,6 @@ function(course_finish)
     endforeach()
   endforeach()
   add_custom_target(project_tests DEPENDS ${tested})
-  get_property(pictures GLOBAL PROPERTY course_mistake_pictures)
-  if(pictures)
-    add_custom_target(mistake_pictures DEPENDS ${pictures} compare_programs)
-  endif()
-  # To run after a mistake or a checkpoint has changed, and after a stub has: what they write belongs
-  # to the sources.
+  # To run after a stub has changed: what it writes belongs to the sources.
   add_custom_target(shipped_stubs COMMAND stub_tool ${course_chapters})
-  if(COURSE_MISTAKES)
-    add_custom_target(mistake_signatures)
-    foreach(chapter ${course_chapters})  # a target each, to run side by side
-      add_custom_target(mistake_signatures.${chapter}
-        COMMAND signature_tool --write ${CMAKE_BINARY_DIR}/mistakes ${chapter})
-      get_property(mistakes GLOBAL PROPERTY course_mistakes.${chapter})
-      add_dependencies(mistake_signatures.${chapter} ${mistakes})
-      add_dependencies(mistake_signatures mistake_signatures.${chapter})
-    endforeach()
-  endif()
-  list(JOIN course_chapters "\n" lines)
-  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/chapters.txt CONTENT "${lines}\n")
 endfunction()

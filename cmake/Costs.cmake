@@ -1,7 +1,7 @@
 # An effect that is absent costs nothing: the instructions that chapter 08's narrow renderers execute,
 # against loops written by hand. Include after the chapters. Built for any machine of this kind, since
 # valgrind does not know every instruction, and only where the compiler optimizes.
-if(NOT CMAKE_BUILD_TYPE STREQUAL "Release" OR RT_SANITIZE)
+if(NOT CMAKE_BUILD_TYPE STREQUAL "Release" OR RT_SANITIZE OR NOT COURSE_ALL_TESTS)
   return()
 endif()
 # However many renderers there are: the program stays small.

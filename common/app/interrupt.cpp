@@ -1,38 +1,24 @@
 #include <app/interrupt.hpp>
 #include <atomic>
-#include <csignal>
-#include <iterator>
 
 namespace app {
 namespace {
 
-constexpr int signals[] = {SIGINT, SIGTERM};
-
 std::atomic<int> came = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not wait for a lock");
 
-// Those that are noted; the others were ignored before, and still are.
-volatile std::sig_atomic_t taken[std::size(signals)];
-
-extern "C" void note_signal(int signal) {
-    came = signal;
-    for (std::size_t i = 0; i < std::size(signals); ++i)
-        if (taken[i]) std::signal(signals[i], SIG_DFL);
+// Only the first one is noted.
+bool note_signal(int signal) {
+    int none = 0;
+    return came.compare_exchange_strong(none, signal);
 }
 
 }  // namespace
 
-Interruption::Interruption() {
-    came = 0;
-    for (std::size_t i = 0; i < std::size(signals); ++i) {
-        before_[i] = std::signal(signals[i], SIG_IGN);
-        taken[i] = before_[i] != SIG_IGN;
-        if (taken[i]) std::signal(signals[i], note_signal);
-    }
-}
+Interruption::Interruption() : on_signal_{{SIGINT, SIGTERM}, note_signal} {}
 
 Interruption::~Interruption() {
-    for (std::size_t i = 0; i < std::size(signals); ++i) std::signal(signals[i], before_[i]);
+    came = 0;
 }
 
 int Interruption::signal() {

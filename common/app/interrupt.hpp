@@ -1,6 +1,7 @@
 #pragma once
 // Stopping a long render early without losing what is done.
 
+#include <app/signals.hpp>
 #include <rt/image.hpp>
 
 namespace app {
@@ -25,7 +26,7 @@ class Interruption {
     static int signal();
 
   private:
-    void (*before_[2])(int);
+    OnSignal on_signal_;
 };
 
 // A picture of which nothing is done yet: the dark checkerboard that stands for what is missing.

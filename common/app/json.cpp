@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <app/json.hpp>
+#include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -28,68 +30,97 @@ bool is_digit(char c) {
     return '0' <= c && c <= '9';
 }
 
-// A slip that people make often, by what stands where the parser stopped; "" if it is another one.
-// `end` is behind the last character that was read, `said` what the parser says.
-std::string slip(std::string_view text, std::size_t end, std::string_view said) {
-    const auto says = [&](std::string_view part) { return said.find(part) != said.npos; };
-    if (end == 0 || end > text.size()) return "";
-    const std::string_view rest = text.substr(end - 1);
-    if (says("invalid literal")) {
-        const char c = rest[0];
-        if (c == '/' || c == '#')
-            return "JSON has no comments; \"about\": \"...\" takes their place";
-        for (const char* const quote : {"'", "\xe2\x80", "`"})
-            if (rest.rfind(quote, 0) == 0) return "texts stand in straight double quotes, \"...\"";
-        if (says("object key")) return "keys stand in double quotes, \"...\"";
-        if (c == ';') return "commas stand between values";
-        if (c == '.' || c == '+') return "a number begins with a digit or with -";
-        return "";
+// What was wrong where the parser stopped.
+struct Slip {
+    std::string_view before;    // what stands before the token, without the blanks between
+    std::string_view token;     // as far as it was read; empty where the text ended before it
+    bool touches = false;       // no blank stands between them
+    bool ended = false;         // the text did, within the token or instead of it
+    std::string_view expected;  // one of those below
+};
+
+constexpr std::string_view a_value = "a value", first_item = "a value or ]",
+                           a_key = "a key in double quotes",
+                           first_key = "a key in double quotes or }", a_colon = "a colon",
+                           next_item = "a comma or ]", next_member = "a comma or }",
+                           the_end = "end of input";
+
+// Where the last token of a text begins.
+std::size_t last_token(std::string_view text) {
+    std::size_t start = 0;
+    const auto is_of_word = [&](std::size_t i) {
+        return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) ||
+                                   text[i] == '-' || text[i] == '+' || text[i] == '.');
+    };
+    for (std::size_t at = 0; at < text.size();) {
+        if (std::strchr(" \t\r\n", text[at])) {
+            ++at;
+            continue;
+        }
+        start = at++;
+        if (text[start] == '"') {
+            while (at < text.size() && text[at++] != '"') at += text[at - 1] == '\\';
+        } else if (is_of_word(start)) {
+            while (is_of_word(at)) ++at;
+            const std::string_view word = text.substr(start, at - start);
+            // What is cut short reaches to the character that is wrong.
+            at += !is_digit(word.back()) && word != "true" && word != "false" && word != "null";
+        }
     }
-    // Where the last word begins, and what stands before it.
-    std::size_t start = end - 1;
-    if (is_digit(text[start]))
-        while (start > 0 &&
-               (is_digit(text[start - 1]) || text[start - 1] == '.' || text[start - 1] == 'e' ||
-                text[start - 1] == 'E' || text[start - 1] == '+' || text[start - 1] == '-'))
-            --start;
-    const std::string_view before = text.substr(0, start);
-    const auto last = before.find_last_not_of(" \t\r\n");
-    const bool after_comma = last != before.npos && before[last] == ',';
-    if (says("unexpected number literal") && says("object key") && after_comma && last > 0 &&
-        last + 1 == start && is_digit(before[last - 1]))
+    return start;
+}
+
+// In a text: JSON has few ways to write what is no plain character.
+std::string broken_text(const Slip& slip) {
+    const auto last = static_cast<unsigned char>(slip.token.back());
+    if (slip.ended) return "a closing quote is missing";
+    if (last < ' ') return "a closing quote is missing, or \\n for a line break, \\t for a tab";
+    if (last >= 0x80) return "this is no UTF-8";
+    return "after \\ may stand one of \" \\ / b f n r t, or u and four hexadecimal digits";
+}
+
+// A slip that people make often, by the token and what could stand there; "" if it is another one.
+std::string named(const Slip& slip) {
+    const char first = slip.token.empty() ? '\0' : slip.token[0];
+    const char last = slip.before.empty() ? '\0' : slip.before.back();
+    const bool wants_value = slip.expected == a_value || slip.expected == first_item;
+    const bool wants_key = slip.expected == a_key || slip.expected == first_key;
+    if (first == '"' && (wants_value || wants_key)) return broken_text(slip);
+    if (slip.token.empty()) return "";
+    if (first == '/' || first == '#')
+        return "JSON has no comments; \"about\": \"...\" takes their place";
+    for (const char* const quote : {"'", "\xe2", "`"})
+        if (slip.token.rfind(quote, 0) == 0)
+            return "texts stand in straight double quotes, \"...\"";
+    if (last == ',' && (first == '}' || first == ']'))
+        return std::string{"a comma too many before "} + first;
+    if (wants_key && is_digit(first) && last == ',' && slip.touches && slip.before.size() > 1 &&
+        is_digit(slip.before[slip.before.size() - 2]))
         return "a number has a decimal point, not a comma";
-    if ((rest[0] == '}' || rest[0] == ']') && after_comma)
-        return std::string{"a comma too many before "} + rest[0];
-    if (says("unexpected number literal") && text[start] == '0' && end - start > 1)
-        return "a number does not begin with 0";
-    const bool unexpected_value =
-        says("unexpected string literal") || says("unexpected number literal") ||
-        says("unexpected '{'") || says("unexpected '['") || says("unexpected true literal") ||
-        says("unexpected false literal") || says("unexpected null literal");
-    if (unexpected_value && (says("parsing object -") || says("parsing array -")))
+    if (wants_key && std::isalpha(static_cast<unsigned char>(first)))
+        return "keys stand in double quotes, \"...\"";
+    if (first == ';') return "commas stand between values";
+    if (wants_value && (first == '.' || first == '+'))
+        return "a number begins with a digit or with -";
+    if (wants_value && (first == '-' || is_digit(first))) return "expected a digit";
+    if (wants_value)
+        return "numbers, texts in quotes, [ ... ], { ... }, true, false and null are allowed";
+    if (first == '0' && slip.token.size() > 1) return "a number does not begin with 0";
+    if ((slip.expected == next_item || slip.expected == next_member) &&
+        (std::isalnum(static_cast<unsigned char>(first)) || (first && std::strchr("\"{[-", first))))
         return "a comma is missing before it";
     return "";
 }
 
-// What the parser has to say, without its own numbers and a place that is given in front.
-std::string reason(std::string_view what, std::string_view text, std::size_t end) {
-    const auto skip_past = [&](std::string_view mark) {
-        const auto at = what.find(mark);
-        if (at != std::string_view::npos) what.remove_prefix(at + mark.size());
-    };
-    skip_past("] ");
-    if (what.rfind("parse error", 0) == 0) skip_past(": ");
-    const std::string meant = slip(text, end, what);
-    // What it read before belongs to other values.
-    if (what.find("invalid literal") != what.npos) what = what.substr(0, what.find("; last read"));
-    constexpr std::size_t most = 160;
-    std::string said{what.substr(0, most)};
-    if (what.size() > most) said += " ...";
-    if (!meant.empty()) return said + "; " + meant;
-    if (said.find("expected") == std::string::npos && said.find("literal") != std::string::npos)
-        said += "; numbers, texts in quotes, [ ... ], { ... }, true, false and null are allowed";
-    if (said.find("overflow") != std::string::npos) said += "; 1e308 is about the largest";
-    return said;
+std::string words(const Slip& slip) {
+    constexpr std::size_t most = 40;
+    std::string shown{slip.token.substr(0, most)};
+    for (char& c : shown)  // which may end within a character
+        if (c < ' ' || c > '~') c = '?';
+    if (slip.token.size() > most) shown += " ...";
+    const std::string found = slip.ended ? "the text ends here" : "unexpected " + shown;
+    const std::string name = named(slip);
+    return found + "; " + (name.empty() ? "expected " + std::string{slip.expected} : name);
 }
 
 // Puts the values together as the parser meets them.
@@ -132,10 +163,14 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
         open_.back().keys.push_back(std::move(value));
         return true;
     }
-    bool parse_error(std::size_t position, const std::string&,
+    bool parse_error(std::size_t position, const std::string& token,
                      const nlohmann::json::exception& error) override {
-        throw UsageError(name_ + ':' + line_and_column(text_, position) + ": " +
-                         reason(error.what(), text_, position));
+        const std::string place = name_ + ':' + line_and_column(text_, position) + ": ";
+        constexpr int out_of_range = 406;  // a number, as the library counts its errors
+        if (error.id == out_of_range)
+            throw UsageError(place + "the number " + token.substr(0, 40) +
+                             " is too large; 1e308 is about the largest");
+        throw UsageError(place + words(slip_at(position)));
     }
 
   private:
@@ -147,7 +182,30 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
                                                        : path_of_item(path, open_[i].items.size());
         return path;
     }
+    // The parser stopped behind so many bytes.
+    Slip slip_at(std::size_t position) const {
+        const bool ended = position > text_.size();
+        const std::string_view text = std::string_view{text_}.substr(0, position);
+        std::size_t start = last_token(text);
+        const bool is_open_text =
+            text[start] == '"' && (text.size() == start + 1 || text.back() != '"');
+        if (ended && !is_open_text) start = text.size();
+        const auto last = text.substr(0, start).find_last_not_of(" \t\r\n");
+        const std::size_t used = last == text.npos ? 0 : last + 1;
+        return {text.substr(0, used), text.substr(start), used == start, ended,
+                expected(used ? text[used - 1] : '\0')};
+    }
+    std::string_view expected(char last) const {
+        if (open_.empty()) return is_read_ ? the_end : a_value;
+        const Json& inner = open_.back();
+        const bool first = inner.items.empty();
+        if (inner.kind == Json::Kind::list)
+            return last == ',' ? a_value : first ? first_item : next_item;
+        if (inner.keys.size() > inner.items.size()) return last == '"' ? a_colon : a_value;
+        return last == ',' ? a_key : first ? first_key : next_member;
+    }
     bool add(Json value) {
+        is_read_ = open_.empty();
         (open_.empty() ? result : open_.back().items.emplace_back()) = std::move(value);
         return true;
     }
@@ -167,7 +225,17 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     const std::string& text_;
     const std::string& name_;
     std::vector<Json> open_;  // objects and lists, from the outermost one
+    bool is_read_ = false;    // the whole
 };
+
+nlohmann::json scalar(const Json& json) {
+    if (json.kind == Json::Kind::text) return json.text;
+    if (json.kind == Json::Kind::boolean) return json.number != 0;
+    if (json.kind != Json::Kind::number) return nullptr;
+    const bool is_whole = std::abs(json.number) < 1e15 && json.number == std::floor(json.number);
+    if (is_whole) return static_cast<std::int64_t>(json.number);
+    return json.number;
+}
 
 // How many letters to put in, take out or change, or neighbors to swap, to make one of the other.
 std::size_t slips(const std::string& a, const std::string& b) {
@@ -228,6 +296,18 @@ Json parse_json(const std::string& text, const std::string& name) {
     Builder builder{text, name};
     nlohmann::json::sax_parse(text, &builder);
     return std::move(builder.result);
+}
+
+std::string to_text(const Json& json) {
+    const bool is_object = json.kind == Json::Kind::object;
+    if (!is_object && json.kind != Json::Kind::list) return scalar(json).dump();
+    std::string text;
+    for (std::size_t i = 0; i < json.items.size(); ++i) {
+        text += i == 0 ? "" : ", ";
+        if (is_object) text += nlohmann::json(json.keys[i]).dump() + ": ";
+        text += to_text(json.items[i]);
+    }
+    return is_object ? '{' + text + '}' : '[' + text + ']';
 }
 
 std::string path_of_member(const std::string& parent, const std::string& key) {

@@ -32,6 +32,9 @@ std::string read_input_file(const std::filesystem::path& path, const std::string
 // nested deeper than max_json_depth; with `name` and the path where an object has a key twice.
 Json parse_json(const std::string& text, const std::string& name);
 
+// The value as a JSON text on one line. A number that is no finite one becomes null.
+std::string to_text(const Json& json);
+
 // Where a value stands in a file, as people write it: spheres[3].material, materials["a b"].
 std::string path_of_member(const std::string& parent, const std::string& key);
 std::string path_of_item(const std::string& parent, std::size_t index);

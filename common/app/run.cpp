@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <app/json.hpp>
 #include <app/limits.hpp>
 #include <app/run.hpp>
 #include <charconv>
@@ -24,7 +25,7 @@ constexpr int max_side = 65'536;
 struct Request {
     Settings settings;
     std::string out, study_folder;
-    bool explain = false, quiet = false;
+    bool explain = false, quiet = false, describe = false;
 };
 
 // Refuses what is not a whole number within the range, and says what would be right.
@@ -196,6 +197,7 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
         options.add_flag("--explain", request.explain,
                          "Say what the program is about to do, and why");
     options.add_flag("--quiet", request.quiet, "Print nothing but errors");
+    options.add_flag("--describe", request.describe)->group("");  // not in --help
     if (program.study)
         options.add_option("--study", request.study_folder,
                            "Measure accuracy against time instead; tables go to this folder");
@@ -211,8 +213,12 @@ void check_together(const Settings& settings) {
                          std::to_string(most_pixels) + " pixels");
 }
 
+Request default_request(const Program& program) {
+    return {program.defaults, program.name + ".png", {}};
+}
+
 int run_or_throw(int argc, const char* const* argv, const Program& program) {
-    Request request{program.defaults, program.name + ".png", {}};
+    Request request = default_request(program);
     CLI::App options{program.name + ": " + program.about};
     add_options(options, request, program);
     try {
@@ -225,6 +231,10 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
     }
     for (const CLI::Option* const option : options.get_options())
         if (option->count() > 0) request.settings.given.insert(option->get_single_name());
+    if (request.describe) {
+        std::puts(describe(program).c_str());
+        return done;
+    }
     check_together(request.settings);
 
     if (request.settings.given.count("study") == 0) return draw_picture(program, request);
@@ -253,6 +263,18 @@ void Progress::step() {
     const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                             std::string(static_cast<std::size_t>(bar_length - filled), '.');
     std::fprintf(stderr, "\r[%s] %3d %%", bar.c_str(), filled * 100 / bar_length);
+}
+
+std::string describe(const Program& program) {
+    Request request = default_request(program);
+    CLI::App options;
+    add_options(options, request, program);
+    Json defaults{Json::Kind::object};
+    for (const CLI::Option* const option : options.get_options()) {
+        defaults.keys.push_back(option->get_single_name());
+        defaults.items.push_back({Json::Kind::text, 0, option->get_default_str()});
+    }
+    return to_text(defaults);
 }
 
 int run(int argc, const char* const* argv, const Program& program) {

@@ -95,6 +95,10 @@ struct Program {
 // Runs the program as main() should. Every error is one line on stderr.
 int run(int argc, const char* const* argv, const Program& program);
 
+// What the hidden option --describe prints, for programs that run this one: its options, each with
+// its default, as a JSON object of texts.
+std::string describe(const Program& program);
+
 // The same image drawn row by row: calls shade(x, y) for each pixel, and steps the progress.
 template <class Shade>
 rt::Image draw(const Settings& settings, Progress& progress, Shade shade) {

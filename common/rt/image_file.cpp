@@ -2,13 +2,12 @@
 #include <stb_image_write.h>
 #include <unistd.h>
 
+#include <app/signals.hpp>
 #include <atomic>
 #include <cerrno>
 #include <climits>
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
-#include <iterator>
 #include <memory>
 #include <random>
 #include <rt/image_file.hpp>
@@ -61,33 +60,19 @@ fs::path behind_links(fs::path path) {
 // The file that Ctrl-C and the like must not leave behind, while there is one.
 std::atomic<const char*> unfinished = nullptr;
 
-extern "C" void remove_unfinished(int signal) {
+bool remove_unfinished(int) {
     if (const char* const path = unfinished) ::unlink(path);
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
+    return false;
 }
 
 // While it lives, an interruption of the program removes the file before it takes effect.
 class RemovedOnInterrupt {
   public:
-    explicit RemovedOnInterrupt(const fs::path& path) {
-        unfinished = path.c_str();
-        for (std::size_t i = 0; i < std::size(signals); ++i) {
-            before_[i] = std::signal(signals[i], remove_unfinished);
-            // Whoever chose to ignore it (nohup) still does.
-            if (before_[i] != SIG_DFL) std::signal(signals[i], before_[i]);
-        }
-    }
-    ~RemovedOnInterrupt() {
-        for (std::size_t i = 0; i < std::size(signals); ++i) std::signal(signals[i], before_[i]);
-        unfinished = nullptr;
-    }
-    RemovedOnInterrupt(const RemovedOnInterrupt&) = delete;
-    RemovedOnInterrupt& operator=(const RemovedOnInterrupt&) = delete;
+    explicit RemovedOnInterrupt(const fs::path& path) { unfinished = path.c_str(); }
+    ~RemovedOnInterrupt() { unfinished = nullptr; }
 
   private:
-    static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
-    void (*before_[std::size(signals)])(int);
+    app::OnSignal on_signal_{app::ending_signals, remove_unfinished};
 };
 
 }  // namespace

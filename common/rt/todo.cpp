@@ -1,15 +1,22 @@
-#include <filesystem>
 #include <rt/todo.hpp>
+#include <string_view>
 
 namespace rt {
 namespace {
 
-// exercises/03_sphere/rt/quadratic.hpp -> docs/03-sphere.md
-std::string text_of(const std::filesystem::path& stub) {
-    std::string topic = stub.parent_path().parent_path().filename().string();
-    if (const auto underscore = topic.find('_'); underscore != std::string::npos)
-        topic[underscore] = '-';
-    return "docs/" + topic + ".md";
+// Which text explains a chapter's exercises, as course.json has it.
+constexpr struct {
+    std::string_view chapter;
+    const char* text;
+} texts[]{
+#include "course_texts.inc"
+};
+
+std::string explained_in(const std::string& exercise) {
+    for (const auto& [chapter, text] : texts)
+        if (exercise.substr(0, exercise.find('.')) == chapter)
+            return std::string{", explained in "} + text;
+    return "";
 }
 
 // The part of the path that starts at exercises/, wherever the course was cloned to.
@@ -22,8 +29,8 @@ std::string within_course(const std::string& file) {
 
 NotImplemented::NotImplemented(std::string exercise, const std::string& file, int line)
     : std::logic_error("exercise " + exercise + " is still to be written: " + within_course(file) +
-                       ':' + std::to_string(line) + ", explained in " + text_of(file) +
-                       ", section " + exercise),
+                       ':' + std::to_string(line) + explained_in(exercise) + ", section " +
+                       exercise),
       exercise_{std::move(exercise)} {}
 
 void detail::throw_not_implemented(const ExerciseId& exercise) {

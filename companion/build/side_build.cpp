@@ -16,7 +16,7 @@ Course side_build(const Course& course, const std::string& name,
                   const std::vector<std::string>& arguments) {
     const Course side{course.root, course.build / name};
     std::vector<std::string> command{
-        "cmake", "-S", course.root.string(), "-B", side.build.string(), "-DCOURSE_MISTAKES=OFF"};
+        "cmake", "-S", course.root.string(), "-B", side.build.string(), "-DCOURSE_ALL_TESTS=OFF"};
     if (!fs::exists(side.build / "CMakeCache.txt")) {
         const std::string generator = cached(course, "CMAKE_GENERATOR");
         if (!generator.empty()) command.insert(command.end(), {"-G", generator});

@@ -3,9 +3,10 @@
 #include <companion/build/build.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/check/check.hpp>
-#include <companion/model/mistakes.hpp>
+#include <companion/check/recognition.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/process.hpp>
+#include <csignal>
 #include <map>
 
 namespace companion {
@@ -55,17 +56,21 @@ std::string said_by_all(const std::vector<TestCase>& tests) {
     return said;
 }
 
-// What a program died of, from "SIGSEGV - Segmentation violation signal" or how it ended.
-std::string cause_of(const std::string& crash) {
-    const std::pair<const char*, const char*> causes[]{
-        {"egmentation", "it used memory that is not its own (segmentation fault)"},
-        {"Floating point", "it divided a whole number by 0"},
-        {"divi", "it divided a whole number by 0"},
-        {"bort", "it was aborted, as after memory was released twice or written past its end"},
-        {"llegal", "it ran into code that is none, as after a forgotten return"}};
-    for (const auto& [part, cause] : causes)
-        if (crash.find(part) != std::string::npos) return cause;
-    return crash;
+// What a program died of; where no signal tells, in the words of its report.
+std::string cause_of(const Result& result, const std::string& reported) {
+    switch (result.signal) {
+        case SIGSEGV:
+        case SIGBUS:
+            return "it used memory that is not its own (segmentation fault)";
+        case SIGFPE:
+            return "it divided a whole number by 0";
+        case SIGABRT:
+            return "it was aborted, as after memory was released twice or written past its end";
+        case SIGILL:
+            return "it ran into code that is none, as after a forgotten return";
+        default:
+            return reported.empty() ? how_it_ended(result) : reported;
+    }
 }
 
 bool is_failing(const TestCase& test) {
@@ -76,7 +81,7 @@ void run_tests(const Course& course, Checked& checked) {
     // Sanitizers take address space by the terabyte.
     const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
     const Result result = run_process(
-        {.command = {(course.build / "check" / target_of(checked.exercise)).string(), "-r", "xml"},
+        {.command = {(course.build / "check" / target_of(checked.exercise)).string(), "-r", "events"},
          .folder = course.build,
          .output = Output::errors_hidden,
          .timeout = most_seconds,
@@ -97,9 +102,7 @@ void run_tests(const Course& course, Checked& checked) {
         checked.trouble = how_it_ended(result);
     } else if (crashed != tests.end() || result.signal != 0) {
         checked.verdict = Verdict::crashed;
-        checked.trouble =
-            cause_of(crashed != tests.end() && !crashed->crash.empty() ? crashed->crash
-                                                                       : how_it_ended(result));
+        checked.trouble = cause_of(result, crashed != tests.end() ? crashed->crash : "");
     } else if (std::any_of(tests.begin(), tests.end(), is_failing)) {
         checked.verdict = Verdict::failing;
     } else if (const std::string missing = find_missing(); !missing.empty()) {

@@ -1,9 +1,9 @@
 #pragma once
 // Checking the learner's answers: build, run, judge, remember.
 
+#include <companion/check/recognition.hpp>
 #include <companion/check/test_results.hpp>
 #include <companion/model/exercise.hpp>
-#include <companion/model/mistakes.hpp>
 
 namespace companion {
 

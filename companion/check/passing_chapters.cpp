@@ -26,16 +26,16 @@ const char* reason(Verdict verdict) {
 
 }  // namespace
 
-bool ChapterStanding::is_yours() const {
+bool CheckedChapter::passes() const {
     return !exercises.empty() &&
            std::all_of(exercises.begin(), exercises.end(),
                        [](const Checked& one) { return one.verdict == Verdict::passed; });
 }
 
-std::string ChapterStanding::why() const {
+std::string CheckedChapter::why() const {
     const auto count = std::to_string(exercises.size());
     if (exercises.empty()) return "it has no exercises";
-    if (is_yours()) return "all " + count + " exercises pass";
+    if (passes()) return "all " + count + " exercises pass";
     const auto unwritten =
         std::count_if(exercises.begin(), exercises.end(),
                       [](const Checked& one) { return one.verdict == Verdict::to_write; });
@@ -47,8 +47,8 @@ std::string ChapterStanding::why() const {
     return text;
 }
 
-std::vector<ChapterStanding> check_all(const Course& course) {
-    std::vector<ChapterStanding> all;
+std::vector<CheckedChapter> check_all_chapters(const Course& course) {
+    std::vector<CheckedChapter> all;
     for (const Chapter& chapter : chapters(course))
         all.push_back({chapter, check_exercises(course, exercises(course, chapter))});
     return all;

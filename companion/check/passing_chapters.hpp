@@ -5,17 +5,17 @@
 
 namespace companion {
 
-struct ChapterStanding {
+struct CheckedChapter {
     Chapter chapter;
     std::vector<Checked> exercises;
 
-    bool is_yours() const;
+    bool passes() const;
     // "yours: 7 exercises pass", or why the solution's is used: "01.3 fails", "02.1 to 02.4 are
     // still to be written".
     std::string why() const;
 };
 
 // Checks all exercises of all chapters.
-std::vector<ChapterStanding> check_all(const Course& course);
+std::vector<CheckedChapter> check_all_chapters(const Course& course);
 
 }  // namespace companion

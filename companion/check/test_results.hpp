@@ -1,5 +1,5 @@
 #pragma once
-// What a program of test cases said, read from Catch2's XML (version 2 or 3).
+// What a program of test cases said: the lines that the reporter of tests/support/main.cpp writes.
 
 #include <string>
 #include <vector>
@@ -12,6 +12,7 @@ struct FailedAssertion {
     std::string expanded;               // with the values: "1 == 2"
     std::string exception;              // what was thrown, where something was
     std::vector<std::string> messages;  // what the test says of it: expected, computed, hints
+    std::string missing;  // the exercise whose rt::todo was thrown, such as "01.3", or none
 };
 
 struct TestCase {
@@ -23,9 +24,9 @@ struct TestCase {
     std::vector<FailedAssertion> failures;
 };
 
-// The test cases that were begun, in their order. The text may end anywhere: a program that was
-// killed leaves half of its report.
-std::vector<TestCase> read_report(const std::string& xml);
+// The test cases that were begun, in their order. The lines may end anywhere, as those of a program
+// that was killed, and may have others among them, which the tested code printed.
+std::vector<TestCase> read_report(const std::string& lines);
 
 // The exercise whose rt::todo ended a test case, such as "01.3"; empty where none did.
 std::string missing_exercise(const TestCase& test);

@@ -12,14 +12,13 @@ namespace {
 
 // The exercises that a person means by "03.2", by "3" or "sphere", or by nothing: those of which
 // something is written.
-std::vector<Exercise> chosen(const Course& course, const Arguments& arguments) {
-    if (!arguments.empty() && arguments[0].find('.') != std::string::npos)
-        return {find_exercise(course, arguments[0])};
-    if (!arguments.empty()) return exercises(course, find_chapter(chapters(course), arguments[0]));
+std::vector<Exercise> chosen(const Course& course, const Named& name) {
+    if (name && name->find('.') != std::string::npos) return {find_exercise(course, *name)};
+    if (name) return exercises(course, find_chapter(chapters(course), *name));
     const State state = read_state(course);
     std::vector<Exercise> written;
     for (Exercise& exercise : exercises(course))
-        if (standing(course, state, exercise) != Standing::to_write)
+        if (progress_of(course, state, exercise) != Progress::to_write)
             written.push_back(std::move(exercise));
     return written;
 }
@@ -58,10 +57,8 @@ void print_chapters_done(const std::vector<Chapter>& done) {
 
 }  // namespace
 
-int check(const Course& course, const Arguments& arguments) {
-    if (arguments.size() > 1)
-        throw app::UsageError("check takes one chapter or exercise at most, such as 03 or 03.2");
-    const std::vector<Exercise> some = chosen(course, arguments);
+int check(const Course& course, const Named& name) {
+    const std::vector<Exercise> some = chosen(course, name);
     const std::vector<Checked> all = check_exercises(course, some);
     std::string chapter;
     for (const Checked& checked : all) {

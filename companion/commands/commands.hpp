@@ -2,24 +2,26 @@
 // The commands of the companion, each in a file of its own.
 
 #include <companion/model/course.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace companion {
 
-using Arguments = std::vector<std::string>;  // what follows the command's name
+// What a person names after the command: a chapter, an exercise; nothing means all.
+using Named = std::optional<std::string>;
 
 // Each returns the exit code.
-int check(const Course& course, const Arguments& arguments);
-int certify(const Course& course, const Arguments& arguments);
-int compare(const Course& course, const Arguments& arguments);
-int demo(const Course& course, const Arguments& arguments);
-int hint(const Course& course, const Arguments& arguments);
-int list(const Course& course, const Arguments& arguments);
-int mine(const Course& course, const Arguments& arguments);
-int reset(const Course& course, const Arguments& arguments);
-int run(const Course& course, const Arguments& arguments);
-int study(const Course& course, const Arguments& arguments);
-int watch(const Course& course, const Arguments& arguments);
+int check(const Course& course, const Named& chapter_or_exercise);
+int certify(const Course& course);
+int compare(const Course& course, const std::string& chapter);
+int demo(const Course& course);
+int hint(const Course& course, const std::string& exercise);
+int list(const Course& course);
+int mine(const Course& course);
+int reset(const Course& course, const std::string& exercise);
+int run(const Course& course, const std::string& chapter, const std::vector<std::string>& options);
+int study(const Course& course, const Named& chapter);
+int watch(const Course& course, const Named& chapter);
 
 }  // namespace companion

@@ -9,17 +9,15 @@
 
 namespace companion {
 
-int compare(const Course& course, const Arguments& arguments) {
-    if (arguments.size() != 1)
-        throw app::UsageError("compare takes one chapter, such as: compare 03");
-    const Chapter chapter = find_chapter(chapters(course), arguments[0]);
+int compare(const Course& course, const std::string& name) {
+    const Chapter chapter = find_chapter(chapters(course), name);
     must_build(course, chapter.name);
     must_build(course, chapter.name + "_solution");
 
     Comparison found;
     try {
         found = compare(
-            drawn_by(course.program(chapter.name), course.program(chapter.name + "_solution")));
+            two_programs(course.program(chapter.name), course.program(chapter.name + "_solution")));
     } catch (const DrawingFailed& failed) {
         std::fprintf(stderr, "course: %s\n", failed.what());
         const bool to_write =
@@ -31,7 +29,7 @@ int compare(const Course& course, const Arguments& arguments) {
     for (std::size_t i = 1; i < words.size(); ++i) std::printf("  %s\n", words[i].c_str());
     make_folder(course.out());
     const fs::path path = course.out() / (chapter.name + "_compare.png");
-    rt::replace_file(path, rt::encode_png(compare_picture(found)));
+    rt::replace_file(path, rt::encode_png(comparison_sheet(found)));
     std::printf("Both and their difference are in %s\n",
                 path.lexically_relative(course.root).c_str());
     return found.same ? app::done : app::could_not;

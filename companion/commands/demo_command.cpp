@@ -42,8 +42,7 @@ bool attempt(const Chapter& chapter, const char* what, Work work) {
 
 }  // namespace
 
-int demo(const Course& course, const Arguments& arguments) {
-    if (!arguments.empty()) throw app::UsageError("demo takes no arguments");
+int demo(const Course& course) {
     make_folder(course.out());
     const bool with_plots = is_installed("gnuplot");
     const std::vector<Chapter> all = chapters(course);

@@ -3,7 +3,6 @@
 #include <companion/model/exercise.hpp>
 #include <companion/model/hints.hpp>
 #include <companion/model/state.hpp>
-#include <companion/pages/plain_text.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
 
@@ -20,10 +19,9 @@ std::string solution_of(const Exercise& exercise) {
 
 }  // namespace
 
-int hint(const Course& course, const Arguments& arguments) {
-    if (arguments.size() != 1) throw app::UsageError("hint takes one exercise, such as: hint 03.2");
-    const Exercise exercise = find_exercise(course, arguments[0]);
-    const std::vector<std::string> all = hints(course, exercise);
+int hint(const Course& course, const std::string& id) {
+    const Exercise exercise = find_exercise(course, id);
+    std::vector<std::string> all = hints(course, exercise);
     if (all.empty())
         throw app::Failure("there are no hints to " + exercise.id + "; read " + exercise.section());
     int number = 0;
@@ -37,11 +35,13 @@ int hint(const Course& course, const Arguments& arguments) {
                     exercise.id.c_str(), exercise.section().c_str(), solution_of(exercise).c_str());
         return app::done;
     }
-    std::printf("%s\n%s",
+    std::string& words = all[static_cast<std::size_t>(number)];
+    std::erase(words, '`');  // Markdown's: code needs no mark here
+    std::printf("%s\n%s\n",
                 bold(exercise.id + ' ' + exercise.title + ", hint " + std::to_string(number + 1) +
                      " of " + std::to_string(all.size()))
                     .c_str(),
-                plain_text(all[static_cast<std::size_t>(number)]).c_str());
+                words.c_str());
     return app::done;
 }
 

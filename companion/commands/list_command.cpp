@@ -8,19 +8,19 @@
 namespace companion {
 namespace {
 
-struct Progress {
+struct Work {
     int done = 0, exercises = 0;
     double minutes = 0, minutes_left = 0;
 };
 
-std::string marked(Standing standing) {
-    const std::string text = std::string{symbol(standing)} + ' ';
-    switch (standing) {
-        case Standing::done:
+std::string marked(Progress progress) {
+    const std::string text = std::string{symbol(progress)} + ' ';
+    switch (progress) {
+        case Progress::done:
             return green(text);
-        case Standing::failing:
+        case Progress::failing:
             return red(text);
-        case Standing::to_write:
+        case Progress::to_write:
             return dim(text);
         default:
             return yellow(text);
@@ -36,40 +36,38 @@ std::string duration(double minutes) {
 
 // A chapter's hours are more than its exercises' minutes: reading takes the rest. What is left of
 // them is the share of the exercises that are not done.
-Progress progress(const Course& course, const State& state, const Chapter& chapter,
-                  const std::vector<Exercise>& all) {
-    Progress result;
+Work work_of(const Course& course, const State& state, const Chapter& chapter,
+             const std::vector<Exercise>& all) {
+    Work result;
     double of_exercises = 0, left = 0;
     for (const Exercise& exercise : all) {
-        const bool done = standing(course, state, exercise) == Standing::done;
+        const bool done = progress_of(course, state, exercise) == Progress::done;
         result.done += done;
         ++result.exercises;
         of_exercises += exercise.minutes;
         if (!done) left += exercise.minutes;
     }
-    const int in_hours = 60 * hours(course, chapter);
-    result.minutes = in_hours > 0 ? in_hours : of_exercises;
-    result.minutes_left = of_exercises > 0 ? result.minutes * left / of_exercises : 0;
+    result.minutes = 60 * chapter.hours;
+    result.minutes_left = result.minutes * left / of_exercises;
     return result;
 }
 
 }  // namespace
 
-int list(const Course& course, const Arguments& arguments) {
-    if (!arguments.empty()) throw app::UsageError("list takes no arguments");
+int list(const Course& course) {
     const State state = read_state(course);
-    Progress total;
+    Work total;
     std::vector<Exercise> every;
     for (const Chapter& chapter : chapters(course)) {
         const std::vector<Exercise> all = exercises(course, chapter);
-        const Progress part = progress(course, state, chapter, all);
+        const Work part = work_of(course, state, chapter, all);
         std::printf("%s %s %d of %d\n",
                     bold(chapter.name +
                          std::string(16 - std::min<std::size_t>(16, chapter.name.size()), ' '))
                         .c_str(),
                     bar(part.done, part.exercises, 10).c_str(), part.done, part.exercises);
         for (const Exercise& exercise : all) {
-            const Standing now = standing(course, state, exercise);
+            const Progress now = progress_of(course, state, exercise);
             std::printf("  %s%s  %-38s %s\n", marked(now).c_str(), exercise.id.c_str(),
                         exercise.title.c_str(), text(now));
             every.push_back(exercise);

@@ -1,81 +1,114 @@
 // course COMMAND: the learner's companion. The script ./course builds it and calls it.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <app/errors.hpp>
 #include <app/json.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/system/files.hpp>
 #include <cstdio>
+#include <functional>
+#include <sstream>
 
 namespace {
 
-struct Command {
-    const char* name;
-    const char* arguments;
-    const char* summary;
-    int (*run)(const companion::Course&, const companion::Arguments&);
-};
+using Words = std::vector<std::string>;
 
-// The script ./course has the same lines in its help, and a test compares them.
-constexpr Command commands[] = {
-    {"list", "", "how far you are, and what comes next (so does ./course alone)", companion::list},
-    {"check", "[NN | NN.k]", "build and try your answers: to all, a chapter, an exercise",
-     companion::check},
-    {"watch", "[NN]", "check on every save, and move on by itself", companion::watch},
-    {"hint", "NN.k", "the next of three hints: the idea, the formula, the shape of the code",
-     companion::hint},
-    {"run", "NN [OPTIONS]", "draw the chapter's picture with your code", companion::run},
-    {"compare", "NN", "your picture beside the solution's, and whether they are the same",
-     companion::compare},
-    {"mine", "", "the final scene, drawn with your code where its checkpoints pass",
-     companion::mine},
-    {"certify", "", "the final test of your own code, with measured figures", companion::certify},
-    {"reset", "NN.k", "put the exercise's stub back; what you wrote is kept", companion::reset},
-    {"demo", "", "render every chapter's picture, measure, and make the gallery out/index.html",
-     companion::demo},
-    {"study", "[NN]", "measure what accuracy costs, and draw the plots", companion::study},
-};
-
-int help() {
-    std::puts("usage: course COMMAND\n");
-    for (const Command& command : commands)
-        std::printf("  %-7s %-12s %s\n", command.name, command.arguments, command.summary);
-    return app::done;
+// The words on all commands, of which the script ./course shows the same file.
+std::string help() {
+    return companion::read_file(companion::fs::path{COURSE_ROOT} / "companion/help.txt");
 }
 
-int help(const Command& command) {
-    std::printf("usage: course %s%s%s\n\n  %s\n", command.name, *command.arguments ? " " : "",
-                command.arguments, command.summary);
-    return app::done;
+// The line of the help on one command, "check   [NN | NN.k]  build and try ...".
+std::string help(const std::string& command) {
+    std::istringstream text{help()};
+    for (std::string line; std::getline(text, line);)
+        if (line.rfind("  " + command + ' ', 0) == 0) return line.substr(2) + '\n';
+    return "";
 }
 
 bool is_help(const std::string& word) {
     return word == "--help" || word == "-h";
 }
 
-// The command that a word is nearly; empty where none is.
-std::string meant(const std::string& word) {
-    std::vector<std::string> names;
-    for (const Command& command : commands) names.emplace_back(command.name);
-    return app::nearest_word(word, names, std::min<std::size_t>(2, word.size() - 1));
+// The commands and what each of them takes, with what a person named.
+struct CommandLine {
+    CLI::App parser{"", "course"};
+    Words names;
+    companion::Named named;
+    int exit_code = app::done;
+
+    CLI::App* add(const char* name, std::function<int()> run) {
+        names.emplace_back(name);
+        CLI::App* const command = parser.add_subcommand(name);
+        command->callback([this, run = std::move(run)] { exit_code = run(); });
+        return command;
+    }
+    CLI::Option* add(const char* name, const char* argument, std::function<int()> run) {
+        return add(name, std::move(run))
+            ->add_option_function<std::string>(argument,
+                                               [this](const std::string& word) { named = word; });
+    }
+
+    explicit CommandLine(const companion::Course& course) {
+        parser.require_subcommand(1);
+        parser.set_help_flag();  // it may belong to the program that `run` runs
+        using namespace companion;
+        add("list", [&] { return list(course); });
+        add("check", "chapter-or-exercise", [&] { return check(course, named); });
+        add("watch", "chapter", [&] { return watch(course, named); });
+        add("hint", "exercise", [&] { return hint(course, *named); })->required();
+        add("run", "chapter", [&] {
+            return run(course, *named, parser.get_subcommand("run")->remaining());
+        })->required();
+        parser.get_subcommand("run")->prefix_command();
+        add("compare", "chapter", [&] { return compare(course, *named); })->required();
+        add("mine", [&] { return mine(course); });
+        add("certify", [&] { return certify(course); });
+        add("reset", "exercise", [&] { return reset(course, *named); })->required();
+        add("demo", [&] { return demo(course); });
+        add("study", "chapter", [&] { return study(course, named); });
+    }
+    CommandLine(const CommandLine&) = delete;
+    CommandLine& operator=(const CommandLine&) = delete;
+};
+
+[[noreturn]] void refuse(const std::string& word, const Words& known) {
+    const std::string guess =
+        app::nearest_word(word, known, std::min<std::size_t>(2, word.size() - 1));
+    std::string all;
+    for (const std::string& name : known) all += name + ", ";
+    throw app::UsageError(
+        "there is no command '" + word + "'; " +
+        (guess.empty() ? "there are " + all + "help" : "did you mean " + guess + '?'));
 }
 
-int dispatch(const companion::Arguments& words) {
-    if (words.empty()) return companion::list(companion::this_course(), {});
-    if (words[0] == "help" || is_help(words[0])) return help();
-    std::string known;
-    for (const Command& command : commands) {
-        if (words[0] == command.name && words.size() > 1 && is_help(words[1])) return help(command);
-        if (words[0] == command.name)
-            return command.run(companion::this_course(), {words.begin() + 1, words.end()});
-        known += std::string(command.name) + ", ";
+int obey(Words words) {
+    if (words.empty()) words = {"list"};
+    if (words[0] == "help" || is_help(words[0])) {
+        std::fputs(help().c_str(), stdout);
+        return app::done;
     }
-    const std::string guess = meant(words[0]);
-    throw app::UsageError(
-        "there is no command '" + words[0] + "'; " +
-        (guess.empty() ? "there are " + known + "help" : "did you mean " + guess + '?'));
+    const companion::Course course = companion::this_course();
+    CommandLine commands{course};
+    const std::string name = words[0];
+    if (std::count(commands.names.begin(), commands.names.end(), name) == 0)
+        refuse(name, commands.names);
+    if (words.size() > 1 && is_help(words[1])) {
+        std::fputs(("usage: course " + help(name)).c_str(), stdout);
+        return app::done;
+    }
+    try {
+        std::reverse(words.begin(), words.end());  // as the parser wants them
+        commands.parser.parse(words);
+    } catch (const CLI::ParseError& error) {
+        throw app::UsageError(name + ": " + error.what() + "; ./course " + name +
+                              " --help says what it takes");
+    }
+    return commands.exit_code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    return app::run_or_explain("course", [&] { return dispatch({argv + 1, argv + argc}); });
+    return app::run_or_explain("course", [&] { return obey({argv + 1, argv + argc}); });
 }

@@ -10,12 +10,11 @@
 
 namespace companion {
 
-int mine(const Course& course, const Arguments& arguments) {
-    if (!arguments.empty()) throw app::UsageError("mine takes no arguments");
+int mine(const Course& course) {
     std::string numbers, last;
-    for (const ChapterStanding& one : check_all(course)) {
+    for (const CheckedChapter& one : check_all_chapters(course)) {
         last = one.chapter.name;
-        const bool yours = one.is_yours();
+        const bool yours = one.passes();
         if (yours) numbers += (numbers.empty() ? "" : ";") + one.chapter.number();
         const std::string whose = yours ? "yours     " : "solution's";
         std::printf("%-16s %s  %s\n", last.c_str(), (yours ? green(whose) : yellow(whose)).c_str(),

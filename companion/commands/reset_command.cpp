@@ -28,10 +28,8 @@ fs::path new_folder(const Course& course, const Exercise& exercise) {
 
 }  // namespace
 
-int reset(const Course& course, const Arguments& arguments) {
-    if (arguments.size() != 1)
-        throw app::UsageError("reset takes one exercise, such as: reset 03.2");
-    const Exercise exercise = find_exercise(course, arguments[0]);
+int reset(const Course& course, const std::string& id) {
+    const Exercise exercise = find_exercise(course, id);
     const Stubs stubs = shipped_stubs(course, exercise.chapter);
     const fs::path chapter = fs::path{"exercises"} / exercise.chapter.name;
 

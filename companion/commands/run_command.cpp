@@ -10,7 +10,7 @@ namespace companion {
 namespace {
 
 // Whether the learner says where the picture goes, or asks for none.
-bool says_where(const Arguments& options) {
+bool says_where(const std::vector<std::string>& options) {
     return std::any_of(options.begin(), options.end(), [](const std::string& option) {
         return option == "--out" || option.rfind("--out=", 0) == 0 || option == "--study" ||
                option.rfind("--study=", 0) == 0 || option == "--help" || option == "-h";
@@ -19,12 +19,8 @@ bool says_where(const Arguments& options) {
 
 }  // namespace
 
-int run(const Course& course, const Arguments& arguments) {
-    if (arguments.empty())
-        throw app::UsageError(
-            "run takes a chapter and its program's options, such as: run 03 --width 640");
-    const Chapter chapter = find_chapter(chapters(course), arguments[0]);
-    const Arguments options{arguments.begin() + 1, arguments.end()};
+int run(const Course& course, const std::string& name, const std::vector<std::string>& options) {
+    const Chapter chapter = find_chapter(chapters(course), name);
     must_build(course, chapter.name);
 
     std::vector<std::string> command{course.program(chapter.name).string()};

@@ -6,11 +6,9 @@
 
 namespace companion {
 
-int study(const Course& course, const Arguments& arguments) {
-    if (arguments.size() > 1)
-        throw app::UsageError("study takes one chapter at most, such as: study 03");
+int study(const Course& course, const Named& name) {
     std::vector<Chapter> chosen = chapters(course);
-    if (!arguments.empty()) chosen = {find_chapter(chosen, arguments[0])};
+    if (name) chosen = {find_chapter(chosen, *name)};
     const bool with_plots = is_installed("gnuplot");
     int drawn = 0;
     for (const Chapter& chapter : chosen) {

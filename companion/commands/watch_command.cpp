@@ -68,7 +68,7 @@ class Watch {
         for (;;) {
             const State state = read_state(course_);
             const auto is_open = [&](const Exercise& exercise) {
-                return standing(course_, state, exercise) != Standing::done;
+                return progress_of(course_, state, exercise) != Progress::done;
             };
             auto next =
                 std::find_if(all_.begin() + static_cast<long>(current_), all_.end(), is_open);
@@ -79,7 +79,7 @@ class Watch {
                 return false;
             }
             current_ = static_cast<std::size_t>(next - all_.begin());
-            if (standing(course_, state, *next) == Standing::to_write) {
+            if (progress_of(course_, state, *next) == Progress::to_write) {
                 print('\n' + next_step(course_, &*next));
                 print_keys();
                 return true;
@@ -188,7 +188,7 @@ class Watch {
         const State state = read_state(course_);
         for (std::size_t step = 1; step <= all_.size(); ++step) {
             const std::size_t i = (current_ + step) % all_.size();
-            if (standing(course_, state, all_[i]) == Standing::done) continue;
+            if (progress_of(course_, state, all_[i]) == Progress::done) continue;
             current_ = i;
             break;
         }
@@ -216,11 +216,9 @@ class Watch {
 
 }  // namespace
 
-int watch(const Course& course, const Arguments& arguments) {
-    if (arguments.size() > 1)
-        throw app::UsageError("watch takes one chapter at most, such as: watch 03");
-    if (arguments.empty()) return Watch{course, exercises(course), true}.run();
-    const Chapter chapter = find_chapter(chapters(course), arguments[0]);
+int watch(const Course& course, const Named& name) {
+    if (!name) return Watch{course, exercises(course), true}.run();
+    const Chapter chapter = find_chapter(chapters(course), *name);
     return Watch{course, exercises(course, chapter), false}.run();
 }
 

@@ -28,42 +28,42 @@ bool same_size(const Picture& a, const Picture& b) {
     return a.width == b.width && a.height == b.height;
 }
 
-// All tests of places in one order: light and noise, in three channels, of tiles and blocks.
-struct PlaceTest {
-    const TileTest* place;
+// The tests of all tiles and blocks in one order: light and noise, in three channels.
+struct LocalTest {
+    const TileStatistics* tile;
     bool of_noise;
     double p;
 };
 
-std::vector<PlaceTest> place_tests(const PictureTest& test) {
-    std::vector<PlaceTest> tests;
-    for (const auto* places : {&test.tiles, &test.blocks})
-        for (const TileTest& place : *places)
+std::vector<LocalTest> local_tests(const PictureStatistics& statistics) {
+    std::vector<LocalTest> tests;
+    for (const auto* tiles : {&statistics.tiles, &statistics.blocks})
+        for (const TileStatistics& tile : *tiles)
             for (std::size_t c = 0; c < 3; ++c) {
-                tests.push_back({&place, false, place.p[c]});
-                tests.push_back({&place, true, place.noise_p[c]});
+                tests.push_back({&tile, false, tile.p[c]});
+                tests.push_back({&tile, true, tile.noise_p[c]});
             }
     return tests;
 }
 
 // What the first step suspects.
 struct Suspects {
-    std::vector<std::size_t> tests;  // of place_tests
+    std::vector<std::size_t> tests;  // of local_tests
     bool many = false;               // of all tests
     bool pixels = false, pixel_noise = false, tile_noise = false;
 
     bool any() const { return !tests.empty() || pixels || pixel_noise || tile_noise; }
 };
 
-Suspects suspects(const PictureTest& test) {
+Suspects suspects(const PictureStatistics& statistics) {
     Suspects found;
-    const auto tests = place_tests(test);
+    const auto tests = local_tests(statistics);
     for (std::size_t i = 0; i < tests.size(); ++i)
         if (tests[i].p < screening) found.tests.push_back(i);
     found.many = 10 * found.tests.size() > tests.size();
-    found.pixels = test.pixels_p < screening;
-    found.pixel_noise = test.pixel_noise.p < screening;
-    found.tile_noise = test.tile_noise.p < screening;
+    found.pixels = statistics.pixels_p < screening;
+    found.pixel_noise = statistics.pixel_noise.p < screening;
+    found.tile_noise = statistics.tile_noise.p < screening;
     return found;
 }
 
@@ -72,48 +72,48 @@ bool contains(const Tile& outer, const Tile& inner) {
            outer.top <= inner.top && inner.top < outer.top + outer.height;
 }
 
-// Adds a place that differs, unless the last one is the same, or it is a block and a tile in it
+// Adds a tile that differs, unless the last one is the same, or it is a block and a tile in it
 // says more.
-void add_place(std::vector<TileTest>& places, const TileTest& place) {
-    for (const TileTest& other : places)
-        if (contains(place.tile, other.tile)) return;
-    places.push_back(place);
+void add_tile(std::vector<TileStatistics>& tiles, const TileStatistics& tile) {
+    for (const TileStatistics& other : tiles)
+        if (contains(tile.tile, other.tile)) return;
+    tiles.push_back(tile);
 }
 
-// Of the chance to err, 4 of 10 parts go to the places, 2 to each test of the picture as a whole.
+// Of the chance to err, 4 of 10 parts go to the tiles, 2 to each test of the picture as a whole.
 void confirm(Comparison& comparison, const Suspects& suspected) {
-    const PictureTest& test = comparison.test;
-    const auto tests = place_tests(test);
+    const PictureStatistics& statistics = comparison.statistics;
+    const auto tests = local_tests(statistics);
     const double bar =
         wronged * 0.4 / static_cast<double>(std::max<std::size_t>(1, suspected.tests.size()));
     for (const std::size_t i : suspected.tests)
         if (tests[i].p < bar)
-            add_place(tests[i].of_noise ? comparison.noise_places : comparison.places,
-                      *tests[i].place);
+            add_tile(tests[i].of_noise ? comparison.noise_differs_in : comparison.light_differs_in,
+                     *tests[i].tile);
     const auto sure = [](bool suspect, double p) { return suspect && p < wronged * 0.2; };
-    comparison.pixels_differ = sure(suspected.pixels, test.pixels_p);
-    comparison.pixel_noise_differs = sure(suspected.pixel_noise, test.pixel_noise.p);
-    comparison.tile_noise_differs = sure(suspected.tile_noise, test.tile_noise.p);
+    comparison.pixels_differ = sure(suspected.pixels, statistics.pixels_p);
+    comparison.pixel_noise_differs = sure(suspected.pixel_noise, statistics.pixel_noise.p);
+    comparison.tile_noise_differs = sure(suspected.tile_noise, statistics.tile_noise.p);
 }
 
-void add_still_places(Comparison& comparison) {
-    for (const TileTest& tile : comparison.test.tiles)
-        if (tile.still_differing > 0) comparison.places.push_back(tile);
+void add_still_tiles(Comparison& comparison) {
+    for (const TileStatistics& tile : comparison.statistics.tiles)
+        if (tile.still_differing > 0) comparison.light_differs_in.push_back(tile);
 }
 
 // At the same time: most programs use one core.
-std::pair<Picture, Picture> draw_both(const Drawn& drawn, std::uint64_t my_seed,
+std::pair<Picture, Picture> draw_both(const TwoPrograms& programs, std::uint64_t my_seed,
                                       std::uint64_t solutions_seed) {
-    auto solution = std::async(std::launch::async, drawn.solution, solutions_seed);
-    Picture mine = drawn.mine(my_seed);
+    auto solution = std::async(std::launch::async, programs.solution, solutions_seed);
+    Picture mine = programs.mine(my_seed);
     return {std::move(mine), solution.get()};
 }
 
 // Draws one step's pictures of both programs and appends them. False where the sizes differ.
-bool draw_step(const Drawn& drawn, Seeds& seeds, int pictures, Comparison& comparison) {
+bool draw_step(const TwoPrograms& programs, Seeds& seeds, int pictures, Comparison& comparison) {
     comparison.pictures = pictures;
     for (int i = 0; i < pictures; ++i) {
-        const auto [mine, solution] = draw_both(drawn, seeds(), seeds());
+        const auto [mine, solution] = draw_both(programs, seeds(), seeds());
         comparison.mine.push_back(mine);
         comparison.solution.push_back(solution);
         if (!same_size(comparison.mine.back(), comparison.solution.back())) return false;
@@ -121,17 +121,17 @@ bool draw_step(const Drawn& drawn, Seeds& seeds, int pictures, Comparison& compa
     return true;
 }
 
-PictureTest test_last_step(const Comparison& comparison) {
-    return test_pictures(
+PictureStatistics test_last_step(const Comparison& comparison) {
+    return statistics_of(
         {comparison.mine.end() - comparison.pictures, comparison.mine.end()},
         {comparison.solution.end() - comparison.pictures, comparison.solution.end()});
 }
 
 // With the same random numbers equal code draws equal pictures.
-bool bit_for_bit(const Drawn& drawn, Seeds& seeds, Comparison& comparison) {
+bool bit_for_bit(const TwoPrograms& programs, Seeds& seeds, Comparison& comparison) {
     for (int i = 0; i < 2; ++i) {
         const std::uint64_t seed = seeds();
-        const auto [mine, solution] = draw_both(drawn, seed, seed);
+        const auto [mine, solution] = draw_both(programs, seed, seed);
         if (mine != solution) return false;
         comparison.mine.push_back(mine);
         comparison.solution.push_back(solution);
@@ -141,7 +141,7 @@ bool bit_for_bit(const Drawn& drawn, Seeds& seeds, Comparison& comparison) {
 
 // The region whose pixels differ most beyond noise.
 std::vector<std::string> pixel_regions(const Comparison& comparison) {
-    const auto& tiles = comparison.test.tiles;
+    const auto& tiles = comparison.statistics.tiles;
     const auto most = std::max_element(
         tiles.begin(), tiles.end(),
         [](const auto& a, const auto& b) { return a.pixel_excess < b.pixel_excess; });
@@ -157,52 +157,52 @@ Comparison compare_still(const Picture& mine, const Picture& solution) {
     comparison.sizes_differ = !same_size(mine, solution);
     if (comparison.sizes_differ) return comparison;
     comparison.bit_for_bit = mine == solution;
-    comparison.test = test_pictures(comparison.mine, comparison.solution);
-    comparison.same = !comparison.test.still_differs();
-    if (!comparison.same) add_still_places(comparison);
+    comparison.statistics = statistics_of(comparison.mine, comparison.solution);
+    comparison.same = !comparison.statistics.still_differs();
+    if (!comparison.same) add_still_tiles(comparison);
     return comparison;
 }
 
-Comparison compare(const Drawn& drawn, std::uint64_t start) {
+Comparison compare(const TwoPrograms& programs, std::uint64_t start) {
     Seeds seeds{start};
-    if (!drawn.random) {
-        const auto [mine, solution] = draw_both(drawn, start, start);
+    if (!programs.random) {
+        const auto [mine, solution] = draw_both(programs, start, start);
         return compare_still(mine, solution);
     }
 
     Comparison comparison;
-    if (bit_for_bit(drawn, seeds, comparison)) {
+    if (bit_for_bit(programs, seeds, comparison)) {
         comparison.pictures = 2;
-        comparison.test = test_pictures(comparison.mine, comparison.solution);
+        comparison.statistics = statistics_of(comparison.mine, comparison.solution);
         comparison.same = comparison.bit_for_bit = true;
         return comparison;
     }
     comparison.mine.clear();
     comparison.solution.clear();
-    if (!draw_step(drawn, seeds, first_step, comparison)) {
+    if (!draw_step(programs, seeds, first_step, comparison)) {
         comparison.sizes_differ = true;
         return comparison;
     }
-    comparison.test = test_last_step(comparison);
-    if (comparison.test.still_differs()) {
-        add_still_places(comparison);
-        for (const TileTest& tile : comparison.test.tiles)
+    comparison.statistics = test_last_step(comparison);
+    if (comparison.statistics.still_differs()) {
+        add_still_tiles(comparison);
+        for (const TileStatistics& tile : comparison.statistics.tiles)
             if (tile.still_differing == 0 &&
                 *std::min_element(tile.p.begin(), tile.p.end()) < wronged / 1'000'000)
-                comparison.places.push_back(tile);
+                comparison.light_differs_in.push_back(tile);
         return comparison;
     }
-    const Suspects suspected = suspects(comparison.test);
+    const Suspects suspected = suspects(comparison.statistics);
     if (suspected.any()) {
-        if (!draw_step(drawn, seeds, suspected.many ? short_second_step : second_step,
+        if (!draw_step(programs, seeds, suspected.many ? short_second_step : second_step,
                        comparison)) {
             comparison.sizes_differ = true;
             return comparison;
         }
-        comparison.test = test_last_step(comparison);
+        comparison.statistics = test_last_step(comparison);
         confirm(comparison, suspected);
     }
-    comparison.same = comparison.places.empty() && comparison.noise_places.empty() &&
+    comparison.same = comparison.light_differs_in.empty() && comparison.noise_differs_in.empty() &&
                       !comparison.pixels_differ && !comparison.pixel_noise_differs &&
                       !comparison.tile_noise_differs;
     return comparison;
@@ -220,32 +220,33 @@ std::vector<std::string> Comparison::words() const {
     if (bit_for_bit) return {"The same as the solution's, bit for bit."};
     if (same && pictures == 1)
         return {number("The same: %ld of %ld pixels differ by more than a step of 255; %ld may.",
-                       test.still_differing, test.pixels, test.pixels / 1000)};
+                       statistics.still_differing, statistics.pixels, statistics.pixels / 1000)};
     if (same)
         return {number("The same within noise: %zu pictures of each, with other random numbers.",
                        mine.size())};
 
     std::vector<std::string> lines{"It differs from the solution's."};
-    if (test.still_differs())
+    if (statistics.still_differs())
         lines.push_back(number("%ld of %ld pixels differ by more than a step of 255; %ld may.",
-                               test.still_differing, test.pixels, test.pixels / 1000));
-    for (const std::string& place :
-         describe_places(places, test.tiles, mine.front().width, mine.front().height))
-        lines.push_back(place);
-    if (places.empty()) lines.push_back("The light of every tile is right on average.");
-    if (places.empty() && pixels_differ)
+                               statistics.still_differing, statistics.pixels,
+                               statistics.pixels / 1000));
+    for (const std::string& line : describe_by_region(light_differs_in, statistics.tiles,
+                                                      mine.front().width, mine.front().height))
+        lines.push_back(line);
+    if (light_differs_in.empty()) lines.push_back("The light of every tile is right on average.");
+    if (light_differs_in.empty() && pixels_differ)
         for (const std::string& region : pixel_regions(*this))
             lines.push_back(region + ": single pixels differ, as where samples lie elsewhere");
     if (pixel_noise_differs)
         lines.push_back(number("noise: a pixel's variance is %.2g times the solution's",
-                               test.pixel_noise.ratio));
+                               statistics.pixel_noise.ratio));
     if (tile_noise_differs)
         lines.push_back(
             number("noise: the variance of a tile of %dx%d pixels is %.2g times the solution's",
-                   tile_side, tile_side, test.tile_noise.ratio));
-    if (places.empty() && !pixels_differ && !pixel_noise_differs && !tile_noise_differs)
+                   tile_side, tile_side, statistics.tile_noise.ratio));
+    if (light_differs_in.empty() && !pixels_differ && !pixel_noise_differs && !tile_noise_differs)
         for (const std::string& region :
-             regions_of(noise_places, mine.front().width, mine.front().height))
+             regions_of(noise_differs_in, mine.front().width, mine.front().height))
             lines.push_back(region + ": noisier or smoother than the solution's");
     return lines;
 }

@@ -8,7 +8,7 @@
 namespace companion {
 
 // Two programs that draw; each seed gives other random numbers.
-struct Drawn {
+struct TwoPrograms {
     std::function<Picture(std::uint64_t seed)> mine, solution;
     bool random = false;  // without it all seeds give one picture
 };
@@ -18,10 +18,11 @@ struct Comparison {
     bool bit_for_bit = false;
     bool sizes_differ = false;
     int pictures = 1;              // of each program, that the verdict rests on
-    PictureTest test;              // of these
-    std::vector<TileTest> places;  // tiles whose light differs, and blocks where no tile tells
-    std::vector<TileTest> noise_places;  // the same of the noise
-    bool pixels_differ = false;          // though the light of each tile may be right
+    PictureStatistics statistics;  // of these
+    std::vector<TileStatistics>
+        light_differs_in;  // tiles whose light differs, and blocks where no tile tells
+    std::vector<TileStatistics> noise_differs_in;  // the same of the noise
+    bool pixels_differ = false;                    // though the light of each tile may be right
     bool pixel_noise_differs = false, tile_noise_differs = false;
     std::vector<Picture> mine, solution;  // all that were drawn
 
@@ -29,12 +30,12 @@ struct Comparison {
     std::vector<std::string> words() const;
 };
 
-// Compares in two steps. The first looks at all places, with 8 pictures of each program, and has a
+// Compares in two steps. The first looks at all tiles, with 8 pictures of each program, and has a
 // low bar. What seems to differ there is tested with new pictures and the bar that counts: of right
 // programs one in a thousand is wronged, however often the first step errs, for the second one
 // divides this chance among the few tests that it repeats. `start` picks the seeds; none is used
 // twice.
-Comparison compare(const Drawn& drawn, std::uint64_t start = 1);
+Comparison compare(const TwoPrograms& programs, std::uint64_t start = 1);
 
 // The same seen from the pictures of one program without chance each.
 Comparison compare_still(const Picture& mine, const Picture& solution);

@@ -50,12 +50,12 @@ Image heat_map(const Comparison& comparison, const Image& mine, const Image& sol
         return Color{static_cast<Real>(light[0]), static_cast<Real>(light[1]),
                      static_cast<Real>(light[2])};
     };
-    for (const TileTest& place : comparison.places)
+    for (const TileStatistics& place : comparison.light_differs_in)
         paint(place.tile, [&](int, int) { return heat(color(place.mine), color(place.solution)); });
-    for (const TileTest& place : comparison.noise_places)
+    for (const TileStatistics& place : comparison.noise_differs_in)
         paint(place.tile, [&](int, int) { return Real(0.3) * other; });
-    if (comparison.places.empty() && comparison.pixels_differ)
-        for (const TileTest& tile : comparison.test.tiles)
+    if (comparison.light_differs_in.empty() && comparison.pixels_differ)
+        for (const TileStatistics& tile : comparison.statistics.tiles)
             paint(tile.tile, [&](int, int) {
                 return std::clamp(static_cast<Real>(tile.pixel_excess), Real(0), Real(1)) * other;
             });
@@ -77,7 +77,7 @@ void write(Image& sheet, int left, std::string_view text) {
 
 }  // namespace
 
-Image compare_picture(const Comparison& comparison) {
+Image comparison_sheet(const Comparison& comparison) {
     const Image mine = mean_of(comparison.mine), solution = mean_of(comparison.solution);
     const int width = solution.width(), height = solution.height();
     const Image map = comparison.sizes_differ ? Image{width, height, other}

@@ -6,6 +6,6 @@ namespace companion {
 
 // Both pictures side by side, and the solution's in gray with a heat map on it: orange where yours
 // is too bright, blue where it is too dark, violet where it has another color or noise.
-rt::Image compare_picture(const Comparison& comparison);
+rt::Image comparison_sheet(const Comparison& comparison);
 
 }  // namespace companion

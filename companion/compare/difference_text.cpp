@@ -22,8 +22,8 @@ struct Light {
     std::array<double, 3> mine{}, solution{};
     double apart = 0;  // sum of the tiles' differences, whatever their sign
 
-    explicit Light(const std::vector<TileTest>& tiles) {
-        for (const TileTest& tile : tiles)
+    explicit Light(const std::vector<TileStatistics>& tiles) {
+        for (const TileStatistics& tile : tiles)
             for (std::size_t i = 0; i < 3; ++i) {
                 const double pixels = tile.tile.width * tile.tile.height;
                 mine[i] += tile.mine[i] * pixels;
@@ -72,13 +72,14 @@ std::string region_of(const Tile& tile, int width, int height) {
     return names[third(tile.top, tile.height, height)][third(tile.left, tile.width, width)];
 }
 
-std::vector<std::string> regions_of(const std::vector<TileTest>& tiles, int width, int height) {
+std::vector<std::string> regions_of(const std::vector<TileStatistics>& tiles, int width,
+                                    int height) {
     std::set<std::string> regions;
-    for (const TileTest& tile : tiles) regions.insert(region_of(tile.tile, width, height));
+    for (const TileStatistics& tile : tiles) regions.insert(region_of(tile.tile, width, height));
     return {regions.begin(), regions.end()};
 }
 
-std::string describe_difference(const std::vector<TileTest>& tiles) {
+std::string describe_difference(const std::vector<TileStatistics>& tiles) {
     const Light light{tiles};
     const double all = Light::sum(light.solution);
     const double apart = all > 0 ? light.apart / all : 1;
@@ -92,10 +93,11 @@ std::string describe_difference(const std::vector<TileTest>& tiles) {
     return text;
 }
 
-std::vector<std::string> describe_places(const std::vector<TileTest>& differing,
-                                         const std::vector<TileTest>& all, int width, int height) {
-    std::map<std::string, std::vector<TileTest>> by_region;
-    for (const TileTest& tile : differing)
+std::vector<std::string> describe_by_region(const std::vector<TileStatistics>& differing,
+                                            const std::vector<TileStatistics>& all, int width,
+                                            int height) {
+    std::map<std::string, std::vector<TileStatistics>> by_region;
+    for (const TileStatistics& tile : differing)
         by_region[region_of(tile.tile, width, height)].push_back(tile);
     if (by_region.size() >= 7 && 2 * differing.size() > all.size())
         return {"everywhere: " + describe_difference(differing)};

@@ -60,7 +60,7 @@ class Variation {
         for (std::size_t i = 0; i < squares.size(); ++i) of_picture_[i] += squares[i] / sum;
         ++count_;
     }
-    NoiseTest test(const Both& both) const {
+    NoiseStatistics test(const Both& both) const {
         if (count_ == 0) return {};
         const Sample mine = mine_of(both, of_picture_), solution = solution_of(both, of_picture_);
         return {mine.mean / solution.mean, welch_p(mine, solution)};
@@ -79,7 +79,8 @@ std::vector<double> squared_distances(const std::vector<double>& values) {
 }
 
 // The tile's still pixels: counts those that differ, and returns the others, the noisy ones.
-std::vector<std::size_t> sort_out_still(const Both& both, TileTest& test, PictureTest& all) {
+std::vector<std::size_t> sort_out_still(const Both& both, TileStatistics& test,
+                                        PictureStatistics& all) {
     std::vector<std::size_t> noisy;
     for (const std::size_t pixel : pixels_of(test.tile, both.width())) {
         if (!is_constant(both.mine, pixel) || !is_constant(both.solution, pixel)) {
@@ -143,7 +144,7 @@ struct Sums {
     }
 };
 
-void test_sums(const Both& both, const Sums& sums, TileTest& test) {
+void test_sums(const Both& both, const Sums& sums, TileStatistics& test) {
     for (std::size_t c = 0; c < 3; ++c) {
         const Sums::Channel& channel = sums.channels[c];
         test.p[c] = welch_p(mine_of(both, channel.light), solution_of(both, channel.light),
@@ -175,8 +176,8 @@ double mean_light(const Pictures& pictures, const Tile& tile, std::size_t channe
     return sum / static_cast<double>(pixels.size() * pictures.size());
 }
 
-TileTest untested(const Both& both, const Tile& tile) {
-    TileTest test;
+TileStatistics untested(const Both& both, const Tile& tile) {
+    TileStatistics test;
     test.tile = tile;
     for (std::size_t channel = 0; channel < 3; ++channel) {
         test.mine[channel] = mean_light(both.mine, tile, channel);
@@ -196,10 +197,10 @@ std::vector<Tile> tiles_of(int width, int height, int side) {
     return tiles;
 }
 
-PictureTest test_pictures(const Pictures& mine, const Pictures& solution) {
+PictureStatistics statistics_of(const Pictures& mine, const Pictures& solution) {
     const Both both{mine, solution};
     const int width = both.width(), height = mine.front().height;
-    PictureTest all;
+    PictureStatistics all;
     all.pixels = mine.front().pixels();
     for (const Tile& block : tiles_of(width, height, block_side))
         all.blocks.push_back(untested(both, block));
@@ -209,7 +210,7 @@ PictureTest test_pictures(const Pictures& mine, const Pictures& solution) {
     Variation pixel_variation{both.count()}, tile_variation{both.count()};
     Products products{both.count()};
     for (const Tile& tile : tiles_of(width, height)) {
-        TileTest test = untested(both, tile);
+        TileStatistics test = untested(both, tile);
         Sums sums{both.count()};
         const auto noisy = sort_out_still(both, test, all);
         for (const std::size_t pixel : noisy) sums.add(both, pixel);

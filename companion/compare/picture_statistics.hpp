@@ -31,7 +31,7 @@ struct Tile {
 std::vector<Tile> tiles_of(int width, int height, int side = tile_side);
 
 // What was found in a tile, for red, green and blue.
-struct TileTest {
+struct TileStatistics {
     Tile tile;
     std::array<double, 3> mine{}, solution{};  // mean linear light of all its pixels
     std::array<double, 3> p{1, 1, 1};          // Welch's, of the light
@@ -45,17 +45,17 @@ struct TileTest {
 
 // How much a program's pictures vary, against the other's: 1 is as much, 4 is four times the
 // variance.
-struct NoiseTest {
+struct NoiseStatistics {
     double ratio = 1, p = 1;
 };
 
-struct PictureTest {
-    std::vector<TileTest> tiles;
-    std::vector<TileTest> blocks;          // of 4 x 4 tiles: what is too little for a tile
+struct PictureStatistics {
+    std::vector<TileStatistics> tiles;
+    std::vector<TileStatistics> blocks;    // of 4 x 4 tiles: what is too little for a tile
     long pixels = 0, still_differing = 0;  // by more than one step of 255
     int largest_step = 0;                  // of a still pixel
-    NoiseTest pixel_noise;                 // of each pixel by itself
-    NoiseTest tile_noise;                  // of the tiles' means: neighbors that vary together
+    NoiseStatistics pixel_noise;           // of each pixel by itself
+    NoiseStatistics tile_noise;            // of the tiles' means: neighbors that vary together
     double pixels_p = 1;                   // of the mean pictures, pixel by pixel
 
     // As for pictures without chance: at most one pixel in a thousand.
@@ -64,6 +64,7 @@ struct PictureTest {
 
 // Compares pictures, all of one size; of each program one, or at least two with other random
 // numbers.
-PictureTest test_pictures(const std::vector<Picture>& mine, const std::vector<Picture>& solution);
+PictureStatistics statistics_of(const std::vector<Picture>& mine,
+                                const std::vector<Picture>& solution);
 
 }  // namespace companion

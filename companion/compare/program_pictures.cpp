@@ -1,11 +1,12 @@
 #include <unistd.h>
 
+#include <app/json.hpp>
 #include <atomic>
 #include <cmath>
 #include <companion/compare/program_pictures.hpp>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <regex>
 
 namespace companion {
 namespace {
@@ -45,20 +46,19 @@ Result run_for(const std::vector<std::string>& command) {
 
 }  // namespace
 
-DrawingOptions options_from_help(const std::string& help) {
-    DrawingOptions options;
-    const auto default_of = [&](const char* name) {
-        // "--width INT:whole number=960", and newer versions "--width INT:whole number [960]"
-        const std::regex pattern{std::string(name) + "[^\n]*?(?:=|\\[)(\\d{1,7})\\b"};
-        std::smatch match;
-        return std::regex_search(help, match, pattern) ? std::stoi(match[1]) : 0;
+DrawingOptions options_from(const std::string& description) {
+    const app::Json defaults = app::parse_json(description, "--describe");
+    const auto default_of = [&](const std::string& name) -> const app::Json* {
+        for (std::size_t i = 0; i < defaults.keys.size(); ++i)
+            if (defaults.keys[i] == name) return &defaults.items[i];
+        return nullptr;
     };
-    options.width = default_of("--width");
-    options.height = default_of("--height");
-    options.spp = default_of("--spp");
-    options.depth = default_of("--depth");
-    options.has_seed = help.find("--seed") != std::string::npos;
-    return options;
+    const auto number = [&](const char* name) {
+        const app::Json* const value = default_of(name);
+        return value ? std::atoi(value->text.c_str()) : 0;
+    };
+    return {number("width"), number("height"), number("spp"), number("depth"),
+            default_of("seed") != nullptr};
 }
 
 DrawingOptions for_comparison(DrawingOptions options) {
@@ -93,9 +93,9 @@ Picture draw_with(const fs::path& program, const DrawingOptions& options, std::u
     return parse_ppm({std::istreambuf_iterator<char>{in}, {}});
 }
 
-Drawn drawn_by(const fs::path& mine, const fs::path& solution) {
+TwoPrograms two_programs(const fs::path& mine, const fs::path& solution) {
     const DrawingOptions options =
-        for_comparison(options_from_help(run_for({solution.string(), "--help"}).output));
+        for_comparison(options_from(run_for({solution.string(), "--describe"}).output));
     const auto draw = [options](const fs::path& program) {
         return [=](std::uint64_t seed) { return draw_with(program, options, seed); };
     };

@@ -16,13 +16,14 @@ struct DrawingFailed : app::Failure {
     Result result;
 };
 
-// What a program's --help says of its options; 0 where it has no such option.
+// The defaults of a program's options; 0 where it has no such option.
 struct DrawingOptions {
     int width = 0, height = 0, spp = 0, depth = 0;
     bool has_seed = false;
 };
 
-DrawingOptions options_from_help(const std::string& help);
+// From what a program prints of itself when it is asked to --describe its options.
+DrawingOptions options_from(const std::string& description);
 
 // The size and the samples with which pictures of a program are compared. Programs without chance
 // draw once, as they always do; others many times, so small and with few samples.
@@ -33,6 +34,6 @@ Picture draw_with(const std::filesystem::path& program, const DrawingOptions& op
                   std::uint64_t seed);
 
 // Two programs as compare() wants them. Whether there is chance is asked of the solution.
-Drawn drawn_by(const std::filesystem::path& mine, const std::filesystem::path& solution);
+TwoPrograms two_programs(const std::filesystem::path& mine, const std::filesystem::path& solution);
 
 }  // namespace companion

@@ -1,7 +1,7 @@
 #include <app/errors.hpp>
 #include <companion/model/course.hpp>
+#include <companion/model/course_file.hpp>
 #include <cstdlib>
-#include <fstream>
 
 namespace companion {
 
@@ -12,21 +12,8 @@ Course this_course() {
     return {COURSE_ROOT, COURSE_BUILD};
 }
 
-std::string Chapter::document() const {
-    std::string text = name;
-    if (const auto underscore = text.find('_'); underscore != std::string::npos)
-        text[underscore] = '-';
-    return text + ".md";
-}
-
 std::vector<Chapter> chapters(const Course& course) {
-    const fs::path list = course.build / "chapters.txt";
-    std::ifstream in{list};
-    if (!in) throw app::Failure(list.string() + " is not there: run cmake --preset release");
-    std::vector<Chapter> found;
-    for (std::string line; std::getline(in, line);)
-        if (!line.empty()) found.push_back({line});
-    return found;
+    return read_course_file(course).chapters;
 }
 
 Chapter find_chapter(const std::vector<Chapter>& chapters, const std::string& name) {

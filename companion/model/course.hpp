@@ -21,17 +21,21 @@ struct Course {
 // The copy of the course that this program was built from.
 Course this_course();
 
-// A chapter by its name, such as "03_sphere".
+// A chapter as course.json has it. Paths are within the course.
 struct Chapter {
-    std::string name;
+    std::string name = {};   // "03_sphere"
+    std::string title = {};  // "The sphere"
+    bool core = true;        // else it is an elective
+    int hours = 0;           // of study, with reading
+    fs::path text = {}, hints = {};
+    std::string caption = {};  // what its picture shows
 
     std::string number() const { return name.substr(0, name.find('_')); }  // "03"
-    std::string document() const;                                          // "03-sphere.md"
     std::string picture() const { return name + ".png"; }
     std::string table() const { return name + ".csv"; }
 };
 
-// All chapters in their order, as the build wrote them down.
+// All chapters in their order.
 std::vector<Chapter> chapters(const Course& course);
 
 // The chapter that a person means by "3", "03", "03_sphere" or "sphere". Throws app::UsageError,

@@ -1,29 +1,13 @@
 #include <algorithm>
 #include <app/errors.hpp>
+#include <companion/model/course_file.hpp>
 #include <companion/model/exercise.hpp>
 #include <companion/model/stubs.hpp>
 #include <companion/system/files.hpp>
-#include <cstdlib>
 #include <map>
-#include <sstream>
 
 namespace companion {
 namespace {
-
-// "### 01.3 Length and unit vectors (about 45 minutes)"; an empty id where it is another line.
-Exercise from_heading(const std::string& line, const Chapter& chapter) {
-    Exercise exercise;
-    const std::string start = "### " + chapter.number() + '.', about = " (about ";
-    const auto minutes = line.rfind(about);
-    const auto space = line.find(' ', start.size());
-    if (line.rfind(start, 0) != 0 || minutes == std::string::npos || space >= minutes)
-        return exercise;
-    exercise.id = line.substr(4, space - 4);
-    exercise.title = line.substr(space + 1, minutes - space - 1);
-    exercise.minutes = std::atoi(line.c_str() + minutes + about.size());
-    exercise.chapter = chapter;
-    return exercise;
-}
 
 // A hash over files and what is in them.
 template <class Read>
@@ -33,32 +17,34 @@ std::string hash_over(const std::vector<fs::path>& files, const Read& read) {
     return hash_of(bytes);
 }
 
-}  // namespace
-
-std::vector<Exercise> exercises(const Course& course, const Chapter& chapter) {
+// Fills in what was shipped of a chapter's exercises.
+void add_shipped(const Course& course, const Chapter& chapter, std::vector<Exercise>& exercises) {
     const Stubs stubs = shipped_stubs(course, chapter);
-    std::istringstream text{read_file(course.root / "docs" / chapter.document())};
-    std::vector<Exercise> found;
-    for (std::string line; std::getline(text, line);) {
-        Exercise exercise = from_heading(line, chapter);
-        if (exercise.id.empty()) continue;
-        for (const auto& [file, source] : stubs)
-            if (const int todos = count_todos(source, exercise.id)) {
-                exercise.files.push_back(fs::path{"exercises"} / chapter.name / file);
-                exercise.shipped_todos += todos;
-            }
-        found.push_back(exercise);
-    }
-    std::map<fs::path, int> users;
-    for (const Exercise& exercise : found)
-        for (const fs::path& file : exercise.files) ++users[file];
     const auto read = [&](const fs::path& file) {
-        return stubs.at(file.lexically_relative(fs::path{"exercises"} / chapter.name));
+        const auto stub = stubs.find(file.lexically_relative(fs::path{"exercises"} / chapter.name));
+        if (stub == stubs.end())
+            throw app::Failure("course.json names " + file.string() + ", which was never shipped");
+        return stub->second;
     };
-    for (Exercise& exercise : found)
+    std::map<fs::path, int> users;
+    for (Exercise& exercise : exercises)
+        for (const fs::path& file : exercise.files) {
+            ++users[file];
+            exercise.shipped_todos += count_todos(read(file), exercise.id);
+        }
+    for (Exercise& exercise : exercises)
         if (std::all_of(exercise.files.begin(), exercise.files.end(),
                         [&](const fs::path& file) { return users[file] == 1; }))
             exercise.shipped_hash = hash_over(exercise.files, read);
+}
+
+}  // namespace
+
+std::vector<Exercise> exercises(const Course& course, const Chapter& chapter) {
+    std::vector<Exercise> found;
+    for (Exercise& exercise : read_course_file(course).exercises)
+        if (exercise.chapter.name == chapter.name) found.push_back(std::move(exercise));
+    add_shipped(course, chapter, found);
     return found;
 }
 
@@ -85,13 +71,6 @@ Exercise find_exercise(const Course& course, const std::string& id) {
     throw app::UsageError("there is no exercise '" + id + "'; " +
                           (known.empty() ? "name one as 01.3: chapter, dot, exercise"
                                          : "chapter " + wanted.substr(0, 2) + " has " + known));
-}
-
-int hours(const Course& course, const Chapter& chapter) {
-    const std::string text = read_file(course.root / "docs" / chapter.document());
-    const std::string start = "\nTime: about ";
-    const auto at = text.find(start);
-    return at == std::string::npos ? 0 : std::atoi(text.c_str() + at + start.size());
 }
 
 std::string hash_of(const Course& course, const Exercise& exercise) {

@@ -1,5 +1,5 @@
 #pragma once
-// The exercises: what the texts and the stubs say of them.
+// The exercises: what course.json says of them, and how far the learner's files are.
 
 #include <companion/model/course.hpp>
 #include <string>
@@ -18,11 +18,10 @@ struct Exercise {
     std::string shipped_hash{};  // of these files; empty where another exercise is in them, too
 
     // "docs/01-vectors.md, section 01.3"
-    std::string section() const { return "docs/" + chapter.document() + ", section " + id; }
+    std::string section() const { return chapter.text.string() + ", section " + id; }
 };
 
-// The exercises of a chapter in their order: one a heading "### NN.k Title (about M minutes)" of
-// its text. Its files are those whose shipped stub says todo("NN.k").
+// The exercises of a chapter in their order.
 std::vector<Exercise> exercises(const Course& course, const Chapter& chapter);
 
 // The same of all chapters.
@@ -30,9 +29,6 @@ std::vector<Exercise> exercises(const Course& course);
 
 // The exercise "NN.k". Throws app::UsageError, which says which there are.
 Exercise find_exercise(const Course& course, const std::string& id);
-
-// The hours of study that a chapter's text names: "Time: about N hours". 0 where it names none.
-int hours(const Course& course, const Chapter& chapter);
 
 // What the learner has written for an exercise: a hash over its files as they are now.
 std::string hash_of(const Course& course, const Exercise& exercise);

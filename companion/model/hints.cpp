@@ -5,7 +5,7 @@
 namespace companion {
 
 std::vector<std::string> hints(const Course& course, const Exercise& exercise) {
-    const fs::path file = course.root / "docs/hints" / exercise.chapter.document();
+    const fs::path file = course.root / exercise.chapter.hints;
     std::vector<std::string> found;
     if (!fs::exists(file)) return found;
     std::istringstream text{read_file(file)};

@@ -2,125 +2,192 @@
 #include <app/errors.hpp>
 #include <companion/model/mistakes.hpp>
 #include <companion/system/files.hpp>
-#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 namespace companion {
 namespace {
 
-using Json = nlohmann::json;
+// The optional lines, which the build reads, too: see cmake/Mistakes.cmake.
+const std::set<std::string> yes_only{"changes picture", "compiler warns",
+                                     "certificate fails"};  // a line of `course certify`
+const std::set<std::string> with_value{
+    "address sanitizer reports",  // a pattern of its report
+    "data race in"};              // the test case in which the thread sanitizer reports one
 
-// All mistakes but one, which fails by luck, are recognized as themselves or as one with the same
-// signature. When they were 247 and one was taken out of the list and then made, 4 were taken for
-// another one that differs little, and none for a pair; 8 more had a twin.
-constexpr double alike_enough = 0.75, clearly_more = 0.1;
+class Reader {
+  public:
+    explicit Reader(const fs::path& file) : file_{file} {
+        std::istringstream in{read_file(file)};
+        for (std::string line; std::getline(in, line);) lines_.push_back(line);
+    }
 
-// Mistakes of an exercise with one signature, and how much an answer is like it.
-struct Candidate {
-    LookAlikes names;
-    const Signature* signature;
-    double likeness;
+    std::vector<Mistake> read() {
+        const std::string exercise = file_.stem().string();
+        skip_blank();
+        expect("# Mistakes of " + exercise);
+        std::vector<Mistake> mistakes;
+        for (skip_blank(); !at_end(); skip_blank()) mistakes.push_back(mistake(exercise));
+        return mistakes;
+    }
+
+  private:
+    bool at_end() const { return at_ == lines_.size(); }
+    std::string line() const { return at_end() ? "" : lines_[at_]; }
+    bool starts_with(const std::string& start) const { return line().rfind(start, 0) == 0; }
+    std::string place() const {
+        return file_.string() + ':' + std::to_string(std::min(at_ + 1, lines_.size()));
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw app::Failure(place() + ": " + what);
+    }
+    // What the line has between its start and its end; nothing where these are others.
+    std::string between(const std::string& start, const std::string& end) const {
+        const std::string text = line();
+        const bool fits = text.size() >= start.size() + end.size() && starts_with(start) &&
+                          text.compare(text.size() - end.size(), end.size(), end) == 0;
+        return fits ? text.substr(start.size(), text.size() - start.size() - end.size()) : "";
+    }
+    void skip_blank() {
+        while (!at_end() && line().empty()) ++at_;
+    }
+    void expect(const std::string& wanted) {
+        if (line() != wanted)
+            fail("expected the line '" + wanted +
+                 "', actual: " + (at_end() ? "the end of the file" : '\'' + line() + '\''));
+        ++at_;
+    }
+
+    Mistake mistake(const std::string& exercise) {
+        Mistake mistake;
+        mistake.name = between("## ", "");
+        if (mistake.name.rfind(exercise + '_', 0) != 0 ||
+            mistake.name.find(' ') != std::string::npos)
+            fail("expected a heading '## " + exercise + "_name', actual: '" + line() + '\'');
+        if (!names_.insert(mistake.name).second)
+            fail("another mistake is called " + mistake.name + "; each needs a name of its own");
+        ++at_;
+        keys(mistake);
+        mistake.explanation = paragraph();
+        if (mistake.explanation.empty()) fail(mistake.name + " needs words for the learner here");
+        for (skip_blank(); !at_end() && !starts_with("## "); skip_blank())
+            mistake.edits.push_back(edit());
+        if (mistake.edits.empty())
+            fail(mistake.name + " needs an edit here: 'Replace in `rt/file.hpp`'");
+        return mistake;
+    }
+
+    void keys(Mistake& mistake) {
+        std::map<std::string, std::string> values;
+        for (; !line().empty(); ++at_) {
+            const auto colon = line().find(": ");
+            const std::string key = line().substr(0, colon);
+            if (colon == std::string::npos || line().size() == colon + 2)
+                fail("expected 'key: value' or an empty line, actual: '" + line() + '\'');
+            if (key != "title" && key != "caught by" && !yes_only.count(key) &&
+                !with_value.count(key))
+                fail("'" + key + "' is no known key; see companion/model/mistakes.cpp");
+            const std::string value = line().substr(colon + 2);
+            if (yes_only.count(key) && value != "yes")
+                fail("expected '" + key + ": yes' or no such line, actual: '" + line() + '\'');
+            if (!values.insert({key, value}).second) fail("'" + key + "' stands there twice");
+        }
+        for (const char* const key : {"title", "caught by"})
+            if (!values.count(key)) fail(mistake.name + " needs a line '" + key + ": ...' here");
+        mistake.title = values.extract("title").mapped();
+        mistake.caught_by = values.extract("caught by").mapped();
+        mistake.remarks = std::move(values);
+    }
+
+    // All up to the first edit or the next heading.
+    std::string paragraph() {
+        std::string text;
+        for (; !at_end() && !starts_with("Replace in ") && !starts_with("## "); ++at_)
+            if (!line().empty()) text += (text.empty() ? "" : " ") + line();
+        return text;
+    }
+
+    Edit edit() {
+        Edit edit;
+        edit.file = between("Replace in `", "`");
+        if (edit.file.rfind("rt/", 0) != 0)
+            fail("expected 'Replace in `rt/file.hpp`', actual: '" + line() + '\'');
+        ++at_;
+        edit.place = place();
+        edit.before = code();
+        expect("with");
+        edit.after = code();
+        if (edit.before.empty())
+            throw app::Failure(edit.place + ": expected lines to replace, actual: none");
+        if (edit.before == edit.after)
+            throw app::Failure(edit.place + ": this edit changes nothing");
+        return edit;
+    }
+
+    std::string code() {
+        expect("```cpp");
+        std::string text;
+        for (; !at_end() && line() != "```"; ++at_) text += line() + '\n';
+        expect("```");
+        return text;
+    }
+
+    fs::path file_;
+    std::vector<std::string> lines_;
+    std::size_t at_ = 0;
+    std::set<std::string> names_;
 };
 
-Signature together(const Signature& a, const Signature& b) {
-    Signature both = a;
-    both.where.insert(b.where.begin(), b.where.end());
-    both.what.insert(b.what.begin(), b.what.end());
-    keep_sample(both.what);
-    return both;
-}
-
-// The candidates for an exercise, the most alike first.
-std::vector<Candidate> candidates(const Signatures& known, const std::string& exercise,
-                                  const Signature& signature) {
-    std::vector<Candidate> found;
-    for (const auto& [name, candidate] : known) {
-        if (name.rfind(exercise + '_', 0) != 0) continue;
-        const auto twin = std::find_if(
-            found.begin(), found.end(),
-            [&, &like = candidate](const Candidate& other) { return *other.signature == like; });
-        if (twin != found.end())
-            twin->names.push_back(name);
-        else
-            found.push_back({{name}, &candidate, similarity(candidate, signature)});
-    }
-    std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-        return a.likeness > b.likeness;
-    });
+// Where these whole lines start in a text.
+std::vector<std::size_t> places(const std::string& text, const std::string& lines) {
+    std::vector<std::size_t> found;
+    for (auto at = text.find(lines); at != std::string::npos; at = text.find(lines, at + 1))
+        if (at == 0 || text[at - 1] == '\n') found.push_back(at);
     return found;
 }
 
 }  // namespace
 
-fs::path signatures_file(const Course& course, const Chapter& chapter) {
-    return course.root / "tests/mistakes" / chapter.name / "signatures.json";
+std::vector<Mistake> read_mistakes(const fs::path& file) {
+    return Reader{file}.read();
 }
 
-Signatures read_signatures(const Course& course, const Chapter& chapter) {
-    const fs::path file = signatures_file(course, chapter);
-    if (!fs::exists(file)) return {};
-    Signatures signatures;
-    try {
-        const Json json = Json::parse(read_file(file));
-        for (const auto& [name, signature] : json.items()) {
-            signature.at("where").get_to(signatures[name].where);
-            signature.at("what").get_to(signatures[name].what);
-        }
-    } catch (const Json::exception& error) {
-        throw app::Failure(file.string() + " cannot be read: " + error.what());
-    }
-    return signatures;
-}
-
-// A line a mistake, so that a change of one is a change of one line.
-std::string to_text(const Signatures& signatures) {
-    std::string text;
-    for (const auto& [name, signature] : signatures) {
-        text += text.empty() ? "{\n" : ",\n";
-        text += Json(name).dump() + ": " +
-                Json{{"where", signature.where}, {"what", signature.what}}.dump();
-    }
-    return text.empty() ? "{}\n" : text + "\n}\n";
-}
-
-std::vector<LookAlikes> recognize(const Signatures& known, const std::string& exercise,
-                                  const Signature& signature) {
-    if (signature.where.empty()) return {};
-    const std::vector<Candidate> single = candidates(known, exercise, signature);
-    if (single.empty()) return {};
-    const double next = single.size() > 1 ? single[1].likeness : 0, most = single[0].likeness;
-    if (*single[0].signature == signature) return {single[0].names};
-    if (most >= alike_enough && most - next >= clearly_more) return {single[0].names};
-
-    // Two at once, such as the same slip in two functions.
-    std::vector<LookAlikes> pair;
-    double best = 0;
-    for (std::size_t a = 0; a < single.size(); ++a)
-        for (std::size_t b = a + 1; b < single.size(); ++b) {
-            const double likeness =
-                similarity(together(*single[a].signature, *single[b].signature), signature);
-            if (likeness > best) {
-                best = likeness;
-                pair = {single[a].names, single[b].names};
-            }
-        }
-    if (best >= alike_enough && best - most >= clearly_more) return pair;
-    return {};
+std::vector<Mistake> read_mistakes(const Course& course, const Chapter& chapter) {
+    std::set<fs::path> files;
+    for (const auto& entry : fs::directory_iterator{course.root / "tests/mistakes" / chapter.name})
+        if (entry.path().extension() == ".md") files.insert(entry.path());
+    std::vector<Mistake> all;
+    for (const fs::path& file : files)
+        for (Mistake& mistake : read_mistakes(file)) all.push_back(std::move(mistake));
+    return all;
 }
 
 Mistake read_mistake(const Course& course, const Chapter& chapter, const std::string& name) {
-    std::istringstream in{
-        read_file(course.root / "tests/mistakes" / chapter.name / name / "mistake.txt")};
-    Mistake mistake{name, "", ""};
-    const std::string title = "title: ";
-    std::string line;
-    while (std::getline(in, line) && !line.empty())
-        if (line.rfind(title, 0) == 0) mistake.title = line.substr(title.size());
-    while (std::getline(in, line)) {
-        if (!mistake.explanation.empty()) mistake.explanation += ' ';
-        mistake.explanation += line;
+    const fs::path file =
+        course.root / "tests/mistakes" / chapter.name / (name.substr(0, name.find('_')) + ".md");
+    for (const Mistake& mistake : read_mistakes(file))
+        if (mistake.name == name) return mistake;
+    throw app::Failure(file.string() + " does not tell of " + name);
+}
+
+std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs::path& solution) {
+    std::map<std::string, std::string> files;
+    for (const Edit& edit : mistake.edits) {
+        const fs::path path = solution / edit.file;
+        if (!fs::exists(path)) throw app::Failure(edit.place + ": there is no " + path.string());
+        std::string& text = files.try_emplace(edit.file, read_file(path)).first->second;
+        const auto found = places(text, edit.before);
+        if (found.empty())
+            throw app::Failure(edit.place + ": these lines are not in " + path.string() +
+                               "; copy them from there as they stand, after the edits before");
+        if (found.size() > 1)
+            throw app::Failure(edit.place + ": these lines are " + std::to_string(found.size()) +
+                               " times in " + path.string() +
+                               "; add a line before or after that tells them apart");
+        text.replace(found[0], edit.before.size(), edit.after);
     }
-    return mistake;
+    return files;
 }
 
 }  // namespace companion

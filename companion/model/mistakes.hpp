@@ -1,34 +1,61 @@
 #pragma once
-// The typical mistakes of tests/mistakes, and recognizing them by what fails.
+// The known mistakes of the exercises. tests/mistakes/NN_topic/NN.k.md holds those of one exercise:
+// words for whoever makes them, and how each is made of the solution.
+//
+//   # Mistakes of NN.k
+//
+//   ## NN.k_name
+//   title: what is wrong, in one line
+//   caught by: NN.k the test case that fails
+//   changes picture: yes          (and other optional lines, see mistakes.cpp)
+//
+//   The explanation, for the learner.
+//
+//   Replace in `rt/file.hpp`
+//   ```cpp
+//   whole lines of the solution
+//   ```
+//   with
+//   ```cpp
+//   what the mistake has instead; it may be nothing
+//   ```
+//
+// A mistake may have several edits, each of which starts from what the one before has made.
 
-#include <companion/check/signature.hpp>
-#include <companion/model/exercise.hpp>
+#include <companion/model/course.hpp>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace companion {
 
-struct Mistake {
-    std::string name;   // "01.3_overflows", the folder
-    std::string title;  // in one line
-    std::string explanation;
+struct Edit {
+    std::string file;           // "rt/refract.hpp"
+    std::string before, after;  // whole lines
+    std::string place;          // "tests/mistakes/05_metal_glass/05.3.md:37", for messages
 };
 
-using Signatures = std::map<std::string, Signature>;  // by the mistake's name
+struct Mistake {
+    std::string name;                            // "01.3_overflows"
+    std::string title;                           // in one line
+    std::string caught_by;                       // the name of a test case
+    std::string explanation;                     // in one line, however long
+    std::map<std::string, std::string> remarks;  // the optional lines: "changes picture" is "yes"
+    std::vector<Edit> edits;                     // one at least
+};
 
-// tests/mistakes/NN_topic/signatures.json, which the target mistake_signatures writes.
-fs::path signatures_file(const Course& course, const Chapter& chapter);
-Signatures read_signatures(const Course& course, const Chapter& chapter);  // empty where missing
-std::string to_text(const Signatures& signatures);
+// The mistakes that a file holds. Throws app::Failure, which says file and line, where it is not
+// written as above.
+std::vector<Mistake> read_mistakes(const fs::path& file);
 
-// Mistakes that look the same from outside: one of them it is.
-using LookAlikes = std::vector<std::string>;
+// All mistakes of a chapter, by exercise.
+std::vector<Mistake> read_mistakes(const Course& course, const Chapter& chapter);
 
-// The mistake that an answer looks like; or the two that were made at once; or nothing, where no
-// mistake is alike enough or several are nearly as much.
-std::vector<LookAlikes> recognize(const Signatures& known, const std::string& exercise,
-                                  const Signature& signature);
-
-// What mistake.txt says. Throws app::Failure where it is missing.
+// A mistake by its name. Throws app::Failure where there is none.
 Mistake read_mistake(const Course& course, const Chapter& chapter, const std::string& name);
+
+// The files that a mistake changes, by name ("rt/refract.hpp"), made of those in a folder. Throws
+// app::Failure where the lines to be replaced are not there exactly once.
+std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs::path& solution);
 
 }  // namespace companion

@@ -2,42 +2,42 @@
 
 namespace companion {
 
-Standing standing(const Course& course, const State& state, const Exercise& exercise) {
-    if (!is_begun(course, exercise)) return Standing::to_write;
+Progress progress_of(const Course& course, const State& state, const Exercise& exercise) {
+    if (!is_begun(course, exercise)) return Progress::to_write;
     const auto found = state.find(exercise.id);
     const bool known = found != state.end() && found->second.hash == hash_of(course, exercise);
-    if (known && found->second.passed) return Standing::done;
-    if (todos_left(course, exercise) > 0) return Standing::begun;
-    return known ? Standing::failing : Standing::unchecked;
+    if (known && found->second.passed) return Progress::done;
+    if (todos_left(course, exercise) > 0) return Progress::begun;
+    return known ? Progress::failing : Progress::unchecked;
 }
 
-const char* text(Standing standing) {
-    switch (standing) {
-        case Standing::to_write:
+const char* text(Progress progress) {
+    switch (progress) {
+        case Progress::to_write:
             return "to be written";
-        case Standing::begun:
+        case Progress::begun:
             return "begun";
-        case Standing::unchecked:
+        case Progress::unchecked:
             return "not checked since it changed";
-        case Standing::failing:
+        case Progress::failing:
             return "failing";
-        case Standing::done:
+        case Progress::done:
             return "done";
     }
     return "";
 }
 
-char symbol(Standing standing) {
-    switch (standing) {
-        case Standing::to_write:
+char symbol(Progress progress) {
+    switch (progress) {
+        case Progress::to_write:
             return '.';
-        case Standing::begun:
+        case Progress::begun:
             return '-';
-        case Standing::unchecked:
+        case Progress::unchecked:
             return '?';
-        case Standing::failing:
+        case Progress::failing:
             return 'x';
-        case Standing::done:
+        case Progress::done:
             return '+';
     }
     return ' ';
@@ -46,7 +46,7 @@ char symbol(Standing standing) {
 const Exercise* first_not_done(const Course& course, const State& state,
                                const std::vector<Exercise>& exercises) {
     for (const Exercise& exercise : exercises)
-        if (standing(course, state, exercise) != Standing::done) return &exercise;
+        if (progress_of(course, state, exercise) != Progress::done) return &exercise;
     return nullptr;
 }
 

@@ -6,7 +6,7 @@
 
 namespace companion {
 
-enum class Standing {
+enum class Progress {
     to_write,   // as it was shipped, or nothing of it written yet
     begun,      // some of it written, some still rt::todo
     unchecked,  // written, and changed since the last check
@@ -14,13 +14,13 @@ enum class Standing {
     done
 };
 
-Standing standing(const Course& course, const State& state, const Exercise& exercise);
+Progress progress_of(const Course& course, const State& state, const Exercise& exercise);
 
 // "done", "failing", "not checked since it changed", "begun", "to be written"
-const char* text(Standing standing);
+const char* text(Progress progress);
 
 // A character that says the same where there are no colors.
-char symbol(Standing standing);
+char symbol(Progress progress);
 
 // Of these exercises, the first that is not done; null where all are.
 const Exercise* first_not_done(const Course& course, const State& state,

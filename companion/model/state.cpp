@@ -1,15 +1,15 @@
 #include <app/errors.hpp>
+#include <app/json.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/file_lock.hpp>
 #include <companion/system/files.hpp>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <rt/image_file.hpp>
 
 namespace companion {
 namespace {
 
-using Json = nlohmann::json;
+using app::Json;
 
 constexpr int version = 1;
 
@@ -17,26 +17,58 @@ fs::path folder_of(const Course& course) {
     return course.root / ".course";
 }
 
+// A member of a JSON object; null where it is missing or of another kind.
+const Json* find(const Json& object, const std::string& key, Json::Kind kind) {
+    for (std::size_t i = 0; i < object.keys.size(); ++i)
+        if (object.keys[i] == key && object.items[i].kind == kind) return &object.items[i];
+    return nullptr;
+}
+
+// The same. Throws app::Failure instead.
+const Json& member(const Json& object, const std::string& key, Json::Kind kind) {
+    if (const Json* const found = find(object, key, kind)) return *found;
+    throw app::Failure("it is no state of the course");
+}
+
 State parse(const std::string& text) {
-    const Json json = Json::parse(text);
-    if (json.at("version").get<int>() != version)
-        throw app::Failure("it is of version " + json.at("version").dump() + ", not " +
-                           std::to_string(version));
+    const Json json = app::parse_json(text, "state.json");
+    const double written_as = member(json, "version", Json::Kind::number).number;
+    if (written_as != version)
+        throw app::Failure("it is of version " + app::to_text({Json::Kind::number, written_as}) +
+                           ", not " + std::to_string(version));
+    const Json& records = member(json, "exercises", Json::Kind::object);
     State state;
-    for (const auto& [id, record] : json.at("exercises").items())
-        state[id] = {record.at("passed").get<bool>(), record.at("hash").get<std::string>(),
-                     record.at("hints").get<int>(), record.value("warning", "")};
+    for (std::size_t i = 0; i < records.keys.size(); ++i) {
+        const Json& record = records.items[i];
+        const Json* const warning = find(record, "warning", Json::Kind::text);
+        state[records.keys[i]] = {
+            member(record, "passed", Json::Kind::boolean).number != 0,
+            member(record, "hash", Json::Kind::text).text,
+            static_cast<int>(member(record, "hints", Json::Kind::number).number),
+            warning ? warning->text : ""};
+    }
     return state;
 }
 
 std::string to_text(const State& state) {
-    Json records = Json::object();
-    for (const auto& [id, record] : state)
-        records[id] = {{"passed", record.passed},
-                       {"hash", record.hash},
-                       {"hints", record.hints},
-                       {"warning", record.warning}};
-    return Json{{"version", version}, {"exercises", records}}.dump(1) + '\n';
+    Json records{Json::Kind::object};
+    for (const auto& [id, record] : state) {
+        records.keys.push_back(id);
+        records.items.push_back({Json::Kind::object,
+                                 0,
+                                 {},
+                                 {{Json::Kind::boolean, record.passed ? 1.0 : 0.0},
+                                  {Json::Kind::text, 0, record.hash},
+                                  {Json::Kind::number, static_cast<double>(record.hints)},
+                                  {Json::Kind::text, 0, record.warning}},
+                                 {"passed", "hash", "hints", "warning"}});
+    }
+    const Json all{Json::Kind::object,
+                   0,
+                   {},
+                   {{Json::Kind::number, version}, std::move(records)},
+                   {"version", "exercises"}};
+    return app::to_text(all) + '\n';
 }
 
 void set_aside(const Course& course, const fs::path& file, const char* why) {
@@ -72,10 +104,8 @@ State read_state(const Course& course) {
     if (!fs::exists(file)) return {};
     try {
         return parse(read_file(file));
-    } catch (const app::Failure& error) {
+    } catch (const std::runtime_error& error) {
         set_aside(course, file, error.what());
-    } catch (const Json::exception&) {
-        set_aside(course, file, "it is no state of the course");
     }
     return {};
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <companion/pages/certificate.hpp>
-#include <companion/pages/markdown.hpp>
+#include <companion/pages/html.hpp>
 #include <sstream>
 
 namespace companion {

@@ -1,7 +1,6 @@
 #include <companion/pages/gallery.hpp>
-#include <companion/pages/markdown.hpp>
+#include <companion/pages/html.hpp>
 #include <companion/pages/studies.hpp>
-#include <fstream>
 #include <sstream>
 
 namespace companion {
@@ -46,11 +45,8 @@ constexpr const char* head = R"(<!doctype html>
 </style>
 )";
 
-std::string read_file(const fs::path& path) {
-    std::ifstream in{path, std::ios::binary};
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
+std::string title_of(const Chapter& chapter) {
+    return "Chapter " + chapter.number() + ": " + chapter.title;
 }
 
 std::string link(const std::string& target, const std::string& text) {
@@ -59,16 +55,15 @@ std::string link(const std::string& target, const std::string& text) {
 
 void add_exhibit(std::ostream& out, const Exhibit& exhibit, bool is_first) {
     const Chapter& chapter = exhibit.chapter;
-    const std::string title = to_html(exhibit.title, "../docs/");
+    const std::string title = escape_html(title_of(chapter));
     out << "<article id=\"" << chapter.name << "\">\n";
     if (exhibit.has_picture)
-        out << link(chapter.picture(), "<img src=\"" + chapter.picture() + "\" alt=\"" +
-                                           escape_html(exhibit.title) + '"' +
-                                           (is_first ? "" : " loading=\"lazy\"") + '>')
+        out << link(chapter.picture(), "<img src=\"" + chapter.picture() + "\" alt=\"" + title +
+                                           '"' + (is_first ? "" : " loading=\"lazy\"") + '>')
             << '\n';
     out << "<div class=\"text\">\n<h2>" << title << "</h2>\n";
     if (!exhibit.has_picture) out << "<p class=\"missing\">No picture: the program failed.</p>\n";
-    if (!exhibit.caption.empty()) out << "<p>" << to_html(exhibit.caption, "../docs/") << "</p>\n";
+    out << "<p>" << escape_html(chapter.caption) << "</p>\n";
     out << "<p class=\"made\">";
     const char* separator = "";
     const auto add = [&](const std::string& part) {
@@ -76,7 +71,7 @@ void add_exhibit(std::ostream& out, const Exhibit& exhibit, bool is_first) {
         separator = " · ";
     };
     if (!exhibit.rendered.empty()) add(escape_html(exhibit.rendered));
-    if (exhibit.has_text) add(link("../docs/" + chapter.document(), "the chapter’s text"));
+    if (exhibit.has_text) add(link("../" + chapter.text.string(), "the chapter’s text"));
     if (exhibit.has_table) add(link("study/" + chapter.table(), "its measurements"));
     out << "</p>\n</div>\n";
     if (!exhibit.plots.empty()) {
@@ -92,16 +87,11 @@ void add_exhibit(std::ostream& out, const Exhibit& exhibit, bool is_first) {
 }  // namespace
 
 Exhibit collect(const Course& course, const Chapter& chapter, const std::string& rendered) {
-    const fs::path document = course.root / "docs" / chapter.document();
-    const std::string text = read_file(document);
     Exhibit exhibit;
     exhibit.chapter = chapter;
     exhibit.rendered = rendered;
-    exhibit.title = document_title(text);
-    exhibit.caption = first_paragraph(text, "What you will see");
-    if (exhibit.title.empty()) exhibit.title = chapter.name;
     exhibit.has_picture = fs::exists(course.out() / chapter.picture());
-    exhibit.has_text = !text.empty();
+    exhibit.has_text = fs::is_regular_file(course.root / chapter.text);
     exhibit.has_table = fs::exists(study_folder(course) / chapter.table());
     exhibit.plots = plots(course, chapter);
     return exhibit;
@@ -115,7 +105,7 @@ std::string gallery_html(const std::vector<Exhibit>& exhibits) {
            "those "
            "before it.</p>\n<nav>";
     for (const Exhibit& exhibit : exhibits)
-        out << link('#' + exhibit.chapter.name, to_html(exhibit.title, "../docs/"));
+        out << link('#' + exhibit.chapter.name, escape_html(title_of(exhibit.chapter)));
     out << "</nav>\n</header>\n<main>\n";
     for (const Exhibit& exhibit : exhibits)
         add_exhibit(out, exhibit, &exhibit == &exhibits.front());

@@ -9,8 +9,6 @@ namespace companion {
 // written yet) is left out.
 struct Exhibit {
     Chapter chapter;
-    std::string title;     // as the chapter's text has it, else the chapter's name
-    std::string caption;   // in Markdown
     std::string rendered;  // how the picture was made, such as "960x540 pixels in 0.12 s"
     bool has_picture = false, has_text = false, has_table = false;
     std::vector<std::string> plots;  // file names within study/

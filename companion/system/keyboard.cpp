@@ -4,36 +4,21 @@
 
 #include <cerrno>
 #include <companion/system/keyboard.hpp>
-#include <companion/system/process.hpp>
 #include <csignal>
 
 namespace companion {
 namespace {
 
-// For the handlers of signals. They are set before the handlers are.
+// How the terminal was, and is: for the handler of signals, and set before it is.
 termios before, while_reading;
 
-constexpr int ending_signals[]{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT, SIGSEGV};
-
-extern "C" void restore_and_end(int signal) {
+// Ends, or at Ctrl-Z stops, with the terminal as it was; goes on after fg.
+bool restore_terminal(int signal) {
     ::tcsetattr(STDIN_FILENO, TCSANOW, &before);
-    end_running();
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
-}
-
-// Ctrl-Z, and fg some time later.
-extern "C" void restore_and_stop(int) {
-    const int error = errno;
-    ::tcsetattr(STDIN_FILENO, TCSANOW, &before);
+    if (signal != SIGTSTP) return false;
     std::raise(SIGSTOP);
     ::tcsetattr(STDIN_FILENO, TCSANOW, &while_reading);
-    errno = error;
-}
-
-void set_handlers(void (*ending)(int), void (*stopping)(int)) {
-    for (const int signal : ending_signals) std::signal(signal, ending);
-    std::signal(SIGTSTP, stopping);
+    return true;
 }
 
 }  // namespace
@@ -44,14 +29,16 @@ Keyboard::Keyboard(bool immediately) {
     while_reading.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
     while_reading.c_cc[VMIN] = 1;
     while_reading.c_cc[VTIME] = 0;
-    set_handlers(restore_and_end, restore_and_stop);
-    changed_ = ::tcsetattr(STDIN_FILENO, TCSANOW, &while_reading) == 0;
+    // Ctrl-C and Ctrl-\ are keys, too, even where a script had them ignored.
+    for (const int signal : {SIGINT, SIGQUIT}) std::signal(signal, SIG_DFL);
+    on_signal_.emplace(
+        std::initializer_list{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT, SIGSEGV, SIGTSTP},
+        restore_terminal);
+    ::tcsetattr(STDIN_FILENO, TCSANOW, &while_reading);
 }
 
 Keyboard::~Keyboard() {
-    if (!changed_) return;
-    ::tcsetattr(STDIN_FILENO, TCSANOW, &before);
-    set_handlers(SIG_DFL, SIG_DFL);
+    if (on_signal_) ::tcsetattr(STDIN_FILENO, TCSANOW, &before);
 }
 
 std::optional<char> Keyboard::key(int milliseconds) {

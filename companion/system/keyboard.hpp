@@ -1,4 +1,5 @@
 #pragma once
+#include <app/signals.hpp>
 #include <optional>
 
 namespace companion {
@@ -21,7 +22,7 @@ class Keyboard {
 
   private:
     bool at_end_ = false;
-    bool changed_ = false;
+    std::optional<app::OnSignal> on_signal_;  // where the terminal was changed
 };
 
 }  // namespace companion

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <app/signals.hpp>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -13,8 +14,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <iterator>
-#include <mutex>
 #include <sstream>
 #include <system_error>
 
@@ -27,37 +26,21 @@ using Clock = std::chrono::steady_clock;
     throw std::system_error(errno, std::generic_category(), what);
 }
 
-// The process groups that run now, for the handler of interruptions; 0 is none.
+// The process groups that run now; 0 is none.
 std::atomic<pid_t> running_groups[16];
 
-extern "C" void end_running_group(int signal) {
-    end_running();
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
+bool end_running_groups(int) {
+    for (const auto& group : running_groups)
+        if (const pid_t id = group) ::kill(-id, SIGKILL);
+    return false;
 }
 
-// While one lives, what interrupts the companion also ends the groups.
+// While one lives, what interrupts the companion also ends the group. One beyond the sixteenth
+// would live on.
 class EndedOnInterrupt {
   public:
-    EndedOnInterrupt() {
-        const std::lock_guard lock{mutex_};
-        if (living_++ > 0) return;
-        for (std::size_t i = 0; i < std::size(signals); ++i) {
-            before_[i] = std::signal(signals[i], end_running_group);
-            if (before_[i] != SIG_DFL) std::signal(signals[i], before_[i]);
-        }
-    }
-    ~EndedOnInterrupt() {
-        if (group_) *group_ = 0;
-        const std::lock_guard lock{mutex_};
-        if (--living_ > 0) return;
-        for (std::size_t i = 0; i < std::size(signals); ++i) std::signal(signals[i], before_[i]);
-    }
-    EndedOnInterrupt(const EndedOnInterrupt&) = delete;
-    EndedOnInterrupt& operator=(const EndedOnInterrupt&) = delete;
-
-    // A group beyond the sixteenth would live on after an interruption.
-    void watch(pid_t id) {
+    explicit EndedOnInterrupt(pid_t id) {
+        static const app::OnSignal on_signal{app::ending_signals, end_running_groups};
         for (auto& group : running_groups) {
             pid_t none = 0;
             if (!group.compare_exchange_strong(none, id)) continue;
@@ -65,12 +48,13 @@ class EndedOnInterrupt {
             return;
         }
     }
+    ~EndedOnInterrupt() {
+        if (group_) *group_ = 0;
+    }
+    EndedOnInterrupt(const EndedOnInterrupt&) = delete;
+    EndedOnInterrupt& operator=(const EndedOnInterrupt&) = delete;
 
   private:
-    static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
-    static inline std::mutex mutex_;
-    static inline int living_ = 0;
-    static inline void (*before_[std::size(signals)])(int);
     std::atomic<pid_t>* group_ = nullptr;
 };
 
@@ -158,11 +142,6 @@ struct Descriptor {
 
 }  // namespace
 
-void end_running() noexcept {
-    for (const auto& group : running_groups)
-        if (const pid_t id = group) ::kill(-id, SIGKILL);
-}
-
 Result run_process(const Run& run) {
     Descriptor from, into;
     if (run.output != Output::shown) {
@@ -182,12 +161,11 @@ Result run_process(const Run& run) {
     const int err = run.output == Output::captured ? into.value : nowhere.value;
 
     std::fflush(nullptr);  // else parts of the output would change places
-    EndedOnInterrupt guard;
     const pid_t id = ::fork();
     if (id < 0) fail("fork");
     if (id == 0) become(command.data(), run.folder.c_str(), into.value, err, run.most_memory);
     ::setpgid(id, id);  // here and there, since nobody knows who is first
-    guard.watch(id);
+    const EndedOnInterrupt guard{id};
     into.close();
     return Child{id, from.value}.wait(run.timeout, run.most_output);
 }

@@ -42,11 +42,6 @@ struct Result {
 // another process.
 Result run_process(const Run& run);
 
-// Ends the program that runs now, if one does, with all that it started. For handlers of signals:
-// it does nothing that is not allowed there. An interruption does it by itself where nobody else
-// handles it.
-void end_running() noexcept;
-
 // How a run ended, for a person: "exit code 2", "no end after 20 s", "signal 11 (Segmentation
 // fault)".
 std::string how_it_ended(const Result& result);

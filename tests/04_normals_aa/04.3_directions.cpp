@@ -197,6 +197,10 @@ TEST_CASE("04.3 bounces stay above the surface at any normal", "[04.3][hard]") {
             return rt::cosine_direction(normal, place);
         };
         const Vec3 d = direction();
+        const double in_epsilons = length_error(d) / static_cast<double>(rt::epsilon);
+        if (rt::is_finite(d) && in_epsilons <= 2 &&
+            d.x * normal.x + d.y * normal.y + d.z * normal.z > 0)
+            return;
         INFO("normal " << text(normal) << ", place (" << text(place.x) << ", " << text(place.y)
                        << ") gives " << text(d));
         REQUIRE(rt::is_finite(d));
@@ -204,7 +208,6 @@ TEST_CASE("04.3 bounces stay above the surface at any normal", "[04.3][hard]") {
             INFO("its length is off 1 by " << length_error(d)
                                            << ".\nHint: normalize the result, since the basis is "
                                               "exact to 8 epsilon only");
-            const double in_epsilons = length_error(d) / static_cast<double>(rt::epsilon);
             REQUIRE(in_epsilons <= 2);
         }
         INFO("Hint: even at the rim of the disk the height is sqrt(1 - x) > 0");

@@ -96,6 +96,7 @@ TEST_CASE("04.6 a gray sphere under a white sky returns its albedo", "[04.6]") {
             const Color light = rt::path_radiance(Ray{from, (at - from) / radius},
                                                   rt::SphereList{{{{center, radius}, 0}}}, gray,
                                                   rt::UniformSky{}, rt::BlackEnding{}, 16, rng);
+            if (light == Color{albedo, albedo, albedo}) continue;
             INFO("radius " << text(radius) << ": expected " << text(albedo) << ", yours gives "
                            << text(light.r)
                            << ".\nHint: the path met the sphere again that it had left, and was "
@@ -207,15 +208,16 @@ TEST_CASE("04.6 a ray into the sphere meets its far side", "[04.6][hard]") {
         if (cosine < 0.1) continue;
         const Ray ray{rt::leave_surface(place.hit, in), in};
         const auto t = rt::hit_sphere(place.sphere, ray, {});
-        INFO(describe(place, in));
-        INFO("Hint: it must start inside; what it meets then is the far end of its chord");
-        REQUIRE(t);
-        const double chord = 2 * cosine / std::sqrt(exact_dot(in, in));
+        const double length = std::sqrt(exact_dot(in, in)), chord = 2 * cosine / length;
         const double r = static_cast<double>(place.sphere.radius);
         // The start is off by some error bounds along the normal and along the surface.
         const double off = static_cast<double>(place.hit.point_error) / r;
-        REQUIRE(std::abs(static_cast<double>(*t) / r - chord) <=
-                100 * (off + static_cast<double>(rt::epsilon)) / std::sqrt(exact_dot(in, in)));
+        const double allowed = 100 * (off + static_cast<double>(rt::epsilon)) / length;
+        if (t && std::abs(static_cast<double>(*t) / r - chord) <= allowed) continue;
+        INFO(describe(place, in));
+        INFO("Hint: it must start inside; what it meets then is the far end of its chord");
+        REQUIRE(t);
+        REQUIRE(std::abs(static_cast<double>(*t) / r - chord) <= allowed);
     }
 }
 

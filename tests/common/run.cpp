@@ -1,5 +1,10 @@
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <app/json.hpp>
 #include <app/run.hpp>
 #include <csignal>
+#include <map>
 #include <study/report.hpp>
 
 #include "checkpoint.hpp"
@@ -76,6 +81,32 @@ TEST_CASE("a program has no options that do not apply", "[run]") {
     CHECK(folder.count() == 1);
 }
 
+TEST_CASE("a program describes its options and their defaults", "[run]") {
+    app::Program with_more = program();
+    with_more.choices = {{"ending", "How a path ends", {"sky", "black"}}};
+    const auto described = [](const app::Program& one) {
+        std::map<std::string, std::string> defaults;
+        const app::Json json = app::parse_json(app::describe(one), "--describe");
+        for (std::size_t i = 0; i < json.keys.size(); ++i)
+            defaults[json.keys[i]] = json.items[i].text;
+        return defaults;
+    };
+    auto defaults = described(with_more);
+    CHECK(defaults["out"] == "99_test.png");
+    CHECK(defaults["width"] == "8");
+    CHECK(defaults["spp"] == "3");
+    CHECK(defaults["seed"] == "7");
+    CHECK(defaults["ending"] == "sky");
+    CHECK(defaults.count("study") == 1);
+    app::Program plain = program();
+    plain.defaults = {.width = 8, .height = 4};
+    plain.study = nullptr;
+    defaults = described(plain);
+    for (const char* const option : {"spp", "depth", "threads", "seed", "study", "ending"})
+        CHECK(defaults.count(option) == 0);
+    CHECK(run({"--describe"}) == app::done);
+}
+
 TEST_CASE("a chapter may encode PPM files in its own way", "[run]") {
     const TemporaryFolder folder;
     app::Program own = program();
@@ -120,11 +151,29 @@ TEST_CASE("an ignored signal is still ignored after another one came", "[run]") 
         CHECK(app::Interruption::signal() == 0);
         std::raise(SIGTERM);
         CHECK(app::Interruption::signal() == SIGTERM);
-        CHECK(std::signal(SIGTERM, SIG_DFL) == SIG_DFL);  // the next one ends the program
         CHECK(std::signal(SIGINT, SIG_IGN) == SIG_IGN);
     }
     std::signal(SIGTERM, terminate);
     std::signal(SIGINT, interrupt);
+}
+
+TEST_CASE("the second signal ends the program", "[run]") {
+    for (const int second : {SIGINT, SIGTERM}) {
+        const pid_t child = ::fork();
+        REQUIRE(child >= 0);
+        if (child == 0) {
+            std::signal(SIGINT, SIG_DFL);
+            std::signal(SIGTERM, SIG_DFL);
+            const app::Interruption interruption;
+            std::raise(SIGTERM);
+            if (app::Interruption::signal() == SIGTERM) std::raise(second);
+            ::_exit(0);
+        }
+        int status = 0;
+        REQUIRE(::waitpid(child, &status, 0) == child);
+        CHECK(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == second);
+    }
 }
 
 TEST_CASE("a program that reads no file takes none", "[run]") {

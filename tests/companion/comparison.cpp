@@ -5,8 +5,8 @@
 #include "catch.hpp"
 
 using companion::Comparison;
-using companion::Drawn;
 using companion::Picture;
+using companion::TwoPrograms;
 
 namespace {
 
@@ -109,7 +109,7 @@ TEST_CASE("a still part that differs is found, whatever the noise beside it", "[
     };
     const auto found = companion::compare({program(brighter), program(noisy), true});
     CHECK_FALSE(found.same);
-    CHECK(found.test.still_differing == 4 * 48);
+    CHECK(found.statistics.still_differing == 4 * 48);
 }
 
 TEST_CASE("without chance one pixel in a thousand may differ", "[comparison]") {
@@ -120,7 +120,7 @@ TEST_CASE("without chance one pixel in a thousand may differ", "[comparison]") {
     for (const std::size_t pixel : {7u, 1000u, 2999u}) mine.bytes[3 * pixel + 1] = 150;
     const auto three = companion::compare_still(mine, solution);
     CHECK(three.same);
-    CHECK(three.test.still_differing == 3);
+    CHECK(three.statistics.still_differing == 3);
     mine.bytes[0] = 103;
     const auto four = companion::compare_still(mine, solution);
     CHECK_FALSE(four.same);

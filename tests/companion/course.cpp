@@ -1,5 +1,5 @@
 #include <app/errors.hpp>
-#include <companion/model/course.hpp>
+#include <companion/model/course_file.hpp>
 
 #include "catch.hpp"
 #include "temporary_folder.hpp"
@@ -11,18 +11,78 @@ using companion::Chapter;
 TEST_CASE("a chapter's name tells where its parts are", "[course]") {
     const Chapter chapter{"04_normals_aa"};
     CHECK(chapter.number() == "04");
-    CHECK(chapter.document() == "04-normals_aa.md");
     CHECK(chapter.picture() == "04_normals_aa.png");
     CHECK(chapter.table() == "04_normals_aa.csv");
 }
 
-TEST_CASE("the chapters are those that the build wrote down", "[course]") {
+namespace {
+
+const std::string exercise =
+    R"({"id": "01.1", "title": "Dot", "minutes": 10, "files": ["rt/dot.hpp", "rt/b.cpp"]})";
+
+std::string chapter_with(const std::string& exercises) {
+    return R"({"chapters": [{"name": "01_vectors", "core": true, "title": "Vectors", "hours": 5,
+        "text": "docs/01-vectors.md", "hints": "docs/hints/01.md", "caption": "Balls.",
+        "exercises": )" +
+           exercises + "}]}";
+}
+
+// What is wrong with a course.json of this text.
+std::string refusal(const std::string& text) {
     const TemporaryFolder folder;
-    CHECK_THROWS_AS(companion::chapters({folder.path(), folder.path()}), app::Failure);
-    write_file(folder / "chapters.txt", "01_vectors\n02_camera\n");
-    const auto all = companion::chapters({folder.path(), folder.path()});
-    REQUIRE(all.size() == 2);
-    CHECK(all[1].name == "02_camera");
+    write_file(folder / "course.json", text);
+    try {
+        companion::read_course_file({folder.path(), folder.path()});
+    } catch (const app::UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("the chapters and exercises are those of course.json", "[course]") {
+    const TemporaryFolder folder;
+    const companion::Course here{folder.path(), folder / "build"};
+    CHECK_THROWS_AS(companion::chapters(here), app::Failure);
+    write_file(folder / "course.json", chapter_with('[' + exercise + ']'));
+    const auto all = companion::chapters(here);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].name == "01_vectors");
+    CHECK(all[0].title == "Vectors");
+    CHECK(all[0].core);
+    CHECK(all[0].hours == 5);
+    CHECK(all[0].hints == "docs/hints/01.md");
+    CHECK(all[0].caption == "Balls.");
+    const auto exercises = companion::read_course_file(here).exercises;
+    REQUIRE(exercises.size() == 1);
+    CHECK(exercises[0].id == "01.1");
+    CHECK(exercises[0].title == "Dot");
+    CHECK(exercises[0].minutes == 10);
+    CHECK(exercises[0].section() == "docs/01-vectors.md, section 01.1");
+    CHECK(exercises[0].files == std::vector<companion::fs::path>{"exercises/01_vectors/rt/dot.hpp",
+                                                                 "exercises/01_vectors/rt/b.cpp"});
+}
+
+TEST_CASE("a wrong course.json is refused with the place and what would be right", "[course]") {
+    CHECK(refusal("") == "course.json is empty; a JSON object { ... } is wanted");
+    CHECK(refusal("{\n 1}").rfind("course.json:2:2: ", 0) == 0);
+    CHECK(refusal("{}") == "course.json: chapters is missing");
+    CHECK(refusal("[]") == "course.json: the whole should be an object, { ... }");
+    CHECK(refusal(chapter_with("[]")) ==
+          "course.json: chapters[0].exercises should be a list, [ ... ], of one or more");
+    const auto with = [](const std::string& was, const std::string& is) {
+        std::string wrong = exercise;
+        wrong.replace(wrong.find(was), was.size(), is);
+        return refusal(chapter_with('[' + wrong + ']'));
+    };
+    const std::string place = "course.json: chapters[0].exercises[0].";
+    CHECK(with("\"id\"", "\"ID\"") == place + "id is missing");
+    CHECK(with("01.1", "02.1") == place + "id should begin with 01.");
+    CHECK(with("10", "0") == place + "minutes should be a whole number from 1 to 1000");
+    CHECK(with("10", "1.5") == place + "minutes should be a whole number from 1 to 1000");
+    CHECK(with("\"Dot\"", "7") == place + "title should be a text in quotes");
+    CHECK(with("\"rt/b.cpp\"", "1") == place + "files[1] should be a text in quotes");
 }
 
 TEST_CASE("a chapter is found by whatever a person calls it", "[course]") {

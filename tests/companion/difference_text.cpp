@@ -4,13 +4,13 @@
 
 using companion::describe_difference;
 using companion::region_of;
-using companion::TileTest;
+using companion::TileStatistics;
 
 namespace {
 
-TileTest tile(std::array<double, 3> mine, std::array<double, 3> solution, int left = 0,
-              int top = 0) {
-    TileTest test;
+TileStatistics tile(std::array<double, 3> mine, std::array<double, 3> solution, int left = 0,
+                    int top = 0) {
+    TileStatistics test;
     test.tile = {left, top, 16, 16};
     test.mine = mine;
     test.solution = solution;
@@ -52,10 +52,10 @@ TEST_CASE("light and dark that make up for each other are shapes that moved", "[
 }
 
 TEST_CASE("places are named region by region, the largest first", "[difference_text]") {
-    const TileTest slight = tile({0.9, 0.9, 0.9}, {1, 1, 1}),
-                   strong = tile({0.1, 0.1, 0.1}, {1, 1, 1}, 304, 160);
+    const TileStatistics slight = tile({0.9, 0.9, 0.9}, {1, 1, 1}),
+                         strong = tile({0.1, 0.1, 0.1}, {1, 1, 1}, 304, 160);
     const auto lines =
-        companion::describe_places({slight, strong}, std::vector<TileTest>(200), 320, 180);
+        companion::describe_by_region({slight, strong}, std::vector<TileStatistics>(200), 320, 180);
     REQUIRE(lines.size() == 2);
     CHECK(lines[0] == "lower right: 90 % too dark");
     CHECK(lines[1] == "upper left: 10 % too dark");

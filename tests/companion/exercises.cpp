@@ -36,7 +36,13 @@ TEST_CASE("every exercise has minutes and stubs that say so", "[exercises]") {
         CHECK_FALSE(exercise.title.empty());
         CHECK_FALSE(exercise.files.empty());
         CHECK(exercise.shipped_todos >= 1);
-        CHECK(hours(here, exercise.chapter) > 0);
+        const Stubs stubs = shipped_stubs(here, exercise.chapter);
+        std::vector<fs::path> files;  // that say todo("NN.k")
+        for (const auto& [file, source] : stubs)
+            if (count_todos(source, exercise.id) > 0)
+                files.push_back(fs::path{"exercises"} / exercise.chapter.name / file);
+        CHECK((exercise.files == files));
+        CHECK(exercise.chapter.hours > 0);
     }
     CHECK(find_exercise(here, "1.1").id == "01.1");
     for (const char* const name : {"", "1", "01", "01.99", "99.1", "x", ".", "01.1 "})

@@ -12,22 +12,25 @@ bool holds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
+const companion::Chapter sphere{.name = "03_sphere",
+                                .title = "The <sphere>",
+                                .text = "docs/03-sphere.md",
+                                .caption = "A \"ball\"."};
+
 }  // namespace
 
 TEST_CASE("the gallery shows what there is of a chapter", "[gallery]") {
     const TemporaryFolder folder;
     const companion::Course here{folder.path(), folder / "build"};
-    write_file(folder / "docs/03-sphere.md",
-               "# The <sphere>\n\n## What you will see\n\n![x](y)\n\nA *ball*.\n");
+    write_file(folder / "docs/03-sphere.md", "text");
     write_file(folder / "out/03_sphere.png", "");
     write_file(folder / "out/study/03_sphere.csv",
                "study,variant,precision,x,x_name,error,error_name,cost,cost_name\n"
                "Far away,v,double,1,n,0,ulp,1,ns\n");
     write_file(folder / "out/study/03_sphere-far-away.svg", "");
-    const std::string html =
-        companion::gallery_html({companion::collect(here, {"03_sphere"}, "in 2 s")});
-    CHECK(holds(html, "<h2>The &lt;sphere&gt;</h2>"));
-    CHECK(holds(html, "<p>A <em>ball</em>.</p>"));
+    const std::string html = companion::gallery_html({companion::collect(here, sphere, "in 2 s")});
+    CHECK(holds(html, "<h2>Chapter 03: The &lt;sphere&gt;</h2>"));
+    CHECK(holds(html, "<p>A &quot;ball&quot;.</p>"));
     CHECK(holds(html, "src=\"03_sphere.png\""));
     CHECK(holds(html, "in 2 s"));
     CHECK(holds(html, "href=\"../docs/03-sphere.md\""));
@@ -40,8 +43,8 @@ TEST_CASE("the gallery shows what there is of a chapter", "[gallery]") {
 TEST_CASE("the gallery does without what is missing", "[gallery]") {
     const TemporaryFolder folder;
     const companion::Course here{folder.path(), folder / "build"};
-    const std::string html = companion::gallery_html({companion::collect(here, {"03_sphere"}, "")});
-    CHECK(holds(html, "<h2>03_sphere</h2>"));
+    const std::string html = companion::gallery_html({companion::collect(here, sphere, "")});
+    CHECK(holds(html, "<h2>Chapter 03: The &lt;sphere&gt;</h2>"));
     CHECK(holds(html, "No picture"));
     CHECK_FALSE(holds(html, "<img"));
     CHECK_FALSE(holds(html, "03-sphere.md"));

@@ -40,25 +40,24 @@ TEST_CASE("a written image is read as its bytes", "[picture]") {
     CHECK(companion::mean_of({picture, picture}).at(4, 3).r == 1);
 }
 
-TEST_CASE("a program's options are read from its help", "[picture]") {
-    const auto old_style = companion::options_from_help(
-        "  --width INT:whole number=960  Width\n  --height INT=540  Height\n"
-        "  --spp INT:whole number=64 Samples\n  --seed UINT=1\n");
-    CHECK(old_style.width == 960);
-    CHECK(old_style.height == 540);
-    CHECK(old_style.spp == 64);
-    CHECK(old_style.has_seed);
-    const auto new_style = companion::options_from_help(
-        "  --width INT:whole number [1280]  Width\n  --height INT [720]\n");
-    CHECK(new_style.width == 1280);
-    CHECK(new_style.height == 720);
-    CHECK(new_style.spp == 0);
-    CHECK_FALSE(new_style.has_seed);
-    const auto small = companion::for_comparison(old_style);
+TEST_CASE("a program's options are read from its description", "[picture]") {
+    const auto random = companion::options_from(
+        R"({"out": "a.png", "width": "960", "height": "540", "spp": "64", "seed": "1"})");
+    CHECK(random.width == 960);
+    CHECK(random.height == 540);
+    CHECK(random.spp == 64);
+    CHECK(random.has_seed);
+    const auto still = companion::options_from(R"({"width": "1280", "height": "720"})");
+    CHECK(still.width == 1280);
+    CHECK(still.height == 720);
+    CHECK(still.spp == 0);
+    CHECK_FALSE(still.has_seed);
+    CHECK_THROWS_AS(companion::options_from("no description"), app::UsageError);
+    const auto small = companion::for_comparison(random);
     CHECK(small.width == 256);
     CHECK(small.height == 144);
     CHECK(small.spp == 9);
-    CHECK(companion::for_comparison(new_style).width == 1280);
+    CHECK(companion::for_comparison(still).width == 1280);
 }
 
 TEST_CASE("a program that cannot draw is told from one that draws otherwise", "[picture]") {
@@ -73,7 +72,7 @@ TEST_CASE("the picture of a comparison shows both and where they differ", "[pict
         for (int x = 0; x < 32; ++x)
             for (std::size_t c = 0; c < 3; ++c)
                 mine.bytes[3 * static_cast<std::size_t>(y * 64 + x) + c] = 64;
-    const rt::Image sheet = companion::compare_picture(companion::compare_still(mine, solution));
+    const rt::Image sheet = companion::comparison_sheet(companion::compare_still(mine, solution));
     const std::string png = rt::encode_png(sheet);
     int width, height, channels;
     stbi_uc* const pixels =

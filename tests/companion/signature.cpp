@@ -1,3 +1,4 @@
+#include <companion/check/recognition.hpp>
 #include <companion/check/signature.hpp>
 #include <companion/model/mistakes.hpp>
 
@@ -12,7 +13,7 @@ TestCase failing(const std::string& name, const std::string& expanded,
     TestCase test;
     test.name = name;
     test.ended = true;
-    test.failures.push_back({"CHECK( a == b )", expanded, "", {messages}});
+    test.failures.push_back({"CHECK( a == b )", expanded, "", {messages}, ""});
     return test;
 }
 
@@ -54,7 +55,7 @@ TEST_CASE("what is still to be written is no mistake", "[signature]") {
     TestCase test;
     test.name = "01.1 x";
     test.ended = true;
-    test.failures.push_back({"", "", "exercise 01.1 is still to be written: somewhere", {}});
+    test.failures.push_back({"", "", "whatever it says", {}, "01.1"});
     CHECK(signature_of({test}).where.empty());
     CHECK(recognize({{"01.1_a", {}}}, "01.1", signature_of({test})).empty());
 }
@@ -86,12 +87,11 @@ TEST_CASE("every mistake has a signature that was written down", "[signature]") 
     const Course here = this_course();
     for (const Chapter& chapter : chapters(here)) {
         const Signatures known = read_signatures(here, chapter);
-        for (const auto& entry :
-             fs::directory_iterator{here.root / "tests/mistakes" / chapter.name}) {
-            if (!entry.is_directory()) continue;
-            INFO("cmake --build build --target mistake_signatures writes that of "
-                 << entry.path().filename());
-            const auto found = known.find(entry.path().filename().string());
+        const std::vector<Mistake> mistakes = read_mistakes(here, chapter);
+        CHECK(known.size() == mistakes.size());
+        for (const Mistake& mistake : mistakes) {
+            INFO("cmake --build build --target mistake_signatures writes that of " << mistake.name);
+            const auto found = known.find(mistake.name);
             REQUIRE(found != known.end());
             CHECK_FALSE(found->second.where.empty());
         }

@@ -1,11 +1,11 @@
 // The rules of DESIGN that concern the sources as a whole. What depends on the stubs as shipped is
 // tagged [stubs]: a learner's own code is free of these rules.
 
-#include <companion/model/course.hpp>
+#include <companion/model/exercise.hpp>
+#include <companion/model/mistakes.hpp>
 #include <map>
 #include <set>
 #include <source_text.hpp>
-#include <sstream>
 
 #include "catch.hpp"
 
@@ -85,14 +85,21 @@ std::string without_code(const std::string& markdown) {
 }
 
 // The chapter that a header may be used from: its own and all later ones.
-void check_includes(const fs::path& path, const std::string& chapter) {
-    for (const std::string& included : matches(read(path), "#include <rt/([^>]*)>")) {
-        const auto all = headers();
+void check_includes(const std::string& where, const std::string& text, const std::string& chapter) {
+    const auto all = headers();
+    for (const std::string& included : matches(text, "#include <rt/([^>]*)>")) {
         const auto [first, last] = all.equal_range(included);
-        INFO(name(path) << " includes <rt/" << included << '>');
+        INFO(where << " includes <rt/" << included << '>');
         CHECK(first != last);
         for (auto it = first; it != last; ++it) CHECK(it->second.chapter <= chapter);
     }
+}
+void check_includes(const fs::path& path, const std::string& chapter) {
+    check_includes(name(path), read(path), chapter);
+}
+
+std::vector<companion::Mistake> mistakes(const companion::Chapter& chapter) {
+    return companion::read_mistakes(companion::this_course(), chapter);
 }
 
 }  // namespace
@@ -161,10 +168,14 @@ TEST_CASE("every exercise has a stub that says which one it is", "[stubs]") {
 
 TEST_CASE("no chapter uses what comes after it, and common uses no chapter", "[structure]") {
     for (const fs::path& path : files(root / "common", {".hpp", ".cpp"})) check_includes(path, "");
-    for (const auto& chapter : chapters())
-        for (const char* const kind : {"chapters", "solutions", "tests", "tests/mistakes"})
+    for (const auto& chapter : chapters()) {
+        for (const char* const kind : {"chapters", "solutions", "tests"})
             for (const fs::path& path : files(root / kind / chapter.name, {".hpp", ".cpp"}))
                 check_includes(path, chapter.name);
+        for (const auto& mistake : mistakes(chapter))
+            for (const auto& edit : mistake.edits)
+                check_includes(mistake.name, edit.after, chapter.name);
+    }
 }
 
 TEST_CASE("there is no absolute epsilon in the solutions and in common", "[structure]") {
@@ -213,31 +224,16 @@ TEST_CASE("every mistake explains itself and is caught by a test case", "[struct
         std::map<std::string, int> count;
         std::set<std::string> cases;
         for (const TestCase& test : test_cases(chapter.name)) cases.insert(test.name);
-        for (const fs::path& mistake : folders(root / "tests/mistakes" / chapter.name)) {
-            INFO(name(mistake));
-            std::map<std::string, std::string> fields;
-            std::istringstream in{read(mistake / "mistake.txt")};
-            std::string line, explanation;
-            while (std::getline(in, line) && !line.empty()) {
-                const auto colon = line.find(": ");
-                CHECK(colon != std::string::npos);
-                if (colon != std::string::npos)
-                    fields[line.substr(0, colon)] = line.substr(colon + 2);
-            }
-            while (std::getline(in, line)) explanation += line + ' ';
-            const std::string id = fields["exercise"];
+        for (const auto& mistake : mistakes(chapter)) {
+            INFO(mistake.name);
+            const std::string id = mistake.name.substr(0, mistake.name.find('_'));
             ++count[id];
             CHECK(ids.count(id) == 1);
-            CHECK(mistake.filename().string().rfind(id + '_', 0) == 0);
-            CHECK_FALSE(fields["title"].empty());
-            CHECK(cases.count(fields["caught by"]) == 1);
-            CHECK(explanation.size() > 40);
-            const auto replaced = files(mistake / "rt", {".hpp", ".cpp"});
-            CHECK_FALSE(replaced.empty());
-            for (const fs::path& path : replaced) {
-                INFO(name(path));
-                CHECK(fs::exists(root / "solutions" / chapter.name / "rt" / path.filename()));
-            }
+            CHECK(cases.count(mistake.caught_by) == 1);
+            CHECK(mistake.explanation.size() > 40);
+            const auto race = mistake.remarks.find("data race in");
+            CHECK((race == mistake.remarks.end() || cases.count(race->second) == 1));
+            CHECK_NOTHROW(edited_files(mistake, root / "solutions" / chapter.name));
         }
         for (const std::string& id : ids) {
             INFO("exercise " << id);
@@ -250,7 +246,7 @@ TEST_CASE("a chapter has all of its parts", "[structure]") {
     for (const auto& chapter : chapters()) {
         INFO(chapter.name);
         const std::string program = read(root / "chapters" / chapter.name / "main.cpp");
-        const std::string text = read(root / "docs" / chapter.document());
+        const std::string text = read(root / chapter.text);
         CHECK(program.find("app::run(") != std::string::npos);
         CHECK(program.find(".study") != std::string::npos);
         CHECK(program.find(".name = \"" + chapter.name + '"') != std::string::npos);
@@ -271,13 +267,27 @@ TEST_CASE("a chapter has all of its parts", "[structure]") {
         CHECK(text.rfind("# ", 0) == 0);
         CHECK(text.find("](images/" + chapter.picture() + ')') != std::string::npos);
         CHECK(text.find("](plots/" + chapter.name + '-') != std::string::npos);
+    }
+}
 
-        CHECK_FALSE(exercises(chapter.name).empty());
-        for (const std::string& id : exercises(chapter.name)) {
-            INFO("the text needs a section '### " << id << " Title (about M minutes)'");
-            CHECK(std::regex_search(
-                text, std::regex{"\n### " + id + " [^\n]+\\(about [0-9]+ minutes\\)\n"}));
+TEST_CASE("the texts and checkpoints have the exercises of course.json", "[structure]") {
+    const companion::Course here = companion::this_course();
+    for (const auto& chapter : chapters()) {
+        const std::string text = read(root / chapter.text);
+        std::set<std::string> ids;
+        for (const auto& exercise : companion::exercises(here, chapter)) {
+            ids.insert(exercise.id);
+            INFO(chapter.text << " needs one section '### " << exercise.id
+                              << " ...', and minutes in "
+                              << "its heading are those of course.json");
+            const std::string heading = "\n### " + exercise.id + " ([^\n]*)";
+            const auto headings = matches(text, heading.c_str());
+            REQUIRE(headings.size() == 1);
+            for (const std::string& minutes : matches(headings[0], "([0-9]+) minutes"))
+                CHECK(minutes == std::to_string(exercise.minutes));
         }
+        INFO(chapter.name);
+        CHECK(ids == exercises(chapter.name));
     }
 }
 

@@ -1,4 +1,10 @@
 #include <companion/check/test_results.hpp>
+#include <companion/model/course.hpp>
+#include <companion/system/process.hpp>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <rt/todo.hpp>
 
 #include "catch.hpp"
 
@@ -6,83 +12,122 @@ using companion::read_report;
 
 namespace {
 
-// As Catch2 2 writes it; version 3 has one more element around the test cases, and durations.
-const std::string test_case = R"(
-    <TestCase name="01.1 a &lt; b" tags="[01.1]" filename="x.cpp" line="8">
-      <Info>
-        expected 2, but yours gives 3.
-Hint: look &quot;here&quot;
-      </Info>
-      <Expression success="false" type="CHECK" filename="x.cpp" line="14">
-        <Original>
-          computed ==
-              vector&lt;int>{2}
-        </Original>
-        <Expanded>
-          3 == 2
-        </Expanded>
-      </Expression>
-      <OverallResult success="false" durationInSeconds="0.1"/>
-    </TestCase>
-    <TestCase name="01.1 second" tags="[01.1]">
-      <OverallResult success="true">
-        <StdOut>
-here I am
-        </StdOut>
-      </OverallResult>
-    </TestCase>)";
+const std::string report = R"(
+{"event":"begins","name":"01.1 a < b"}
+the tested code prints this, {"and":this}
+{"and":"this", "event":5}
+[]
+
+{"event":"failed","macro":"CHECK","expression":"computed ==\n    vector<int>{2}","expanded":"3 == 2",)"
+                           R"("messages":["expected 2, but yours gives 3.\nHint: look \"here\""]}
+
+{"event":"failed","messages":["FAIL says why"]}
+
+{"event":"ends","passed":false,"output":""}
+
+{"event":"begins","name":"01.1 second"}
+
+{"event":"ends","passed":true,"output":"here I am\n"}
+)";
 
 }  // namespace
 
-TEST_CASE("a report of Catch2 2 and of Catch2 3 is read", "[test_results]") {
-    for (const std::string& xml :
-         {"<?xml version=\"1.0\"?>\n<Catch name=\"p\">\n<Group name=\"p\">" + test_case +
-              "<OverallResults successes=\"0\"/></Group></Catch>",
-          "<?xml version=\"1.0\"?>\n<Catch2TestRun name=\"p\" rng-seed=\"1\">" + test_case +
-              "<OverallResultsCases successes=\"1\"/></Catch2TestRun>"}) {
-        const auto tests = read_report(xml);
-        REQUIRE(tests.size() == 2);
-        CHECK(tests[0].name == "01.1 a < b");
-        CHECK_FALSE(tests[0].passed);
-        CHECK(tests[0].ended);
-        REQUIRE(tests[0].failures.size() == 1);
-        CHECK(tests[0].failures[0].expression == "CHECK( computed == vector<int>{2} )");
-        CHECK(tests[0].failures[0].expanded == "3 == 2");
-        CHECK(tests[0].failures[0].messages ==
-              std::vector<std::string>{"expected 2, but yours gives 3.\nHint: look \"here\""});
-        CHECK(tests[1].passed);
-        CHECK(tests[1].output == "here I am");
-    }
+TEST_CASE("the events of test cases are read, whatever else is printed", "[test_results]") {
+    const auto tests = read_report(report);
+    REQUIRE(tests.size() == 2);
+    CHECK(tests[0].name == "01.1 a < b");
+    CHECK_FALSE(tests[0].passed);
+    CHECK(tests[0].ended);
+    REQUIRE(tests[0].failures.size() == 2);
+    CHECK(tests[0].failures[0].expression == "CHECK( computed == vector<int>{2} )");
+    CHECK(tests[0].failures[0].expanded == "3 == 2");
+    CHECK(tests[0].failures[0].messages ==
+          std::vector<std::string>{"expected 2, but yours gives 3.\nHint: look \"here\""});
+    CHECK(tests[0].failures[1].expression == "FAIL");
+    CHECK(tests[0].failures[1].messages == std::vector<std::string>{"FAIL says why"});
+    CHECK(tests[1].passed);
+    CHECK(tests[1].output == "here I am");
 }
 
-TEST_CASE("an exercise that is missing is found in its exception", "[test_results]") {
-    const auto tests = read_report(R"(<TestCase name="01.4 x">
-      <Exception filename="x.cpp" line="1">
-        exercise 01.1 is still to be written: exercises/01_vectors/rt/dot.hpp:10, explained in
-      </Exception><OverallResult success="false"/></TestCase>)");
+TEST_CASE("an exercise that is missing is known by its number, not by words", "[test_results]") {
+    const auto tests = read_report(R"({"event":"begins","name":"01.4 x"}
+{"event":"failed","macro":"","expression":"f","expanded":"f","exception":"so it says",)"
+                                   R"("missing":"01.1","messages":[]}
+{"event":"ends","passed":false,"output":""})");
     REQUIRE(tests.size() == 1);
     CHECK(missing_exercise(tests[0]) == "01.1");
+    CHECK(tests[0].failures.at(0).exception == "so it says");
     CHECK(companion::missing_exercise({}) == "");
 }
 
 TEST_CASE("a report that ends anywhere is read as far as it goes", "[test_results]") {
-    const std::string whole = "<Catch name=\"p\">" + test_case + "</Catch>";
-    for (std::size_t length = 0; length <= whole.size(); ++length) {
-        const auto tests = read_report(whole.substr(0, length));
-        REQUIRE(tests.size() <= 2);
-    }
-    const auto cut = read_report(whole.substr(0, whole.find("<OverallResult")));
+    for (std::size_t length = 0; length <= report.size(); ++length)
+        REQUIRE(read_report(report.substr(0, length)).size() <= 2);
+    const auto cut = read_report(report.substr(0, report.find("{\"event\":\"ends\"") + 20));
     REQUIRE(cut.size() == 1);
     CHECK_FALSE(cut[0].ended);
-    CHECK(cut[0].failures.size() == 1);
+    CHECK(cut[0].failures.size() == 2);
+    CHECK(read_report(report.substr(report.find("{\"event\":\"failed\""))).size() == 1);
 }
 
 TEST_CASE("a crash is told with the test case in which it came", "[test_results]") {
-    const auto tests = read_report(
-        "<TestCase name=\"01.1 x\"><FatalErrorCondition filename=\"x\" line=\"1\">\n SIGSEGV - "
-        "Segmentation violation signal\n</FatalErrorCondition><OverallResult success=\"false\"/>"
-        "</TestCase>");
+    const auto tests = read_report(R"({"event":"begins","name":"01.1 x"}
+{"event":"crashes","cause":"SIGSEGV - Segmentation violation signal"}
+{"event":"ends","passed":false,"output":""})");
     REQUIRE(tests.size() == 1);
     CHECK(tests[0].crash == "SIGSEGV - Segmentation violation signal");
     CHECK_FALSE(tests[0].passed);
+    CHECK(tests[0].failures.empty());
+}
+
+// What the reporter itself writes: the test cases below run in a process of their own.
+TEST_CASE("events: passes and prints", "[.events]") {
+    std::printf("no line of its own");
+    std::cout << "printed \"so\"\n";
+}
+
+TEST_CASE("events: fails", "[.events]") {
+    INFO("expected 1, but \xff");
+    CHECK(1 + 1 == 1);
+    FAIL_CHECK("said aloud");
+}
+
+TEST_CASE("events: throws", "[.events]") {
+    CHECK(static_cast<bool>(rt::todo("01.1")));
+    const std::vector<int> none;
+    none.at(3);
+}
+
+TEST_CASE("events: needs what is not written", "[.events]") {
+    rt::todo("01.2");
+}
+
+TEST_CASE("events: z crashes", "[.events]") {
+    CHECK(false);
+    std::raise(SIGSEGV);
+}
+
+TEST_CASE("the reporter's lines say all, also of a crash", "[test_results]") {
+    const auto result =
+        companion::run_process({.command = {companion::this_course().program("companion_test"),
+                                            "[.events]", "-r", "events"},
+                                .output = companion::Output::errors_hidden});
+    CHECK(result.signal == SIGSEGV);
+    const auto tests = read_report(result.output);
+    REQUIRE(tests.size() == 5);
+    CHECK(tests[0].passed);
+    CHECK(tests[0].output == "printed \"so\"");
+    REQUIRE(tests[1].failures.size() == 2);
+    CHECK_FALSE(tests[1].passed);
+    CHECK(tests[1].failures[0].expression == "CHECK( 1 + 1 == 1 )");
+    CHECK(tests[1].failures[0].expanded == "2 == 1");
+    CHECK(tests[1].failures[0].messages.at(0).find("expected 1, but ") == 0);
+    CHECK(tests[1].failures[1].messages.back() == "said aloud");
+    REQUIRE(tests[2].failures.size() == 2);
+    CHECK(missing_exercise(tests[2]) == "01.1");
+    CHECK(tests[2].failures[1].missing == "");
+    CHECK(tests[2].failures[1].exception != "");
+    CHECK(missing_exercise(tests[3]) == "01.2");
+    CHECK(tests[4].crash.find("SIGSEGV") == 0);
+    CHECK(tests[4].failures.size() == 2);
 }

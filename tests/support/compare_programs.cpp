@@ -21,7 +21,7 @@ int differ(const char* mine, const char* solution) {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
     try {
-        const auto found = companion::compare(companion::drawn_by(mine, solution));
+        const auto found = companion::compare(companion::two_programs(mine, solution));
         std::printf("%s, %.1f s\n", found.same ? "THE SAME" : "different", seconds());
         for (const std::string& line : found.words()) std::printf("  %s\n", line.c_str());
         return found.same ? 1 : 0;
@@ -33,26 +33,26 @@ int differ(const char* mine, const char* solution) {
 }
 
 // On a machine that has too much to do a program may be stopped for being slow: then once more.
-companion::Comparison patiently(const companion::Drawn& drawn, std::uint64_t start) {
+companion::Comparison patiently(const companion::TwoPrograms& pair, std::uint64_t start) {
     for (int i = 0; i < 5; ++i) try {
-            return companion::compare(drawn, start);
+            return companion::compare(pair, start);
         } catch (const companion::DrawingFailed& failed) {
             if (!failed.result.timed_out) throw;
         }
-    return companion::compare(drawn, start);
+    return companion::compare(pair, start);
 }
 
 int alarms(int runs, int count, char** programs) {
     int all = 0;
     for (int i = 0; i < count; ++i) {
-        companion::Drawn drawn = companion::drawn_by(programs[i], programs[i]);
+        companion::TwoPrograms pair = companion::two_programs(programs[i], programs[i]);
         int alarms = 0, second_steps = 0;
         const auto start = Clock::now();
         for (int run = 0; run < runs; ++run) {
             // Other seeds for the second program's first pictures: equal code must not get away
             // with equal bits.
-            auto fair = drawn;
-            fair.solution = [&](std::uint64_t seed) { return drawn.solution(seed ^ 0x5555); };
+            auto fair = pair;
+            fair.solution = [&](std::uint64_t seed) { return pair.solution(seed ^ 0x5555); };
             const auto found = patiently(fair, static_cast<std::uint64_t>(1000 + run));
             alarms += !found.same;
             second_steps += found.pictures > 8;

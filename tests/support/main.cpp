@@ -1,5 +1,104 @@
-// The entry point of every program of test cases. Catch2 3 brings its own main().
-#if !__has_include(<catch2/catch_test_macros.hpp>)
+// The entry point of every program of test cases, and the reporter that the companion reads. With
+// `-r events` every event is a line of JSON, written whole and at once: what a crash leaves behind
+// are whole lines. Catch2 3 brings its own main().
+#if __has_include(<catch2/catch_test_macros.hpp>)
+#include <catch2/catch_test_case_info.hpp>
+#include <catch2/reporters/catch_reporter_registrars.hpp>
+#include <catch2/reporters/catch_reporter_streaming_base.hpp>
+#else
 #define CATCH_CONFIG_MAIN
 #include "catch.hpp"
 #endif
+#include <nlohmann/json.hpp>
+#include <rt/todo.hpp>
+
+using nlohmann::json;
+
+namespace {
+
+// The exercise whose rt::todo is the exception that is handled now; empty where it is another one.
+std::string missing_exercise() {
+    try {
+        throw;
+    } catch (const rt::NotImplemented& todo) {
+        return todo.exercise();
+    } catch (...) {
+        return "";
+    }
+}
+
+json failure(const Catch::AssertionStats& stats) {
+    using Catch::ResultWas;
+    const Catch::AssertionResult& result = stats.assertionResult;
+    json messages = json::array();
+    for (const Catch::MessageInfo& info : stats.infoMessages)
+        if (info.type == ResultWas::Info || info.type == ResultWas::ExplicitFailure)
+            messages.push_back(info.message);
+    json event{{"event", "failed"}, {"messages", messages}};
+    if (result.hasExpression()) {
+        event["macro"] = std::string{result.getTestMacroName()};
+        event["expression"] = result.getExpression();
+        event["expanded"] = result.getExpandedExpression();
+    }
+    if (result.getResultType() == ResultWas::ThrewException) {
+        event["exception"] = std::string{result.getMessage()};
+        event["missing"] = missing_exercise();
+    }
+    return event;
+}
+
+#ifdef CATCH_CONFIG_MAIN
+class EventReporter : public Catch::StreamingReporterBase<EventReporter> {
+  public:
+    explicit EventReporter(const Catch::ReporterConfig& config) : StreamingReporterBase{config} {
+        m_reporterPrefs.shouldRedirectStdOut = true;
+    }
+    void assertionStarting(const Catch::AssertionInfo&) override {}
+    bool assertionEnded(const Catch::AssertionStats& stats) override {
+        report(stats);
+        return true;
+    }
+    std::ostream& out() { return stream; }
+#else
+class EventReporter : public Catch::StreamingReporterBase {
+  public:
+    explicit EventReporter(Catch::ReporterConfig&& config)
+        : StreamingReporterBase{std::move(config)} {
+        m_preferences.shouldRedirectStdOut = true;
+    }
+    void assertionEnded(const Catch::AssertionStats& stats) override { report(stats); }
+    std::ostream& out() { return m_stream; }
+#endif
+    static std::string getDescription() {
+        return "a line of JSON an event, for ./course";
+    }
+
+    void testCaseStarting(const Catch::TestCaseInfo& test) override {
+        StreamingReporterBase::testCaseStarting(test);
+        write({{"event", "begins"}, {"name", test.name}});
+    }
+    void testCaseEnded(const Catch::TestCaseStats& stats) override {
+        StreamingReporterBase::testCaseEnded(stats);
+        write({{"event", "ends"},
+               {"passed", stats.totals.assertions.allOk()},
+               {"output", stats.stdOut}});
+    }
+
+  private:
+    void report(const Catch::AssertionStats& stats) {
+        const Catch::AssertionResult& result = stats.assertionResult;
+        const bool crashes = result.getResultType() == Catch::ResultWas::FatalErrorCondition;
+        // Of a crash before the first assertion there is no more to say.
+        if (!result.isOk() && (!crashes || result.hasExpression())) write(failure(stats));
+        if (crashes) write({{"event", "crashes"}, {"cause", std::string{result.getMessage()}}});
+    }
+
+    // On a line of its own, whatever the tested code has printed before.
+    void write(const json& event) {
+        out() << '\n' << event.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
+    }
+};
+
+}  // namespace
+
+CATCH_REGISTER_REPORTER("events", EventReporter)

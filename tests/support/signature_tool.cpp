@@ -1,44 +1,51 @@
-// signature_tool --write|--check FOLDER CHAPTER...: runs the mistakes of these chapters, which
-// were built into FOLDER, and writes down what fails in each; or checks that each is recognized by
-// what was written down: as itself, or as one that looks the same from outside.
+// Runs the mistakes of a chapter, which were built into FOLDER.
+//
+//   signature_tool --write FOLDER CHAPTER        writes down what fails in each
+//   signature_tool --check FOLDER CHAPTER NN.k   checks those of one exercise: the test case that
+//   is
+//                                                to catch a mistake fails, and what fails is
+//                                                recognized by what was written down, as this
+//                                                mistake or as one that looks the same from outside
 
 #include <algorithm>
 #include <app/errors.hpp>
 #include <companion/check/check.hpp>
+#include <companion/check/recognition.hpp>
 #include <companion/model/mistakes.hpp>
 #include <companion/system/process.hpp>
 #include <cstdio>
 #include <rt/image_file.hpp>
+#include <set>
 
 using namespace companion;
 
 namespace {
 
-Signature run_mistake(const fs::path& folder, const std::string& name) {
+// What the checkpoints say of a mistake, all of them or one test case.
+std::vector<TestCase> run_mistake(const fs::path& folder, const std::string& name,
+                                  const std::string& test_case = "") {
+    std::vector<std::string> command{(folder / ("mistake." + name)).string(), "-r", "events"};
+    if (!test_case.empty()) command.push_back(test_case);
     const Result result =
-        run_process({.command = {(folder / ("mistake." + name)).string(), "-r", "xml"},
-                     .output = Output::errors_hidden,
-                     .timeout = most_seconds});
+        run_process({.command = command, .output = Output::errors_hidden, .timeout = most_seconds});
     if (result.exit_code == 127) throw app::Failure("mistake." + name + " is not built");
-    return signature_of(read_report(result.output));
+    return read_report(result.output);
 }
 
-std::vector<std::string> names_of_mistakes(const Course& course, const Chapter& chapter) {
-    std::vector<std::string> names;
-    const fs::path folder = course.root / "tests/mistakes" / chapter.name;
-    if (!fs::exists(folder)) return names;
-    for (const auto& entry : fs::directory_iterator{folder})
-        if (entry.is_directory()) names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
+// Whether the test case that is to catch a mistake failed by an assertion, and came to its end.
+bool is_caught(const Mistake& mistake, const std::vector<TestCase>& tests) {
+    return std::any_of(tests.begin(), tests.end(), [&](const TestCase& test) {
+        return test.name == mistake.caught_by && test.ended && test.crash.empty() &&
+               !test.failures.empty();
+    });
 }
 
 // Threads make some mistakes fail now here and now there: what fails every time counts.
 Signature what_always_fails(const fs::path& folder, const std::string& name) {
-    Signature always = run_mistake(folder, name);
+    Signature always = signature_of(run_mistake(folder, name));
     const Signature first = always;
     for (int again = 0; again < 2; ++again) {
-        const Signature once_more = run_mistake(folder, name);
+        const Signature once_more = signature_of(run_mistake(folder, name));
         const auto keep_common = [](std::set<std::string>& kept,
                                     const std::set<std::string>& other) {
             for (auto it = kept.begin(); it != kept.end();)
@@ -54,65 +61,85 @@ Signature what_always_fails(const fs::path& folder, const std::string& name) {
 
 void write(const Course& course, const fs::path& folder, const Chapter& chapter) {
     Signatures signatures;
-    for (const std::string& name : names_of_mistakes(course, chapter))
-        signatures[name] = what_always_fails(folder, name);
+    for (const Mistake& mistake : read_mistakes(course, chapter))
+        signatures[mistake.name] = what_always_fails(folder, mistake.name);
     rt::replace_file(signatures_file(course, chapter), to_text(signatures));
     std::printf("%s: %zu signatures\n", chapter.name.c_str(), signatures.size());
 }
 
-int check(const Course& course, const fs::path& folder, const Chapter& chapter) {
-    const Signatures known = read_signatures(course, chapter);
-    int unknown = 0, alone = 0;
-    const std::vector<std::string> names = names_of_mistakes(course, chapter);
-    for (const std::string& name : names) {
-        const std::string exercise = name.substr(0, name.find('_'));
-        std::vector<std::vector<std::string>> found;
-        const auto is_itself = [&] {
-            return found.size() == 1 &&
-                   std::find(found[0].begin(), found[0].end(), name) != found[0].end();
-        };
-        // Where threads meet, a mistake shows itself now here and now there: it has three tries.
-        // One that never fails in the same way twice, such as undefined behavior, is in no list.
-        const bool noted = known.count(name) == 1;
-        bool by_luck = noted && known.at(name).what.empty();
-        Signature first;
-        for (int tries = 0; tries < 3 && !is_itself(); ++tries) {
-            const Signature signature = run_mistake(folder, name);
-            if (tries == 0) first = signature;
-            by_luck |= noted && !(signature == first);
-            found = recognize(known, exercise, signature);
-        }
-        if (is_itself()) {
-            alone += found[0].size() == 1;
-            continue;
-        }
-        unknown += !by_luck;
-        std::printf("%s%s is taken for %s\n", name.c_str(), by_luck ? ", which fails by luck," : "",
-                    found.empty() ? "no known mistake" : found[0][0].c_str());
+// What a mistake was recognized as, in a few words; and whether that is right.
+struct Recognized {
+    std::string words;
+    bool right;
+};
+
+// Where threads meet, a mistake shows itself now here and now there: it has three tries. One that
+// never fails in the same way twice, such as undefined behavior, is in no list.
+Recognized try_to_recognize(const Signatures& known, const fs::path& folder, const Mistake& mistake,
+                            const Signature& first) {
+    const std::string exercise = mistake.name.substr(0, mistake.name.find('_'));
+    const auto noted = known.find(mistake.name);
+    bool by_luck = noted != known.end() && noted->second.what.empty();
+    std::vector<LookAlikes> found;
+    for (int tries = 0; tries < 3; ++tries) {
+        const Signature signature =
+            tries == 0 ? first : signature_of(run_mistake(folder, mistake.name));
+        by_luck |= noted != known.end() && !(signature == first);
+        found = recognize(known, exercise, signature);
+        if (found.size() == 1 &&
+            std::find(found[0].begin(), found[0].end(), mistake.name) != found[0].end())
+            return {found[0].size() == 1 ? "recognized" : "recognized, and others like it", true};
     }
+    return {"taken for " + (found.empty() ? "no known mistake" : found[0][0]) +
+                (by_luck ? ", as it fails by luck" : ""),
+            by_luck};
+}
+
+int check(const Course& course, const fs::path& folder, const Chapter& chapter,
+          const std::string& exercise) {
+    const Signatures known = read_signatures(course, chapter);
+    std::set<std::string> names;
+    int caught = 0, recognized = 0;
+    for (const Mistake& mistake : read_mistakes(course, chapter)) {
+        if (mistake.name.rfind(exercise + '_', 0) != 0) continue;
+        names.insert(mistake.name);
+        const std::vector<TestCase> tests = run_mistake(folder, mistake.name);
+        // A mistake may end the program before the test case that catches it had its turn.
+        const bool is_seen =
+            is_caught(mistake, tests) ||
+            is_caught(mistake, run_mistake(folder, mistake.name, mistake.caught_by));
+        const Recognized seen = try_to_recognize(known, folder, mistake, signature_of(tests));
+        caught += is_seen;
+        recognized += seen.right;
+        std::printf("%s%s: %s, %s\n", is_seen && seen.right ? "" : "FAILS ", mistake.name.c_str(),
+                    is_seen ? "caught" : ("NOT CAUGHT by '" + mistake.caught_by + '\'').c_str(),
+                    seen.words.c_str());
+    }
+    int gone = 0;
     for (const auto& [name, signature] : known)
-        if (std::find(names.begin(), names.end(), name) == names.end()) {
-            ++unknown;
-            std::printf("%s has a signature, and is gone\n", name.c_str());
+        if (name.rfind(exercise + '_', 0) == 0 && !names.count(name)) {
+            ++gone;
+            std::printf("FAILS %s has a signature, and is gone\n", name.c_str());
         }
-    std::printf("%s: %zu mistakes, %d not recognized, %d told from all others\n",
-                chapter.name.c_str(), names.size(), unknown, alone);
-    if (unknown) std::puts("cmake --build build --target mistake_signatures writes them anew");
-    return unknown ? app::could_not : app::done;
+    const int count = static_cast<int>(names.size());
+    std::printf("%s: %d mistakes, %d caught, %d recognized\n", exercise.c_str(), count, caught,
+                recognized);
+    if (recognized < count || gone)
+        std::puts("cmake --build build --target mistake_signatures writes the signatures anew");
+    return count > 0 && caught == count && recognized == count && !gone ? app::done
+                                                                        : app::could_not;
 }
 
 int run(const std::vector<std::string>& words) {
-    if (words.size() < 3 || (words[0] != "--write" && words[0] != "--check"))
-        throw app::UsageError("usage: signature_tool --write|--check FOLDER CHAPTER...");
     const Course course = this_course();
-    int worst = app::done;
-    for (std::size_t i = 2; i < words.size(); ++i) {
-        if (words[0] == "--write")
-            write(course, words[1], {words[i]});
-        else
-            worst = std::max(worst, check(course, words[1], {words[i]}));
+    if (words.size() == 3 && words[0] == "--write") {
+        write(course, words[1], {words[2]});
+        return app::done;
     }
-    return worst;
+    if (words.size() == 4 && words[0] == "--check")
+        return check(course, words[1], {words[2]}, words[3]);
+    throw app::UsageError(
+        "usage: signature_tool --write FOLDER CHAPTER, or --check FOLDER CHAPTER NN.k");
 }
 
 }  // namespace

@@ -172,13 +172,18 @@ TEST_CASE("what is no JSON is refused with line and column", "[scene_file]") {
     REFUSED("{\"a\": 1} 2", "s.json:1:10: ", "expected end of input");
     REFUSED("{\"a\": NaN}", "s.json:1:7: ", "are allowed");
     REFUSED("{\"a\": Infinity}", "s.json:1:7: ", "are allowed");
-    REFUSED("{\"a\": -Infinity}", "s.json:1:8: ", "expected digit");
+    REFUSED("{\"a\": -Infinity}", "s.json:1:8: ", "expected a digit");
     REFUSED("{\"a\": 1e999}", "s.json:1:11: ", "1e308");
     REFUSED("{\"\xff\": 1}", "s.json:1:3: ", "UTF-8");
     REFUSED(std::string("{\"a\": \0}", 8), "s.json:1:7: ", "has none");
     REFUSED(std::string("{}\0", 3), "s.json:1:3: ", "has none");
     const std::string endless(10'000, 'x');
     REFUSED("{\"a\": \"" + endless, "s.json:1:", "closing quote");
+    REFUSED("{\"a\": \"b\n\"}", "s.json:2:1: ", "\\n for a line break");
+    REFUSED(R"({"a": "\x"})", "s.json:1:9: ", "four hexadecimal digits");
+    REFUSED(R"({"a" 1})", "s.json:1:6: ", "expected a colon");
+    REFUSED(R"({"a": [1}})", "s.json:1:9: ", "expected a comma or ]");
+    REFUSED(R"({"a": tru})", "s.json:1:10: ", "are allowed");
 }
 
 TEST_CASE("usual slips in JSON are told by their names", "[scene_file]") {
@@ -191,7 +196,7 @@ TEST_CASE("usual slips in JSON are told by their names", "[scene_file]") {
     REFUSED(R"({"a": [1, 2, ]})", "s.json:1:14: ", "a comma too many before ]");
     REFUSED(R"({"a": 1, })", "s.json:1:10: ", "a comma too many before }");
     REFUSED(R"({"a": 1,5, "b": 2})", "s.json:1:9: ", "a decimal point, not a comma");
-    REFUSED(R"({"a": 1, 5})", "s.json:1:10: ", "expected string literal");
+    REFUSED(R"({"a": 1, 5})", "s.json:1:10: ", "expected a key in double quotes");
     REFUSED(R"({"a": 01})", "s.json:1:8: ", "does not begin with 0");
     REFUSED(R"({"a": .5})", "s.json:1:7: ", "begins with a digit");
     REFUSED(R"({"a": +5})", "s.json:1:7: ", "begins with a digit");

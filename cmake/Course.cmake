@@ -1,0 +1,29 @@
+# The facts of course.json: course_names, all chapters in their order, and of each chapter
+# course_ids_NN_topic, its exercises, and course_text_NN_topic, the file of its text.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/course.json)
+file(READ ${CMAKE_SOURCE_DIR}/course.json course_json)
+
+# course_fact(out GET|LENGTH keys...): a value of the file, or how many a list of it has.
+function(course_fact out mode)
+  string(JSON value ERROR_VARIABLE error ${mode} "${course_json}" ${ARGN})
+  if(error)
+    message(FATAL_ERROR "course.json needs a value at: ${ARGN} (${error})")
+  endif()
+  set(${out} ${value} PARENT_SCOPE)
+endfunction()
+
+set(course_names "")
+course_fact(chapters LENGTH chapters)
+math(EXPR last_chapter "${chapters} - 1")
+foreach(chapter RANGE ${last_chapter})
+  course_fact(name GET chapters ${chapter} name)
+  course_fact(course_text_${name} GET chapters ${chapter} text)
+  course_fact(exercises LENGTH chapters ${chapter} exercises)
+  math(EXPR last_exercise "${exercises} - 1")
+  set(course_ids_${name} "")
+  foreach(exercise RANGE ${last_exercise})
+    course_fact(id GET chapters ${chapter} exercises ${exercise} id)
+    list(APPEND course_ids_${name} ${id})
+  endforeach()
+  list(APPEND course_names ${name})
+endforeach()

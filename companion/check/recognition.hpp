@@ -1,0 +1,27 @@
+#pragma once
+// Recognizing the known mistakes by what fails.
+
+#include <companion/check/signature.hpp>
+#include <companion/model/course.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+using Signatures = std::map<std::string, Signature>;  // by the mistake's name
+
+// tests/mistakes/NN_topic/signatures.json, which the target mistake_signatures writes.
+fs::path signatures_file(const Course& course, const Chapter& chapter);
+Signatures read_signatures(const Course& course, const Chapter& chapter);  // empty where missing
+std::string to_text(const Signatures& signatures);
+
+// Mistakes that look the same from outside: one of them it is.
+using LookAlikes = std::vector<std::string>;
+
+// The mistake that an answer looks like; or the two that were made at once; or nothing, where no
+// mistake is alike enough or several are nearly as much.
+std::vector<LookAlikes> recognize(const Signatures& known, const std::string& exercise,
+                                  const Signature& signature);
+
+}  // namespace companion

@@ -1,0 +1,132 @@
+#include <app/errors.hpp>
+#include <companion/model/mistakes.hpp>
+#include <temporary_folder.hpp>
+
+#include "catch.hpp"
+
+using namespace companion;
+
+namespace {
+
+const std::string solution = "int f() {\n    return 1;\n}\nint g() {\n    return 1;\n}\n";
+
+const std::string edit =
+    "Replace in `rt/f.hpp`\n```cpp\nint f() {\n```\nwith\n```cpp\nint f(int) {\n```\n";
+
+const std::string keys = "title: takes a number\ncaught by: 01.1 f takes nothing\n";
+
+std::string with_heading(const std::string& mistake) {
+    return "# Mistakes of 01.1\n\n## 01.1_takes\n" + mistake;
+}
+
+// The mistakes of a file with this text, and its folder, which has the solution too.
+struct Written {
+    explicit Written(const std::string& text) {
+        checkpoint::write_file(folder / "rt/f.hpp", solution);
+        checkpoint::write_file(folder / "01.1.md", text);
+    }
+    std::vector<Mistake> read() const { return read_mistakes(folder / "01.1.md"); }
+    std::map<std::string, std::string> edited() const {
+        return edited_files(read().at(0), folder.path());
+    }
+
+    checkpoint::TemporaryFolder folder;
+};
+
+// What is said of a mistake, without the folder's name.
+std::string error(const std::string& text) {
+    const Written written{text};
+    try {
+        written.edited();
+    } catch (const app::Failure& failure) {
+        std::string words = failure.what();
+        const std::string folder = written.folder.path().string() + '/';
+        for (auto at = words.find(folder); at != std::string::npos; at = words.find(folder))
+            words.erase(at, folder.size());
+        return words;
+    }
+    return "no error";
+}
+
+std::string error_of_edit(const std::string& replaced, const std::string& in = "rt/f.hpp") {
+    return error(with_heading(keys + "\nWords.\n\nReplace in `" + in + "`\n```cpp\n" + replaced +
+                              "```\nwith\n```cpp\n```\n"));
+}
+
+}  // namespace
+
+TEST_CASE("a mistake has words for the learner and edits of the solution", "[mistakes]") {
+    const Written written{with_heading(keys + "changes picture: yes\n\nIt takes\na number.\n\n" +
+                                       edit + "\n## 01.1_other\n" + keys + "\nWords.\n\n" + edit)};
+    const auto mistakes = written.read();
+    REQUIRE(mistakes.size() == 2);
+    CHECK(mistakes[0].name == "01.1_takes");
+    CHECK(mistakes[0].title == "takes a number");
+    CHECK(mistakes[0].caught_by == "01.1 f takes nothing");
+    CHECK(mistakes[0].explanation == "It takes a number.");
+    CHECK(mistakes[0].remarks == std::map<std::string, std::string>{{"changes picture", "yes"}});
+    CHECK(mistakes[1].name == "01.1_other");
+    CHECK(mistakes[1].remarks.empty());
+    const auto files = written.edited();
+    REQUIRE(files.size() == 1);
+    CHECK(files.at("rt/f.hpp") == "int f(int) {\n    return 1;\n}\nint g() {\n    return 1;\n}\n");
+}
+
+TEST_CASE("an edit starts from what the one before has made", "[mistakes]") {
+    const Written written{
+        with_heading(keys + "\nWords.\n\n" + edit +
+                     "\nReplace in `rt/f.hpp`\n```cpp\nint f(int) {\n    return 1;\n```\n"
+                     "with\n```cpp\nint f(int) {\n```\n")};
+    CHECK(written.edited().at("rt/f.hpp") == "int f(int) {\n}\nint g() {\n    return 1;\n}\n");
+}
+
+TEST_CASE("an edit that does not match exactly once is an error", "[mistakes]") {
+    CHECK(error_of_edit("int f() {\n") == "no error");
+    CHECK(error_of_edit("    return 1;\n") ==
+          "01.1.md:10: these lines are 2 times in rt/f.hpp; add a line before or after that tells "
+          "them apart");
+    const std::string never =
+        "01.1.md:10: these lines are not in rt/f.hpp; copy them from there as they stand, after "
+        "the "
+        "edits before";
+    CHECK(error_of_edit("    return 2;\n") == never);
+    CHECK(error_of_edit("f() {\n") == never);  // not a whole line
+    CHECK(error_of_edit("int f() {\n", "rt/g.hpp") == "01.1.md:10: there is no rt/g.hpp");
+    CHECK(error_of_edit("") == "01.1.md:10: expected lines to replace, actual: none");
+    CHECK(error(with_heading(keys + "\nWords.\n\nReplace in `rt/f.hpp`\n```cpp\nint f() {\n```\n"
+                                    "with\n```cpp\nint f() {\n```\n")) ==
+          "01.1.md:10: this edit changes nothing");
+}
+
+TEST_CASE("what is wrong with a mistake is said with file and line", "[mistakes]") {
+    const std::string words = "\nWords.\n\n";
+    CHECK(error(with_heading("title: x\n" + words + edit)) ==
+          "01.1.md:5: 01.1_takes needs a line 'caught by: ...' here");
+    CHECK(error(with_heading("caught by: x\n" + words + edit)) ==
+          "01.1.md:5: 01.1_takes needs a line 'title: ...' here");
+    CHECK(error(with_heading("titel: x\n" + keys + words + edit)) ==
+          "01.1.md:4: 'titel' is no known key; see companion/model/mistakes.cpp");
+    CHECK(error(with_heading(keys + "title: y\n" + words + edit)) ==
+          "01.1.md:6: 'title' stands there twice");
+    CHECK(error(with_heading(keys + "Words.\n\n" + edit)) ==
+          "01.1.md:6: expected 'key: value' or an empty line, actual: 'Words.'");
+    CHECK(error(with_heading(keys + "\n" + edit)) ==
+          "01.1.md:7: 01.1_takes needs words for the learner here");
+    CHECK(error(with_heading(keys + words)) ==
+          "01.1.md:8: 01.1_takes needs an edit here: 'Replace in `rt/file.hpp`'");
+    CHECK(error(with_heading(keys + words + "Replace in rt/f.hpp\n")) ==
+          "01.1.md:9: expected 'Replace in `rt/file.hpp`', actual: 'Replace in rt/f.hpp'");
+    CHECK(error(with_heading(keys + words + "Replace in `rt/f.hpp`\n```cpp\nint f() {\n```\n")) ==
+          "01.1.md:12: expected the line 'with', actual: the end of the file");
+    CHECK(error(with_heading(keys + words + "Replace in `rt/f.hpp`\nint f() {\n")) ==
+          "01.1.md:10: expected the line '```cpp', actual: 'int f() {'");
+    CHECK(error("# Mistakes of 01.1\n\n## 01.2_takes\n" + keys + words + edit) ==
+          "01.1.md:3: expected a heading '## 01.1_name', actual: '## 01.2_takes'");
+    CHECK(error("# Mistakes\n") ==
+          "01.1.md:1: expected the line '# Mistakes of 01.1', actual: '# Mistakes'");
+    CHECK(error(with_heading(keys + words + edit + "\n## 01.1_takes\n" + keys + words + edit)) ==
+          "01.1.md:18: another mistake is called 01.1_takes; each needs a name of its own");
+    CHECK(error(with_heading(keys + "changes picture: no\n" + words + edit)) ==
+          "01.1.md:6: expected 'changes picture: yes' or no such line, actual: 'changes picture: "
+          "no'");
+}
