@@ -79,11 +79,8 @@ struct SplitLeaf {
 struct SplitBinned {
     int operator()(std::span<int> order, std::span<const Box> boxes) const {
         if (static_cast<int>(order.size()) <= 2) return 0;
-        std::vector<BuildItem<Real>> items;
-        for (const int i : order) {
-            const Box& b = boxes[static_cast<std::size_t>(i)];
-            items.push_back({{b.low.x, b.low.y, b.low.z}, {b.high.x, b.high.y, b.high.z}, i});
-        }
+        std::vector<BuildItem> items;
+        for (const int i : order) items.push_back({boxes[static_cast<std::size_t>(i)], i});
         const auto left = binned_split(std::span{items}, false);
         for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].number;
         return static_cast<int>(left);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <app/json.hpp>
+#include <app/nearest_word.hpp>
 #include <array>
 #include <cmath>
 #include <cstdio>

@@ -237,24 +237,6 @@ nlohmann::json scalar(const Json& json) {
     return json.number;
 }
 
-// How many letters to put in, take out or change, or neighbors to swap, to make one of the other.
-std::size_t slips(const std::string& a, const std::string& b) {
-    std::vector<std::vector<std::size_t>> table(a.size() + 1,
-                                                std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i)
-        for (std::size_t j = 0; j <= b.size(); ++j) {
-            if (i == 0 || j == 0) {
-                table[i][j] = i + j;
-                continue;
-            }
-            table[i][j] = std::min({table[i - 1][j] + 1, table[i][j - 1] + 1,
-                                    table[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                table[i][j] = std::min(table[i][j], table[i - 2][j - 2] + 1);
-        }
-    return table[a.size()][b.size()];
-}
-
 }  // namespace
 
 std::string read_input_file(const fs::path& path, const std::string& name, std::size_t most) {
@@ -330,28 +312,6 @@ std::string quoted(const std::string& text) {
     std::size_t end = most;  // of a whole character: further bytes of one are 10xxxxxx
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
     return '"' + text.substr(0, end) + "...\"";
-}
-
-std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words) {
-    // A third of the letters may be wrong, and one of two.
-    return nearest_word(wrong, words, std::max<std::size_t>(wrong.size() / 3, 1));
-}
-
-std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words,
-                         std::size_t most) {
-    std::string nearest;
-    std::size_t best = most;
-    if (wrong.size() > 40) return {};  // what is longer than a word is no slip
-    for (const std::string& word : words) {
-        // Who leaves out the end means the word.
-        if (wrong.size() >= 3 && word.rfind(wrong, 0) == 0) return word;
-        const std::size_t count = slips(wrong, word);
-        if (count < best || (count == best && nearest.empty())) {
-            best = count;
-            nearest = word;
-        }
-    }
-    return nearest;
 }
 
 }  // namespace app

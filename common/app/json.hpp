@@ -42,11 +42,4 @@ std::string path_of_item(const std::string& parent, std::size_t index);
 // What a person wrote, in quotes, and no more of it than helps.
 std::string quoted(const std::string& text);
 
-// The word that was probably meant: the one with the fewest slips (a letter too many, missing or
-// wrong, or two neighbors swapped), none where all have more than `most`; without it, more than a
-// third of the letters.
-std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words);
-std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words,
-                         std::size_t most);
-
 }  // namespace app

@@ -1,4 +1,5 @@
 #include <unistd.h>
+#include <app/files.hpp>
 
 #include <CLI/CLI.hpp>
 #include <app/json.hpp>
@@ -70,7 +71,7 @@ void write_image(const Program& program, const fs::path& path, const rt::Image& 
     const std::string bytes =
         path.extension() == ".png" ? rt::encode_png(image) : encode_ppm(image);
     try {
-        rt::replace_file(path, bytes);
+        app::replace_file(path, bytes);
     } catch (const std::system_error& error) {
         throw Failure("--out: " + path.string() + " cannot be written (" + error.code().message() +
                       "); make room there, or name another place");

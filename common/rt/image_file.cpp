@@ -1,24 +1,16 @@
 #include <stb_image.h>
 #include <stb_image_write.h>
-#include <unistd.h>
 
-#include <app/signals.hpp>
-#include <atomic>
-#include <cerrno>
+#include <algorithm>
 #include <climits>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
-#include <random>
 #include <rt/image_file.hpp>
 #include <stdexcept>
-#include <system_error>
 #include <vector>
 
 namespace rt {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::vector<std::uint8_t> to_bytes(const Image& image) {
     std::vector<std::uint8_t> bytes;
@@ -29,51 +21,6 @@ std::vector<std::uint8_t> to_bytes(const Image& image) {
     }
     return bytes;
 }
-
-[[noreturn]] void fail(int error) {
-    throw std::system_error(error ? error : EIO, std::generic_category());
-}
-
-// mode "w" writes to what is there, "wx" to a new file only.
-void write_to(const fs::path& path, const std::string& bytes, const char* mode) {
-    std::FILE* const file = std::fopen(path.c_str(), mode);
-    if (!file) fail(errno);
-    errno = 0;
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    const int write_error = errno;
-    errno = 0;
-    // The last bytes are written on closing, so a full disk may show only here.
-    const bool closed = std::fclose(file) == 0;
-    if (!written) fail(write_error);
-    if (!closed) fail(errno);
-}
-
-// The file that a path means: through links the one that they point to, there or not.
-fs::path behind_links(fs::path path) {
-    for (int links = 0; fs::is_symlink(fs::symlink_status(path)); ++links) {
-        if (links == 40) fail(ELOOP);
-        path = path.parent_path() / fs::read_symlink(path);
-    }
-    return path;
-}
-
-// The file that Ctrl-C and the like must not leave behind, while there is one.
-std::atomic<const char*> unfinished = nullptr;
-
-bool remove_unfinished(int) {
-    if (const char* const path = unfinished) ::unlink(path);
-    return false;
-}
-
-// While it lives, an interruption of the program removes the file before it takes effect.
-class RemovedOnInterrupt {
-  public:
-    explicit RemovedOnInterrupt(const fs::path& path) { unfinished = path.c_str(); }
-    ~RemovedOnInterrupt() { unfinished = nullptr; }
-
-  private:
-    app::OnSignal on_signal_{app::ending_signals, remove_unfinished};
-};
 
 }  // namespace
 
@@ -117,26 +64,6 @@ Image decode_image(const std::string& bytes, int most_pixels) {
         };
         return Color{channel(p[0]), channel(p[1]), channel(p[2])};
     });
-}
-
-void replace_file(const fs::path& path, const std::string& bytes) {
-    const fs::file_status status = fs::status(path);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, bytes, "w");
-
-    const fs::path target = behind_links(path);
-    // A name of its own, so that two programs that write the same image do not meet.
-    const fs::path temporary =
-        target.parent_path() / ("." + std::to_string(std::random_device{}()) + ".part");
-    const RemovedOnInterrupt guard{temporary};
-    try {
-        write_to(temporary, bytes, "wx");
-        if (fs::exists(status)) fs::permissions(temporary, status.permissions());
-        fs::rename(temporary, target);
-    } catch (const std::system_error&) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        throw;
-    }
 }
 
 }  // namespace rt

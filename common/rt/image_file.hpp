@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <rt/image.hpp>
 #include <string>
 
@@ -15,11 +14,5 @@ std::string encode_ppm(const Image& image);  // the binary form, P6
 // Throws std::length_error when it has more than this many pixels, std::runtime_error when it is no
 // PNG file or a broken one.
 Image decode_image(const std::string& bytes, int most_pixels);
-
-// Replaces the file as a whole: the bytes go to a new file beside it, which then takes its name, so
-// that a reader sees the old file or the new one, never a part. A path that is no regular file (a
-// device, a pipe) is written to directly.
-// Throws std::system_error when it cannot; then an older file is as it was and no new one is left.
-void replace_file(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace rt

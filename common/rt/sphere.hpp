@@ -8,4 +8,9 @@ struct Sphere {
     Real radius = 1;  // greater than 0
 };
 
+// The same sphere in another place.
+constexpr Sphere moved(const Sphere& sphere, Vec3 by) {
+    return {sphere.center + by, sphere.radius};
+}
+
 }  // namespace rt

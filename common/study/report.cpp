@@ -1,5 +1,5 @@
+#include <app/files.hpp>
 #include <fstream>
-#include <rt/image_file.hpp>
 #include <rt/real.hpp>
 #include <study/csv.hpp>
 #include <study/report.hpp>
@@ -49,7 +49,7 @@ void Report::write_csv(const std::filesystem::path& folder) const {
         if (line.size() > precision_column && line[precision_column] == other)
             text += to_text(line);
     for (const Row& row : rows_) text += to_text(to_line(row));
-    rt::replace_file(path, text);
+    app::replace_file(path, text);
 }
 
 void Report::print_table(std::FILE* out) const {

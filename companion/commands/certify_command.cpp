@@ -1,4 +1,5 @@
 #include <sys/utsname.h>
+#include <app/files.hpp>
 
 #include <app/errors.hpp>
 #include <chrono>
@@ -13,7 +14,6 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
-#include <rt/image_file.hpp>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -147,7 +147,7 @@ class Examination {
 
     void draw(const std::vector<Chapter>& all) {
         const fs::path folder = course_.out() / "certificate";
-        make_folder(folder);
+        app::make_folder(folder);
         for (const Chapter& chapter : all) {
             fs::remove(folder / chapter.picture());
             const Result result =
@@ -193,7 +193,7 @@ class Examination {
 }  // namespace
 
 int certify(const Course& course) {
-    make_folder(course.out());
+    app::make_folder(course.out());
     const std::vector<Chapter> all = chapters(course);
     Examination examination{course};
     const bool written = examination.check_exercises_of(check_all_chapters(course));
@@ -206,7 +206,7 @@ int certify(const Course& course) {
         examination.draw(all);
     }
     const Certificate certificate = examination.certificate();
-    rt::replace_file(course.out() / "certificate.html", certificate_html(certificate));
+    app::replace_file(course.out() / "certificate.html", certificate_html(certificate));
     if (certificate.passed()) {
         std::puts("Everything holds. Your certificate is out/certificate.html.");
         return app::done;

@@ -1,9 +1,9 @@
 #include <app/errors.hpp>
+#include <app/files.hpp>
 #include <companion/build/build.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/compare/comparison_sheet.hpp>
 #include <companion/compare/program_pictures.hpp>
-#include <companion/pages/studies.hpp>
 #include <cstdio>
 #include <rt/image_file.hpp>
 
@@ -27,9 +27,9 @@ int compare(const Course& course, const std::string& name) {
     const auto words = found.words();
     std::printf("%s: %s\n", chapter.name.c_str(), words[0].c_str());
     for (std::size_t i = 1; i < words.size(); ++i) std::printf("  %s\n", words[i].c_str());
-    make_folder(course.out());
+    app::make_folder(course.out());
     const fs::path path = course.out() / (chapter.name + "_compare.png");
-    rt::replace_file(path, rt::encode_png(comparison_sheet(found)));
+    app::replace_file(path, rt::encode_png(comparison_sheet(found)));
     std::printf("Both and their difference are in %s\n",
                 path.lexically_relative(course.root).c_str());
     return found.same ? app::done : app::could_not;

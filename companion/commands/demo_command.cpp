@@ -1,11 +1,11 @@
 #include <app/errors.hpp>
+#include <app/files.hpp>
 #include <chrono>
 #include <companion/commands/commands.hpp>
 #include <companion/pages/gallery.hpp>
 #include <companion/pages/studies.hpp>
 #include <companion/system/process.hpp>
 #include <cstdio>
-#include <rt/image_file.hpp>
 
 namespace companion {
 namespace {
@@ -43,7 +43,7 @@ bool attempt(const Chapter& chapter, const char* what, Work work) {
 }  // namespace
 
 int demo(const Course& course) {
-    make_folder(course.out());
+    app::make_folder(course.out());
     const bool with_plots = is_installed("gnuplot");
     const std::vector<Chapter> all = chapters(course);
     bool ok = true;
@@ -66,7 +66,7 @@ int demo(const Course& course) {
         std::fflush(stdout);
         exhibits.push_back(collect(course, all[i], rendered[i]));
     }
-    rt::replace_file(course.out() / "index.html", gallery_html(exhibits));
+    app::replace_file(course.out() / "index.html", gallery_html(exhibits));
     std::printf("The gallery is in %s\n", (course.out() / "index.html").string().c_str());
     return ok ? app::done : app::could_not;
 }

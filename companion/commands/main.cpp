@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <app/json.hpp>
+#include <app/nearest_word.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/system/files.hpp>
 #include <cstdio>

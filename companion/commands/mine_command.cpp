@@ -1,9 +1,9 @@
 #include <app/errors.hpp>
+#include <app/files.hpp>
 #include <companion/build/build.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/check/passing_chapters.hpp>
 #include <companion/commands/commands.hpp>
-#include <companion/pages/studies.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
@@ -31,7 +31,7 @@ int mine(const Course& course) {
         program = last + "_mine";
     }
     must_build(from, program);
-    make_folder(course.out());
+    app::make_folder(course.out());
     fs::remove(course.out() / "mine.png");
     const Result result =
         run_process({.command = {from.program(program).string(), "--out", "mine.png"},

@@ -1,4 +1,5 @@
 #include <app/errors.hpp>
+#include <app/files.hpp>
 #include <chrono>
 #include <companion/commands/commands.hpp>
 #include <companion/model/exercise.hpp>
@@ -7,7 +8,6 @@
 #include <companion/system/files.hpp>
 #include <cstdio>
 #include <ctime>
-#include <rt/image_file.hpp>
 
 namespace companion {
 namespace {
@@ -53,7 +53,7 @@ int reset(const Course& course, const std::string& id) {
                 (folder / path.filename()).lexically_relative(course.root).string().c_str());
         }
         fs::create_directories(path.parent_path());
-        rt::replace_file(path, stubs.at(file.lexically_relative(chapter)));
+        app::replace_file(path, stubs.at(file.lexically_relative(chapter)));
         std::printf("reset  %s\n", file.string().c_str());
     }
     return app::done;

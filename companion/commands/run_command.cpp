@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <app/errors.hpp>
+#include <app/files.hpp>
 #include <companion/build/build.hpp>
 #include <companion/commands/commands.hpp>
-#include <companion/pages/studies.hpp>
 #include <companion/system/process.hpp>
 #include <cstdio>
 
@@ -25,7 +25,7 @@ int run(const Course& course, const std::string& name, const std::vector<std::st
 
     std::vector<std::string> command{course.program(chapter.name).string()};
     if (!says_where(options)) {
-        make_folder(course.out());
+        app::make_folder(course.out());
         const fs::path picture = course.out() / (chapter.name + "_mine.png");
         command.insert(command.end(), {"--out", picture.string()});
     }

@@ -1,10 +1,10 @@
 #include <app/errors.hpp>
+#include <app/files.hpp>
 #include <app/json.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/file_lock.hpp>
 #include <companion/system/files.hpp>
 #include <cstdio>
-#include <rt/image_file.hpp>
 
 namespace companion {
 namespace {
@@ -115,7 +115,7 @@ void change_state(const Course& course, const std::function<void(State&)>& chang
     const FileLock lock{folder / "state.lock"};
     State state = read_state(course);
     change(state);
-    rt::replace_file(folder / "state.json", to_text(state));
+    app::replace_file(folder / "state.json", to_text(state));
 }
 
 }  // namespace companion

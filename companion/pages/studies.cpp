@@ -1,9 +1,9 @@
 #include <app/errors.hpp>
+#include <app/files.hpp>
 #include <companion/pages/measurements.hpp>
 #include <companion/pages/plot.hpp>
 #include <companion/pages/studies.hpp>
 #include <companion/system/process.hpp>
-#include <rt/image_file.hpp>
 #include <system_error>
 
 namespace companion {
@@ -19,14 +19,8 @@ fs::path study_folder(const Course& course) {
     return course.out() / "study";
 }
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw app::Failure(folder.string() + " cannot be made: " + error.message());
-}
-
 void measure(const Course& course, const Chapter& chapter, bool show_tables) {
-    make_folder(study_folder(course));
+    app::make_folder(study_folder(course));
     fs::remove(study_folder(course) / chapter.table());  // an older one must not pass for this one
     for (const char* const suffix : {"_solution", "_solution_float"}) {
         const std::string program = chapter.name + suffix;
@@ -46,7 +40,7 @@ int draw_plots(const Course& course, const Chapter& chapter) {
     for (const auto& rows : by_study(read_measurements(folder / chapter.table()))) {
         const std::string file = plot_file(chapter, rows.front().study);
         const fs::path script = folder / (file + ".gnuplot");
-        rt::replace_file(script, plot_script(rows, file));
+        app::replace_file(script, plot_script(rows, file));
         const Result result = run_process(
             {.command = {"gnuplot", script.filename().string()}, .folder = folder, .timeout = 60});
         if (!result.ok())

@@ -19,7 +19,4 @@ std::vector<std::string> plots(const Course& course, const Chapter& chapter);
 // Where the tables and plots are.
 fs::path study_folder(const Course& course);
 
-// Makes a folder where it is missing. Throws app::Failure where it cannot.
-void make_folder(const fs::path& folder);
-
 }  // namespace companion

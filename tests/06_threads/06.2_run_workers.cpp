@@ -147,11 +147,11 @@ TEST_CASE("06.2 a thread that cannot be started leaves none behind", "[06.2][har
         if (!leave_room_for_few_threads()) throw 0;  // cannot be tried here
         run_workers(1000, [](int) {});
     });
-    INFO("the system has no more threads: expected " << text(Ending::threw) << ", but there was "
-                                                     << text(ending)
-                                                     << ".\nHint: the constructor of std::thread "
-                                                        "may throw; the threads before it must "
-                                                        "be joined all the same. Joiner does that");
+    INFO("the system has no more threads: expected "
+         << text(Ending::threw) << ", but there was " << text(ending)
+         << ".\nHint: the constructor of std::thread "
+            "may throw; the threads before it must "
+            "be joined all the same. JoinGuard does that");
     CHECK(static_cast<int>(ending) == static_cast<int>(Ending::threw));
 }
 

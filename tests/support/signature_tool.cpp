@@ -9,12 +9,12 @@
 
 #include <algorithm>
 #include <app/errors.hpp>
+#include <app/files.hpp>
 #include <companion/check/check.hpp>
 #include <companion/check/recognition.hpp>
 #include <companion/model/mistakes.hpp>
 #include <companion/system/process.hpp>
 #include <cstdio>
-#include <rt/image_file.hpp>
 #include <set>
 
 using namespace companion;
@@ -67,7 +67,7 @@ void write(const Course& course, const fs::path& folder, const Chapter& chapter)
     Signatures signatures;
     for (const Mistake& mistake : read_mistakes(course, chapter))
         signatures[mistake.name] = what_always_fails(folder, mistake.name);
-    rt::replace_file(signatures_file(course, chapter), to_text(signatures));
+    app::replace_file(signatures_file(course, chapter), to_text(signatures));
     std::printf("%s: %zu signatures\n", chapter.name.c_str(), signatures.size());
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <exception>
-#include <rt/joiner.hpp>
+#include <rt/join_guard.hpp>
 #include <rt/todo.hpp>
 #include <thread>
 #include <vector>

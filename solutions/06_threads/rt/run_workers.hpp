@@ -1,6 +1,6 @@
 #pragma once
 #include <exception>
-#include <rt/joiner.hpp>
+#include <rt/join_guard.hpp>
 #include <thread>
 #include <vector>
 
@@ -15,7 +15,7 @@ void run_workers(int workers, const Work& work) {
     std::vector<std::exception_ptr> exceptions(static_cast<std::size_t>(workers));
     {
         std::vector<std::thread> threads;
-        const Joiner join_all{threads};
+        const JoinGuard join_all{threads};
         for (int worker = 0; worker < workers; ++worker)
             threads.emplace_back([&work, &exceptions, worker] {
                 try {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
+#include <rt/bounds.hpp>
 #include <span>
 
 namespace rt {
@@ -11,111 +11,94 @@ namespace rt {
 // along each axis, and only splits between bins are tried. Linear time.
 // Source: Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007.
 
-// A box in numbers of the type of the tree, and whose it is. Middles are doubled: low + high.
-template <class Number>
+// A box, and whose it is.
 struct BuildItem {
-    std::array<Number, 3> low, high;
+    Box box;
     std::int32_t number = 0;
 
-    Number middle(std::size_t axis) const { return low[axis] + high[axis]; }
+    // Twice the middle: halving it would change no split.
+    Vec3 middle() const { return box.low + box.high; }
 };
 
-template <class Number>
-struct BuildBox {
-    static constexpr Number far = std::numeric_limits<Number>::infinity();
-    std::array<Number, 3> low{far, far, far}, high{-far, -far, -far};
-
-    void add(const std::array<Number, 3>& other_low, const std::array<Number, 3>& other_high) {
-        for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], other_low[k]);
-        for (std::size_t k = 0; k < 3; ++k) high[k] = std::max(high[k], other_high[k]);
-    }
-    Number half_area() const {
-        const Number x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-        return x < 0 ? 0 : x * y + y * z + z * x;
-    }
-};
+// Half of the area of a box's six faces; 0 for the empty box.
+inline Real half_area(const Box& box) {
+    const Vec3 size = box.size();
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
 
 inline constexpr std::size_t bins = 16;
 
 // Bins of equal width along each axis, from the first middle to the last one.
-template <class Number>
 struct BinGrid {
-    std::array<Number, 3> first;
-    std::array<Number, 3> bins_per_length;  // 0 where all middles are at one place
-    std::size_t longest = 0;                // the axis along which the middles are spread most
+    Box middles;
+    Vec3 bins_per_length;  // 0 where all middles are at one place
 
-    explicit BinGrid(std::span<const BuildItem<Number>> items) {
-        BuildBox<Number> middles;
-        for (const auto& item : items) {
-            const std::array<Number, 3> middle{item.middle(0), item.middle(1), item.middle(2)};
-            middles.add(middle, middle);
+    explicit BinGrid(std::span<const BuildItem> items) {
+        for (const BuildItem& item : items) {
+            const Vec3 middle = item.middle();
+            middles = join(middles, {middle, middle});
         }
-        first = middles.low;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Number length = middles.high[k] - middles.low[k];
-            const Number scale = static_cast<Number>(bins) / length;
-            bins_per_length[k] = scale < BuildBox<Number>::far ? scale : 0;
-            if (length > middles.high[longest] - middles.low[longest]) longest = k;
-        }
+        const auto per_length = [](Real length) {
+            const Real scale = static_cast<Real>(bins) / length;
+            return scale < infinity ? scale : 0;
+        };
+        const Vec3 size = middles.size();
+        bins_per_length = {per_length(size.x), per_length(size.y), per_length(size.z)};
     }
-    std::size_t bin_of(const BuildItem<Number>& item, std::size_t axis) const {
-        const Number place = (item.middle(axis) - first[axis]) * bins_per_length[axis];
-        return std::min(static_cast<std::size_t>(place), bins - 1);
+    std::size_t bin_of(const BuildItem& item, int axis) const {
+        const Real from_first = along(item.middle(), axis) - along(middles.low, axis);
+        const auto bin = static_cast<unsigned>(from_first * along(bins_per_length, axis));
+        return std::min<std::size_t>(bin, bins - 1);
     }
 };
 
-template <class Number>
 struct Bin {
-    BuildBox<Number> box;
+    Box box;
     std::int32_t count = 0;
 
     void add(const Bin& other) {
-        box.add(other.box.low, other.box.high);
+        box = join(box, other.box);
         count += other.count;
     }
-    Number cost() const { return box.half_area() * static_cast<Number>(count); }
+    Real cost() const { return half_area(box) * static_cast<Real>(count); }
 };
 
 // What lies in the bins along each axis.
-template <class Number>
-using Bins = std::array<std::array<Bin<Number>, bins>, 3>;
+using Bins = std::array<std::array<Bin, bins>, 3>;
 
-template <class Number>
-Bins<Number> fill_bins(std::span<const BuildItem<Number>> items, const BinGrid<Number>& grid) {
-    Bins<Number> all{};
-    for (const auto& item : items)
-        for (std::size_t k = 0; k < 3; ++k) {
-            Bin<Number>& bin = all[k][grid.bin_of(item, k)];
-            bin.box.add(item.low, item.high);
-            ++bin.count;
-        }
+inline Bins fill_bins(std::span<const BuildItem> items, const BinGrid& grid) {
+    Bins all{};
+    for (const BuildItem& item : items)
+        for (int axis = 0; axis < 3; ++axis)
+            all[static_cast<std::size_t>(axis)][grid.bin_of(item, axis)].add({item.box, 1});
     return all;
 }
 
 // A split before a bin; before the first one there is none.
 struct BinSplit {
-    std::size_t axis = 0, bin = 0;
+    int axis = 0;
+    std::size_t bin = 0;
 };
 
 // The cheapest one, by the areas of the two boxes times what is in them.
-template <class Number>
-BinSplit cheapest_split(const Bins<Number>& all, const BinGrid<Number>& grid) {
+inline BinSplit cheapest_split(const Bins& all, const BinGrid& grid) {
     BinSplit best;
-    Number best_cost = BuildBox<Number>::far;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (grid.bins_per_length[k] == 0) continue;
-        std::array<Number, bins> right_cost{};
-        Bin<Number> right, left;
+    Real best_cost = infinity;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (along(grid.bins_per_length, axis) == 0) continue;
+        const auto& along_axis = all[static_cast<std::size_t>(axis)];
+        std::array<Real, bins> right_cost{};
+        Bin right, left;
         for (std::size_t b = bins; b-- > 1;) {
-            right.add(all[k][b]);
+            right.add(along_axis[b]);
             right_cost[b] = right.cost();
         }
         for (std::size_t b = 1; b < bins; ++b) {
-            left.add(all[k][b - 1]);
-            const Number cost = left.cost() + right_cost[b];
+            left.add(along_axis[b - 1]);
+            const Real cost = left.cost() + right_cost[b];
             if (cost < best_cost) {
                 best_cost = cost;
-                best = {k, b};
+                best = {axis, b};
             }
         }
     }
@@ -125,22 +108,21 @@ BinSplit cheapest_split(const Bins<Number>& all, const BinGrid<Number>& grid) {
 // Moves the items so that the best split is between the first k and the rest; returns k, at least 1
 // and less than all. There must be two items or more. Where no split is better than another, or
 // `in_half` asks for it, k is half.
-template <class Number>
-std::size_t binned_split(std::span<BuildItem<Number>> items, bool in_half) {
-    const BinGrid<Number> grid{items};
-    const BinSplit best =
-        in_half ? BinSplit{} : cheapest_split(fill_bins<Number>(items, grid), grid);
+inline std::size_t binned_split(std::span<BuildItem> items, bool in_half) {
+    const BinGrid grid{items};
+    const BinSplit best = in_half ? BinSplit{} : cheapest_split(fill_bins(items, grid), grid);
     if (best.bin > 0) {
-        const auto cut = std::partition(items.begin(), items.end(), [&](const auto& item) {
+        const auto cut = std::partition(items.begin(), items.end(), [&](const BuildItem& item) {
             return grid.bin_of(item, best.axis) < best.bin;
         });
         const auto left = static_cast<std::size_t>(cut - items.begin());
         if (left > 0 && left < items.size()) return left;
     }
     const std::size_t half = items.size() / 2;
+    const int axis = longest_axis(grid.middles);
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
-                     [&](const auto& a, const auto& b) {
-                         return a.middle(grid.longest) < b.middle(grid.longest);
+                     [&](const BuildItem& a, const BuildItem& b) {
+                         return along(a.middle(), axis) < along(b.middle(), axis);
                      });
     return half;
 }

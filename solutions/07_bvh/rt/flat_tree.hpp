@@ -1,16 +1,20 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <rt/sphere_tree.hpp>
 
 namespace rt {
 
-// A node of a tree in one array (given). The left child of node i is node i + 1.
+// A node of a tree in one array (given). The left child of node i is node i + 1; the right one is
+// the node that comes after all below the left one.
 struct FlatNode {
     Box box;
     std::int32_t skip = 0;   // the first node that is not below this one
     std::int32_t first = 0;  // of a leaf: places in the tree's order
     std::int32_t count = 0;  // 0 in an inner node
+    std::int32_t axis =
+        0;  // of an inner node: the left child lies lower along it than the right one
 };
 
 // The tree of SphereTree, its nodes in one array instead of scattered over the heap (given).
@@ -35,46 +39,29 @@ struct FlatTree {
         return search;
     }
 
-    // The child whose box begins nearer first: hits are found earlier, and more boxes lie behind
-    // them. What waits is kept on a stack of a fixed size.
+    // The child that the ray comes to first, going by the direction alone: hits are found earlier,
+    // and more boxes lie behind them. Children that wait are kept on a stack of a fixed size.
     template <class AnyRay>
     Search search_nearest_first(const AnyRay& ray, Interval within) const {
         Search search{spheres, order, {ray.origin, ray.direction}, within};
-        if (nodes.empty() || !search.meets(nodes[0].box)) return search;
-        struct Waiting {
-            std::size_t node;
-            Real enters;
-        };
-        std::array<Waiting, 2 * most_levels> stack;
-        std::size_t waiting = 0, i = 0;
-        for (;;) {
-            const FlatNode& node = nodes[i];
-            bool down = false;
-            if (node.count > 0) {
-                try_leaf(node, search);
-            } else {
-                search.box_tests += 2;
+        std::array<std::size_t, most_waiting> stack;
+        std::size_t waiting = 0;
+        if (!nodes.empty() && search.meets(nodes[0].box)) stack[waiting++] = 0;
+        while (waiting > 0) {
+            std::size_t i = stack[--waiting];
+            bool met = true;
+            while (met && nodes[i].count == 0) {
                 const std::size_t left = i + 1, right = static_cast<std::size_t>(nodes[left].skip);
-                const Real to_left = enters(nodes[left].box, search);
-                const Real to_right = enters(nodes[right].box, search);
-                const bool left_first = to_left <= to_right;
-                const Real near = left_first ? to_left : to_right;
-                const Real far = left_first ? to_right : to_left;
-                if (far < infinity) stack[waiting++] = {left_first ? right : left, far};
-                if (near < infinity) {
-                    i = left_first ? left : right;
-                    down = true;
-                }
+                const bool meets_left = search.meets(nodes[left].box);
+                const bool meets_right = search.meets(nodes[right].box);
+                const bool right_first = along(search.slabs.inverse, nodes[i].axis) < 0;
+                if (meets_left && meets_right) stack[waiting++] = right_first ? left : right;
+                i = meets_right && (right_first || !meets_left) ? right : left;
+                met = meets_left || meets_right;
             }
-            while (!down) {
-                if (waiting == 0) return search;
-                const Waiting next = stack[--waiting];
-                // Meanwhile a hit may have been found in front of it.
-                if (next.enters > with_origin(search.within).max) continue;
-                i = next.node;
-                down = true;
-            }
+            if (met) try_leaf(nodes[i], search);
         }
+        return search;
     }
 
     template <class AnyRay>
@@ -83,35 +70,28 @@ struct FlatTree {
     }
 
   private:
+    // One child at most waits for each inner node on the way down, and from most_levels on each
+    // step down halves the number of spheres.
+    static constexpr std::size_t most_waiting =
+        most_levels + halvings(std::numeric_limits<int>::max(), 1);
+
     static void try_leaf(const FlatNode& node, Search& search) {
         for (std::int32_t place = node.first; place < node.first + node.count; ++place)
             try_sphere(search.order[static_cast<std::size_t>(place)], search);
     }
-
-    // The t at which the search enters a box; infinity where it does not.
-    static Real enters(const Box& box, const Search& search) {
-        const SlabRay& ray = search.slabs;
-        Interval within = with_origin(search.within);
-        for (int axis = 0; axis < 3; ++axis) {
-            const Real inverse = along(ray.inverse, axis), origin = along(ray.origin, axis);
-            const Real low = along(box.low, axis) - ray.margin;
-            const Real high = along(box.high, axis) + ray.margin;
-            const bool forward = !std::signbit(inverse);
-            within.min = std::max(within.min, ((forward ? low : high) - origin) * inverse);
-            within.max = std::min(within.max, ((forward ? high : low) - origin) * inverse);
-        }
-        // Beyond the largest number there are no hits, so infinity is free to mean a miss.
-        return within.min <= within.max ? within.min : infinity;
-    }
 };
 
-// Puts the nodes below one, and itself, at the end of an array.
+// Puts a node and all below it at the end of an array.
 inline void flatten(const TreeNode& node, std::vector<FlatNode>& nodes) {
     const std::size_t place = nodes.size();
     nodes.push_back({node.box, 0, node.first, node.count});
     if (!node.is_leaf()) {
-        flatten(*node.left, nodes);
-        flatten(*node.right, nodes);
+        const Vec3 left = node.left->box.center(), right = node.right->box.center();
+        const int axis = longest_axis(join({left, left}, {right, right}));
+        const bool in_order = along(left, axis) <= along(right, axis);
+        nodes[place].axis = axis;
+        flatten(in_order ? *node.left : *node.right, nodes);
+        flatten(in_order ? *node.right : *node.left, nodes);
     }
     nodes[place].skip = static_cast<std::int32_t>(nodes.size());
 }

@@ -17,6 +17,10 @@ struct Search {
     int box_tests = 0;  // how much work it was so far
     int sphere_tests = 0;
     SlabRay slabs = slab_ray(ray);
+    // Where spheres move (chapter 08), how far each is at time 1 from where it is at time 0; none
+    // where they all stand still.
+    std::span<const Vec3> motions = {};
+    Real time = 0;  // of the ray
 
     // Whether the ray meets a box where a hit would still count.
     bool meets(const Box& box) {
@@ -24,10 +28,16 @@ struct Search {
         return hit_box(box, slabs, with_origin(within));
     }
 
+    // The sphere of this number, where it is at the ray's time.
+    Sphere sphere(int number) const {
+        const auto i = static_cast<std::size_t>(number);
+        return motions.empty() ? spheres[i].shape : moved(spheres[i].shape, time * motions[i]);
+    }
+
     // Where the ray meets the sphere of this number within the interval.
     std::optional<Real> meets_sphere(int number) {
         ++sphere_tests;
-        return hit_sphere(spheres[static_cast<std::size_t>(number)].shape, ray, within);
+        return hit_sphere(sphere(number), ray, within);
     }
 };
 

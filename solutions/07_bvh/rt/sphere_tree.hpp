@@ -12,9 +12,8 @@ namespace rt {
 // Builds the hit of what a search has found, as SphereList does.
 inline std::optional<Hit> hit_of(const Search& search) {
     if (search.nearest < 0) return {};
-    const SceneSphere& sphere = search.spheres[static_cast<std::size_t>(search.nearest)];
-    Hit hit = surface_hit(sphere.shape, search.ray, search.within.max);
-    hit.material = sphere.material;
+    Hit hit = surface_hit(search.sphere(search.nearest), search.ray, search.within.max);
+    hit.material = search.spheres[static_cast<std::size_t>(search.nearest)].material;
     return hit;
 }
 
@@ -45,16 +44,22 @@ struct SphereTree {
     }
 };
 
-// split is split_in_half, split_by_area or another function like them.
+// boxes[i] is the box of sphere i; split is split_in_half, split_by_area or another function like
+// them.
 template <class Split>
-SphereTree make_tree(std::vector<SceneSphere> spheres, const Split& split) {
+SphereTree make_tree(std::vector<SceneSphere> spheres, const std::vector<Box>& boxes,
+                     const Split& split) {
     SphereTree tree{std::move(spheres), {}, nullptr};
     tree.order.resize(tree.spheres.size());
     std::iota(tree.order.begin(), tree.order.end(), 0);
-    const std::vector<Box> boxes = bounds_of(tree.spheres);
     if (!tree.order.empty())
         tree.root = build_node(std::span{tree.order}, 0, std::span{boxes}, split);
     return tree;
+}
+template <class Split>
+SphereTree make_tree(std::vector<SceneSphere> spheres, const Split& split) {
+    const std::vector<Box> boxes = bounds_of(spheres);
+    return make_tree(std::move(spheres), boxes, split);
 }
 
 }  // namespace rt

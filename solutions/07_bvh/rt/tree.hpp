@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <rt/box.hpp>
 
@@ -20,5 +22,12 @@ inline constexpr int most_levels = 64;
 
 // What a leaf holds at most when it is split in half.
 inline constexpr int leaf_size = 4;
+
+// How often a number of things is halved, rounding up, until `few` or fewer are left.
+constexpr std::size_t halvings(std::int64_t things, std::int64_t few) {
+    std::size_t count = 0;
+    for (; things > few; things -= things / 2) ++count;
+    return count;
+}
 
 }  // namespace rt

@@ -11,14 +11,14 @@ namespace rt {
 template <class Number>
 class WideBuilder {
   public:
-    using Items = std::span<BuildItem<Number>>;
+    using Items = std::span<BuildItem>;
 
     WideBuilder(WideTreeOf<Number>& tree, std::span<const SceneSphere> spheres)
         : tree_{tree}, spheres_{spheres} {
-        std::vector<BuildItem<Number>> items;
+        std::vector<BuildItem> items;
         items.reserve(spheres.size());
-        for (const SceneSphere& sphere : spheres) items.push_back(item_of(sphere.shape));
-        for (std::size_t i = 0; i < items.size(); ++i) items[i].number = static_cast<int>(i);
+        for (const SceneSphere& sphere : spheres)
+            items.push_back({wide_bounds_of(sphere.shape), static_cast<int>(items.size())});
         tree.leaves.reserve(items.size() / 5);
         tree.nodes.reserve(items.size() / 25 + 1);
         if (!items.empty()) add_node(items, 0);
@@ -27,25 +27,20 @@ class WideBuilder {
     }
 
   private:
-    // A box in Number that contains the box of Real also after its own rounding and that of the
-    // slabs, which are computed in Number.
-    static BuildItem<Number> item_of(const Sphere& sphere) {
+    // The sphere's box, grown so that it contains the sphere also after its own rounding to Number
+    // and that of the slabs, which are computed in Number.
+    static Box wide_bounds_of(const Sphere& sphere) {
         const Box box = bounds_of(sphere);
-        const Real largest = std::max(max_component(box.low), max_component(box.high));
-        constexpr Real slab = 8 * static_cast<Real>(std::numeric_limits<Number>::epsilon());
-        const Real grow = slab > hit_margin ? slab * largest : 0;
-        BuildItem<Number> item;
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto k = static_cast<std::size_t>(axis);
-            item.low[k] = static_cast<Number>(along(box.low, axis) - grow);
-            item.high[k] = static_cast<Number>(along(box.high, axis) + grow);
-        }
-        return item;
+        if (wide_margin<Number> <= hit_margin) return box;  // it is grown by hit_margin already
+        const Real grow =
+            wide_margin<Number> * std::max(max_component(box.low), max_component(box.high));
+        const Vec3 margin{grow, grow, grow};
+        return {box.low - margin, box.high + margin};
     }
 
-    static BuildBox<Number> box_of(Items items) {
-        BuildBox<Number> box;
-        for (const auto& item : items) box.add(item.low, item.high);
+    static Box box_of(Items items) {
+        Box box;
+        for (const BuildItem& item : items) box = join(box, item.box);
         return box;
     }
 
@@ -60,7 +55,7 @@ class WideBuilder {
     std::int32_t add_node(Items items, int level) {
         struct Part {
             Items items;
-            BuildBox<Number> box;
+            Box box;
             int level;
         };
         std::array<Part, lanes> parts;
@@ -71,7 +66,7 @@ class WideBuilder {
             Part* largest = nullptr;
             for (std::size_t i = 0; i < count; ++i)
                 if (parts[i].items.size() > lanes &&
-                    (!largest || parts[i].box.half_area() > largest->box.half_area()))
+                    (!largest || half_area(parts[i].box) > half_area(largest->box)))
                     largest = &parts[i];
             if (!largest) break;
             const int below = largest->level + 1;
@@ -85,10 +80,11 @@ class WideBuilder {
         tree_.nodes.emplace_back();
         WideNode<Number> node;
         for (std::size_t i = 0; i < lanes; ++i) {
-            const BuildBox<Number> box = i < count ? parts[i].box : BuildBox<Number>{};
-            for (std::size_t k = 0; k < 3; ++k) {
-                node.planes[0][k][i] = box.low[k];
-                node.planes[1][k][i] = box.high[k];
+            const Box box = i < count ? parts[i].box : Box{};
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto k = static_cast<std::size_t>(axis);
+                node.planes[0][k][i] = static_cast<Number>(along(box.low, axis));
+                node.planes[1][k][i] = static_cast<Number>(along(box.high, axis));
             }
             // Only a ray that is not finite meets the empty box of an unused lane: it comes to the
             // first leaf, of which there is always one, and to an end.

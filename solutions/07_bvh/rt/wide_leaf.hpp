@@ -11,6 +11,9 @@
 
 namespace rt {
 
+// A tree may have this many spheres: a tag has to hold the number of each, times eight.
+inline constexpr std::int64_t most_spheres = std::numeric_limits<std::int32_t>::max() / lanes;
+
 // A leaf with up to eight spheres and their materials: all that a hit needs (given).
 struct alignas(64) WideLeaf {
     static constexpr Real nothing = std::numeric_limits<Real>::quiet_NaN();
@@ -22,7 +25,7 @@ struct alignas(64) WideLeaf {
 
     WideLeaf() { radius.fill(nothing); }
 
-    // Numbers go up to 2^28.
+    // The number is less than most_spheres.
     void set(std::size_t i, const SceneSphere& sphere, int number) {
         x[i] = sphere.shape.center.x;
         y[i] = sphere.shape.center.y;

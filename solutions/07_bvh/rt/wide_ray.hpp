@@ -8,6 +8,15 @@
 
 namespace rt {
 
+// hit_margin for tests of boxes in Number (given). A plane and the ray's origin are rounded to
+// Number, their difference, the inverse and their product are rounded, and so is the end of the
+// interval: six roundings, as if the plane were moved by 3 epsilon of Number. 8 leaves room for
+// hit_margin, where Real is more precise; where it is not, hit_margin is larger and has room for
+// them.
+template <class Number>
+inline constexpr Real wide_margin =
+    std::max(hit_margin, 8 * static_cast<Real>(std::numeric_limits<Number>::epsilon()));
+
 // A ray made ready for the boxes of a WideNode (given): its direction scaled so that its largest
 // component is 1 or -1, which keeps t within what Number can hold.
 template <class Number>
@@ -17,8 +26,7 @@ struct WideRay {
     Real scale = 1;                   // what t is multiplied by
 
     explicit WideRay(const Ray& ray) : scale{max_component(ray.direction)} {
-        constexpr Real slab = 8 * static_cast<Real>(std::numeric_limits<Number>::epsilon());
-        const Real margin = std::max(hit_margin, slab) * max_component(ray.origin);
+        const Real margin = wide_margin<Number> * max_component(ray.origin);
         const std::array<Real, 3> d{ray.direction.x, ray.direction.y, ray.direction.z},
             origin{ray.origin.x, ray.origin.y, ray.origin.z};
         // No branch: whether a random direction runs forward, no processor guesses right.

@@ -33,13 +33,15 @@ struct WideTreeOf {
         const auto scaled = [&](Real t) { return static_cast<Number>(t * wide.scale); };
         const Number min = scaled(with_origin(within).min);
         Number max = scaled(with_origin(within).max);
-        // What waits, the nearest on top. A split in two leaves one child waiting, one in eight
-        // seven at most, on each level.
+        // What waits, the nearest on top. Of each node on the way down all children but one wait. A
+        // node splits its spheres once or more, and from most_levels splits on each one halves
+        // them.
         struct Waiting {
             Key key;
             std::int32_t child;
         };
-        std::array<Waiting, 8 * (most_levels + 32)> stack;
+        constexpr std::size_t most_nodes = most_levels + halvings(most_spheres, lanes);
+        std::array<Waiting, (lanes - 1) * most_nodes> stack;
         std::size_t waiting = 0;
         for (std::int32_t child = 0;;) {
             if (child >= 0) {

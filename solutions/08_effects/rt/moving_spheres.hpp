@@ -1,11 +1,8 @@
 #pragma once
-#include <numeric>
 #include <optional>
-#include <rt/build.hpp>
-#include <rt/hit_box.hpp>
-#include <rt/hit_sphere.hpp>
+#include <rt/bounds.hpp>
+#include <rt/sphere_tree.hpp>
 #include <rt/split_by_area.hpp>
-#include <rt/surface_hit.hpp>
 #include <rt/wide_tree.hpp>
 #include <vector>
 
@@ -20,7 +17,7 @@ struct MovingSphere {
 
 // Where it is at a time in [0, 1].
 inline Sphere sphere_at(const MovingSphere& sphere, Real time) {
-    return {sphere.shape.center + time * sphere.motion, sphere.shape.radius};
+    return moved(sphere.shape, time * sphere.motion);
 }
 
 // A box that it does not leave.
@@ -35,52 +32,31 @@ inline Box bounds_of(const MovingSphere& sphere) {
 
 // A tree of moving spheres: each lies in the box around all places where it will be.
 struct MovingTree {
-    std::vector<MovingSphere> spheres;
-    std::vector<int> order;
-    std::unique_ptr<TreeNode> root;  // none without spheres
+    SphereTree tree;
+    std::vector<Vec3> motions;
 
     // The nearest hit at the ray's time.
     template <class TimedRay>
     std::optional<Hit> hit(const TimedRay& timed, Interval within) const {
-        if (!root) return {};
-        const Ray ray{timed.origin, timed.direction};
-        const MovingSphere* nearest = nullptr;
-        find(*root, ray, slab_ray(ray), timed.time, within, nearest);
-        if (!nearest) return {};
-        Hit hit = surface_hit(sphere_at(*nearest, timed.time), ray, within.max);
-        hit.material = nearest->material;
-        return hit;
-    }
-
-  private:
-    void find(const TreeNode& node, const Ray& ray, const SlabRay& slabs, Real time,
-              Interval& within, const MovingSphere*& nearest) const {
-        if (!hit_box(node.box, slabs, with_origin(within))) return;
-        if (!node.is_leaf()) {
-            find(*node.left, ray, slabs, time, within, nearest);
-            find(*node.right, ray, slabs, time, within, nearest);
-            return;
-        }
-        for (int place = node.first; place < node.first + node.count; ++place) {
-            const int number = order[static_cast<std::size_t>(place)];
-            const MovingSphere& sphere = spheres[static_cast<std::size_t>(number)];
-            const auto t = hit_sphere(sphere_at(sphere, time), ray, within);
-            // Of equally near ones that with the highest number counts, as in SphereList.
-            if (!t || (nearest && *t == within.max && &sphere < nearest)) continue;
-            within.max = *t;
-            nearest = &sphere;
-        }
+        if (!tree.root) return {};
+        Search search{tree.spheres, tree.order, {timed.origin, timed.direction}, within};
+        search.motions = motions;
+        search.time = timed.time;
+        find_nearest(*tree.root, search);
+        return hit_of(search);
     }
 };
 
-inline MovingTree make_moving_tree(std::vector<MovingSphere> spheres) {
-    MovingTree tree{std::move(spheres), {}, {}};
+inline MovingTree make_moving_tree(const std::vector<MovingSphere>& spheres) {
+    std::vector<SceneSphere> at_start;
     std::vector<Box> boxes;
-    for (const MovingSphere& sphere : tree.spheres) boxes.push_back(bounds_of(sphere));
-    tree.order.resize(boxes.size());
-    std::iota(tree.order.begin(), tree.order.end(), 0);
-    if (!boxes.empty()) tree.root = build_node(std::span{tree.order}, 0, boxes, split_by_area);
-    return tree;
+    std::vector<Vec3> motions;
+    for (const MovingSphere& sphere : spheres) {
+        at_start.push_back({sphere.shape, sphere.material});
+        boxes.push_back(bounds_of(sphere));
+        motions.push_back(sphere.motion);
+    }
+    return {make_tree(std::move(at_start), boxes, split_by_area), std::move(motions)};
 }
 
 // A world in which some spheres move and most stand still.

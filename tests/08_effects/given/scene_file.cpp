@@ -479,15 +479,3 @@ TEST_CASE("spheres of one material with a range of colors differ", "[scene_file]
         CHECK(albedo(i).g == Real(0.5));
     }
 }
-
-TEST_CASE("the nearest word is the one with the fewest slips", "[scene_file]") {
-    const std::vector<std::string> words{"center", "radius", "material"};
-    CHECK(app::nearest_word("centre", words) == "center");
-    CHECK(app::nearest_word("raduis", words) == "radius");
-    CHECK(app::nearest_word("materials", words) == "material");
-    CHECK(app::nearest_word("mat", words) == "material");
-    CHECK(app::nearest_word("fuzz", words).empty());
-    CHECK(app::nearest_word("emitter", {"matte", "light"}).empty());
-    CHECK(app::nearest_word("", words).empty());
-    CHECK(app::nearest_word(std::string(1 << 20, 'r'), words).empty());
-}

@@ -6,17 +6,17 @@ namespace rt {
 
 // Waits for threads at the end of its own scope, however that is left: also by an exception. A
 // std::thread that nobody has waited for ends the whole program when it is destroyed. Make the
-// vector first and the joiner second, for scopes are cleared from their last variable on.
+// vector first and the guard second, for scopes are cleared from their last variable on.
 // std::jthread of C++20 joins itself; not every standard library has it yet.
-class Joiner {
+class JoinGuard {
   public:
-    explicit Joiner(std::vector<std::thread>& threads) : threads_{threads} {}
-    ~Joiner() {
+    explicit JoinGuard(std::vector<std::thread>& threads) : threads_{threads} {}
+    ~JoinGuard() {
         for (std::thread& thread : threads_)
             if (thread.joinable()) thread.join();
     }
-    Joiner(const Joiner&) = delete;
-    Joiner& operator=(const Joiner&) = delete;
+    JoinGuard(const JoinGuard&) = delete;
+    JoinGuard& operator=(const JoinGuard&) = delete;
 
   private:
     std::vector<std::thread>& threads_;
