@@ -23,8 +23,8 @@ TEST_CASE("time_ns measures the work, not its absence", "[timing]") {
 
 TEST_CASE("works are timed in turns", "[timing]") {
     std::string order;
-    const auto times = study::rounds_ns({[&] { order += 'a'; }, [&] { order += 'b'; }},
-                                        {.rounds = 3});
+    const auto times =
+        study::rounds_ns({[&] { order += 'a'; }, [&] { order += 'b'; }}, {.rounds = 3});
     CHECK(order == "ababab");
     REQUIRE(times.size() == 2);
     CHECK(times[0].size() == 3);
