@@ -45,9 +45,9 @@ inline void study_sums(study::Report& report) {
         for (const Variant& variant : variants)
             works.push_back([&] { study::keep(variant.sum(terms.data(), count)); });
         const auto times = in_turns_ns(works);
-        // A single sum may be right by luck: eight orders of the same terms, the root of the mean
-        // square of their errors.
-        constexpr std::size_t orders = 8;
+        // A single sum may be right by luck: eight orders of the same terms, or four of many, the
+        // root of the mean square of their errors.
+        const std::size_t orders = count < 1'000'000 ? 8 : 4;
         std::vector<double> squares(variants.size());
         for (std::size_t order = 0; order < orders; ++order) {
             for (std::size_t i = 0; i < variants.size(); ++i) {
@@ -63,7 +63,7 @@ inline void study_sums(study::Report& report) {
                         .variant = variants[i].name,
                         .x = static_cast<double>(count),
                         .x_name = "terms",
-                        .error = std::sqrt(squares[i] / orders),
+                        .error = std::sqrt(squares[i] / static_cast<double>(orders)),
                         .error_name = "error / ulp",
                         .cost = times[i] / static_cast<double>(count),
                         .cost_name = "time per term / ns"});

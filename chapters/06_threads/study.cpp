@@ -51,7 +51,7 @@ void add_trials(study::Report& report, const char* study, const char* x_name,
 }
 
 void study_strategies(study::Report& report, const Scene& scene) {
-    const SmallRender render{scene, {160, 90, 8}, 4};
+    const SmallRender render{scene, {160, 90, 8}, 2};
     std::vector<Trial> trials;
     for (const NamedStrategy& strategy : strategies())
         for (const int workers : {1, 2, 4, 8})
@@ -76,7 +76,7 @@ struct LockedRng {
 // draws, and the time it takes.
 void study_streams(study::Report& report, const Scene& scene) {
     const TileGrid grid{160, 90, 8};
-    const SceneShader shader{scene, make_camera(scene_view(), grid.width, grid.height), 4, 12, 1};
+    const SceneShader shader{scene, make_camera(scene_view(), grid.width, grid.height), 2, 12, 1};
     const auto average = [&](int x, int y, auto& random) {
         Color sum;
         for (int i = 0; i < shader.samples; ++i) sum += shader.sample(scene.world, x, y, i, random);
@@ -138,7 +138,7 @@ void study_streams(study::Report& report, const Scene& scene) {
 }
 
 void study_tile_size(study::Report& report, const Scene& scene) {
-    const SmallRender render{scene, {160, 90, 8}, 4};
+    const SmallRender render{scene, {160, 90, 8}, 2};
     const int workers = core_count();
     std::vector<Trial> trials;
     for (int size = 1; size <= 128; size *= 2)

@@ -120,9 +120,9 @@ struct Cloud {
         view.from = {2, Real(1.5), 3};
         view.at = {0, 0, 0};
         view.vertical_fov = radians(35);
-        const Camera camera = make_camera(view, 320, 240);
-        for (int y = 0; y < 240; ++y)
-            for (int x = 0; x < 320; ++x)
+        const Camera camera = make_camera(view, 240, 180);
+        for (int y = 0; y < 180; ++y)
+            for (int x = 0; x < 240; ++x)
                 rays.push_back(primary_ray(camera, x, y, {Real(0.5), Real(0.5)}));
     }
     template <class World>

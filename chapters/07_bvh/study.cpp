@@ -1,6 +1,3 @@
-// All that is timed is in one file: how much a compiler inlines depends on how much the file holds.
-// Split in two, the linear list took three times as long.
-
 #include "study.hpp"
 
 #include <rt/counting_world.hpp>
@@ -79,7 +76,7 @@ void study_searches(study::Report& report, const Scene& scene) {
 
 // Build quality against build time, and against the size of the leaves.
 void study_splits(study::Report& report, const Scene& scene) {
-    const Shot shot{scene, 160, 113};
+    const Shot shot{scene, 120, 85};
     const auto row = [&](const char* study, const char* name, double x, const char* x_name,
                          const auto& split) {
         SphereTree tree;

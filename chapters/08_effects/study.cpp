@@ -201,7 +201,7 @@ void study_each_effect(study::Report& report) {
                 for (int y = 0; y < rows; ++y)
                     for (int x = 0; x < width; ++x) study::keep(shaders[i](x, y, rays[i]));
             });
-        std::vector<double> per_ray = study::in_turns_ns(works, {.rounds = 7});
+        std::vector<double> per_ray = study::in_turns_ns(works, {.rounds = 5});
         for (std::size_t i = 0; i < shaders.size(); ++i) {
             per_ray[i] /= static_cast<double>(rays[i]);
             report.add({"effects", std::string(effect.name) + ", " + names[i],

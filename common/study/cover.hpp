@@ -26,7 +26,7 @@ struct Cover {
     rt::View view{{13, 2, 3}, {0, 0, 0}, {0, 1, 0}, rt::radians(20)};
     rt::Color horizon{1, 1, 1}, above{rt::Real(0.5), rt::Real(0.7), 1};  // the sky
     int width = 400, height = 225, samples_per_pixel = 10, depth = 50;
-    int row_step = 5;  // every fifth row is drawn
+    int row_step = 9;  // every ninth row is drawn
 
     int rows_drawn() const { return (height + row_step - 1) / row_step; }
     // The time of the whole picture, by that of the rows that are drawn.
