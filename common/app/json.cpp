@@ -280,6 +280,12 @@ Json parse_json(const std::string& text, const std::string& name) {
     return std::move(builder.result);
 }
 
+const Json* find(const Json& object, const std::string& key, Json::Kind kind) {
+    for (std::size_t i = 0; i < object.keys.size(); ++i)
+        if (object.keys[i] == key && object.items[i].kind == kind) return &object.items[i];
+    return nullptr;
+}
+
 std::string to_text(const Json& json) {
     const bool is_object = json.kind == Json::Kind::object;
     if (!is_object && json.kind != Json::Kind::list) return scalar(json).dump();

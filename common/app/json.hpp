@@ -32,6 +32,9 @@ std::string read_input_file(const std::filesystem::path& path, const std::string
 // nested deeper than max_json_depth; with `name` and the path where an object has a key twice.
 Json parse_json(const std::string& text, const std::string& name);
 
+// A member of an object; null where there is none of this key and kind.
+const Json* find(const Json& object, const std::string& key, Json::Kind kind);
+
 // The value as a JSON text on one line. A number that is no finite one becomes null.
 std::string to_text(const Json& json);
 

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <app/errors.hpp>
+#include <app/json.hpp>
 #include <companion/check/recognition.hpp>
 #include <companion/system/files.hpp>
-#include <nlohmann/json.hpp>
 
 namespace companion {
 namespace {
 
-using Json = nlohmann::json;
+using app::Json;
 
 // All mistakes but one, which fails by luck, are recognized as themselves or as one with the same
 // signature. When they were 247 and one was taken out of the list and then made, 4 were taken for
@@ -49,6 +49,21 @@ std::vector<Candidate> candidates(const Signatures& known, const std::string& ex
     return found;
 }
 
+// The hashes that a signature in the file has under this key.
+std::set<std::string> hashes(const Json& signature, const std::string& key, const fs::path& file) {
+    const Json* const list = app::find(signature, key, Json::Kind::list);
+    if (!list) throw app::Failure(file.string() + ": a signature has no list '" + key + '\'');
+    std::set<std::string> found;
+    for (const Json& hash : list->items) found.insert(hash.text);
+    return found;
+}
+
+Json list(const std::set<std::string>& hashes) {
+    Json json{Json::Kind::list};
+    for (const std::string& hash : hashes) json.items.push_back({Json::Kind::text, 0, hash});
+    return json;
+}
+
 }  // namespace
 
 fs::path signatures_file(const Course& course, const Chapter& chapter) {
@@ -59,14 +74,17 @@ Signatures read_signatures(const Course& course, const Chapter& chapter) {
     const fs::path file = signatures_file(course, chapter);
     if (!fs::exists(file)) return {};
     Signatures signatures;
-    try {
-        const Json json = Json::parse(read_file(file));
-        for (const auto& [name, signature] : json.items()) {
-            signature.at("where").get_to(signatures[name].where);
-            signature.at("what").get_to(signatures[name].what);
+    const Json json = [&] {
+        try {
+            return app::parse_json(read_file(file), file.string());
+        } catch (const app::UsageError& error) {  // which no user has written
+            throw app::Failure(error.what());
         }
-    } catch (const Json::exception& error) {
-        throw app::Failure(file.string() + " cannot be read: " + error.what());
+    }();
+    for (std::size_t i = 0; i < json.keys.size(); ++i) {
+        Signature& signature = signatures[json.keys[i]];
+        signature.where = hashes(json.items[i], "where", file);
+        signature.what = hashes(json.items[i], "what", file);
     }
     return signatures;
 }
@@ -76,8 +94,12 @@ std::string to_text(const Signatures& signatures) {
     std::string text;
     for (const auto& [name, signature] : signatures) {
         text += text.empty() ? "{\n" : ",\n";
-        text += Json(name).dump() + ": " +
-                Json{{"where", signature.where}, {"what", signature.what}}.dump();
+        text += app::to_text({Json::Kind::text, 0, name}) + ": " +
+                app::to_text({Json::Kind::object,
+                              0,
+                              {},
+                              {list(signature.what), list(signature.where)},
+                              {"what", "where"}});
     }
     return text.empty() ? "{}\n" : text + "\n}\n";
 }

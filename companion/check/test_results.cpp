@@ -1,11 +1,12 @@
+#include <app/errors.hpp>
+#include <app/json.hpp>
 #include <companion/check/test_results.hpp>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace companion {
 namespace {
 
-using nlohmann::json;
+using app::Json;
 
 std::string trimmed(const std::string& text) {
     const char* const blank = " \t\r\n";
@@ -23,32 +24,41 @@ std::string one_line(const std::string& text) {
     return line;
 }
 
-FailedAssertion read_failure(const json& event) {
+// A text of an event; empty where it has none of this key.
+std::string text_of(const Json& event, const std::string& key) {
+    const Json* const found = app::find(event, key, Json::Kind::text);
+    return found ? found->text : "";
+}
+
+FailedAssertion read_failure(const Json& event) {
     FailedAssertion failure;
-    if (event.contains("expression"))
-        failure.expression = event.value("macro", "") + "( " + one_line(event["expression"]) + " )";
-    else if (!event.contains("exception"))
+    failure.exception = trimmed(text_of(event, "exception"));
+    if (const std::string expression = one_line(text_of(event, "expression")); !expression.empty())
+        failure.expression = text_of(event, "macro") + "( " + expression + " )";
+    else if (!app::find(event, "exception", Json::Kind::text))
         failure.expression = "FAIL";
-    failure.expanded = one_line(event.value("expanded", ""));
-    failure.exception = trimmed(event.value("exception", ""));
-    failure.missing = event.value("missing", "");
-    for (const json& message : event.at("messages")) failure.messages.push_back(trimmed(message));
+    failure.expanded = one_line(text_of(event, "expanded"));
+    failure.missing = text_of(event, "missing");
+    if (const Json* const messages = app::find(event, "messages", Json::Kind::list))
+        for (const Json& message : messages->items)
+            failure.messages.push_back(trimmed(message.text));
     return failure;
 }
 
-void read_event(const json& event, std::vector<TestCase>& tests) {
-    const std::string what = event.at("event");
-    if (what == "begins") tests.emplace_back().name = event.at("name");
+void read_event(const Json& event, std::vector<TestCase>& tests) {
+    const std::string what = text_of(event, "event");
+    if (what == "begins") tests.emplace_back().name = text_of(event, "name");
     if (tests.empty()) return;
     TestCase& test = tests.back();
     if (what == "failed") {
         test.failures.push_back(read_failure(event));
     } else if (what == "crashes") {
-        test.crash = event.at("cause");
+        test.crash = text_of(event, "cause");
     } else if (what == "ends") {
         test.ended = true;
-        test.passed = event.at("passed");
-        test.output = trimmed(event.at("output"));
+        const Json* const passed = app::find(event, "passed", Json::Kind::boolean);
+        test.passed = passed && passed->number != 0;
+        test.output = trimmed(text_of(event, "output"));
     }
 }
 
@@ -60,9 +70,8 @@ std::vector<TestCase> read_report(const std::string& lines) {
     for (std::string line; std::getline(in, line);) {
         if (line.rfind('{', 0) != 0) continue;  // the tested code printed this
         try {
-            if (const json event = json::parse(line, nullptr, false); event.is_object())
-                read_event(event, tests);
-        } catch (const json::exception&) {  // and this
+            read_event(app::parse_json(line, "report"), tests);
+        } catch (const app::UsageError&) {  // and this
         }
     }
     return tests;

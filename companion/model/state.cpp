@@ -17,14 +17,7 @@ fs::path folder_of(const Course& course) {
     return course.root / ".course";
 }
 
-// A member of a JSON object; null where it is missing or of another kind.
-const Json* find(const Json& object, const std::string& key, Json::Kind kind) {
-    for (std::size_t i = 0; i < object.keys.size(); ++i)
-        if (object.keys[i] == key && object.items[i].kind == kind) return &object.items[i];
-    return nullptr;
-}
-
-// The same. Throws app::Failure instead.
+// A member of an object. Throws app::Failure where it is missing or of another kind.
 const Json& member(const Json& object, const std::string& key, Json::Kind kind) {
     if (const Json* const found = find(object, key, kind)) return *found;
     throw app::Failure("it is no state of the course");
