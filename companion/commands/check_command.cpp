@@ -23,11 +23,6 @@ std::vector<Exercise> chosen(const Course& course, const Named& name) {
     return written;
 }
 
-void print(const std::string& text) {
-    std::fputs(text.c_str(), stdout);
-    std::fflush(stdout);
-}
-
 bool is_wrong(const Checked& checked) {
     return checked.verdict != Verdict::passed && checked.verdict != Verdict::to_write &&
            checked.verdict != Verdict::waiting;

@@ -19,11 +19,6 @@ namespace {
 
 constexpr int pause_ms = 100;  // between two looks at the files
 
-void print(const std::string& text) {
-    std::fputs(text.c_str(), stdout);
-    std::fflush(stdout);
-}
-
 // When a file was last written; nothing where it is not there, as while an editor replaces it.
 using Written = std::map<fs::path, fs::file_time_type>;
 

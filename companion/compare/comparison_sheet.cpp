@@ -9,7 +9,7 @@ using rt::Color, rt::Image, rt::Real;
 
 const Color paper = rt::from_hex(0x14171f), ink = rt::from_hex(0xe8e4da),
             bright = rt::from_hex(0xff9f1c), dark = rt::from_hex(0x3fa7ff),
-            other = rt::from_hex(0xc77dff);
+            neither = rt::from_hex(0xc77dff);
 constexpr int gap = 12, head = 34;
 
 Real sum(Color c) {
@@ -25,7 +25,7 @@ Color heat(Color mine, Color solution) {
     const Real relative = apart / (std::max(sum(mine), sum(solution)) + Real(0.02));
     const Real strength = std::sqrt(std::min(Real(1), 2 * relative));
     const Real way = apart > 0 ? sum(d) / apart : 0;
-    return strength * (way > Real(0.3) ? bright : way < Real(-0.3) ? dark : other);
+    return strength * (way > Real(0.3) ? bright : way < Real(-0.3) ? dark : neither);
 }
 
 Color gray(Color c) {
@@ -53,11 +53,11 @@ Image heat_map(const Comparison& comparison, const Image& mine, const Image& sol
     for (const TileStatistics& place : comparison.light_differs_in)
         paint(place.tile, [&](int, int) { return heat(color(place.mine), color(place.solution)); });
     for (const TileStatistics& place : comparison.noise_differs_in)
-        paint(place.tile, [&](int, int) { return Real(0.3) * other; });
+        paint(place.tile, [&](int, int) { return Real(0.3) * neither; });
     if (comparison.light_differs_in.empty() && comparison.pixels_differ)
         for (const TileStatistics& tile : comparison.statistics.tiles)
             paint(tile.tile, [&](int, int) {
-                return std::clamp(static_cast<Real>(tile.pixel_excess), Real(0), Real(1)) * other;
+                return std::clamp(static_cast<Real>(tile.pixel_excess), Real(0), Real(1)) * neither;
             });
     return map;
 }
@@ -80,7 +80,7 @@ void write(Image& sheet, int left, std::string_view text) {
 Image comparison_sheet(const Comparison& comparison) {
     const Image mine = mean_of(comparison.mine), solution = mean_of(comparison.solution);
     const int width = solution.width(), height = solution.height();
-    const Image map = comparison.sizes_differ ? Image{width, height, other}
+    const Image map = comparison.sizes_differ ? Image{width, height, neither}
                                               : heat_map(comparison, mine, solution);
     const int scale = (479 + width) / width;  // small pictures are shown with large pixels
     const Image* const shown[] = {&mine, &solution, &map};

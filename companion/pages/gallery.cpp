@@ -6,7 +6,7 @@
 namespace companion {
 namespace {
 
-constexpr const char* head = R"(<!doctype html>
+constexpr const char* gallery_head = R"(<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -99,7 +99,7 @@ Exhibit collect(const Course& course, const Chapter& chapter, const std::string&
 
 std::string gallery_html(const std::vector<Exhibit>& exhibits) {
     std::ostringstream out;
-    out << head
+    out << gallery_head
         << "<header>\n<h1>A ray tracer, chapter by chapter</h1>\n"
            "<p>Every picture was just drawn on this machine by the code of its chapter and of "
            "those "

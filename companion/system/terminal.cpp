@@ -32,6 +32,11 @@ std::size_t characters(const std::string& text) {
 
 }  // namespace
 
+void print(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+    std::fflush(stdout);
+}
+
 std::string green(const std::string& text) {
     return colored("32", text);
 }

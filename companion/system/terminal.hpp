@@ -5,6 +5,9 @@
 
 namespace companion {
 
+// Prints to the standard output, at once.
+void print(const std::string& text);
+
 // Colors where the standard output is a terminal that has them and NO_COLOR is not set; else the
 // text as it is. Nothing is said by color alone.
 std::string green(const std::string& text);
