@@ -23,6 +23,13 @@ function(course_of_learner)
   set_target_properties(${ARGN} PROPERTIES COURSE_OF_LEARNER ON)
 endfunction()
 
+# course_long_tests(targets...): programs that only the tests with COURSE_ALL_TESTS run.
+function(course_long_tests)
+  if(NOT COURSE_ALL_TESTS)
+    set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+endfunction()
+
 # course_sources_of(out folders...): of each rt/NAME.cpp of the chapter at hand the one that counts.
 function(course_sources_of out)
   set(sources "")
@@ -49,12 +56,24 @@ function(course_program target real)
   target_link_libraries(${target} PRIVATE common_${real})
 endfunction()
 
-# The same with Catch2's main: a program of test cases.
-function(course_checkpoint target real)
+# The same with Catch2's main: a program of test cases. The kind is double, float, or unoptimized,
+# which is double.
+function(course_checkpoint target kind)
+  string(REPLACE unoptimized double real ${kind})
   course_program(${target} ${real} ${ARGN})
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tests/support)
-  target_link_libraries(${target} PRIVATE checkpoint_${real} catch_main)
-  target_precompile_headers(${target} REUSE_FROM checkpoint_${real})
+  target_link_libraries(${target} PRIVATE checkpoint_${kind} catch_main)
+  target_precompile_headers(${target} REUSE_FROM checkpoint_${kind})
+endfunction()
+
+# course_checkpoint_kind(out chapter): how its checkpoints are compiled in double. What compiling and
+# running them takes together counts: only where they compute for long are they optimized.
+function(course_checkpoint_kind out chapter)
+  if(chapter MATCHES "^0[047]_")
+    set(${out} double PARENT_SCOPE)
+  else()
+    set(${out} unoptimized PARENT_SCOPE)
+  endif()
 endfunction()
 
 # course_exercise_tests(checkpoint label ids...): one test an exercise, and one for its hard cases.
@@ -77,7 +96,8 @@ endfunction()
 function(course_learners_checkpoints chapter)
   cmake_parse_arguments(arg "" "PREFIX" "INCLUDE;SOURCES" ${ARGN})
   set(objects "")
-  set(libraries checkpoint_double catch_main)
+  course_checkpoint_kind(kind ${chapter})
+  set(libraries checkpoint_${kind} catch_main)
   if(TARGET ${chapter}_missing)
     list(PREPEND libraries ${chapter}_missing)
   endif()
@@ -99,8 +119,8 @@ function(course_learners_checkpoints chapter)
     set(check ${arg_PREFIX}check.${id})
     add_library(${tests} OBJECT ${source})
     target_include_directories(${tests} PRIVATE ${arg_INCLUDE} ${CMAKE_SOURCE_DIR}/tests/support)
-    target_link_libraries(${tests} PRIVATE checkpoint_double)
-    target_precompile_headers(${tests} REUSE_FROM checkpoint_double)
+    target_link_libraries(${tests} PRIVATE checkpoint_${kind})
+    target_precompile_headers(${tests} REUSE_FROM checkpoint_${kind})
     add_executable(${check} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${tests}> ${learners})
     target_link_libraries(${check} PRIVATE ${libraries})
     set_target_properties(${check} PROPERTIES
@@ -129,11 +149,12 @@ function(course_certificate chapter)
                  INCLUDE ${course_solutions} ${CMAKE_SOURCE_DIR}/tests/support)
   set_target_properties(certify.${chapter} PROPERTIES EXCLUDE_FROM_ALL ON)
   course_of_learner(certify.${chapter})
-  # Other tests run at the same time: speeds say nothing.
-  add_test(NAME certify.${chapter} COMMAND certify.${chapter}_solution --no-timing)
-  set_tests_properties(certify.${chapter} PROPERTIES LABELS solution TIMEOUT 300
-    FAIL_REGULAR_EXPRESSION "FAILS")
+  course_long_tests(certify.${chapter}_solution)
   if(COURSE_ALL_TESTS)
+    # Other tests run at the same time: speeds say nothing.
+    add_test(NAME certify.${chapter} COMMAND certify.${chapter}_solution --no-timing)
+    set_tests_properties(certify.${chapter} PROPERTIES LABELS solution TIMEOUT 300
+      FAIL_REGULAR_EXPRESSION "FAILS")
     course_mistake_certificates(${chapter} ${source})
   endif()
 endfunction()
@@ -182,7 +203,8 @@ function(course_chapter chapter)
   course_program(${chapter}_solution double ${program} INCLUDE ${course_solutions})
   course_program(${chapter}_solution_float float ${program} INCLUDE ${course_solutions})
   course_learners_checkpoints(${chapter} INCLUDE ${learner} SOURCES ${checkpoints})
-  course_checkpoint(${chapter}_checkpoint_solution double ${checkpoints}
+  course_checkpoint_kind(kind ${chapter})
+  course_checkpoint(${chapter}_checkpoint_solution ${kind} ${checkpoints}
                     INCLUDE ${course_solutions})
   course_checkpoint(${chapter}_checkpoint_solution_float float ${checkpoints}
                     INCLUDE ${course_solutions})
@@ -210,7 +232,10 @@ function(course_chapter chapter)
 
   course_exercise_tests(${chapter}_checkpoint exercise ${ids})
   course_exercise_tests(${chapter}_checkpoint_solution solution ${ids})
-  course_exercise_tests(${chapter}_checkpoint_solution_float solution ${ids})
+  course_long_tests(${chapter}_checkpoint_solution_float)
+  if(COURSE_ALL_TESTS)
+    course_exercise_tests(${chapter}_checkpoint_solution_float solution ${ids})
+  endif()
 
   if(COURSE_CHECK_STUBS)
     foreach(id ${ids})
@@ -241,8 +266,13 @@ function(course_chapter chapter)
       course_checkpoint(${chapter}_given_${real} ${real} ${given} ${parts}
                         INCLUDE ${course_solutions} ${root}/chapters/${chapter})
       target_compile_definitions(${chapter}_given_${real} PRIVATE COURSE_ROOT="${root}")
-      add_test(NAME ${chapter}_given_${real} COMMAND ${chapter}_given_${real})
-      set_tests_properties(${chapter}_given_${real} PROPERTIES LABELS "solution;hard" TIMEOUT 600)
+      if(real STREQUAL "float")
+        course_long_tests(${chapter}_given_float)
+      endif()
+      if(real STREQUAL "double" OR COURSE_ALL_TESTS)
+        add_test(NAME ${chapter}_given_${real} COMMAND ${chapter}_given_${real})
+        set_tests_properties(${chapter}_given_${real} PROPERTIES LABELS "solution;hard" TIMEOUT 600)
+      endif()
     endforeach()
   endif()
 
@@ -255,25 +285,28 @@ function(course_chapter chapter)
                          SKIP_RETURN_CODE 77)
   endforeach()
 
-  # The program still draws the picture that the text shows, and refuses what it should.
-  add_test(NAME ${chapter}.image
-    COMMAND sh ${root}/tests/app/same_image.sh $<TARGET_FILE:${chapter}_solution>
-            $<TARGET_FILE:image_compare> ${root}/docs/images/${chapter}.png)
+  # The program still draws its picture, and refuses what it should.
+  add_test(NAME ${chapter}.small_picture
+    COMMAND sh ${root}/tests/app/small_picture.sh $<TARGET_FILE:${chapter}_solution> ${chapter})
   add_test(NAME ${chapter}.bad_input
     COMMAND sh ${root}/tests/app/bad_input.sh $<TARGET_FILE:${chapter}_solution>)
-  # `course compare` does not call right code wrong; see tests/support/compare_programs.cpp for more
-  # runs. A still picture takes one.
-  add_test(NAME ${chapter}.compare
-    COMMAND compare_programs alarms 1 $<TARGET_FILE:${chapter}_solution>)
-  set_tests_properties(${chapter}.compare PROPERTIES LABELS solution TIMEOUT 600)
-  set_tests_properties(${chapter}.image ${chapter}.bad_input PROPERTIES LABELS solution TIMEOUT 300)
+  set_tests_properties(${chapter}.small_picture ${chapter}.bad_input
+                       PROPERTIES LABELS solution TIMEOUT 300)
+  course_long_tests(${chapter}_solution_float)
   if(COURSE_ALL_TESTS)
+    # It is the picture that the text shows.
+    add_test(NAME ${chapter}.image
+      COMMAND sh ${root}/tests/app/same_image.sh $<TARGET_FILE:${chapter}_solution>
+              $<TARGET_FILE:image_compare> ${root}/docs/images/${chapter}.png)
     add_test(NAME ${chapter}.float_program
       COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
               --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
-    set_tests_properties(${chapter}.float_program PROPERTIES LABELS solution TIMEOUT 300)
-  else()
-    set_target_properties(${chapter}_solution_float PROPERTIES EXCLUDE_FROM_ALL ON)
+    # `course compare` does not call right code wrong; see tests/support/compare_programs.cpp for
+    # more runs. A still picture takes one.
+    add_test(NAME ${chapter}.compare
+      COMMAND compare_programs alarms 1 $<TARGET_FILE:${chapter}_solution>)
+    set_tests_properties(${chapter}.image ${chapter}.float_program ${chapter}.compare
+                         PROPERTIES LABELS solution TIMEOUT 600)
   endif()
 endfunction()
 
