@@ -69,7 +69,7 @@ endfunction()
 # course_checkpoint_kind(out chapter): how its checkpoints are compiled in double. What compiling and
 # running them takes together counts: only where they compute for long are they optimized.
 function(course_checkpoint_kind out chapter)
-  if(chapter MATCHES "^0[047]_")
+  if(chapter MATCHES "^0[047]_" OR NOT CMAKE_BUILD_TYPE STREQUAL "Release")
     set(${out} double PARENT_SCOPE)
   else()
     set(${out} unoptimized PARENT_SCOPE)
@@ -155,7 +155,9 @@ function(course_certificate chapter)
     add_test(NAME certify.${chapter} COMMAND certify.${chapter}_solution --no-timing)
     set_tests_properties(certify.${chapter} PROPERTIES LABELS solution TIMEOUT 300
       FAIL_REGULAR_EXPRESSION "FAILS")
-    course_mistake_certificates(${chapter} ${source})
+    if(COURSE_MISTAKES)
+      course_mistake_certificates(${chapter} ${source})
+    endif()
   endif()
 endfunction()
 
@@ -248,7 +250,7 @@ function(course_chapter chapter)
   endif()
 
   course_edit_mistakes(${chapter})
-  if(COURSE_ALL_TESTS)
+  if(COURSE_ALL_TESTS AND COURSE_MISTAKES)
     course_mistake_tests(${chapter})
   endif()
   if(COURSE_MISTAKE_PICTURES)
