@@ -32,7 +32,7 @@ Keyboard::Keyboard(bool immediately) {
     // Ctrl-C and Ctrl-\ are keys, too, even where a script had them ignored.
     for (const int signal : {SIGINT, SIGQUIT}) std::signal(signal, SIG_DFL);
     on_signal_.emplace(
-        std::initializer_list{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT, SIGSEGV, SIGTSTP},
+        std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT, SIGSEGV, SIGTSTP},
         restore_terminal);
     ::tcsetattr(STDIN_FILENO, TCSANOW, &while_reading);
 }
