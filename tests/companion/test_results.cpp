@@ -112,7 +112,11 @@ TEST_CASE("the reporter's lines say all, also of a crash", "[test_results]") {
         companion::run_process({.command = {companion::this_course().program("companion_test"),
                                             "[.events]", "-r", "events"},
                                 .output = companion::Output::errors_hidden});
+#ifdef __SANITIZE_ADDRESS__  // which ends the program itself
+    CHECK(result.exit_code != 0);
+#else
     CHECK(result.signal == SIGSEGV);
+#endif
     const auto tests = read_report(result.output);
     REQUIRE(tests.size() == 5);
     CHECK(tests[0].passed);
