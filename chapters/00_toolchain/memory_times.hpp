@@ -9,7 +9,7 @@
 
 namespace toolchain {
 
-// Each short work is repeated for some milliseconds; what takes long by itself is done once a
+// Each short work is repeated for a few milliseconds; what takes long by itself is done once a
 // round, and what takes very long in the first round alone. Nanoseconds of processor time.
 inline std::vector<double> in_turns_ns(const std::vector<study::Work>& works) {
     return study::in_turns_ns(works, {.at_least_ms = 2, .once_from_ms = 100});

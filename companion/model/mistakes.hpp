@@ -1,6 +1,6 @@
 #pragma once
 // The known mistakes of the exercises. tests/mistakes/NN_topic/NN.k.md holds those of one exercise:
-// words for whoever makes them, and how each is made of the solution.
+// words for the learner, and how each is made of the solution.
 //
 //   # Mistakes of NN.k
 //
