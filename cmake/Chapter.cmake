@@ -126,6 +126,13 @@ function(course_learners_checkpoints chapter)
     set_target_properties(${check} PROPERTIES
       RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/check)
     list(APPEND targets ${tests} ${check})
+    # The same in float, which the companion asks for when it has given its verdict.
+    if(NOT sources)
+      course_checkpoint(${check}.float float ${source} INCLUDE ${arg_INCLUDE})
+      set_target_properties(${check}.float PROPERTIES EXCLUDE_FROM_ALL ON
+        RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/check)
+      list(APPEND targets ${check}.float)
+    endif()
     list(APPEND objects $<TARGET_OBJECTS:${tests}>)
   endforeach()
   add_executable(${arg_PREFIX}${chapter}_checkpoint ${objects} ${learners})

@@ -2,8 +2,10 @@
 #include <app/files.hpp>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <app/json.hpp>
 #include <app/limits.hpp>
+#include <app/nearest_word.hpp>
 #include <app/run.hpp>
 #include <charconv>
 #include <chrono>
@@ -218,6 +220,20 @@ Request default_request(const Program& program) {
     return {program.defaults, program.name + ".png", {}};
 }
 
+// What to say of an argument that the parser does not know.
+std::string advice(const CLI::App& options, int argc, const char* const* argv) {
+    std::vector<std::string> known;
+    for (const CLI::Option* const option : options.get_options())
+        if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = std::string{argv[i]}.substr(0, std::string{argv[i]}.find('='));
+        if (word.rfind("--", 0) != 0 || std::count(known.begin(), known.end(), word) > 0) continue;
+        if (const std::string meant = nearest_word(word, known); !meant.empty())
+            return "; did you mean " + meant + '?';
+    }
+    return "; --help lists what there is";
+}
+
 int run_or_throw(int argc, const char* const* argv, const Program& program) {
     Request request = default_request(program);
     CLI::App options{program.name + ": " + program.about};
@@ -228,7 +244,7 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
         std::fputs(options.help().c_str(), stdout);
         return done;
     } catch (const CLI::ParseError& error) {
-        throw UsageError(std::string(error.what()) + "; --help lists what there is");
+        throw UsageError(error.what() + advice(options, argc, argv));
     }
     for (const CLI::Option* const option : options.get_options())
         if (option->count() > 0) request.settings.given.insert(option->get_single_name());

@@ -15,27 +15,31 @@ namespace {
 // What a program of test cases may print and take: an endless loop can do much in 20 seconds.
 constexpr std::size_t most_bytes = std::size_t{16} << 20, most_memory = std::size_t{2} << 30;
 
-std::string target_of(const Exercise& exercise) {
-    return "check." + exercise.id;
+std::string target_of(const Exercise& exercise, bool in_float = false) {
+    return "check." + exercise.id + (in_float ? ".float" : "");
 }
 
-// Builds the targets of these exercises and leaves the compiler's warnings in them. Returns those
-// that cannot be built, and the first error of each.
+// Builds the targets of these exercises, by their precision, and leaves the compiler's warnings in
+// them. Returns those that cannot be built, and the first error of each.
 std::map<std::string, std::string> build_all(const Course& course, std::vector<Checked*> some) {
     std::map<std::string, std::string> errors;
     if (some.empty()) return errors;
     std::vector<std::string> targets;
-    for (const Checked* checked : some) targets.push_back(target_of(checked->exercise));
+    const auto target_of_one = [](const Checked& one) {
+        return target_of(one.exercise, one.in_float);
+    };
+    for (const Checked* checked : some) targets.push_back(target_of_one(*checked));
     const BuildResult together = build(course, targets);
     for (Checked* checked : some) {
         const Exercise& exercise = checked->exercise;
-        checked->warning = first_warning(course, together.output, exercise.files);
+        if (!checked->in_float)
+            checked->warning = first_warning(course, together.output, exercise.files);
         if (together.ok) continue;
         // What is built stays, and what was built alone need not be built again.
         const BuildResult alone =
-            some.size() == 1 ? together : build(course, {target_of(exercise)});
+            some.size() == 1 ? together : build(course, {target_of_one(*checked)});
         if (alone.ok) continue;
-        std::string& error = errors[target_of(exercise)];
+        std::string& error = errors[exercise.id];
         error = first_error(course, alone.output, exercise.files);
         if (error.empty())
             throw app::Failure("the build failed: " +
@@ -56,20 +60,31 @@ std::string said_by_all(const std::vector<TestCase>& tests) {
     return said;
 }
 
-// What a program died of; where no signal tells, in the words of its report.
-std::string cause_of(const Result& result, const std::string& reported) {
+// What a program died of, given the test case in which it did, if that is known.
+std::string cause_of(const Result& result, const TestCase* test) {
+    const std::string memory = test ? test->memory : "";
     switch (result.signal) {
         case SIGSEGV:
         case SIGBUS:
-            return "it used memory that is not its own (segmentation fault)";
+            if (memory == "stack")
+                return "the stack is full: a function calls itself without end, or a local array "
+                       "is "
+                       "too large";
+            if (memory == "null")
+                return "it used what a null pointer points to: a pointer to nothing, or an empty "
+                       "unique_ptr";
+            return "it used memory that is not its own (segmentation fault): an index out of "
+                   "range, "
+                   "or a reference to something that is gone, such as v.back() after v.pop_back()";
         case SIGFPE:
             return "it divided a whole number by 0";
         case SIGABRT:
-            return "it was aborted, as after memory was released twice or written past its end";
+            return "it was aborted: memory was released twice or written past its end, or an "
+                   "exception left a function that must not throw";
         case SIGILL:
-            return "it ran into code that is none, as after a forgotten return";
+            return "it executed invalid code: is a return missing?";
         default:
-            return reported.empty() ? how_it_ended(result) : reported;
+            return test && !test->crash.empty() ? test->crash : how_it_ended(result);
     }
 }
 
@@ -78,11 +93,11 @@ bool is_failing(const TestCase& test) {
 }
 
 void run_tests(const Course& course, Checked& checked) {
+    const std::string target = target_of(checked.exercise, checked.in_float);
     // Sanitizers take address space by the terabyte.
     const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
     const Result result =
-        run_process({.command = {(course.build / "check" / target_of(checked.exercise)).string(),
-                                 "-r", "events"},
+        run_process({.command = {(course.build / "check" / target).string(), "-r", "events"},
                      .folder = course.build,
                      .output = Output::errors_hidden,
                      .timeout = most_seconds,
@@ -103,7 +118,7 @@ void run_tests(const Course& course, Checked& checked) {
         checked.trouble = how_it_ended(result);
     } else if (crashed != tests.end() || result.signal != 0) {
         checked.verdict = Verdict::crashed;
-        checked.trouble = cause_of(result, crashed != tests.end() ? crashed->crash : "");
+        checked.trouble = cause_of(result, crashed != tests.end() ? &*crashed : nullptr);
     } else if (std::any_of(tests.begin(), tests.end(), is_failing)) {
         checked.verdict = Verdict::failing;
     } else if (const std::string missing = find_missing(); !missing.empty()) {
@@ -122,8 +137,7 @@ void run_tests(const Course& course, Checked& checked) {
                     "those that were declared, down to each const and &.";
         }
     } else if (tests.empty()) {
-        throw app::Failure(target_of(checked.exercise) +
-                           " ran no test case: " + how_it_ended(result));
+        throw app::Failure(target + " ran no test case: " + how_it_ended(result));
     } else {
         checked.verdict = result.ok() ? Verdict::passed : Verdict::crashed;
         if (!result.ok()) checked.trouble = how_it_ended(result);
@@ -153,13 +167,15 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
         if (checked.warning.empty() &&
             known.hash == hashes[static_cast<std::size_t>(one - all.data())])
             checked.warning = known.warning;
-        const auto error = errors.find(target_of(checked.exercise));
+        const auto error = errors.find(checked.exercise.id);
         if (error != errors.end()) {
             checked.verdict = Verdict::not_compiled;
             checked.trouble = error->second;
             continue;
         }
         run_tests(course, checked);
+        if (checked.verdict == Verdict::to_write)
+            checked.left = functions_left(course, checked.exercise);
         if (checked.verdict == Verdict::passed || checked.verdict == Verdict::to_write ||
             checked.verdict == Verdict::waiting)
             continue;
@@ -180,6 +196,31 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
         }
     });
     return all;
+}
+
+int check_in_float(const Course& course, std::vector<Checked>& all) {
+    std::vector<Checked*> passed;
+    for (Checked& checked : all)
+        if (checked.verdict == Verdict::passed && checked.exercise.chapter.uses_real) {
+            checked.in_float = true;
+            passed.push_back(&checked);
+        }
+    const auto errors = build_all(course, passed);
+    for (Checked* checked : passed) {
+        const auto error = errors.find(checked->exercise.id);
+        if (error == errors.end()) {
+            run_tests(course, *checked);
+        } else {
+            checked->verdict = Verdict::not_compiled;
+            checked->trouble = error->second;
+        }
+        checked->in_float = checked->verdict != Verdict::passed;
+    }
+    change_state(course, [&](State& state) {
+        for (const Checked* checked : passed)
+            if (checked->in_float) state[checked->exercise.id].passed = false;
+    });
+    return static_cast<int>(passed.size());
 }
 
 int passed_cases(const Checked& checked) {

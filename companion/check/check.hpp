@@ -21,9 +21,11 @@ struct Checked {
     Exercise exercise;
     Verdict verdict = Verdict::to_write;
     std::vector<TestCase> tests;       // as far as they were run
+    bool in_float = false;             // the verdict is on its float build, after double passed
     std::string trouble;               // what kept it from running to the end
     std::string warning;               // of the compiler, on its files
     std::string missing;               // waiting: the exercise that it needs
+    std::vector<std::string> left;     // to_write: the functions that are
     std::vector<LookAlikes> mistakes;  // that it looks like
 };
 
@@ -33,6 +35,10 @@ inline constexpr double most_seconds = 20;
 // Checks these exercises, each in a program of its own, and remembers the verdicts. One of which
 // nothing is written is not built. Throws app::Failure where the build itself is broken.
 std::vector<Checked> check_exercises(const Course& course, const std::vector<Exercise>& exercises);
+
+// Tries those that pass, and that compute with rt::Real, once more with Real as float. The verdict
+// of those that fail there changes, and is remembered. Returns how many were tried.
+int check_in_float(const Course& course, std::vector<Checked>& all);
 
 // How many of its test cases pass, and how many there are. Of one that was stopped, those that were
 // begun.

@@ -54,6 +54,7 @@ void read_event(const Json& event, std::vector<TestCase>& tests) {
         test.failures.push_back(read_failure(event));
     } else if (what == "crashes") {
         test.crash = text_of(event, "cause");
+        test.memory = text_of(event, "memory");
     } else if (what == "ends") {
         test.ended = true;
         const Json* const passed = app::find(event, "passed", Json::Kind::boolean);

@@ -20,6 +20,8 @@ struct TestCase {
     bool passed = false;
     bool ended = false;  // false: it was running when the program ended
     std::string crash;   // what the program died of within it, "SIGSEGV - Segmentation ..."
+    std::string
+        memory;  // where what it died of was a use of memory: "null", "stack", or nothing known
     std::string output;  // what it printed
     std::vector<FailedAssertion> failures;
 };

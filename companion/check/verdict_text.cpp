@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <companion/check/compiler_words.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/model/mistakes.hpp>
 #include <companion/system/terminal.hpp>
@@ -33,6 +34,14 @@ std::string missing_files(const Course& course, const Exercise& exercise) {
     return "";
 }
 
+// "; 2 of 3 functions are written, next: normalize".
+std::string functions_done(const Checked& checked) {
+    const int all = checked.exercise.functions, left = static_cast<int>(checked.left.size());
+    if (left == 0 || all < 2 || left >= all) return "";
+    return "; " + std::to_string(all - left) + " of " + std::to_string(all) +
+           " functions are written, next: " + bold(checked.left.front());
+}
+
 std::string verdict_text(const Checked& checked) {
     const int all = static_cast<int>(checked.tests.size()), passed = passed_cases(checked);
     const auto missing = static_cast<int>(std::count_if(
@@ -44,14 +53,16 @@ std::string verdict_text(const Checked& checked) {
             return green("done");
         case Verdict::failing:
             if (failing == 0) return red("failing: no test case reaches it");
-            return red("failing: " + std::to_string(failing) + " of " + cases(all)) +
+            return red((checked.in_float ? "failing in float: " : "failing: ") +
+                       std::to_string(failing) + " of " + cases(all)) +
                    (missing == 0 ? ""
                                  : yellow(", " + std::to_string(missing) + " still to be written"));
         case Verdict::to_write:
             if (all == 0) return dim("to be written");
             return yellow(passed == 0 ? "begun: all of its " + cases(all) + " meet an rt::todo"
                                       : "begun: " + std::to_string(passed) + " of " + cases(all) +
-                                            " pass, the rest is to be written");
+                                            " pass, the rest is to be written") +
+                   functions_done(checked);
         case Verdict::waiting:
             return yellow("needs " + checked.missing + " first");
         case Verdict::not_compiled:
@@ -145,14 +156,25 @@ bool is_unknown(const FailedAssertion& failure) {
     return failure.expression.find("{Unknown expression") != std::string::npos;
 }
 
+// Whether the values say what is wrong: not "false", nor "0.0 == 0.0" with digits that are not
+// shown, nor "{?} == {?}".
+bool says_more(const FailedAssertion& failure) {
+    const std::string& values = failure.expanded;
+    if (values.empty() || values == "false" || values.find("{?}") != std::string::npos ||
+        failure.expression.find(values) != std::string::npos)
+        return false;
+    for (const char* const sign : {" == ", " <= ", " >= ", " < ", " > "})
+        if (const auto at = values.find(sign); at != std::string::npos)
+            return values.substr(0, at) != values.substr(at + std::string{sign}.size());
+    return true;
+}
+
 std::string describe(const FailedAssertion& failure) {
     std::string text;
     for (const std::string& message : failure.messages) text += wrapped(readable(message), "    ");
     if (!failure.expression.empty() && failure.expression != "FAIL" && !is_unknown(failure)) {
         text += wrapped("checked: " + failure.expression, "    ");
-        const bool says_more = failure.expanded != "false" && !failure.expanded.empty() &&
-                               failure.expression.find(failure.expanded) == std::string::npos;
-        if (says_more) text += wrapped("came as: " + readable(failure.expanded), "    ");
+        if (says_more(failure)) text += wrapped("actual: " + readable(failure.expanded), "    ");
     }
     if (!failure.exception.empty()) text += wrapped("it threw: " + failure.exception, "    ");
     return text;
@@ -190,10 +212,17 @@ std::string failing_cases(const Checked& checked) {
     return text;
 }
 
+// What a compiler's message means.
+std::string in_plain_words(const std::string& message) {
+    const std::string words = plain_words(message);
+    return words.empty() ? "" : wrapped("That means: " + words, "    ");
+}
+
 std::string warned(const Checked& checked) {
     return checked.warning.empty()
                ? ""
-               : "\n  " + yellow("The compiler warned:") + '\n' + wrapped(checked.warning, "    ");
+               : "\n  " + yellow("The compiler warned:") + '\n' + wrapped(checked.warning, "    ") +
+                     in_plain_words(checked.warning);
 }
 
 std::string what_it_looks_like(const Course& course, const Checked& checked) {
@@ -227,15 +256,14 @@ std::string details(const Course& course, const Checked& checked) {
     if (!where.empty()) where = " in the test case\n  " + bold(where);
     switch (checked.verdict) {
         case Verdict::not_compiled:
-            text += "It does not compile. The first error:\n\n" + checked.trouble + '\n';
+            text += "It does not compile" + std::string{checked.in_float ? " in float" : ""} +
+                    ". The first error:\n\n" + checked.trouble + '\n' +
+                    in_plain_words(checked.trouble);
             break;
         case Verdict::crashed:
-            text += "It crashes: " + checked.trouble + (where.empty() ? "" : ",\n " + where) +
-                    "\n  A forgotten return, an index out of range, a pointer to nothing, a "
-                    "reference to something\n  that is gone (such as v.back() after "
-                    "v.pop_back()), or a function that calls itself for ever?\n  The address "
-                    "sanitizer names the line: docs/00-toolchain.md, section Hard cases.\n" +
-                    warned(checked) + before_that(failing_cases(checked));
+            text += "It crashes" + where + '\n' + wrapped(checked.trouble + '.', "  ") +
+                    warned(checked) + "\n  The line where it happens:  ./course check " +
+                    exercise.id + " --sanitize\n" + before_that(failing_cases(checked));
             break;
         case Verdict::endless:
             text += "It was stopped, " + checked.trouble + "," + where +
@@ -251,6 +279,10 @@ std::string details(const Course& course, const Checked& checked) {
                     (checked.trouble.empty() ? "" : '\n' + wrapped(checked.trouble, "  "));
             break;
         case Verdict::failing:
+            if (checked.in_float)
+                text +=
+                    "\nIt passes in double and fails in float (rt::Real is float): does a number "
+                    "or a tolerance\nsuit double only?\n";
             text += '\n' +
                     (checked.trouble.empty() ? failing_cases(checked)
                                              : wrapped(checked.trouble, "  ")) +

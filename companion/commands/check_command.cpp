@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <companion/check/check.hpp>
+#include <companion/check/sanitized.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/model/progress.hpp>
@@ -28,6 +29,25 @@ bool is_wrong(const Checked& checked) {
            checked.verdict != Verdict::waiting;
 }
 
+// What comes after these: in the chapter of the last one what comes after it, then what is left of
+// the chapter, then of the course. Nothing where all is done.
+std::vector<Exercise> left_after(const Course& course, const std::vector<Checked>& all) {
+    const State state = read_state(course);
+    std::vector<Exercise> later, same_chapter, others;
+    for (Exercise& exercise : exercises(course)) {
+        if (progress_of(course, state, exercise) == Progress::done) continue;
+        const bool is_same =
+            !all.empty() && exercise.chapter.name == all.back().exercise.chapter.name;
+        auto& kind = !is_same                               ? others
+                     : exercise.id > all.back().exercise.id ? later
+                                                            : same_chapter;
+        kind.push_back(std::move(exercise));
+    }
+    for (auto* const kind : {&later, &same_chapter, &others})
+        if (!kind->empty()) return *kind;
+    return {};
+}
+
 // The chapters among these whose exercises are all done.
 std::vector<Chapter> chapters_done(const Course& course, const std::vector<Checked>& all) {
     const State state = read_state(course);
@@ -52,9 +72,19 @@ void print_chapters_done(const std::vector<Chapter>& done) {
 
 }  // namespace
 
+int check_sanitized(const Course& course, const std::string& name, const std::string& sanitizer) {
+    if (!sanitizer.empty() && sanitizer != "thread" && sanitizer != "address")
+        throw app::UsageError("--sanitize: takes nothing, address or thread, not '" + sanitizer +
+                              '\'');
+    const Exercise exercise = find_exercise(course, name);
+    print("The first time this builds for a minute.\n");
+    print(run_sanitized(course, exercise, sanitizer == "thread"));
+    return app::done;
+}
+
 int check(const Course& course, const Named& name) {
     const std::vector<Exercise> some = chosen(course, name);
-    const std::vector<Checked> all = check_exercises(course, some);
+    std::vector<Checked> all = check_exercises(course, some);
     std::string chapter;
     for (const Checked& checked : all) {
         if (checked.exercise.chapter.name != chapter) {
@@ -64,6 +94,12 @@ int check(const Course& course, const Named& name) {
         print(summary_line(checked));
     }
     if (all.empty()) print("Nothing is written yet.\n");
+    const int in_float = check_in_float(course, all);
+    const auto fails_in_float = std::count_if(
+        all.begin(), all.end(), [](const Checked& checked) { return checked.in_float; });
+    for (const Checked& checked : all)
+        if (checked.in_float) print(summary_line(checked));
+    if (in_float > 0 && fails_in_float == 0) print(dim("  + also with Real as float\n"));
 
     // What helps most: the first that is wrong, else the first that waits or is to be written.
     auto shown = std::find_if(all.begin(), all.end(), is_wrong);
@@ -81,8 +117,8 @@ int check(const Course& course, const Named& name) {
         print('\n' + next_step(course, &shown->exercise));
         return app::still_to_write;
     }
-    const std::vector<Exercise> every = exercises(course);
-    print('\n' + next_step(course, first_not_done(course, read_state(course), every)));
+    const std::vector<Exercise> left = left_after(course, all);
+    print('\n' + next_step(course, left.empty() ? nullptr : &left.front()));
     return all.empty() ? app::still_to_write : app::done;
 }
 

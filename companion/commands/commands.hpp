@@ -13,6 +13,9 @@ using Named = std::optional<std::string>;
 
 // Each returns the exit code.
 int check(const Course& course, const Named& chapter_or_exercise);
+// The checkpoints of one exercise under the sanitizer that is named: "thread", or else the others.
+int check_sanitized(const Course& course, const std::string& exercise,
+                    const std::string& sanitizer);
 int certify(const Course& course);
 int compare(const Course& course, const std::string& chapter);
 int demo(const Course& course);

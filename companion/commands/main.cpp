@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <functional>
 #include <sstream>
+#include <utility>
 
 namespace {
 
@@ -36,6 +37,7 @@ struct CommandLine {
     CLI::App parser{"", "course"};
     Words names;
     companion::Named named;
+    companion::Named sanitizer;  // of check --sanitize
     int exit_code = app::done;
 
     CLI::App* add(const char* name, std::function<int()> run) {
@@ -55,7 +57,17 @@ struct CommandLine {
         parser.set_help_flag();  // it may belong to the program that `run` runs
         using namespace companion;
         add("list", [&] { return list(course); });
-        add("check", "chapter-or-exercise", [&] { return check(course, named); });
+        add("check", "chapter-or-exercise", [&] {
+            if (!sanitizer) return check(course, named);
+            if (!named && !sanitizer->empty()) named = std::exchange(*sanitizer, "");
+            if (!named) throw app::UsageError("check --sanitize: needs an exercise, such as 01.3");
+            return check_sanitized(course, *named, *sanitizer);
+        });
+        parser.get_subcommand("check")
+            ->add_option_function<std::string>(
+                "--sanitize", [this](const std::string& name) { sanitizer = name; })
+            ->expected(0, 1)
+            ->trigger_on_parse();
         add("watch", "chapter", [&] { return watch(course, named); });
         add("hint", "exercise", [&] { return hint(course, *named); })->required();
         add("run", "chapter", [&] {

@@ -17,6 +17,14 @@ bool says_where(const std::vector<std::string>& options) {
     });
 }
 
+// Another scene's picture is another file: the chapter's own is not overwritten.
+std::string picture_name(const Chapter& chapter, const std::vector<std::string>& options) {
+    for (const std::string& option : options)
+        if (const fs::path scene{option}; fs::is_regular_file(scene))
+            return chapter.name + '_' + scene.stem().string() + "_mine.png";
+    return chapter.name + "_mine.png";
+}
+
 }  // namespace
 
 int run(const Course& course, const std::string& name, const std::vector<std::string>& options) {
@@ -26,7 +34,7 @@ int run(const Course& course, const std::string& name, const std::vector<std::st
     std::vector<std::string> command{course.program(chapter.name).string()};
     if (!says_where(options)) {
         app::make_folder(course.out());
-        const fs::path picture = course.out() / (chapter.name + "_mine.png");
+        const fs::path picture = course.out() / picture_name(chapter, options);
         command.insert(command.end(), {"--out", picture.string()});
     }
     command.insert(command.end(), options.begin(), options.end());

@@ -127,6 +127,9 @@ class Watch {
             return false;
         }
         print(summary_line(checked[0]));
+        if (check_in_float(course_, checked) > 0)
+            print(checked[0].in_float ? summary_line(checked[0])
+                                      : dim("  + also with Real as float\n"));
         if (checked[0].verdict == Verdict::passed) {
             print_chapter_end();
             return true;

@@ -29,6 +29,7 @@ struct Chapter {
     int hours = 0;           // of study, with reading
     fs::path text = {}, hints = {};
     std::string caption = {};  // what its picture shows
+    bool uses_real = true;     // rt::Real, so that its exercises are checked in float, too
 
     std::string number() const { return name.substr(0, name.find('_')); }  // "03"
     std::string picture() const { return name + ".png"; }

@@ -81,7 +81,8 @@ CourseFile read_course_file(const Course& course) {
                               .hours = fact["hours"].count(),
                               .text = fact["text"].text(),
                               .hints = fact["hints"].text(),
-                              .caption = fact["caption"].text()};
+                              .caption = fact["caption"].text(),
+                              .uses_real = fact["uses_real"].yes()};
         file.chapters.push_back(chapter);
         for (const Fact& exercise : fact["exercises"].list())
             file.exercises.push_back(read_exercise(exercise, chapter));

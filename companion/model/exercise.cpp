@@ -31,6 +31,8 @@ void add_shipped(const Course& course, const Chapter& chapter, std::vector<Exerc
         for (const fs::path& file : exercise.files) {
             ++users[file];
             exercise.shipped_todos += count_todos(read(file), exercise.id);
+            exercise.functions +=
+                static_cast<int>(functions_to_write(read(file), exercise.id).size());
         }
     for (Exercise& exercise : exercises)
         if (std::all_of(exercise.files.begin(), exercise.files.end(),
@@ -85,6 +87,16 @@ bool is_begun(const Course& course, const Exercise& exercise) {
     return !exercise.shipped_hash.empty() && hash_of(course, exercise) != exercise.shipped_hash &&
            std::all_of(files.begin(), files.end(),
                        [&](const fs::path& file) { return fs::exists(course.root / file); });
+}
+
+std::vector<std::string> functions_left(const Course& course, const Exercise& exercise) {
+    std::vector<std::string> names;
+    for (const fs::path& file : exercise.files) {
+        if (!fs::exists(course.root / file)) continue;
+        const auto more = functions_to_write(read_file(course.root / file), exercise.id);
+        names.insert(names.end(), more.begin(), more.end());
+    }
+    return names;
 }
 
 int todos_left(const Course& course, const Exercise& exercise) {

@@ -15,6 +15,7 @@ struct Exercise {
     std::vector<fs::path>
         files;                   // that the learner writes, such as exercises/01_vectors/rt/dot.hpp
     int shipped_todos = 0;       // in these files, for this exercise
+    int functions = 0;           // that the learner writes: those with an rt::todo
     std::string shipped_hash{};  // of these files; empty where another exercise is in them, too
 
     // "docs/01-vectors.md, section 01.3"
@@ -35,6 +36,9 @@ std::string hash_of(const Course& course, const Exercise& exercise);
 
 // Whether the learner has begun it: an rt::todo is gone, or a file of it alone is not as shipped.
 bool is_begun(const Course& course, const Exercise& exercise);
+
+// Its functions in which an rt::todo is left, by name.
+std::vector<std::string> functions_left(const Course& course, const Exercise& exercise);
 
 // How many rt::todo of this exercise are left in its files. A file that is gone counts as one.
 int todos_left(const Course& course, const Exercise& exercise);

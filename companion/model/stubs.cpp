@@ -2,6 +2,8 @@
 #include <app/errors.hpp>
 #include <companion/model/stubs.hpp>
 #include <companion/system/files.hpp>
+#include <regex>
+#include <set>
 
 namespace companion {
 namespace {
@@ -80,9 +82,11 @@ Stubs stubs_from_text(const std::string& text) {
     return stubs;
 }
 
-int count_todos(const std::string& source, const std::string& exercise) {
-    const std::string code = code_of(source);
-    int count = 0;
+namespace {
+
+// Where the code calls todo("NN.k" for this exercise.
+std::vector<std::size_t> todos(const std::string& code, const std::string& exercise) {
+    std::vector<std::size_t> found;
     for (auto at = code.find("todo"); at != std::string::npos; at = code.find("todo", at + 4)) {
         auto next = at + 4;
         for (const std::string& part : {std::string{"("}, '"' + exercise + '"'}) {
@@ -93,9 +97,53 @@ int count_todos(const std::string& source, const std::string& exercise) {
             }
             next += part.size();
         }
-        count += next != std::string::npos;
+        if (next != std::string::npos) found.push_back(at);
     }
-    return count;
+    return found;
+}
+
+// The name of the function whose body encloses a place: the word before its parameters.
+std::string function_around(const std::string& code, std::size_t place) {
+    static const std::regex head{
+        R"((operator\s*[^\s\w(]+|~?[A-Za-z_]\w*)\s*\([^;{}]*\)[^;{}()]*(:[^;]*)?$)"};
+    static const std::set<std::string> no_function{"if", "for", "while", "switch", "catch"};
+    int depth = 0;
+    for (std::size_t at = place; at-- > 0;) {
+        if (code[at] == '}') ++depth;
+        if (code[at] != '{' || depth-- > 0) continue;
+        depth = 0;
+        // A constructor's members may have braces: a blank line or a ; ends the look back.
+        const auto start = code.find_last_of(';', at), blank = code.rfind("\n\n", at);
+        const std::size_t from = std::max(start == std::string::npos ? 0 : start,
+                                          blank == std::string::npos ? 0 : blank);
+        std::string before = code.substr(from, at - from);
+        if (const auto brace = before.rfind("{\n"); brace != std::string::npos)
+            before.erase(0, brace + 1);
+        // "fill = {}" has no body.
+        for (auto pair = before.find("{}"); pair != std::string::npos; pair = before.find("{}"))
+            before.erase(pair, 2);
+        std::smatch found;
+        if (std::regex_search(before, found, head) && no_function.count(found[1]) == 0)
+            return found[1];
+    }
+    return "";
+}
+
+}  // namespace
+
+int count_todos(const std::string& source, const std::string& exercise) {
+    return static_cast<int>(todos(code_of(source), exercise).size());
+}
+
+std::vector<std::string> functions_to_write(const std::string& source,
+                                            const std::string& exercise) {
+    const std::string code = code_of(source);
+    std::vector<std::string> names;
+    for (const std::size_t place : todos(code, exercise))
+        if (const std::string name = function_around(code, place);
+            std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(name);
+    return names;
 }
 
 }  // namespace companion

@@ -23,4 +23,7 @@ Stubs stubs_from_text(const std::string& text);
 // How often a source says rt::todo("NN.k"); what is in comments does not count.
 int count_todos(const std::string& source, const std::string& exercise);
 
+// The functions of a source in which an rt::todo of the exercise stands, by name, each once.
+std::vector<std::string> functions_to_write(const std::string& source, const std::string& exercise);
+
 }  // namespace companion

@@ -21,7 +21,7 @@ const std::string exercise =
     R"({"id": "01.1", "title": "Dot", "minutes": 10, "files": ["rt/dot.hpp", "rt/b.cpp"]})";
 
 std::string chapter_with(const std::string& exercises) {
-    return R"({"chapters": [{"name": "01_vectors", "core": true, "title": "Vectors", "hours": 5,
+    return R"({"chapters": [{"name": "01_vectors", "core": true, "uses_real": true, "title": "Vectors", "hours": 5,
         "text": "docs/01-vectors.md", "hints": "docs/hints/01.md", "caption": "Balls.",
         "exercises": )" +
            exercises + "}]}";
@@ -51,6 +51,7 @@ TEST_CASE("the chapters and exercises are those of course.json", "[course]") {
     CHECK(all[0].name == "01_vectors");
     CHECK(all[0].title == "Vectors");
     CHECK(all[0].core);
+    CHECK(all[0].uses_real);
     CHECK(all[0].hours == 5);
     CHECK(all[0].hints == "docs/hints/01.md");
     CHECK(all[0].caption == "Balls.");

@@ -1,6 +1,7 @@
 #include <app/errors.hpp>
 #include <companion/model/exercise.hpp>
 #include <companion/model/stubs.hpp>
+#include <algorithm>
 #include <set>
 
 #include "catch.hpp"
@@ -19,11 +20,36 @@ TEST_CASE("a todo counts where it is code and of this exercise", "[exercises]") 
     CHECK(count_todos("return todo (\n  \"01.1\");", "01.1") == 1);
     CHECK(count_todos("rt::todo(\"01.1\"); rt::todo(\"01.1\");", "01.1") == 2);
     CHECK(count_todos("return rt::todo(\"01.12\", a);", "01.1") == 0);
+    const std::string functions = R"(namespace rt {
+inline Real length(Vec3 v) {
+    if (v.x > 0) { return rt::todo("01.3", v); }
+    return rt::todo("01.3", v);
+}
+class Canvas {
+    Canvas(int width, int height) : w{width} { rt::todo("01.3"); }
+    Pixel& at(int x, int y) { return rt::todo("01.4"); }
+    ~Canvas() { rt::todo("01.3"); }
+};)";
+    using Names = std::vector<std::string>;
+    CHECK(functions_to_write(functions, "01.3") == Names{"length", "Canvas", "~Canvas"});
+    CHECK(functions_to_write(functions, "01.4") == Names{"at"});
+    CHECK(functions_to_write(functions, "01.5").empty());
     CHECK(count_todos("// return rt::todo(\"01.1\", a);\nreturn 1;", "01.1") == 0);
     CHECK(count_todos("/* rt::todo(\"01.1\") */", "01.1") == 0);
     CHECK(count_todos("\"// \" rt::todo(\"01.1\")", "01.1") == 1);
     CHECK(count_todos("/* open", "01.1") == 0);
     CHECK(count_todos("todo", "01.1") == 0);
+}
+
+TEST_CASE("every function to write has a name", "[exercises]") {
+    const Course here = this_course();
+    for (const Exercise& exercise : exercises(here)) {
+        const auto names = functions_left(here, exercise);
+        std::string all;
+        for (const std::string& name : names) all += name + ", ";
+        INFO(exercise.id + ": " + all);
+        CHECK(std::count(names.begin(), names.end(), "") == 0);
+    }
 }
 
 TEST_CASE("every exercise has minutes and stubs that say so", "[exercises]") {

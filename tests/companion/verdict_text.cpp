@@ -43,6 +43,24 @@ TEST_CASE("numbers are shown as a person writes them", "[verdict_text]") {
               "0x1.8000000p+1 == 0xff"));
 }
 
+TEST_CASE("values that do not differ as they are shown are left out", "[verdict_text]") {
+    for (const char* const values : {"0.0 == 0.0", "1.0 <= 1.0", "{?} == {?}", "false"})
+        CHECK_FALSE(has(told(Verdict::failing, {failing("x", values)}), "actual:"));
+    for (const char* const values : {"0.0 == 0.1", "{ 1, 2 } == { 1, 3 }", "!true", "2.0 <= 1.0"})
+        CHECK(
+            has(told(Verdict::failing, {failing("x", values)}), std::string{"actual: "} + values));
+}
+
+TEST_CASE("an exercise that is begun says what comes next", "[verdict_text]") {
+    Checked checked;
+    checked.exercise.functions = 3;
+    checked.left = {"normalize"};
+    checked.tests.resize(4);
+    CHECK(has(summary_line(checked), "2 of 3 functions are written, next: normalize"));
+    checked.left = {"a", "b", "c"};
+    CHECK_FALSE(has(summary_line(checked), "functions"));
+}
+
 TEST_CASE("a crash does not hide what failed before it", "[verdict_text]") {
     TestCase crashed = failing("second", "");
     crashed.failures.front().expression = "CHECK( {Unknown expression after the reported line} )";

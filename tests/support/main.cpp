@@ -1,12 +1,17 @@
 // The entry point of every program of test cases, and the reporter that the companion reads. With
 // `-r events` every event is a line of JSON, written whole and at once: what a crash leaves behind
 // are whole lines. Catch2 3 brings its own main().
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdint>
 #if __has_include(<catch2/catch_test_macros.hpp>)
 #include <catch2/catch_test_case_info.hpp>
 #include <catch2/reporters/catch_reporter_registrars.hpp>
 #include <catch2/reporters/catch_reporter_streaming_base.hpp>
 #else
 #define CATCH_CONFIG_MAIN
+#define CATCH_CONFIG_NO_POSIX_SIGNALS  // ours know more
 #include "catch.hpp"
 #endif
 #include <nlohmann/json.hpp>
@@ -15,6 +20,62 @@
 using nlohmann::json;
 
 namespace {
+
+// Which memory a program that died of it has used: of a null pointer, or below a full stack.
+const char* forbidden_memory = "";
+
+#if defined(CATCH_CONFIG_MAIN) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// What Catch2 does at such a signal, and beyond that a look at the address.
+class CrashHandler {
+  public:
+    CrashHandler() {
+        static char stack[1 << 16];  // for a full stack leaves no room
+        stack_t own{};
+        own.ss_sp = stack;
+        own.ss_size = sizeof stack;
+        sigaltstack(&own, nullptr);
+        for (const Crash& crash : crashes) {
+            struct sigaction action {};
+            action.sa_sigaction = report;
+            action.sa_flags = SA_ONSTACK | SA_SIGINFO | SA_RESETHAND | SA_NODEFER;
+            sigaction(crash.signal, &action, nullptr);
+        }
+        rlimit limit{};
+        getrlimit(RLIMIT_STACK, &limit);
+        char here = 0;
+        if (limit.rlim_cur != RLIM_INFINITY)
+            stack_end = reinterpret_cast<std::uintptr_t>(&here) - limit.rlim_cur;
+    }
+
+  private:
+    struct Crash {
+        int signal;
+        const char* name;
+    };
+    static constexpr Crash crashes[]{{SIGSEGV, "SIGSEGV"},
+                                     {SIGBUS, "SIGBUS"},
+                                     {SIGFPE, "SIGFPE"},
+                                     {SIGILL, "SIGILL"},
+                                     {SIGABRT, "SIGABRT"}};
+    static inline std::uintptr_t stack_end = 0;
+
+    static void report(int signal, siginfo_t* info, void*) {
+        constexpr std::uintptr_t page = 4096, near = 1 << 20;
+        const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
+        if ((signal == SIGSEGV || signal == SIGBUS) && info->si_code > 0) {
+            if (address < page) forbidden_memory = "null";
+            if (stack_end > 0 && address + near > stack_end && address < stack_end + near)
+                forbidden_memory = "stack";
+        }
+        for (const Crash& crash : crashes)
+            if (crash.signal == signal)
+                Catch::getCurrentContext().getResultCapture()->handleFatalErrorCondition(
+                    crash.name);
+        std::raise(signal);
+    }
+};
+const CrashHandler crash_handler;
+#endif
 
 // The exercise whose rt::todo is the exception that is handled now; empty where it is another one.
 std::string missing_exercise() {
@@ -90,7 +151,10 @@ class EventReporter : public Catch::StreamingReporterBase {
         const bool crashes = result.getResultType() == Catch::ResultWas::FatalErrorCondition;
         // Of a crash before the first assertion there is no more to say.
         if (!result.isOk() && (!crashes || result.hasExpression())) write(failure(stats));
-        if (crashes) write({{"event", "crashes"}, {"cause", std::string{result.getMessage()}}});
+        if (crashes)
+            write({{"event", "crashes"},
+                   {"cause", std::string{result.getMessage()}},
+                   {"memory", forbidden_memory}});
     }
 
     // On a line of its own, whatever the tested code has printed before.

@@ -1,0 +1,10 @@
+#pragma once
+#include <string>
+
+namespace companion {
+
+// What a compiler's error or warning usually means, in plain words; empty where it is an unusual
+// one.
+std::string plain_words(const std::string& error);
+
+}  // namespace companion

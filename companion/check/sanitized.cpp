@@ -1,0 +1,61 @@
+#include <app/files.hpp>
+#include <companion/build/build.hpp>
+#include <companion/build/side_build.hpp>
+#include <companion/check/check.hpp>
+#include <companion/check/sanitized.hpp>
+#include <companion/system/process.hpp>
+#include <companion/system/terminal.hpp>
+#include <sstream>
+
+namespace companion {
+
+SanitizerReport read_sanitizer_report(const Course& course, const std::string& output,
+                                      const std::vector<fs::path>& files) {
+    SanitizerReport report;
+    std::istringstream in{output};
+    for (std::string line; std::getline(in, line);) {
+        if (report.what.empty())
+            for (const std::string mark :
+                 {"ERROR: AddressSanitizer: ", "WARNING: ThreadSanitizer: ", "runtime error: "})
+                if (const auto at = line.find(mark); at != std::string::npos)
+                    report.what = line.substr(at + mark.size());
+        if (report.what.empty()) continue;
+        for (const fs::path& file : files) {
+            const std::string path = (course.root / file).string() + ':';
+            const auto at = line.find(path);
+            if (at == std::string::npos) continue;
+            const auto number = at + path.size();
+            const auto end = line.find_first_not_of("0123456789", number);
+            report.where = file.string() + ':' + line.substr(number, end - number);
+            return report;
+        }
+    }
+    return report;
+}
+
+std::string run_sanitized(const Course& course, const Exercise& exercise, bool threads) {
+    const std::string target = "check." + exercise.id;
+    const Course side =
+        side_build(course, threads ? "sanitized-threads" : "sanitized",
+                   {"-DCMAKE_BUILD_TYPE=Debug",
+                    std::string{"-DRT_SANITIZE="} + (threads ? "thread" : "address,undefined")});
+    must_build(side, target);
+    std::vector<std::string> command{(side.build / "check" / target).string()};
+    // The thread sanitizer cannot live with all that newer kernels do to randomize addresses.
+    const std::vector<std::string> fixed{"setarch", "-R"};
+    if (threads && is_installed("setarch") &&
+        run_process({.command = {"setarch", "-R", "true"}}).ok())
+        command.insert(command.begin(), fixed.begin(), fixed.end());
+    const Result result = run_process({.command = command, .timeout = 10 * most_seconds});
+    const fs::path log = side.build / (exercise.id + ".txt");
+    app::replace_file(log, result.output);
+    const SanitizerReport report = read_sanitizer_report(course, result.output, exercise.files);
+    if (report.what.empty())
+        return "The sanitizers report nothing; the checkpoints ended with " + how_it_ended(result) +
+               ".\n";
+    return red("The sanitizer reports: ") + report.what + '\n' +
+           (report.where.empty() ? "" : "  at " + bold(report.where) + '\n') +
+           "  The whole report: " + log.lexically_relative(course.root).string() + '\n';
+}
+
+}  // namespace companion

@@ -1,0 +1,22 @@
+#pragma once
+// An exercise's checkpoints under the compiler's sanitizers, which name the line of a crash.
+
+#include <companion/model/exercise.hpp>
+#include <string>
+
+namespace companion {
+
+// What a sanitizer's report says: what happened, and where in the learner's files. Empty where the
+// output holds no report.
+struct SanitizerReport {
+    std::string what;   // "heap-use-after-free ..."
+    std::string where;  // "exercises/00_toolchain/rt/canvas.hpp:31", the first within these files
+};
+SanitizerReport read_sanitizer_report(const Course& course, const std::string& output,
+                                      const std::vector<fs::path>& files);
+
+// Builds and runs the checkpoints with the address and undefined-behavior sanitizers, or with the
+// thread sanitizer, and says what they report. Throws app::Failure where the build fails.
+std::string run_sanitized(const Course& course, const Exercise& exercise, bool threads);
+
+}  // namespace companion
