@@ -266,7 +266,7 @@ std::string details(const Course& course, const Checked& checked) {
                     exercise.id + " --sanitize\n" + before_that(failing_cases(checked));
             break;
         case Verdict::endless:
-            text += "It was stopped, " + checked.trouble + "," + where +
+            text += "It was stopped: " + checked.trouble + where +
                     "\n  Which loop or recursion never ends?\n" + warned(checked) +
                     before_that(failing_cases(checked));
             break;

@@ -88,6 +88,7 @@ class Child {
         for (int pause = 1; !has_ended(status); pause = std::min(2 * pause, 20)) {
             result.timed_out = timeout > 0 && seconds() > timeout;
             result.too_much = most_output > 0 && result.output.size() > most_output;
+            if (result.timed_out && end_politely(status, result.output)) break;
             if (result.timed_out || result.too_much) {
                 ::kill(-id_, SIGKILL);
                 while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
@@ -109,6 +110,18 @@ class Child {
         const pid_t ended = ::waitpid(id_, &status, WNOHANG);
         if (ended < 0 && errno != EINTR) fail("waitpid");
         return ended == id_;
+    }
+
+    // Asks it to end, so that it can say what it was at. False where it has not after half a
+    // second.
+    bool end_politely(int& status, std::string& output) {
+        ::kill(-id_, SIGTERM);
+        for (const auto start = Clock::now();
+             Clock::now() - start < std::chrono::milliseconds(500);) {
+            if (has_ended(status)) return true;
+            read_for(10, output);
+        }
+        return false;
     }
 
     // Waits for output, this many milliseconds at most. True when some came.
@@ -173,9 +186,9 @@ Result run_process(const Run& run) {
 std::string how_it_ended(const Result& result) {
     std::ostringstream text;
     if (result.timed_out)
-        text << "no end after " << static_cast<int>(result.seconds) << " s";
+        text << "it timed out after " << static_cast<int>(result.seconds) << " s";
     else if (result.too_much)
-        text << "no end of printing after " << (result.output.size() >> 20) << " MB";
+        text << "it printed more than " << (result.output.size() >> 20) << " MB";
     else if (result.signal)
         text << "signal " << result.signal << " (" << ::strsignal(result.signal) << ')';
     else if (result.exit_code == 127)

@@ -21,7 +21,8 @@ struct Run {
     std::vector<std::string> command;
     std::filesystem::path folder = ".";  // that it runs in
     Output output = Output::captured;
-    double timeout = 0;  // seconds after which it is killed with all that it started; 0 is never
+    double timeout = 0;  // seconds after which it is asked to end, then killed with all that it
+                         // started; 0 is never
     std::size_t most_memory = 0;  // bytes that it may have, where the system can tell; 0 is any
     std::size_t most_output = 0;  // bytes of captured output after which it is; 0 is never
 };
@@ -42,7 +43,7 @@ struct Result {
 // another process.
 Result run_process(const Run& run);
 
-// How a run ended, for a person: "exit code 2", "no end after 20 s", "signal 11 (Segmentation
+// How a run ended, for a person: "exit code 2", "it timed out after 20 s", "signal 11 (Segmentation
 // fault)".
 std::string how_it_ended(const Result& result);
 

@@ -66,7 +66,7 @@ TEST_CASE("a process that takes too long is ended with all that it started", "[p
     CHECK(result.output == "before\n");
     CHECK(result.seconds >= 0.2);
     CHECK(result.seconds < 0.9);
-    CHECK(how_it_ended(result) == "no end after 0 s");
+    CHECK(how_it_ended(result) == "it timed out after 0 s");
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));
     CHECK(folder.count() == 0);
 }

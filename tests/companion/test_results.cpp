@@ -158,6 +158,27 @@ TEST_CASE("memory: stack", "[.stack]") {
     CHECK(endless(0) == 0);
 }
 
+TEST_CASE("memory: endless", "[.endless]") {
+    INFO("Hint: which loop never ends?");
+    CHECK(true);
+    volatile bool on = true;
+    while (on) {
+    }
+}
+
+TEST_CASE("what never ends is stopped, and its hints are kept", "[test_results]") {
+    const auto result =
+        companion::run_process({.command = {companion::this_course().program("companion_test"),
+                                            "[.endless]", "-r", "events"},
+                                .output = companion::Output::errors_hidden,
+                                .timeout = 1});
+    CHECK(result.timed_out);
+    const auto tests = read_report(result.output);
+    REQUIRE(tests.size() == 1);
+    REQUIRE(tests[0].failures.size() == 1);
+    CHECK(tests[0].failures[0].messages.back() == "Hint: which loop never ends?");
+}
+
 TEST_CASE("a crash says which memory was used", "[test_results]") {
     for (const std::string memory : {"null", "stack"}) {
         const auto result =

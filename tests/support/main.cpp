@@ -52,11 +52,9 @@ class CrashHandler {
         int signal;
         const char* name;
     };
-    static constexpr Crash crashes[]{{SIGSEGV, "SIGSEGV"},
-                                     {SIGBUS, "SIGBUS"},
-                                     {SIGFPE, "SIGFPE"},
-                                     {SIGILL, "SIGILL"},
-                                     {SIGABRT, "SIGABRT"}};
+    static constexpr Crash crashes[]{
+        {SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"},  {SIGFPE, "SIGFPE"}, {SIGILL, "SIGILL"},
+        {SIGABRT, "SIGABRT"}, {SIGTERM, "SIGTERM"}};  // the companion's at a time-out
     static inline std::uintptr_t stack_end = 0;
 
     static void report(int signal, siginfo_t* info, void*) {
