@@ -3,7 +3,7 @@
 #
 #   solution of chapter N    solutions of chapters up to N, common
 #   learner's chapter N      exercises/N, solutions of chapters up to N, common
-#   mine                     exercises/ of the chosen chapters, solutions up to N, common
+#   mine                     COURSE_YOURS, solutions up to N, common
 #   a mistake                the edited files (see Mistakes.cmake), solutions up to N, common
 #
 # Solutions of later chapters are never among them, so no chapter can use what comes after it.
@@ -218,24 +218,13 @@ function(course_chapter chapter)
   course_checkpoint(${chapter}_checkpoint_solution_float float ${checkpoints}
                     INCLUDE ${course_solutions})
 
-  set(mine "")
-  foreach(number ${COURSE_MINE})
-    foreach(known ${course_chapters})
-      if(number STREQUAL "all" OR known MATCHES "^${number}_")
-        list(APPEND mine ${root}/exercises/${known})
-      endif()
-    endforeach()
-  endforeach()
-  if(mine)
-    course_program(${chapter}_mine double ${program} INCLUDE ${mine} ${course_solutions})
-    course_of_learner(${chapter}_mine)
-  endif()
+  course_program(${chapter}_mine double ${program} INCLUDE ${COURSE_YOURS} ${course_solutions})
+  course_of_learner(${chapter}_mine)
+  set_target_properties(${chapter}_mine PROPERTIES EXCLUDE_FROM_ALL ON)
 
   if(missing)
     foreach(target ${chapter} ${chapter}_mine)
-      if(TARGET ${target})
-        target_link_libraries(${target} PRIVATE ${chapter}_missing)
-      endif()
+      target_link_libraries(${target} PRIVATE ${chapter}_missing)
     endforeach()
   endif()
 
@@ -330,19 +319,13 @@ function(course_finish)
   list(TRANSFORM programs APPEND _solution_float OUTPUT_VARIABLE float_solutions)
   list(TRANSFORM programs APPEND _checkpoint_solution OUTPUT_VARIABLE checkpoints)
   list(TRANSFORM programs APPEND _checkpoint_solution_float OUTPUT_VARIABLE float_checkpoints)
-  set(mine "")  # chapters before the first chosen one have none
-  foreach(chapter ${course_chapters})
-    if(TARGET ${chapter}_mine)
-      list(APPEND mine ${chapter}_mine)
-    endif()
-  endforeach()
+  set(mine ${course_chapters})
+  list(TRANSFORM mine APPEND _mine)
   add_custom_target(solution_programs DEPENDS ${solutions})
   add_custom_target(study_programs DEPENDS ${solutions} ${float_solutions})
   add_custom_target(solution_checkpoints_double DEPENDS ${checkpoints})
   add_custom_target(solution_checkpoints DEPENDS solution_checkpoints_double ${float_checkpoints})
-  if(COURSE_MINE)
-    add_custom_target(mine DEPENDS ${mine})
-  endif()
+  add_custom_target(mine DEPENDS ${mine})
   # All that the tests run, and nothing that a learner may have left half-written. The stubs as
   # shipped are code of the project.
   set(tested "")

@@ -6,6 +6,7 @@
 #include <companion/build/build.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/check/passing_chapters.hpp>
+#include <companion/check/sanitized.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/pages/certificate.hpp>
 #include <companion/pages/studies.hpp>
@@ -89,8 +90,12 @@ class Examination {
     // Builds everything of the learner's anew with -O3: any warning from exercises/ counts.
     void build_with_warnings(const std::vector<Chapter>& all) {
         fs::remove_all(course_.build / "certify");
-        fast_ = side_build(course_, "certify",
-                           {"-DCMAKE_BUILD_TYPE=Release", "-DCOURSE_MINE=all", "-DRT_WERROR=OFF"});
+        std::string folders;
+        for (const Chapter& chapter : all)
+            folders += (course_.root / "exercises" / chapter.name).string() + ';';
+        fast_ = side_build(
+            course_, "certify",
+            {"-DCMAKE_BUILD_TYPE=Release", "-DCOURSE_YOURS=" + folders, "-DRT_WERROR=OFF"});
         std::vector<std::string> targets;
         for (const Chapter& chapter : all) {
             targets.push_back(chapter.name + "_mine");
@@ -111,10 +116,10 @@ class Examination {
 
     // The checkpoints under the address and undefined-behavior sanitizers.
     void check_memory(const std::vector<Chapter>& all) {
-        const Course checked = side_build(
-            course_, "certify-memory",
-            {"-DCMAKE_BUILD_TYPE=Debug", "-DCOURSE_MINE=", "-DRT_SANITIZE=address,undefined",
-             "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1"});
+        const Course checked =
+            side_build(course_, "certify-memory",
+                       {"-DCMAKE_BUILD_TYPE=Debug", "-DRT_SANITIZE=address,undefined",
+                        "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1"});
         std::vector<std::string> targets;
         for (const Chapter& chapter : all) targets.push_back(chapter.name + "_checkpoint");
         const BuildResult built = build(checked, targets);
@@ -124,7 +129,7 @@ class Examination {
             const Result result =
                 run_process({.command = {checked.program(chapter.name + "_checkpoint").string()},
                              .timeout = patience});
-            const std::string found = sanitizer_report(result.output);
+            const std::string found = sanitizer_report(chapter, result.output);
             if (!found.empty())
                 note(false, "", what, found, "clean");
             else
@@ -166,23 +171,13 @@ class Examination {
     bool is_measured(const Chapter& chapter) const {
         return fs::exists(course_.root / "tests/certify" / (chapter.name + ".cpp"));
     }
-    // The line of a sanitizer's report, with the place in the learner's code where there is one.
-    static std::string sanitizer_report(const std::string& output) {
-        std::string found;
-        std::istringstream in{output};
-        for (std::string line; std::getline(in, line);) {
-            const auto error = line.find("ERROR: AddressSanitizer: "),
-                       behavior = line.find("runtime error: "), place = line.find("exercises/");
-            if (found.empty() && error != std::string::npos) found = line.substr(error + 25);
-            if (found.empty() && behavior != std::string::npos)
-                found = place < behavior ? line.substr(place) : line.substr(behavior + 15);
-            if (!found.empty() && place != std::string::npos) {
-                if (found.find("exercises/") == std::string::npos)
-                    found += " at " + line.substr(place);
-                return found;
-            }
-        }
-        return found;
+    // What a sanitizer says, with the place in the learner's code where there is one.
+    std::string sanitizer_report(const Chapter& chapter, const std::string& output) const {
+        std::vector<fs::path> files;
+        for (const Exercise& exercise : exercises(course_, chapter))
+            files.insert(files.end(), exercise.files.begin(), exercise.files.end());
+        const SanitizerReport report = read_sanitizer_report(course_, output, files);
+        return report.what + (report.where.empty() ? "" : " at " + report.where);
     }
 
     const Course& course_;

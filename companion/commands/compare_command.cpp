@@ -1,6 +1,7 @@
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/build/build.hpp>
+#include <companion/check/yours.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/compare/comparison_sheet.hpp>
 #include <companion/compare/program_pictures.hpp>
@@ -11,13 +12,14 @@ namespace companion {
 
 int compare(const Course& course, const std::string& name) {
     const Chapter chapter = find_chapter(chapters(course), name);
-    must_build(course, chapter.name);
+    const Yours yours = put_yours_in_place(course, chapter);
+    must_build(course, chapter.name + "_mine");
     must_build(course, chapter.name + "_solution");
 
     Comparison found;
     try {
-        found = compare(
-            two_programs(course.program(chapter.name), course.program(chapter.name + "_solution")));
+        found = compare(two_programs(course.program(chapter.name + "_mine"),
+                                     course.program(chapter.name + "_solution")));
     } catch (const DrawingFailed& failed) {
         std::fprintf(stderr, "course: %s\n", failed.what());
         const bool to_write =
@@ -25,6 +27,7 @@ int compare(const Course& course, const std::string& name) {
         return to_write ? app::still_to_write : app::could_not;
     }
     const auto words = found.words();
+    std::printf("%s\n", yours.words().c_str());
     std::printf("%s: %s\n", chapter.name.c_str(), words[0].c_str());
     for (std::size_t i = 1; i < words.size(); ++i) std::printf("  %s\n", words[i].c_str());
     app::make_folder(course.out());

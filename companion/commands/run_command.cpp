@@ -2,6 +2,7 @@
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/build/build.hpp>
+#include <companion/check/yours.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/system/process.hpp>
 #include <cstdio>
@@ -29,9 +30,11 @@ std::string picture_name(const Chapter& chapter, const std::vector<std::string>&
 
 int run(const Course& course, const std::string& name, const std::vector<std::string>& options) {
     const Chapter chapter = find_chapter(chapters(course), name);
-    must_build(course, chapter.name);
+    const Yours yours = put_yours_in_place(course, chapter);
+    must_build(course, chapter.name + "_mine");
+    std::fprintf(stderr, "%s\n", yours.words().c_str());
 
-    std::vector<std::string> command{course.program(chapter.name).string()};
+    std::vector<std::string> command{course.program(chapter.name + "_mine").string()};
     if (!says_where(options)) {
         app::make_folder(course.out());
         const fs::path picture = course.out() / picture_name(chapter, options);
@@ -42,9 +45,6 @@ int run(const Course& course, const std::string& name, const std::vector<std::st
     if (result.signal != 0)
         throw app::Failure(chapter.name + " crashed, " + how_it_ended(result) +
                            "; in which exercise: ./course check " + chapter.number());
-    if (result.exit_code == app::still_to_write)
-        std::fprintf(stderr, "Which exercises are left: ./course check %s\n",
-                     chapter.number().c_str());
     return result.exit_code;
 }
 

@@ -84,11 +84,12 @@ class Companion(unittest.TestCase):
             hints += f"\n## 01.{number}\n\n1. idea\n2. formula √x in `code`\n3. shape\n"
             stubs += f"==> rt/{name}.hpp\n" + STUB % (number, number)
             self.write(name, STUB % (number, number))
+            self.put(f"solutions/01_tiny/rt/{name}.hpp", f"// solution {number}\n")
             for target in (f"01.{number}", f"01.{number}.float"):
                 cmake += (f"add_custom_target(check.{target} COMMAND sh ${{CMAKE_SOURCE_DIR}}/check.sh "
                           f"{target} ${{CMAKE_SOURCE_DIR}}/exercises/01_tiny/rt/{name}.hpp VERBATIM)\n")
-        cmake += ("add_custom_target(01_tiny COMMAND ${CMAKE_COMMAND} -E make_directory bin "
-                  "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/program.sh bin/01_tiny)\n")
+        cmake += ("add_custom_target(01_tiny_mine COMMAND ${CMAKE_COMMAND} -E make_directory bin "
+                  "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/program.sh bin/01_tiny_mine)\n")
         self.put("course.json", json.dumps({"chapters": [
             {"name": "01_tiny", "core": True, "uses_real": True, "title": "Tiny", "hours": 1, "text": "docs/01-tiny.md",
              "hints": "docs/hints/01-tiny.md", "caption": "Nothing", "exercises": facts}]}))
@@ -282,6 +283,30 @@ class Companion(unittest.TestCase):
         self.put("scenes/moon.json", "{}")
         said = self.course("run", "01", str(self.root / "scenes/moon.json"))
         self.assertIn(f"--out {self.root}/out/01_tiny_moon_mine.png", said)
+
+    def test_run_takes_what_passes_and_says_whose_it_is(self):
+        def run(words):
+            done = subprocess.run([COURSE, "run", "01"], env=self.environment, text=True,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(words, done.stderr)
+
+        def code(name):
+            return (self.root / f"build/yours/rt/{name}.hpp").read_text()
+
+        run("None of it is yours yet")
+        self.assertIn("// solution 1", code("one"))
+        self.write("one", "right\n")  # it was not checked yet
+        run("Yours: 01.1. The solution's: 01.2.")
+        self.assertTrue(code("one").endswith("exercises/01_tiny/rt/one.hpp\"\nright\n"), code("one"))
+        self.assertIn("// solution 2", code("two"))
+        self.write("two", "right\n")
+        run("All of it is yours.")
+        before = (self.root / "build/yours/rt/one.hpp").stat().st_mtime_ns
+        self.write("two", "wrong\n")
+        run("Yours: 01.1. The solution's: 01.2.")
+        self.assertIn("// solution 2", code("two"))
+        self.assertEqual((self.root / "build/yours/rt/one.hpp").stat().st_mtime_ns, before)
 
     def test_run_passes_options_on(self):
         said = self.course("run", "01", "--width", "9")

@@ -14,6 +14,10 @@ All mutants of a file are compiled into one program; the environment variable RT
 A mutant that does not compile so is left out. What cannot be chosen while the program runs, such as a
 parameter by value instead of by reference, is compiled alone.
 
+verified.json holds a hash of each exercise's solution, checkpoints and reasons as they were when no
+mutant survived. With --changed, an exercise whose hash is another one is tried with all mutants, and the
+others with a few (--sample).
+
 Needs python3 with libclang (package python3-clang), ninja and a configured build folder.
 """
 
@@ -525,6 +529,13 @@ class Exercise:
         self.test = next((ROOT / "tests" / chapter).glob(f"{self.id}_*.cpp"))
         self.reasons = HERE / f"{self.id}.txt"
 
+    def hash(self):
+        """Of all that its mutants depend on, but for the headers that it includes."""
+        files = [ROOT / "solutions" / self.chapter / name for name in self.files]
+        files += [self.test, self.reasons, *sorted((ROOT / "tests" / self.chapter).glob("*.hpp")),
+                  *sorted((ROOT / "tests/support").glob("*.hpp"))]
+        return hashlib.sha256(b"".join(f.read_bytes() for f in files if f.exists())).hexdigest()[:16]
+
     def allowed(self):
         """The keys of mutants that no test should stop. Their reasons are indented."""
         if not self.reasons.exists():
@@ -688,6 +699,9 @@ def main():
     parser.add_argument("exercises", nargs="*", help="NN or NN.k; all where none is named")
     parser.add_argument("--build", default=str(ROOT / "build"), help="a configured build folder")
     parser.add_argument("--sample", type=int, default=0, help="only so many of each exercise")
+    parser.add_argument("--changed", action="store_true",
+                        help="all of the exercises that are not as verified.json knows them, a few of the "
+                             "others")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--no-float", action="store_true", help="do not try survivors in float")
     options = parser.parse_args()
@@ -709,20 +723,29 @@ def main():
                    check=True, stdout=subprocess.DEVNULL)
 
     failed, totals = False, [0, 0, 0, 0, 0]
+    record = HERE / "verified.json"
+    verified = json.loads(record.read_text()) if record.exists() else {}
     lines = lambda text: print(text, flush=True)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         running = []
         for exercise in exercises:
             said = []
-            running.append((exercise, said, pool.submit(run_exercise, exercise, build, options.sample,
-                                                        not options.no_float, said.append)))
-        for exercise, said, result in running:
+            sample = options.sample
+            if options.changed:
+                sample = (options.sample or 5) if verified.get(exercise.id) == exercise.hash() else 0
+            running.append((exercise, sample, said, pool.submit(run_exercise, exercise, build, sample,
+                                                                not options.no_float, said.append)))
+        for exercise, sample, said, result in running:
             try:
-                totals = [a + b for a, b in zip(totals, result.result())]
+                counts = result.result()
+                totals = [a + b for a, b in zip(totals, counts)]
+                if sample == 0 and counts[3] == counts[4] == 0:
+                    verified[exercise.id] = exercise.hash()
             except (RuntimeError, subprocess.CalledProcessError) as error:
                 said.append(f"{exercise.id}: {error}")
                 failed = True
             lines("\n".join(said))
+    record.write_text(json.dumps(verified, indent=1, sort_keys=True) + "\n")
     lines(f"all  made {totals[0]}  stopped {totals[1]}  allowed {totals[2]}  survived {totals[3]}")
     sys.exit(1 if failed or totals[3] or totals[4] else 0)
 

@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <app/files.hpp>
+#include <companion/check/check.hpp>
+#include <companion/check/yours.hpp>
+#include <companion/model/progress.hpp>
+#include <companion/system/files.hpp>
+#include <map>
+#include <set>
+
+namespace companion {
+namespace {
+
+// Of these exercises those that pass, by id.
+std::set<std::string> passing(const Course& course, const std::vector<Exercise>& exercises) {
+    std::vector<Exercise> unchecked;
+    for (const State state = read_state(course); const Exercise& exercise : exercises)
+        if (progress_of(course, state, exercise) == Progress::unchecked)
+            unchecked.push_back(exercise);
+    if (!unchecked.empty()) {
+        std::vector<Checked> checked = check_exercises(course, unchecked);
+        check_in_float(course, checked);
+    }
+    std::set<std::string> ids;
+    for (const State state = read_state(course); const Exercise& exercise : exercises)
+        if (progress_of(course, state, exercise) == Progress::done) ids.insert(exercise.id);
+    return ids;
+}
+
+// Neighbors as a range, "03.1 to 03.3", and a whole chapter as its number.
+std::string ranges(const std::vector<std::string>& ids, const std::vector<std::string>& others) {
+    const auto chapter_of = [](const std::string& id) { return id.substr(0, id.find('.')); };
+    const auto number_of = [](const std::string& id) {
+        return std::stoi(id.substr(id.find('.') + 1));
+    };
+    std::string text;
+    for (std::size_t i = 0; i < ids.size();) {
+        const std::string chapter = chapter_of(ids[i]);
+        std::size_t end = i + 1;
+        const bool whole = std::none_of(others.begin(), others.end(), [&](const std::string& id) {
+            return chapter_of(id) == chapter;
+        });
+        while (end < ids.size() && chapter_of(ids[end]) == chapter &&
+               (whole || number_of(ids[end]) == number_of(ids[end - 1]) + 1))
+            ++end;
+        if (!text.empty()) text += ", ";
+        text += whole ? chapter : end == i + 1 ? ids[i] : ids[i] + " to " + ids[end - 1];
+        i = end;
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string Yours::words() const {
+    if (passing.empty()) return "None of it is yours yet: all code is the solution's.";
+    if (others.empty()) return "All of it is yours.";
+    return "Yours: " + ranges(passing, others) + ". The solution's: " + ranges(others, passing) +
+           '.';
+}
+
+Yours put_yours_in_place(const Course& course, const Chapter& last) {
+    std::vector<Exercise> all;
+    for (Exercise& exercise : exercises(course))
+        if (exercise.chapter.name <= last.name) all.push_back(std::move(exercise));
+    const std::set<std::string> ids = passing(course, all);
+    Yours yours;
+    std::map<fs::path, bool> is_yours;  // of several exercises in a file all must pass
+    for (const Exercise& exercise : all) {
+        const bool passes = ids.count(exercise.id) > 0;
+        (passes ? yours.passing : yours.others).push_back(exercise.id);
+        for (const fs::path& file : exercise.files)
+            is_yours[file] = passes && (!is_yours.count(file) || is_yours[file]);
+    }
+    app::make_folder(course.build / "yours/rt");
+    for (const auto& [file, mine] : is_yours) {
+        const fs::path source =
+            mine ? file : fs::path{"solutions"} / file.lexically_relative("exercises");
+        // A compiler speaks of the file that a person knows.
+        const std::string text = "#line 1 \"" + (course.root / source).generic_string() + "\"\n" +
+                                 read_file(course.root / source);
+        const fs::path target = course.build / "yours/rt" / file.filename();
+        // What has not changed is not compiled again.
+        if (!fs::exists(target) || read_file(target) != text) app::replace_file(target, text);
+    }
+    return yours;
+}
+
+}  // namespace companion
