@@ -69,7 +69,7 @@ endfunction()
 # course_checkpoint_kind(out chapter): how its checkpoints are compiled in double. What compiling and
 # running them takes together counts: only where they compute for long are they optimized.
 function(course_checkpoint_kind out chapter)
-  if(chapter MATCHES "^0[047]_" OR NOT CMAKE_BUILD_TYPE STREQUAL "Release")
+  if(chapter MATCHES "^0[04]_" OR NOT CMAKE_BUILD_TYPE STREQUAL "Release")
     set(${out} double PARENT_SCOPE)
   else()
     set(${out} unoptimized PARENT_SCOPE)

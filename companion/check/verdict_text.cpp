@@ -170,8 +170,15 @@ bool says_more(const FailedAssertion& failure) {
 }
 
 std::string describe(const FailedAssertion& failure) {
+    // Of what was expected, the last counts: the earlier ones belong to earlier assertions.
+    const auto expects = [](const std::string& message) {
+        return message.find("expected ") != std::string::npos;
+    };
+    const auto& messages = failure.messages;
+    const auto last = std::find_if(messages.rbegin(), messages.rend(), expects);
     std::string text;
-    for (const std::string& message : failure.messages) text += wrapped(readable(message), "    ");
+    for (const std::string& message : messages)
+        if (!expects(message) || &message == &*last) text += wrapped(readable(message), "    ");
     if (!failure.expression.empty() && failure.expression != "FAIL" && !is_unknown(failure)) {
         text += wrapped("checked: " + failure.expression, "    ");
         if (says_more(failure)) text += wrapped("actual: " + readable(failure.expanded), "    ");

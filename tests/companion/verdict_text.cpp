@@ -51,6 +51,17 @@ TEST_CASE("values that do not differ as they are shown are left out", "[verdict_
             has(told(Verdict::failing, {failing("x", values)}), std::string{"actual: "} + values));
 }
 
+TEST_CASE("what an earlier assertion expected is left out", "[verdict_text]") {
+    TestCase test = failing("x", "1 == 2");
+    test.failures.front().messages = {"pixel 3", "expected 4, but yours gives 4", "row 2",
+                                      "expected 2, but yours gives 1"};
+    const std::string text = told(Verdict::failing, {test});
+    CHECK(has(text, "pixel 3"));
+    CHECK(has(text, "row 2"));
+    CHECK(has(text, "expected 2,"));
+    CHECK_FALSE(has(text, "expected 4,"));
+}
+
 TEST_CASE("an exercise that is begun says what comes next", "[verdict_text]") {
     Checked checked;
     checked.exercise.functions = 3;
