@@ -75,10 +75,13 @@ void add_exhibit(std::ostream& out, const Exhibit& exhibit, bool is_first) {
     if (exhibit.has_table) add(link("study/" + chapter.table(), "its measurements"));
     out << "</p>\n</div>\n";
     if (!exhibit.plots.empty()) {
-        out << "<details open>\n<summary>What accuracy costs</summary>\n";
+        out << "<details open>\n<summary>What accuracy costs, measured "
+            << (exhibit.has_table ? "here"
+                                  : "by the authors (on your machine: "
+                                    "<code>./course study</code>)")
+            << "</summary>\n";
         for (const std::string& plot : exhibit.plots)
-            out << "<img src=\"study/" << plot
-                << "\" alt=\"plot: error and time\" loading=\"lazy\">\n";
+            out << "<img src=\"" << plot << "\" alt=\"plot: error and time\" loading=\"lazy\">\n";
         out << "</details>\n";
     }
     out << "</article>\n";

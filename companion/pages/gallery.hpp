@@ -11,7 +11,7 @@ struct Exhibit {
     Chapter chapter;
     std::string rendered;  // how the picture was made, such as "960x540 pixels in 0.12 s"
     bool has_picture = false, has_text = false, has_table = false;
-    std::vector<std::string> plots;  // file names within study/
+    std::vector<std::string> plots;  // paths from out/
 };
 
 // What out/ and docs/ hold of a chapter.

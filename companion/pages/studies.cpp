@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/pages/measurements.hpp>
@@ -53,12 +54,20 @@ int draw_plots(const Course& course, const Chapter& chapter) {
 }
 
 std::vector<std::string> plots(const Course& course, const Chapter& chapter) {
-    const fs::path folder = study_folder(course);
     std::vector<std::string> files;
-    if (!fs::exists(folder / chapter.table())) return files;
-    for (const auto& rows : by_study(read_measurements(folder / chapter.table()))) {
-        const std::string file = plot_file(chapter, rows.front().study);
-        if (fs::exists(folder / file)) files.push_back(file);
+    const auto add = [&](const fs::path& file) {
+        files.push_back(fs::relative(file, course.out()).generic_string());
+    };
+    if (const fs::path table = study_folder(course) / chapter.table(); fs::exists(table)) {
+        for (const auto& rows : by_study(read_measurements(table)))
+            if (const fs::path file = study_folder(course) / plot_file(chapter, rows.front().study);
+                fs::exists(file))
+                add(file);
+    } else if (const fs::path shipped = course.root / "docs/plots"; fs::exists(shipped)) {
+        for (const auto& entry : fs::directory_iterator(shipped))
+            if (entry.path().filename().string().rfind(chapter.name + '-', 0) == 0)
+                add(entry.path());
+        std::sort(files.begin(), files.end());
     }
     return files;
 }

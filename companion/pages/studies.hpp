@@ -13,7 +13,8 @@ void measure(const Course& course, const Chapter& chapter, bool show_tables);
 // Throws app::Failure where gnuplot fails.
 int draw_plots(const Course& course, const Chapter& chapter);
 
-// The plots of a chapter that are there, as file names within out/study, in the order of its table.
+// The plots of a chapter, as paths from out/: those that were drawn here, in the order of its table,
+// or where it was never measured here those of docs/plots.
 std::vector<std::string> plots(const Course& course, const Chapter& chapter);
 
 // Where the tables and plots are.

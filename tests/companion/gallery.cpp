@@ -40,6 +40,17 @@ TEST_CASE("the gallery shows what there is of a chapter", "[gallery]") {
     CHECK_FALSE(holds(html, "https:"));
 }
 
+TEST_CASE("the gallery shows the plots of the texts where nothing was measured", "[gallery]") {
+    const TemporaryFolder folder;
+    const companion::Course here{folder.path(), folder / "build"};
+    write_file(folder / "docs/plots/03_sphere-far-away.svg", "");
+    write_file(folder / "docs/plots/04_normals_aa-samples.svg", "");
+    const std::string html = companion::gallery_html({companion::collect(here, sphere, "")});
+    CHECK(holds(html, "src=\"../docs/plots/03_sphere-far-away.svg\""));
+    CHECK(holds(html, "./course study"));
+    CHECK_FALSE(holds(html, "04_normals_aa"));
+}
+
 TEST_CASE("the gallery does without what is missing", "[gallery]") {
     const TemporaryFolder folder;
     const companion::Course here{folder.path(), folder / "build"};

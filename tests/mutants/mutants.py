@@ -1,0 +1,731 @@
+#!/usr/bin/env python3
+"""Mutants: do the checkpoints stop small wrong changes of each solution?
+
+Takes the solution of an exercise, makes many small changes of it (an operator, a comparison, a
+constant, a sign, another variable of the same type, a dropped statement ...) and runs the exercise's
+checkpoints on each. A mutant that passes all of them, in double and in float, has survived: either a
+better test is needed, or no test should stop it. The latter are listed with the reason in NN.k.txt
+beside this file.
+
+All mutants of a file are compiled into one program; the environment variable RT_MUTANT chooses one:
+
+    a + b   becomes   (rt_mutant == 7 ? a - b : a + b)
+
+A mutant that does not compile so is left out. What cannot be chosen while the program runs, such as a
+parameter by value instead of by reference, is compiled alone.
+
+Needs python3 with libclang (package python3-clang), ninja and a configured build folder.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import re
+import resource
+import shlex
+import subprocess
+import sys
+import time
+
+try:
+    from clang import cindex
+    from clang.cindex import CursorKind as Kind
+except ImportError:
+    sys.exit("mutants: python3 has no libclang: install the package python3-clang")
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+HERE = pathlib.Path(__file__).resolve().parent
+
+# ---- Making mutants ----------------------------------------------------------------------------
+
+SWAPPED_OPERATORS = {
+    "+": ["-"], "-": ["+"], "*": ["/"], "/": ["*"], "%": ["/"],
+    "<": ["<=", ">"], "<=": ["<", ">="], ">": [">=", "<"], ">=": [">", "<="],
+    "==": ["!="], "!=": ["=="], "&&": ["||"], "||": ["&&"],
+    "+=": ["-=", "="], "-=": ["+=", "="], "*=": ["/=", "="], "/=": ["*=", "="],
+    "<<": [">>"], ">>": ["<<"], "&": ["|"], "|": ["&"], "^": ["|"], "^=": ["|="],
+}
+ARITHMETIC = {"+", "-", "*", "/"}
+SWAPPED_FUNCTIONS = {
+    "min": "max", "max": "min", "sin": "cos", "cos": "sin", "floor": "ceil", "ceil": "floor",
+    "front": "back", "back": "front", "begin": "end", "first": "last", "nextafter": "max",
+    "copysign": "max", "minmax": "max", "sqrt": "abs", "abs": "sqrt", "lower_bound": "upper_bound",
+    "stable_partition": "partition", "min_element": "max_element", "max_element": "min_element",
+    "push_back": "emplace_back", "cross": "dot", "dot": "cross",
+}
+REALS = {"double", "float", "long double"}
+WIDE_INTEGERS = {"unsigned long", "long", "unsigned long long", "long long"}
+
+
+class Mutant:
+    """A change of the bytes [start, end) of a file; `form` says how it is chosen."""
+
+    def __init__(self, start, end, text, form="expression"):
+        self.start, self.end, self.text, self.form = start, end, text, form
+        self.number = 0
+        self.key = ""
+
+
+class Maker:
+    """Walks the syntax tree of one solution file and collects its mutants."""
+
+    def __init__(self, path, arguments, given):
+        self.path = str(path)
+        self.source = path.read_bytes()
+        self.given = given  # functions that the stub gives: they are not the learner's
+        self.mutants = []
+        self.seen = set()
+        self.no_sign = set()  # -x == 0 says what x == 0 says
+        self.assigned = set()  # what is on the left of an assignment must stay a variable
+        unit = cindex.Index.create().parse(self.path, args=arguments + ["-x", "c++"])
+        for cursor in unit.cursor.get_children():
+            if cursor.location.file and cursor.location.file.name == self.path:
+                self.visit(cursor, [])
+
+    def text(self, cursor):
+        return self.source[cursor.extent.start.offset:cursor.extent.end.offset].decode()
+
+    def add(self, cursor, text, form="expression"):
+        self.add_range(cursor.extent.start.offset, cursor.extent.end.offset, text, form)
+
+    def add_range(self, start, end, text, form="expression"):
+        original = self.source[start:end].decode()
+        if (start, end, text) in self.seen or text == original or end <= start:
+            return
+        if (start, end) in self.assigned and form in ("expression", "condition"):
+            return
+        if (start, end) in self.no_sign and text == f"-{original}":
+            return
+        self.seen.add((start, end, text))
+        self.mutants.append(Mutant(start, end, text, form))
+
+    def visit(self, cursor, scope):
+        if cursor.extent.start.file is None or cursor.extent.start.file.name != self.path:
+            return
+        kind = cursor.kind
+        functions = (Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.FUNCTION_TEMPLATE, Kind.CONSTRUCTOR,
+                     Kind.DESTRUCTOR, Kind.LAMBDA_EXPR)
+        if kind in functions:
+            if kind != Kind.LAMBDA_EXPR and self.is_given(cursor):
+                return
+            scope = list(scope)
+            for child in cursor.get_children():
+                if child.kind == Kind.PARM_DECL:
+                    scope.append(child)
+                    self.by_value(child)
+        if kind in (Kind.TEMPLATE_TYPE_PARAMETER, Kind.TYPE_REF, Kind.STATIC_ASSERT,
+                    Kind.CONCEPT_DECL if hasattr(Kind, "CONCEPT_DECL") else Kind.STATIC_ASSERT):
+            return
+        if kind == Kind.COMPOUND_STMT:
+            scope = list(scope)
+            self.statements(cursor)
+        children = list(cursor.get_children())
+        handler = {
+            Kind.BINARY_OPERATOR: self.binary, Kind.COMPOUND_ASSIGNMENT_OPERATOR: self.binary,
+            Kind.UNARY_OPERATOR: self.unary, Kind.CALL_EXPR: self.call,
+            Kind.INTEGER_LITERAL: self.integer, Kind.FLOATING_LITERAL: self.floating,
+            Kind.CXX_BOOL_LITERAL_EXPR: self.boolean,
+            Kind.CONDITIONAL_OPERATOR: self.conditional, Kind.IF_STMT: self.branch,
+            Kind.WHILE_STMT: self.loop, Kind.FOR_STMT: self.loop,
+            Kind.CXX_FOR_RANGE_STMT: self.range_loop, Kind.RETURN_STMT: self.returned,
+            Kind.MEMBER_REF_EXPR: self.member,
+        }.get(kind)
+        if handler:
+            handler(cursor, children)
+        if kind == Kind.DECL_REF_EXPR:
+            self.variable(cursor, scope)
+        if kind == Kind.VAR_DECL and children and children[-1].kind.is_expression():
+            self.value(children[-1])
+        for child in children:
+            # A binary operator that is overloaded names its function in the middle.
+            self.visit(child, scope)
+            if child.kind == Kind.DECL_STMT:
+                scope += [c for c in child.get_children() if c.kind == Kind.VAR_DECL]
+            elif child.kind == Kind.VAR_DECL:
+                scope.append(child)
+
+    def is_given(self, function):
+        squeezed = "".join(self.text(function).split())
+        return "{" in squeezed and squeezed in self.given
+
+    # A value: rounded to float, cut to 32 bits, or 2 % too large.
+    def value(self, cursor):
+        if cursor.kind in (Kind.INTEGER_LITERAL, Kind.FLOATING_LITERAL):
+            return
+        text, type_name = self.text(cursor), self.type(cursor)
+        if type_name in REALS:
+            self.add(cursor, f"static_cast<std::decay_t<decltype({text})>>(static_cast<float>({text}))")
+            self.add(cursor, f"({text}) * rt::Real(1.02)")
+        elif type_name in WIDE_INTEGERS:
+            self.add(cursor, f"static_cast<std::decay_t<decltype({text})>>(static_cast<std::uint32_t>({text}))")
+
+    @staticmethod
+    def type(cursor):
+        return cursor.type.get_canonical().spelling.replace("const ", "").replace(" &", "").strip()
+
+    def operator_between(self, left, right):
+        start, end = left.extent.end.offset, right.extent.start.offset
+        token = self.source[start:end].decode().strip()
+        return token, start, end
+
+    def binary(self, cursor, children):
+        if len(children) != 2:
+            return
+        left, right = children
+        token, start, end = self.operator_between(left, right)
+        a, b = self.text(left), self.text(right)
+        if token.endswith("=") and token not in ("==", "!=", "<=", ">="):
+            self.assigned.add((left.extent.start.offset, left.extent.end.offset))
+        for other in SWAPPED_OPERATORS.get(token, []):
+            self.add(cursor, f"{a} {other} {b}")
+        if token in ARITHMETIC:
+            self.add(cursor, a)
+            if token != "/":
+                self.add(cursor, b)
+            if token == "-" or token == "/":
+                self.add(cursor, f"{b} {token} {a}")
+        if token in ("&&", "||"):
+            self.add(cursor, a)
+            self.add(cursor, b)
+        if token in ("==", "!=") and b == "0":
+            self.no_sign.add((left.extent.start.offset, left.extent.end.offset))
+        if token in ("<", "<=", ">", ">=", "==", "!="):
+            self.add(cursor, "true")
+            self.add(cursor, "false")
+
+    def unary(self, cursor, children):
+        text = self.text(cursor)
+        if text.startswith(("-", "~")):
+            self.add(cursor, text[1:])
+        if text.startswith("!"):
+            self.add(cursor, text[1:], form="condition")
+        for old, new in (("++", "--"), ("--", "++")):
+            if text.startswith(old):
+                self.add(cursor, new + text[2:])
+            if text.startswith(old) or text.endswith(old) or text.startswith("&"):
+                self.assigned |= {(c.extent.start.offset, c.extent.end.offset) for c in children}
+
+    def call(self, cursor, children):
+        text = self.text(cursor)
+        name = cursor.spelling or (cursor.referenced.spelling if cursor.referenced else "")
+        if name.startswith("operator") and len(children) == 3:
+            left, right = children[0], children[2]
+            if left.extent.end.offset <= right.extent.start.offset:
+                self.binary(cursor, [left, right])
+            return
+        if name.startswith("operator") and len(children) == 2 and text.startswith("-"):
+            self.add(cursor, text[1:])
+            return
+        arguments = [a for a in cursor.get_arguments() if a is not None]
+        callee = re.match(r"([\w:]*?)(\w+)\s*\(", text)
+        if callee and callee.group(2) in SWAPPED_FUNCTIONS:
+            other = SWAPPED_FUNCTIONS[callee.group(2)]
+            self.add(cursor, callee.group(1) + other + text[callee.end(2):])
+        method = re.match(r"(.*[.>])(\w+)\(\)$", text, re.S)
+        if method and method.group(2) in SWAPPED_FUNCTIONS:
+            self.add(cursor, method.group(1) + SWAPPED_FUNCTIONS[method.group(2)] + "()")
+        if len(arguments) == 1 and callee:
+            self.add(cursor, self.text(arguments[0]))
+        symmetric = callee and callee.group(2) in ("min", "max", "dot")
+        for first, second in zip(arguments, arguments[1:]):
+            if symmetric:
+                break
+            if self.type(first) != self.type(second) and "dependent" not in self.type(first):
+                continue
+            start, end = first.extent.start.offset, second.extent.end.offset
+            base = cursor.extent.start.offset
+            between = self.source[first.extent.end.offset:second.extent.start.offset].decode()
+            raw = self.source
+            self.add(cursor, raw[base:start].decode() + self.text(second) + between
+                     + self.text(first) + raw[end:cursor.extent.end.offset].decode())
+
+    def integer(self, cursor, _):
+        text = self.text(cursor)
+        if not re.fullmatch(r"\d+", text):
+            return
+        value = int(text)
+        self.add(cursor, str(value + 1))
+        if value > 0:
+            self.add(cursor, str(value - 1))
+
+    def floating(self, cursor, _):
+        text = self.text(cursor)
+        self.add(cursor, f"({text} * 1.02)")
+        self.add(cursor, f"({text} * 2)")
+
+    def boolean(self, cursor, _):
+        self.add(cursor, "false" if self.text(cursor) == "true" else "true")
+
+    def condition(self, cursor):
+        if cursor.kind.is_expression():
+            for text in ("true", "false", f"!({self.text(cursor)})"):
+                self.add(cursor, text, form="condition")
+
+    def conditional(self, cursor, children):
+        if len(children) == 3:
+            self.condition(children[0])
+
+    def branch(self, cursor, children):
+        # A condition that declares a variable cannot be replaced.
+        if children and children[0].kind.is_expression() and "=" not in re.sub(
+                "[<>=!]=", "", self.text(children[0])):
+            self.condition(children[0])
+        elif len(children) > 1 and children[0].kind == Kind.DECL_STMT:
+            self.condition(children[1])
+
+    def loop(self, cursor, children):
+        for child in children[:-1]:
+            if child.kind == Kind.BINARY_OPERATOR or self.type(child) == "bool":
+                if cursor.kind == Kind.WHILE_STMT:
+                    # The body runs once.
+                    self.add(child, "false")
+                else:
+                    self.add(child, "false")
+                    left = list(child.get_children())
+                    if len(left) == 2:
+                        token, _, _ = self.operator_between(*left)
+                        if token in ("<", "<=", "!="):
+                            self.add(child, f"{self.text(left[0])} + 1 {token} {self.text(left[1])}")
+
+    def range_loop(self, cursor, children):
+        body = children[-1]
+        head = self.source[cursor.extent.start.offset:body.extent.start.offset].decode()
+        declared = re.match(r"for\s*\((.*[^:]):([^:].*)\)\s*$", head, re.S)
+        if not declared:
+            return
+        sequence = declared.group(2).strip()
+        for name, test in (("skips the first", "rt_k++ == 0"),
+                           ("skips the last", f"++rt_k == static_cast<long>(std::size({sequence}))"),
+                           ("ends after the first", "rt_k++ > 0")):
+            self.add(cursor, f"{{ /* {name} */ long rt_k = 0; {head} {{ if ({test}) continue; "
+                     f"{self.text(body)}{'' if body.kind == Kind.COMPOUND_STMT else ';'} }} }}",
+                     form="statement")
+
+    def returned(self, cursor, children):
+        if children and children[0].kind.is_expression():
+            value = children[0]
+            self.value(value)
+            if self.type(value) == "bool":
+                self.add(value, "true")
+                self.add(value, "false")
+            if self.type(value) in ("rt::Vec3", "rt::Color"):
+                self.add(value, f"({self.text(value)}) * rt::Real(1.02)")
+                self.add(value, f"-({self.text(value)})")
+
+    def member(self, cursor, children):
+        """Another member of the same type."""
+        field = cursor.referenced
+        if field is None or field.kind != Kind.FIELD_DECL or not children:
+            return
+        if field.extent.start.file and field.extent.start.file.name == self.path and not children:
+            return
+        fields = [f for f in field.semantic_parent.type.get_fields() if self.type(f) == self.type(field)]
+        names = [f.spelling for f in fields]
+        if len(names) > 1 and self.text(cursor).endswith(field.spelling):
+            other = names[(names.index(field.spelling) + 1) % len(names)]
+            self.add(cursor, self.text(cursor)[:-len(field.spelling)] + other)
+        if self.type(field) in REALS:
+            self.add(cursor, f"-{self.text(cursor)}")
+
+    def variable(self, cursor, scope):
+        declared = cursor.referenced
+        if declared is None or declared.kind not in (Kind.VAR_DECL, Kind.PARM_DECL):
+            return
+        name = self.text(cursor)
+        if name != declared.spelling:
+            return
+        same = [v.spelling for v in scope if v.spelling and v.spelling != name
+                and self.type(v) == self.type(declared)]
+        for other in dict.fromkeys(same[-2:]):
+            self.add(cursor, other)
+        if self.type(declared) in REALS or self.type(declared) == "rt::Vec3":
+            self.add(cursor, f"-{name}")
+        if name in ("rng", "random", "generator"):
+            self.add(cursor, f"(*new std::decay_t<decltype({name})>({name}))")
+
+    def statements(self, block):
+        """Dropped statements."""
+        def drop(statement):
+            kind = statement.kind
+            if kind.is_expression() or kind in (Kind.BREAK_STMT, Kind.CONTINUE_STMT):
+                self.add(statement, "", form="dropped")
+
+        def walk(statement):
+            drop(statement)
+            if statement.kind in (Kind.IF_STMT, Kind.FOR_STMT, Kind.WHILE_STMT,
+                                  Kind.CXX_FOR_RANGE_STMT):
+                inner = list(statement.get_children())
+                for child in inner[1:] if statement.kind == Kind.IF_STMT else inner[-1:]:
+                    if child.kind != Kind.COMPOUND_STMT:
+                        walk(child)
+
+        for statement in block.get_children():
+            walk(statement)
+
+    def by_value(self, parameter):
+        text = self.text(parameter)
+        if "&" in text and "const" not in text and "&&" not in text and "(" not in text:
+            self.add(parameter, text.replace("&", "", 1), form="alone")
+
+
+def rendered(source, mutants, start, end):
+    """The text of [start, end) with all mutants in it, nested as their ranges are."""
+    here = [m for m in mutants if start <= m.start and m.end <= end]
+    groups = collections.OrderedDict()
+    for mutant in sorted(here, key=lambda m: (m.start, -m.end)):
+        groups.setdefault((mutant.start, mutant.end), []).append(mutant)
+    out, position = [], start
+    for (first, last), group in groups.items():
+        if first < position:
+            continue  # inside one that has been written
+        inner = [m for m in here if first <= m.start and m.end <= last
+                 and (m.start, m.end) != (first, last)]
+        body = rendered(source, inner, first, last)
+        for mutant in group:
+            number = mutant.number
+            cast = "static_cast<bool>" if mutant.form == "condition" else ""
+            if mutant.form == "condition":  # such as a pointer
+                body = f"static_cast<bool>({body})"
+            if mutant.form in ("expression", "condition"):
+                body = f"\n/*@{number}*/(rt_mutant == {number} ? {cast}({mutant.text}) :\n/*@*/ ({body}))\n/*@*/"
+            elif mutant.form == "statement":
+                body = f"\n/*@{number}*/if (rt_mutant == {number}) {mutant.text.replace(chr(10), ' ')} else\n/*@*/ {{ {body}; }}\n/*@*/"
+            else:  # dropped
+                body = f"\n/*@{number}*/if (rt_mutant != {number})\n/*@*/ {{ {body}; }}\n/*@*/"
+        out.append(source[position:first].decode() + body)
+        position = last
+    return "".join(out) + source[position:end].decode()
+
+
+def one_line(text):
+    return " ".join(re.sub(r"//[^\n]*", "", text).split())
+
+
+def name_mutants(source, mutants):
+    """A key that stays when lines move: the line of the source, and the change."""
+    seen = collections.Counter()
+    lines = source.decode().split("\n")
+    for mutant in mutants:
+        row = source[:mutant.start].count(b"\n")
+        mutant.row = row + 1
+        original = one_line(source[mutant.start:mutant.end].decode())
+        if mutant.form == "dropped":
+            change = f"drop {original}"
+        elif mutant.form == "statement":
+            change = re.search(r"/\* (.*?) \*/", mutant.text).group(1)
+        else:
+            change = f"{original} -> {one_line(mutant.text)}"
+        key = f"{one_line(lines[row])}  |  {change}"
+        seen[key] += 1
+        mutant.key = key if seen[key] == 1 else f"{key}  #{seen[key]}"
+
+
+# ---- Building and running ----------------------------------------------------------------------
+
+PRELUDE = """#pragma once
+#include <cstdint>
+#include <cstdlib>
+#include <iterator>
+#include <type_traits>
+#include <rt/real.hpp>
+inline const int rt_mutant = std::getenv("RT_MUTANT") ? std::atoi(std::getenv("RT_MUTANT")) : 0;
+"""
+
+
+def limits():
+    resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+class Program:
+    """The checkpoints of one exercise in one precision, compiled with an edited solution."""
+
+    def __init__(self, build, chapter, exercise, source, precision, folder):
+        self.build, self.folder, self.precision = build, folder, precision
+        target = f"{chapter}_checkpoint_solution" + ("_float" if precision == "float" else "")
+        self.objects = f"CMakeFiles/{target}.dir/"
+        commands = json.loads((build / "compile_commands.json").read_text())
+        self.compiles = [c for c in commands if f" -o {self.objects}" in c["command"]]
+        # The .cpp files of a solution have no checkpoints in them.
+        self.source = source
+        links = subprocess.run(["ninja", "-C", str(build), "-t", "commands", target], check=True,
+                               capture_output=True, text=True).stdout.splitlines()
+        self.link = [l for l in links if f" -o bin/{target} " in l][-1]
+        self.target = target
+        self.program = folder / f"checkpoint_{precision}"
+
+    def arguments(self, compile_command, extra):
+        words = shlex.split(compile_command["command"])
+        while words and not words[0].startswith(("/", "c++", "g++", "clang")):
+            words.pop(0)
+        if "ccache" in words[0]:
+            words.pop(0)
+        position = words.index("-c")
+        out = words.index("-o")
+        name = self.folder / f"{self.precision}_{pathlib.Path(words[position + 1]).name}.o"
+        words[out + 1] = str(name)
+        words[1:1] = extra + ["-w", "-fmax-errors=0" if "clang" not in words[0] else "-ferror-limit=0",
+                              "-fno-diagnostics-show-caret"]
+        return words, name
+
+    def compile(self, edited, only_errors=False):
+        """Compiles with the edited folder first. Returns the errors; empty where it compiles."""
+        objects, errors = [], ""
+        for command in self.compiles:
+            file = pathlib.Path(command["file"])
+            is_test = "tests" in file.parts
+            if is_test and file != self.source:
+                continue
+            words, name = self.arguments(command, [f"-I{edited}"])
+            if not is_test and (edited / "rt" / file.name).exists():
+                words[words.index("-c") + 1] = str(edited / "rt" / file.name)
+            if only_errors:
+                words.append("-fsyntax-only")
+            done = subprocess.run(words, cwd=self.build, capture_output=True, text=True)
+            if done.returncode:
+                errors += done.stderr
+            objects.append(name)
+        if errors or only_errors:
+            return errors
+        words, linked = shlex.split(self.link), []
+        words = words[words.index("&&") + 1:] if "&&" in words else words
+        if "&&" in words:
+            words = words[:words.index("&&")]
+        for word in words:
+            if word.startswith(self.objects):
+                if objects:
+                    linked += [str(o) for o in objects]
+                    objects = []
+            else:
+                linked.append(word)
+        linked[linked.index("-o") + 1] = str(self.program)
+        done = subprocess.run(linked, cwd=self.build, capture_output=True, text=True)
+        return done.stderr if done.returncode else ""
+
+    def passes(self, number, seconds):
+        """Do all checkpoints pass?"""
+        environment = dict(os.environ, RT_MUTANT=str(number))
+        try:
+            done = subprocess.run([str(self.program), "--abort"], cwd=self.folder, env=environment,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                  timeout=seconds, preexec_fn=limits)
+        except subprocess.TimeoutExpired:
+            return False
+        return done.returncode == 0
+
+
+class Exercise:
+    def __init__(self, chapter, exercise):
+        self.chapter, self.id = chapter, exercise["id"]
+        self.files = exercise["files"]
+        self.test = next((ROOT / "tests" / chapter).glob(f"{self.id}_*.cpp"))
+        self.reasons = HERE / f"{self.id}.txt"
+
+    def allowed(self):
+        """The keys of mutants that no test should stop. Their reasons are indented."""
+        if not self.reasons.exists():
+            return set()
+        return {line.strip() for line in self.reasons.read_text().splitlines()
+                if line.strip() and not line.startswith(" ")}
+
+
+def blame(errors):
+    """Numbers of the mutants that errors speak of, by the marks in the lines that they name."""
+    numbers, around, cache = set(), set(), {}
+    for path, row in re.findall(r"([^\s:]+):(\d+)(?::\d+)?: ", errors) + re.findall(
+            r"([^\s:]+):(\d+)(?:,|:)", errors):
+        if "/mutated/" not in path:
+            continue
+        lines = cache.setdefault(path, pathlib.Path(path).read_text().split("\n"))
+        row = int(row) - 1
+        marks = re.findall(r"/\*@(\d*)\*/", lines[row]) if row < len(lines) else []
+        if not marks:  # a mutant's text may span lines
+            while row > 0 and not re.search(r"/\*@\d*\*/", lines[row]):
+                row -= 1
+            marks = re.findall(r"/\*@(\d*)\*/", lines[row])
+        if marks and marks[0]:
+            numbers.add(int(marks[0]))
+        else:  # said of what stands around it
+            near = "".join(lines[max(row - 3, 0):row + 4])
+            around |= {int(n) for n in re.findall(r"/\*@(\d+)\*/", near)}
+    return numbers or around
+
+
+def run_exercise(exercise, build, sample, float_too, log):
+    started = time.time()
+    folder = build / "mutants" / exercise.id
+    (folder / "mutated" / "rt").mkdir(parents=True, exist_ok=True)
+    (folder / "mutated" / "rt" / "mutant_number.hpp").write_text(PRELUDE)
+    program = Program(build, exercise.chapter, exercise.id, exercise.test, "double", folder)
+    parse = ["-std=c++20", "-w", "-DRT_REAL=double"]
+    words, _ = program.arguments(next(c for c in program.compiles
+                                      if c["file"] == str(exercise.test)), [])
+    parse += [w for w in words if w.startswith(("-I", "-D"))]
+    for i, w in enumerate(words):
+        if w == "-isystem":
+            parse += [w, words[i + 1]]
+    clang_headers = subprocess.run(["clang++", "-print-resource-dir"], capture_output=True,
+                                   text=True).stdout.strip()
+    if clang_headers:
+        parse += ["-isystem", clang_headers + "/include"]
+
+    files, mutants, number = [], [], 0
+    for name in exercise.files:
+        path = ROOT / "solutions" / exercise.chapter / name
+        stub = ROOT / "exercises" / exercise.chapter / name
+        given = "".join(stub.read_text().split()) if stub.exists() else ""
+        maker = Maker(path, parse, given)
+        name_mutants(maker.source, maker.mutants)
+        for mutant in maker.mutants:
+            number += 1
+            mutant.number, mutant.file = number, name
+        files.append((name, maker.source, maker.mutants))
+        mutants += maker.mutants
+
+    def write(chosen):
+        for name, source, own in files:
+            text = rendered(source, [m for m in own if m in chosen and m.form != "alone"], 0, len(source))
+            target = folder / "mutated" / name
+            line = "#pragma once"
+            head = '#include "mutant_number.hpp"\n'
+            text = text.replace(line, line + "\n" + head, 1) if line in text else head + text
+            target.write_text(text)
+
+    kept = set(mutants)
+    uncompiled = set()
+    for _ in range(12):
+        write(kept)
+        errors = program.compile(folder / "mutated", only_errors=True)
+        if not errors:
+            break
+        bad = {m for m in kept if m.number in blame(errors)}
+        if not bad:
+            raise RuntimeError(f"{exercise.id}: the mutants do not compile:\n{errors[:3000]}")
+        kept -= bad
+        uncompiled |= bad
+    errors = program.compile(folder / "mutated")
+    if errors:
+        raise RuntimeError(f"{exercise.id}: the mutants do not compile:\n{errors[:3000]}")
+    begun = time.time()
+    if not program.passes(0, 300):
+        raise RuntimeError(f"{exercise.id}: the solution itself does not pass")
+    seconds = max(5.0, 8 * (time.time() - begun))
+
+    chosen = sorted((m for m in kept if m.form != "alone"), key=lambda m: m.number)
+    alone = [m for m in kept if m.form == "alone"]
+    if sample:
+        # The same few each time, other ones after a change.
+        order = lambda m: hashlib.sha256((exercise.id + m.key).encode()).digest()
+        chosen = sorted(chosen, key=order)[:sample]
+        alone = []
+    allowed = exercise.allowed()
+    surviving, stopped = [], 0
+    for mutant in chosen:
+        if mutant.key in allowed and sample:
+            continue
+        if program.passes(mutant.number, seconds):
+            surviving.append(mutant)
+        else:
+            stopped += 1
+    for mutant in alone:
+        single = folder / f"alone{mutant.number}" / "mutated"
+        (single / "rt").mkdir(parents=True, exist_ok=True)
+        for name, source, own in files:
+            text = source
+            if mutant in own:
+                text = source[:mutant.start] + mutant.text.encode() + source[mutant.end:]
+            (single / name).write_bytes(text)
+        lonely = Program(build, exercise.chapter, exercise.id, exercise.test, "double", single.parent)
+        if lonely.compile(single):
+            uncompiled.add(mutant)
+        elif lonely.passes(0, seconds):
+            surviving.append(mutant)
+        else:
+            stopped += 1
+    if float_too and any(m.form != "alone" and m.key not in allowed for m in surviving):
+        narrow = Program(build, exercise.chapter, exercise.id, exercise.test, "float", folder)
+        errors = narrow.compile(folder / "mutated")
+        if errors and blame(errors):
+            write({m for m in kept if m.number not in blame(errors)})
+            errors = narrow.compile(folder / "mutated")
+        if errors:
+            log(f"{exercise.id}: not compiled in float: {errors[:300]}")
+        elif narrow.passes(0, 300):
+            left = []
+            for mutant in surviving:
+                if mutant.form == "alone" or mutant.key in allowed or narrow.passes(mutant.number, seconds):
+                    left.append(mutant)
+                else:
+                    stopped += 1
+            surviving = left
+        else:
+            log(f"{exercise.id}: the solution itself does not pass in float")
+    equal = [m for m in surviving if m.key in allowed]
+    surviving = [m for m in surviving if m.key not in allowed]
+    keys = {m.key for m in mutants}
+    stale = sorted(k for k in allowed if k not in keys)
+    needless = [] if sample else sorted(
+        m.key for m in kept if m.key in allowed and m not in equal)
+    made = stopped + len(equal) + len(surviving)
+    log(f"{exercise.id}  made {made:4}  stopped {stopped:4}  allowed {len(equal):3}  "
+        f"survived {len(surviving):3}   {time.time() - started:4.0f} s")
+    for mutant in surviving:
+        log(f"    {mutant.file}:{mutant.row}\n{mutant.key}")
+    for key in stale:
+        log(f"    no such mutant any more: {key}")
+    for key in needless:
+        log(f"    stopped now, no need to list it: {key}")
+    return made, stopped, len(equal), len(surviving), len(stale) + len(needless)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="small wrong changes of the solutions: do the "
+                                                 "checkpoints stop them?")
+    parser.add_argument("exercises", nargs="*", help="NN or NN.k; all where none is named")
+    parser.add_argument("--build", default=str(ROOT / "build"), help="a configured build folder")
+    parser.add_argument("--sample", type=int, default=0, help="only so many of each exercise")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--no-float", action="store_true", help="do not try survivors in float")
+    options = parser.parse_args()
+    build = pathlib.Path(options.build).resolve()
+
+    course = json.loads((ROOT / "course.json").read_text())
+    exercises = [Exercise(c["name"], e) for c in course["chapters"] for e in c["exercises"]]
+    if options.exercises:
+        for wanted in options.exercises:
+            if not any(e.id == wanted or e.id.startswith(wanted + ".") for e in exercises):
+                sys.exit(f"mutants: there is no exercise {wanted}; course.json has them all")
+        exercises = [e for e in exercises if any(
+            e.id == w or e.id.startswith(w + ".") for w in options.exercises)]
+    chapters = sorted({e.chapter for e in exercises})
+    targets = [f"{c}_checkpoint_solution" for c in chapters]
+    if not options.no_float:
+        targets += [f"{c}_checkpoint_solution_float" for c in chapters]
+    subprocess.run(["cmake", "--build", str(build), "-j", str(options.jobs), "--target", *targets],
+                   check=True, stdout=subprocess.DEVNULL)
+
+    failed, totals = False, [0, 0, 0, 0, 0]
+    lines = lambda text: print(text, flush=True)
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        running = []
+        for exercise in exercises:
+            said = []
+            running.append((exercise, said, pool.submit(run_exercise, exercise, build, options.sample,
+                                                        not options.no_float, said.append)))
+        for exercise, said, result in running:
+            try:
+                totals = [a + b for a, b in zip(totals, result.result())]
+            except (RuntimeError, subprocess.CalledProcessError) as error:
+                said.append(f"{exercise.id}: {error}")
+                failed = True
+            lines("\n".join(said))
+    lines(f"all  made {totals[0]}  stopped {totals[1]}  allowed {totals[2]}  survived {totals[3]}")
+    sys.exit(1 if failed or totals[3] or totals[4] else 0)
+
+
+if __name__ == "__main__":
+    main()
