@@ -18,24 +18,27 @@
 using namespace checkpoint;
 using rt::run_workers, rt::render_slices, rt::Tile, rt::TileGrid;
 
-// Memory that lets two threads go on at the same moment, where it is told to. A container that
-// grows without a lock, while another thread makes it grow as well, is harmed once in a thousand
-// times; with this, nearly every time.
+// Memory that takes its time, where it is told to. With `together` it lets two threads go on at the
+// same moment: a container that grows without a lock, while another thread makes it grow as well,
+// is harmed once in a thousand times; so, soon. With `slowly` a thread that starts others is slower
+// than those that it has started.
 namespace {
-std::atomic<bool> together = false;
+enum class Memory { usual, together, slowly };
+std::atomic<Memory> memory = Memory::usual;
 std::atomic<unsigned> asking = 0;
 
-// Waits for a second thread, but not for long.
-void go_together() {
+void take_time() {
+    if (memory == Memory::slowly) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    if (memory != Memory::together) return;
     const unsigned mine = asking++;
     if (mine % 2 == 1) return;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds{50};
+    const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds{100};
     while (asking == mine + 1 && std::chrono::steady_clock::now() < end) {
     }
 }
 }  // namespace
 void* operator new(std::size_t size) {
-    if (together) go_together();
+    if (memory != Memory::usual) take_time();
     if (void* const block = std::malloc(size ? size : 1)) return block;
     throw std::bad_alloc{};
 }
@@ -223,6 +226,7 @@ TEST_CASE("06.2 no thread is left running after an exception", "[06.2][hard]") {
     for (int thrower = 0; thrower < 3; ++thrower) {
         const std::string actual = in_own_process([&] {
             const auto ended = std::make_shared<std::atomic<int>>(0);
+            memory = Memory::slowly;
             const std::string out = what_comes_out([&] {
                 run_workers(4, [ended, thrower](int worker) {
                     if (worker == thrower) throw worker * 4 + 1;
@@ -275,21 +279,22 @@ TEST_CASE("06.2 of several exceptions the first worker's is thrown", "[06.2][har
 TEST_CASE("06.2 workers may throw at the same moment", "[06.2][hard]") {
     run_workers(0, [](int) {});
     const std::string actual = in_own_process([] {
-        // Now the containers of the workers grow together, now their threads run on two cores, and
-        // throw without a step in between.
-        for (int round = 0; round < 430; ++round) {
-            const int workers = round < 20 ? 8 : round < 30 ? 64 : 2;
+        // Now the containers of the workers grow together, now two threads on two cores throw
+        // without a step in between.
+        for (int round = 0; round < 400; ++round) {
+            const int workers = round < 20 ? 8 : round < 26 ? 64 : 2;
+            const bool grow_together = workers == 8 || round > 200;
             std::atomic<int> there = 0, calls = 0;
             const std::string out = what_comes_out([&] {
                 run_workers(workers, [&](int worker) {
                     ++calls;
-                    if (++there == workers) together = workers > 2;
+                    if (++there == workers && grow_together) memory = Memory::together;
                     for (int turns = 0; there < workers; ++turns)
                         if (turns > 10'000 || workers > 2) std::this_thread::yield();
                     throw_something(worker);
                 });
             });
-            together = false;
+            memory = Memory::usual;
             if (out != name_of(0)) return out;
             if (calls != workers) return std::to_string(calls) + " of " + std::to_string(workers);
         }

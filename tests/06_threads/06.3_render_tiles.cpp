@@ -119,7 +119,7 @@ TEST_CASE("06.3 tiles of any size in pictures of any size", "[06.3]") {
     };
     for (int round = 0; round < 2000; ++round) {
         const TileGrid grid{any_to(round % 2 ? 100 : 100'000), any_to(round % 2 ? 100 : 100'000),
-                            any_to(round % 2 ? 60 : 3000)};
+                            any_to(any_to(round % 2 ? 60 : 3000))};
         const int columns = (grid.width - 1) / grid.tile_size + 1;
         const int rows = (grid.height - 1) / grid.tile_size + 1;
         INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size << ": "
@@ -167,6 +167,16 @@ TEST_CASE("06.3 every pixel is rendered once in tiles", "[06.3]") {
     for (int workers = 1; workers <= 64; ++workers) check({35, 21, 4}, workers, 54);
     check({40, 30, 1}, 3, 1200);
     check({333, 200, 13}, 2, 416);
+    // As fast as can be, for workers that come between two steps of each other.
+    const TileGrid many{250, 200, 1};
+    std::vector<std::atomic<int>> counts(50'000);
+    rt::render_tiles(many, 4, [&](const Tile& tile, int) {
+        ++counts[static_cast<std::size_t>(tile.top * 250 + tile.left)];
+    });
+    INFO(
+        "250x200 tiles of one pixel, 4 workers: those that were not rendered once.\nHint: the "
+        "counter that all workers share is a std::atomic<int>, and take_tile takes from it");
+    CHECK(std::count(counts.begin(), counts.end(), 1) == 50'000);
 }
 
 TEST_CASE("06.3 all workers are at work at the same time", "[06.3]") {
@@ -256,6 +266,12 @@ TEST_CASE("06.3 a tile as large as a number can be", "[06.3][hard]") {
         {{wide, 50, half}, {{0, 0, half, 50}, {half, 0, wide, 50}}},
         {{50, wide, half}, {{0, 0, 50, half}, {0, half, 50, wide}}},
     };
+    for (const TileGrid grid : {TileGrid{largest, 1, 1}, TileGrid{1, largest, 1}}) {
+        INFO(grid.width << 'x' << grid.height << " pixels in tiles of 1");
+        REQUIRE(tile_count(grid) == largest);
+        const std::string last = text(tile_at(grid, largest - 1));
+        REQUIRE(last == text(Tile{grid.width - 1, grid.height - 1, grid.width, grid.height}));
+    }
     for (const auto& [grid, tiles] : cases) {
         INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size);
         {
