@@ -108,8 +108,10 @@ const char* const in_order =
 
 TEST_CASE("00.4 the values of a chain are added up", "[00.4]") {
     const char* const hint =
-        "the sum starts at 0, `Real sum = 0;`: a variable without a value holds rubbish. And for "
-        "(const Link* link = first; link; link = link->next) visits each link once";
+        "the sum starts at 0, `Real sum = 0;`: without a value it holds rubbish, and `auto sum = "
+        "0` is "
+        "an int, with nothing behind the point. And for (const Link* link = first; link; link = "
+        "link->next) visits each link once";
     const Link three{Real(0.75), nullptr}, two{-2, &three}, one{Real(4.5), &two};
     check_sum("0.75", &three, Real(0.75), hint);
     check_sum("-2 and 0.75", &two, Real(-1.25), hint);
