@@ -168,15 +168,15 @@ TEST_CASE("06.3 every pixel is rendered once in tiles", "[06.3]") {
     check({40, 30, 1}, 3, 1200);
     check({333, 200, 13}, 2, 416);
     // As fast as can be, for workers that come between two steps of each other.
-    const TileGrid many{250, 200, 1};
-    std::vector<std::atomic<int>> counts(50'000);
+    const TileGrid many{400, 300, 1};
+    std::vector<std::atomic<int>> counts(120'000);
     rt::render_tiles(many, 4, [&](const Tile& tile, int) {
-        ++counts[static_cast<std::size_t>(tile.top * 250 + tile.left)];
+        ++counts[static_cast<std::size_t>(tile.top * 400 + tile.left)];
     });
     INFO(
-        "250x200 tiles of one pixel, 4 workers: those that were not rendered once.\nHint: the "
+        "400x300 tiles of one pixel, 4 workers: those that were not rendered once.\nHint: the "
         "counter that all workers share is a std::atomic<int>, and take_tile takes from it");
-    CHECK(std::count(counts.begin(), counts.end(), 1) == 50'000);
+    CHECK(std::count(counts.begin(), counts.end(), 1) == 120'000);
 }
 
 TEST_CASE("06.3 all workers are at work at the same time", "[06.3]") {
