@@ -29,14 +29,14 @@ Color gradient_at(const Corners& corners, Real across, Real down) {
     }
 }
 
-void check_exactly(const Corners& corners, Real across, Real down, Color expected,
+void check_exactly(const Corners& corners, Real across, Real down, Color expected_color,
                    const char* hint) {
     const Color color = gradient_at(corners, across, down);
+    if (color == expected_color) return;
     INFO("across = " << checkpoint::text(across) << ", down = " << checkpoint::text(down)
-                     << ": expected " << text(expected) << ", but yours gives " << text(color)
                      << ".\nHint: " << hint);
-    const bool as_expected = color == expected;
-    CHECK(as_expected);  // the colors themselves are above, with all their digits
+    const std::string actual = text(color), expected = text(expected_color);
+    CHECK(actual == expected);
 }
 
 // Four colors that share no component.
@@ -82,29 +82,60 @@ TEST_CASE("00.1 the ends are exact whatever is on the other side", "[00.1][hard]
 }
 
 TEST_CASE("00.1 every place is right to the last digits", "[00.1][hard]") {
-    // Two mixes, each with three roundings on the way of any corner (1 - t, the product, the sum).
-    // No term is negative, so the bound holds relative to the sum.
     rt::Rng rng{1, 1};
-    for (int i = 0; i < 1000; ++i) {
-        const auto light = [&] { return std::scalbn(rng.uniform(), i % 40 - 20); };
-        const Real a = light(), b = light(), c = light(), d = light();
-        const Real across = rng.uniform(), down = rng.uniform();
-        const Real got = gradient_at({{a, 0, 0}, {b, 0, 0}, {c, 0, 0}, {d, 0, 0}}, across, down).r;
-        const auto exact = [](Real x) { return Exact(static_cast<double>(x)); };
-        const auto mixed = [&](Exact from, Exact to, Real t) {
-            return (Exact(1) - exact(t)) * from + exact(t) * to;
+    const auto one_in = [&](int n) { return rng.uniform() * static_cast<Real>(n) < 1; };
+    // Near either end, at an end, at the place before, or anywhere.
+    const auto place = [&](Real before) {
+        if (one_in(4)) return before;
+        if (one_in(8)) return Real(one_in(2));
+        const int nearness =
+            one_in(2) ? 0 : static_cast<int>(rng() % std::numeric_limits<Real>::digits);
+        const Real distance = std::scalbn(rng.uniform(), -nearness);
+        return one_in(2) ? distance : 1 - distance;
+    };
+    Real across = 0, down = 0;
+    for (int i = 0; i < 3000; ++i) {
+        // Light of any strength, and beside it light that is up to a million million times as
+        // strong, black, or the same.
+        const int largest = std::numeric_limits<Real>::max_exponent / 4;
+        const int strength = static_cast<int>(rng() % static_cast<unsigned>(2 * largest)) - largest;
+        const auto light = [&] {
+            const int power = strength + static_cast<int>(rng() % 41) - 20;
+            return one_in(20) ? Real(0) : std::scalbn(rng.uniform(), power);
         };
-        const Exact expected =
-            mixed(mixed(exact(a), exact(b), across), mixed(exact(c), exact(d), across), down);
-        const double error = std::abs((exact(got) - expected).high);
-        const double allowed = static_cast<double>(rt::rounding_bound(6)) * expected.high;
-        char digits[80];
-        std::snprintf(digits, sizeof digits, "off by %.1e, allowed is %.1e", error, allowed);
-        INFO(digits);
-        HINT(expected, got,
-             "mix three times: top, bottom, and those two. And is each number a Real? A float has "
-             "7 digits only");
-        const bool close = error <= allowed;  // Catch2 shows small numbers as 0.0
-        REQUIRE(close);
+        Color colors[4];
+        for (Color& color : colors)
+            color = one_in(4) ? colors[rng() % 4] : Color{light(), light(), light()};
+        const Corners corners{colors[0], colors[1], colors[2], colors[3]};
+        across = place(across);
+        down = one_in(8) ? across : place(down);
+        const Color color = gradient_at(corners, across, down);
+        for (Real Color::*channel : {&Color::r, &Color::g, &Color::b}) {
+            const auto exact = [](Real x) { return Exact(static_cast<double>(x)); };
+            const auto mixed = [&](Exact from, Exact to, Real t) {
+                return (Exact(1) - exact(t)) * from + exact(t) * to;
+            };
+            const Exact sum =
+                mixed(mixed(exact(colors[0].*channel), exact(colors[1].*channel), across),
+                      mixed(exact(colors[2].*channel), exact(colors[3].*channel), across), down);
+            // Eight roundings on the way of any corner. No term is negative, so the bound holds
+            // relative to the sum; and the smallest number that there is may be added by each mix.
+            const double error = std::abs((exact(color.*channel) - sum).high);
+            const double smallest = std::numeric_limits<Real>::denorm_min();
+            if (error <= static_cast<double>(rt::rounding_bound(8)) * sum.high + 4 * smallest)
+                continue;
+            INFO("a color channel at across = "
+                 << checkpoint::text(across) << ", down = " << checkpoint::text(down)
+                 << "; in the corners it is " << checkpoint::text(colors[0].*channel) << " and "
+                 << checkpoint::text(colors[1].*channel) << " above, "
+                 << checkpoint::text(colors[2].*channel) << " and "
+                 << checkpoint::text(colors[3].*channel)
+                 << " below.\nHint: mix three times: top, bottom, and those two, each as (1 - t) a "
+                    "+ "
+                    "t b. And is each number a Real? A float has 7 digits only");
+            const std::string actual = checkpoint::text(color.*channel);
+            const std::string expected = checkpoint::text(sum);
+            REQUIRE(actual == expected);
+        }
     }
 }

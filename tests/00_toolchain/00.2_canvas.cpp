@@ -1,4 +1,6 @@
 #include <rt/canvas.hpp>
+#include <rt/todo.hpp>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -10,33 +12,53 @@ using Canvas = rt::Canvas<WatchedPixel>;
 
 namespace {
 
-// Pixel (x, y) is 10 y + x.
+// Widths and heights: square or not, odd or even, one pixel, more rows than columns and the
+// reverse.
+constexpr std::pair<int, int> sizes[] = {{3, 2}, {1, 1}, {4, 4}, {1, 5}, {9, 3}, {2, 13}, {40, 30}};
+
+// Pixel (x, y) is 100 y + x.
+constexpr int number_at(int x, int y) {
+    return 100 * y + x;
+}
 Canvas numbered(int width, int height) {
     Canvas canvas{width, height, WatchedPixel{0}};
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) canvas.at(x, y) = WatchedPixel{10 * y + x};
+        for (int x = 0; x < width; ++x) canvas.at(x, y) = WatchedPixel{number_at(x, y)};
     return canvas;
 }
 
-bool is_numbered(const Canvas& canvas, int width, int height) {
-    if (canvas.width() != width || canvas.height() != height) return false;
+// What is wrong with a canvas whose pixel (x, y) should be expected(x, y), the first thing; empty
+// if nothing is.
+template <class Expected>
+std::string complaint(const Canvas& canvas, int width, int height, Expected expected) {
+    if (canvas.width() != width || canvas.height() != height)
+        return "expected " + std::to_string(width) + " x " + std::to_string(height) +
+               " pixels, actual " + std::to_string(canvas.width()) + " x " +
+               std::to_string(canvas.height());
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            if (canvas.at(x, y).value() != 10 * y + x) return false;
-    return true;
+            if (const int value = canvas.at(x, y).value(); value != expected(x, y))
+                return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + "): expected " +
+                       std::to_string(expected(x, y)) + ", actual " + std::to_string(value);
+    return {};
 }
 
 // Says what is wrong with a canvas that ought to be numbered.
 void check_numbered(const char* what, const Canvas& canvas, int width, int height,
                     const char* hint) {
-    const bool as_expected = is_numbered(canvas, width, height);
-    INFO(what << " has " << canvas.width() << " x " << canvas.height() << " pixels, expected "
-              << width << " x " << height
-              << (canvas.width() == width && canvas.height() == height
-                      ? ", but not the right colors in them"
-                      : "")
-              << ".\nHint: " << hint);
-    CHECK(as_expected);
+    const std::string wrong = complaint(canvas, width, height, number_at);
+    INFO(what << " is wrong.\nHint: " << hint);
+    CHECK(wrong == "");
+}
+
+// Whether a canvas has these very pixels, which are another one's or were so.
+void check_pixels(const Canvas& canvas, const WatchedPixel* pixels, const std::string& expected) {
+    const std::string actual = canvas.begin() == pixels ? "the same pixels" : "other pixels";
+    CHECK(actual == expected);
+}
+
+void check_equal(int actual, int expected) {
+    CHECK(actual == expected);
 }
 
 // At the end of a test case, when all canvases are gone.
@@ -55,6 +77,13 @@ void check_memory() {
              << ".\nHint: two canvases had the same pixels_, and each released it");
         CHECK(Watch::released_twice == 0);
     }
+    {
+        INFO(
+            "pixels were copied byte by byte, which is right for some types only.\nHint: "
+            "std::copy, "
+            "std::fill or = instead of memcpy");
+        CHECK(Watch::byte_copies == 0);
+    }
     INFO("uses of pixels that were gone: " << Watch::dead_uses
                                            << ".\nHint: a pointer or a reference outlived them");
     CHECK(Watch::dead_uses == 0);
@@ -64,164 +93,216 @@ void check_memory() {
 
 TEST_CASE("00.2 a new canvas has its size and its color", "[00.2]") {
     const Watch watch;
-    Canvas canvas{3, 2, WatchedPixel{7}};
-    INFO(
-        "Hint: in this order: remember width and height, make the pixels with new "
-        "Pixel[size()], and give each the color. size() is width_ times height_; ( ) in place of "
-        "[ ] makes one pixel; `int width_ = width;` would make another variable");
-    CHECK(canvas.width() == 3);
-    CHECK(canvas.height() == 2);
-    REQUIRE((canvas.begin() != nullptr));
-    {
-        INFO("pixels that were used and never made: " << Watch::dead_uses);
-        REQUIRE(Watch::dead_uses == 0);
+    for (const auto& [width, height] : sizes) {
+        const int before = Watch::live_objects();
+        const Canvas canvas{width, height, WatchedPixel{7}};
+        INFO(
+            "Hint: in this order: remember width and height, make the pixels with new "
+            "Pixel[size()], and give each the color. size() is width_ times height_; ( ) in place "
+            "of [ ] makes one pixel; `int width_ = width;` would make another variable");
+        check_equal(canvas.width(), width);
+        check_equal(canvas.height(), height);
+        REQUIRE((canvas.begin() != nullptr));
+        {
+            INFO("pixels that were used and never made: " << Watch::dead_uses);
+            REQUIRE(Watch::dead_uses == 0);
+        }
+        {
+            INFO("the pixels that were made for " << width << " x " << height);
+            check_equal(Watch::live_objects() - before, width * height);
+        }
+        CHECK(complaint(canvas, width, height, [](int, int) { return 7; }) == "");
     }
-    for (const WatchedPixel& pixel : canvas) CHECK(pixel.value() == 7);
-    CHECK(Watch::dead_uses == 0);
+    INFO("a canvas without a color gets the pixel's default value");
+    CHECK(complaint(Canvas{2, 2}, 2, 2, [](int, int) { return 0; }) == "");
 }
 
 TEST_CASE("00.2 the pixels are released with the canvas", "[00.2]") {
     const Watch watch;
-    { const Canvas canvas{3, 2, WatchedPixel{7}}; }
-    check_memory();
+    for (const auto& [width, height] : sizes) {
+        { const Canvas canvas{width, height, WatchedPixel{7}}; }
+        check_memory();
+    }
 }
 
 TEST_CASE("00.2 a copy has pixels of its own", "[00.2]") {
     const Watch watch;
-    {
-        const Canvas original = numbered(3, 2);
+    for (const auto& [width, height] : sizes) {
+        const Canvas original = numbered(width, height);
+        const int before = Watch::live_objects();
         Canvas copy = original;
-        check_numbered("the copy", copy, 3, 2,
+        check_numbered("the copy", copy, width, height,
                        "take over both sides from `other` first, since size() is made of them; "
                        "then new pixels, then std::copy from the other's to your own");
-        INFO(
-            "both canvases have the same pixels.\nHint: a copied pointer is not a copied picture: "
-            "new pixels, then copy the colors");
-        CHECK((copy.begin() != original.begin()));
-        copy.at(1, 1) = WatchedPixel{99};
-        CHECK(original.at(1, 1).value() == 11);
+        {
+            INFO(
+                "both canvases have the same pixels.\nHint: a copied pointer is not a copied "
+                "picture: new pixels, then copy the colors");
+            check_pixels(copy, original.begin(), "other pixels");
+        }
+        {
+            INFO("the pixels that the copy made");
+            check_equal(Watch::live_objects() - before, width * height);
+        }
+        copy.at(width - 1, height - 1) = WatchedPixel{-9};
+        check_numbered("the original, after the copy was painted on,", original, width, height,
+                       "a copy needs pixels of its own");
     }
     check_memory();
 }
 
 TEST_CASE("00.2 a move takes the pixels over", "[00.2]") {
     const Watch watch;
-    {
-        Canvas original = numbered(3, 2);
+    for (const auto& [width, height] : sizes) {
+        Canvas original = numbered(width, height);
         const WatchedPixel* const pixels = original.begin();
         const int made = Watch::made;
         const Canvas taken = std::move(original);
-        INFO("pixels made or copied by the move: "
-             << Watch::made - made
-             << ".\nHint: take over the pointer, and set the other one's to nullptr");
-        CHECK(Watch::made == made);
-        CHECK((taken.begin() == pixels));
-        check_numbered("the canvas that was moved to", taken, 3, 2, "take over all three members");
+        {
+            INFO(
+                "pixels made or copied by the move.\nHint: take over the pointer, and set the "
+                "other one's to nullptr");
+            check_equal(Watch::made - made, 0);
+            check_pixels(taken, pixels, "the same pixels");
+        }
+        check_numbered("the canvas that was moved to", taken, width, height,
+                       "take over all three members");
         INFO("a canvas that was moved from must be empty");
-        CHECK(original.width() == 0);
-        CHECK(original.height() == 0);
-        CHECK((original.begin() == nullptr));
+        check_equal(original.width(), 0);
+        check_equal(original.height(), 0);
+        check_pixels(original, nullptr, "the same pixels");
     }
     check_memory();
 }
 
 TEST_CASE("00.2 assignment copies or moves and releases what was there", "[00.2]") {
     const Watch watch;
-    {
-        Canvas a{4, 4, WatchedPixel{1}}, b = numbered(3, 2);
-        a = b;
-        const char* const hint = "std::swap each of the three members with other's";
-        check_numbered("a, after a = b,", a, 3, 2, hint);
-        check_numbered("b, after a = b,", b, 3, 2, hint);
-        CHECK((a.begin() != b.begin()));
-        a.at(0, 0) = WatchedPixel{99};
-        const int made = Watch::made;
-        const WatchedPixel* const pixels = b.begin();
-        a = std::move(b);
-        INFO("a = std::move(b) made " << Watch::made - made << " pixels, and should make none");
-        CHECK(Watch::made == made);
-        CHECK((a.begin() == pixels));
-        check_numbered("a, after a = std::move(b),", a, 3, 2, hint);
-    }
+    const char* const hint = "std::swap each of the three members with other's";
+    for (const auto& [width, height] : sizes)
+        for (const bool same_size : {false, true}) {
+            Canvas a{same_size ? width : 4, same_size ? height : 2, WatchedPixel{1}};
+            Canvas b = numbered(width, height);
+            const Canvas* const itself = &(a = b);
+            Canvas c{1, 1};
+            const Canvas* const another_one = &(c = a);
+            {
+                INFO("a = b gives\nHint: return *this;");
+                const std::string actual =
+                    itself == &a && another_one == &c ? "a itself" : "another canvas";
+                CHECK(actual == "a itself");
+            }
+            check_numbered("a, after a = b,", a, width, height, hint);
+            check_numbered("b, after a = b,", b, width, height, hint);
+            check_pixels(a, b.begin(), "other pixels");
+            a = Canvas{same_size ? width : 5, same_size ? height : 1, WatchedPixel{1}};
+            const int made = Watch::made;
+            const WatchedPixel* const pixels = b.begin();
+            a = std::move(b);
+            {
+                INFO("pixels made by a = std::move(b)");
+                check_equal(Watch::made - made, 0);
+                check_pixels(a, pixels, "the same pixels");
+            }
+            check_numbered("a, after a = std::move(b),", a, width, height, hint);
+        }
     check_memory();
 }
 
 TEST_CASE("00.2 flipped swaps top and bottom", "[00.2]") {
     const Watch watch;
-    {
-        const Canvas canvas = numbered(3, 2);
+    for (const auto& [width, height] : sizes) {
+        const Canvas canvas = numbered(width, height);
         const Canvas turned = rt::flipped(canvas);
-        REQUIRE(turned.width() == 3);
-        REQUIRE(turned.height() == 2);
-        for (int y = 0; y < 2; ++y)
-            for (int x = 0; x < 3; ++x) {
-                INFO("pixel (" << x << ", " << y
-                               << ")\nHint: swap rows, not columns: row y with row height - 1 - y, "
-                                  "for each y below height / 2: less leaves a row out, more swaps "
-                                  "rows back");
-                CHECK(turned.at(x, y).value() == 10 * (1 - y) + x);
-            }
-        INFO("flipped must not change the canvas that it was given a copy of");
-        CHECK(is_numbered(canvas, 3, 2));
+        {
+            INFO(
+                width << " x " << height
+                      << ", flipped.\nHint: swap rows, not columns: row y with row height - 1 - y, "
+                         "for each y below height / 2: less leaves a row out, more swaps rows "
+                         "back; the middle one of an odd number of rows stays");
+            const int last = height - 1;
+            REQUIRE(complaint(turned, width, height,
+                              [=](int x, int y) { return number_at(x, last - y); }) == "");
+        }
+        check_numbered("the canvas that flipped was given a copy of", canvas, width, height,
+                       "flip the parameter, a value");
     }
     check_memory();
 }
 
 TEST_CASE("00.2 a canvas that is moved into flipped comes out again", "[00.2]") {
     const Watch watch;
-    {
-        Canvas canvas = numbered(4, 1);  // one row: nothing is to be swapped
+    for (const auto& [width, height] : sizes) {
+        Canvas canvas = numbered(width, height);
         const WatchedPixel* const pixels = canvas.begin();
-        const int made = Watch::made;
+        const int before = Watch::live_objects();
+        Watch::most_live = before;
         const Canvas turned = rt::flipped(std::move(canvas));
-        INFO("pixels that were made on the way: "
-             << Watch::made - made
-             << ".\nHint: take the canvas as a value, flip that, and return it by its name");
-        CHECK(Watch::made == made);
-        CHECK((turned.begin() == pixels));
+        const int more = Watch::most_live - before;
+        {
+            INFO(
+                "the canvas that came out has other memory.\nHint: take the canvas as a value, "
+                "flip "
+                "that, and return it by its name");
+            check_pixels(turned, pixels, "the same pixels");
+        }
+        INFO(width << " x " << height << " pixels, and on the way there were " << more
+                   << " more at the same time. A swap of two needs one, or two.\nHint: no second "
+                      "canvas, and no row to put pixels aside: std::swap(a, b) for two pixels");
+        CHECK(more <= 2);
     }
     check_memory();
 }
 
 TEST_CASE("00.2 largest is a reference to the pixel itself", "[00.2]") {
     const Watch watch;
-    {
-        Canvas canvas = numbered(3, 2);
-        canvas.at(1, 0) = WatchedPixel{55};
-        const WatchedPixel* const found = &rt::largest(canvas);
-        bool is_in_canvas = false;
-        for (const WatchedPixel& pixel : canvas) is_in_canvas |= &pixel == found;
-        {
+    for (const auto& [width, height] : {std::pair{3, 2}, {1, 1}, {1, 6}, {4, 5}}) {
+        Canvas canvas{width, height, WatchedPixel{}};
+        for (int place = 0; place < width * height; ++place) {
+            // The numbers go up and down, and the largest one is everywhere in turn.
+            for (int i = 0; i < width * height; ++i)
+                canvas.begin()[i] = WatchedPixel{i == place ? 55 : 7 * i % 5};
+            const WatchedPixel* const found = &rt::largest(canvas);
+            const bool is_in_canvas = canvas.begin() <= found && found < canvas.end();
+            {
+                INFO(
+                    "the reference leads to no pixel of the canvas.\nHint: is `pixel` of your loop "
+                    "a copy (no &), do you return a variable of the function, or is its parameter "
+                    "a value (no &)? All of these are gone when the function ends");
+                REQUIRE(is_in_canvas);
+            }
             INFO(
-                "the reference leads to no pixel of the canvas.\nHint: is `pixel` of your loop a "
-                "copy (no &), do you return a variable of the function, or is its parameter a "
-                "value (no &)? All of these are gone when the function ends");
-            REQUIRE(is_in_canvas);
+                width << " x " << height << " pixels, the largest is (" << place % width << ", "
+                      << place / width
+                      << ").\nHint: go through all pixels, also the first and the last one; `found "
+                         "= &pixel` where `*found < pixel`, in this order, and pixels, not "
+                         "addresses");
+            REQUIRE(found->value() == 55);
         }
-        INFO(
-            "Hint: `found = &pixel` where `*found < pixel`, in this order, and pixels, not "
-            "addresses");
-        CHECK(found->value() == 55);
-        CHECK(Watch::dead_uses == 0);
     }
     check_memory();
 }
 
 TEST_CASE("00.2 of several largest pixels the first is found", "[00.2][hard]") {
     const Watch watch;
-    Canvas canvas{3, 3, WatchedPixel{-5}};
+    Canvas canvas{5, 4, WatchedPixel{-5}};
     // Catch2 would print addresses, which tell a person nothing.
     const auto check_found = [&](int x, int y, const char* hint) {
-        const WatchedPixel* const found = &rt::largest(canvas);
-        INFO("pixel (" << x << ", " << y << ") was to be found.\nHint: " << hint);
-        const bool right_one = found == &canvas.at(x, y);
-        CHECK(right_one);
+        const auto found = &rt::largest(canvas) - canvas.begin();
+        INFO("Hint: " << hint);
+        const std::string actual = "pixel " + std::to_string(found % 5) + ", " +
+                                   std::to_string(found / 5),
+                          expected = "pixel " + std::to_string(x) + ", " + std::to_string(y);
+        REQUIRE(actual == expected);
     };
     check_found(0, 0,
                 "all are equal: the first one stays unless another is larger, so < and not <=. "
                 "And start with the first pixel itself, not with 0: all are below 0");
-    canvas.at(2, 1) = canvas.at(0, 2) = WatchedPixel{-4};
-    check_found(2, 1, "the first of the largest ones: replace it only by one that is larger");
+    canvas.at(2, 1) = canvas.at(0, 2) = canvas.at(1, 3) = WatchedPixel{-4};
+    check_found(2, 1,
+                "the first of the largest ones, row by row from the top: replace it only by one "
+                "that is larger");
+    canvas.at(4, 3) = WatchedPixel{-3};
+    check_found(4, 3, "the largest one may be the last");
 }
 
 TEST_CASE("00.2 a canvas may be assigned to itself", "[00.2][hard]") {
@@ -247,12 +328,13 @@ TEST_CASE("00.2 a vector of canvases grows without copies", "[00.2][hard]") {
             const int made = Watch::made;
             canvases.push_back(std::move(canvas));
             INFO("pixels made when canvas number "
-                 << i << " moved in: " << Watch::made - made
-                 << ".\nHint: a vector that grows moves its elements only when that is noexcept: "
-                    "Canvas(Canvas&& other) noexcept");
-            CHECK(Watch::made == made);
+                 << i
+                 << " moved in.\nHint: a vector that grows moves its elements only when that is "
+                    "noexcept: Canvas(Canvas&& other) noexcept");
+            check_equal(Watch::made - made, 0);
         }
-        for (const Canvas& canvas : canvases) CHECK(is_numbered(canvas, 2, 2));
+        for (const Canvas& canvas : canvases)
+            check_numbered("a canvas of the vector", canvas, 2, 2, "take over all three members");
     }
     check_memory();
 }
@@ -261,12 +343,24 @@ TEST_CASE("00.2 a canvas that was moved from can be used again", "[00.2][hard]")
     const Watch watch;
     {
         Canvas canvas = numbered(3, 2);
-        const Canvas taken = std::move(canvas);
-        const Canvas empty_copy = canvas;
-        CHECK(empty_copy.size() == 0);
+        Canvas taken = std::move(canvas);
+        Canvas empty_copy = canvas;
+        INFO("Hint: 0 wide and 0 high, with no pixels: that can be copied, assigned and flipped");
+        check_equal(static_cast<int>(empty_copy.size()), 0);
+        check_equal(static_cast<int>(rt::flipped(empty_copy).size()), 0);
         canvas = taken;
-        CHECK(is_numbered(canvas, 3, 2));
-        CHECK(is_numbered(taken, 3, 2));
+        check_numbered("an empty canvas to which one was assigned", canvas, 3, 2,
+                       "std::swap each of the three members with other's");
+        taken = empty_copy;
+        check_equal(taken.width(), 0);
+        check_equal(taken.height(), 0);
+        taken = std::move(canvas);
+        check_numbered("an empty canvas into which one was moved", taken, 3, 2,
+                       "std::swap each of the three members with other's");
+        Canvas emptied = numbered(1, 2);
+        const Canvas owner = std::move(emptied);
+        taken = std::move(emptied);
+        check_equal(static_cast<int>(taken.size()), 0);
     }
     check_memory();
 }
@@ -279,22 +373,23 @@ TEST_CASE("00.2 sides below 1 are refused and nothing is lost", "[00.2][hard]") 
         FAIL("1 x 1 was refused.\nHint: it is allowed; refuse width < 1, and not width <= 1");
     }
     for (const auto& [width, height] : {std::pair{0, 5}, std::pair{5, 0}, std::pair{-1, 5},
-                                        std::pair{5, -1}, std::pair{-2, -3}}) {
-        bool refused = false;
-        const char* came = "were not refused";
+                                        std::pair{5, -1}, std::pair{-2, -3}, std::pair{0, 0}}) {
+        std::string actual = "not refused";
         try {
             const Canvas canvas{width, height, WatchedPixel{1}};
         } catch (const std::invalid_argument&) {
-            refused = true;
+            continue;
         } catch (const std::bad_alloc&) {
-            came = "came as far as new, which was asked for an absurd number of pixels";
+            actual = "came as far as new, which was asked for an absurd number of pixels";
+        } catch (const rt::NotImplemented&) {
+            throw;
         } catch (...) {
-            came = "were refused, but not by std::invalid_argument";
+            actual = "refused by another exception";
         }
-        INFO("sides of " << width << " x " << height << ' ' << came
+        INFO("sides of " << width << " x " << height
                          << ".\nHint: throw std::invalid_argument, before anything else, when "
                             "width < 1 or (||) height < 1");
-        CHECK(refused);
+        CHECK(actual == "refused by std::invalid_argument");
     }
     INFO(
         "Hint: throw before new. An object whose constructor throws is never destroyed, and what "
@@ -302,18 +397,43 @@ TEST_CASE("00.2 sides below 1 are refused and nothing is lost", "[00.2][hard]") 
     check_memory();
 }
 
-TEST_CASE("00.2 odd heights and long rows are flipped", "[00.2][hard]") {
+TEST_CASE("00.2 a heap that is full is no canvas that is lost", "[00.2][hard]") {
     const Watch watch;
-    for (const auto& [width, height] :
-         {std::pair{1, 1}, std::pair{1, 5}, std::pair{9, 3}, std::pair{2, 4}, std::pair{7, 1}}) {
-        const Canvas canvas = numbered(width, height);
-        CHECK(is_numbered(rt::flipped(rt::flipped(canvas)), width, height));
-        const Canvas turned = rt::flipped(canvas);
-        INFO(width << " x " << height
-                   << "\nHint: rows change places, not columns; the middle one of an odd number "
-                      "of rows stays");
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                CHECK(turned.at(x, y).value() == canvas.at(x, height - 1 - y).value());
+    {
+        Canvas canvas = numbered(3, 2);
+        const Canvas other{2, 5, WatchedPixel{1}};
+        Watch::is_full = true;
+        std::string actual = "a canvas";
+        try {
+            const Canvas large{1 << 20, 1 << 20, WatchedPixel{1}};
+        } catch (const std::bad_alloc&) {
+            actual = "std::bad_alloc";
+        } catch (const std::exception& error) {
+            actual = error.what();
+        }
+        {
+            INFO(
+                "a million million pixels, for which there is no room. new throws.\nHint: any size "
+                "from 1 x 1 on is allowed, and what new throws is for the caller");
+            CHECK(actual == "std::bad_alloc");
+        }
+        {
+            INFO("bytes that new was asked for: "
+                 << Watch::asked
+                 << ".\nHint: width times height may be more than an int holds; size() has room");
+            if (Watch::asked != 0) CHECK(Watch::asked >= std::size_t{1} << 40);
+        }
+        bool thrown = false;
+        try {
+            canvas = other;
+        } catch (const std::bad_alloc&) {
+            thrown = true;
+        }
+        if (thrown)
+            check_numbered("a, after a = b for which there was no room,", canvas, 3, 2,
+                           "first the copy, then the exchange: the parameter `other` of operator= "
+                           "is a value");
+        Watch::is_full = false;
     }
+    check_memory();
 }

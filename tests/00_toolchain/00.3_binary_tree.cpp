@@ -1,8 +1,11 @@
 #include <cmath>
 #include <rt/binary_tree.hpp>
 #include <rt/range_node.hpp>
+#include <rt/rng.hpp>
+#include <string>
 
 #include "checkpoint.hpp"
+#include "own_process.hpp"
 #include "watched.hpp"
 
 using namespace checkpoint;
@@ -18,6 +21,21 @@ Tree node(Tree left = {}, Tree right = {}) {
     return root;
 }
 
+// A tree of any shape, of so many nodes: a bit of a list, a bit of a bush.
+Tree random_tree(int count, rt::Rng& rng) {
+    if (count == 0) return {};
+    const auto any = static_cast<int>(rng() % static_cast<unsigned>(count));
+    const int to_left = rng() % 2 ? any : static_cast<int>(rng() % 2) * (count - 1);
+    Tree left = random_tree(to_left, rng);
+    return node(std::move(left), random_tree(count - 1 - to_left, rng));
+}
+
+// As you would say it; the tree is not deep.
+int plain_depth(const WatchedNode* root) {
+    if (!root) return 0;
+    return 1 + std::max(plain_depth(root->left.get()), plain_depth(root->right.get()));
+}
+
 // The things that the leaves stand for, from left to right.
 template <class Node>
 void collect(const Node* root, std::vector<int>& things) {
@@ -28,15 +46,23 @@ void collect(const Node* root, std::vector<int>& things) {
     collect(root->right.get(), things);
 }
 
-// Whether every node has two halves of what it stands for, or is a leaf with one thing.
+// The first node whose children are not the halves of what it stands for, or that is no leaf though
+// it stands for one thing; "none" where all are right.
 template <class Node>
-bool is_balanced(const Node* root) {
-    if (!root->left != !root->right) return false;
-    if (!root->left) return root->last - root->first == 1;
-    const auto size = [](const auto& n) { return n->last - n->first; };
-    return root->left->first == root->first && root->left->last == root->right->first &&
-           root->right->last == root->last && size(root->left) == size(root) / 2 &&
-           is_balanced(root->left.get()) && is_balanced(root->right.get());
+std::string unbalanced(const Node* root) {
+    const int size = root->last - root->first;
+    bool right = size == 1 ? !root->left && !root->right : root->left && root->right;
+    if (right && size > 1) {
+        const int middle = root->first + size / 2;
+        right = root->left->first == root->first && root->left->last == middle &&
+                root->right->first == middle && root->right->last == root->last;
+    }
+    if (!right)
+        return "the one over " + std::to_string(root->first) + " to " + std::to_string(root->last);
+    for (const Node* child : {root->left.get(), root->right.get()})
+        if (child)
+            if (const std::string wrong = unbalanced(child); wrong != "none") return wrong;
+    return "none";
 }
 
 void check_memory() {
@@ -55,43 +81,68 @@ void check_memory() {
     CHECK(Watch::released_twice == 0);
 }
 
-// A node like any other, and quickly made.
+// A node like any other, and quickly made. It notes how many destructors run inside of each other.
 struct PlainNode {
+    struct Level {
+        ~Level() { --depth; }
+        inline static int depth = 0, most = 0;
+    } level;
+    ~PlainNode() { Level::most = std::max(Level::most, ++Level::depth); }
+
     std::unique_ptr<PlainNode> left, right;
 };
 
-// A way down without a branch, by turns to the left and to the right: whoever calls himself for one
-// of the two sides only is found out as well.
-std::unique_ptr<PlainNode> deep_tree(int depth) {
-    std::unique_ptr<PlainNode> root;
-    for (int i = 0; i < depth; ++i) {
-        auto parent = std::make_unique<PlainNode>();
-        (i % 2 == 0 ? parent->left : parent->right) = std::move(root);
-        root = std::move(parent);
-    }
-    return root;
-}
-
-// Destroys it without a tower of destructors.
-void remove(std::unique_ptr<PlainNode> root) {
-    while (root) {
-        auto child = std::move(root->left ? root->left : root->right);
-        root = std::move(child);
-    }
-}
-
 constexpr int million = 1'000'000;
 
+// A tree a million nodes deep. Its way down turns to the left and to the right; at some of its
+// nodes the other side is empty, at some it has a leaf, at some three nodes, and for long stretches
+// it is always the same side: functions that call themselves for one side only, or only where there
+// are two children, and lists that are too short, are found out as well. It is made once and stays.
+struct DeepTree {
+    DeepTree() {
+        std::unique_ptr<PlainNode> tree;
+        for (int i = 0; i < million; ++i) {
+            auto parent = std::make_unique<PlainNode>();
+            const int stretch = i / 200'000;
+            const bool to_left = stretch % 2 == 0 ? i % 2 == 0 : stretch == 1;
+            auto& way = to_left ? parent->left : parent->right;
+            auto& side = to_left ? parent->right : parent->left;
+            way = std::move(tree);
+            ++count;
+            if (stretch > 0 && i > 10) {
+                side = std::make_unique<PlainNode>();
+                ++count;
+                if (i % 16 == 0) {
+                    side->left = std::make_unique<PlainNode>();
+                    side->right = std::make_unique<PlainNode>();
+                    count += 2;
+                }
+            }
+            tree = std::move(parent);
+        }
+        root = tree.release();
+    }
+
+    PlainNode* root;
+    int count = 0;
+};
+
+DeepTree& deep_tree() {
+    static DeepTree tree;
+    return tree;
+}
+
+// What becomes of work() on the deep tree.
 template <class Work>
-void check_deep(const char* what, Work work) {
-    auto root = deep_tree(million);
-    const bool fine = survives([&] { return work(root.get()) == million; });
-    remove(std::move(root));
-    INFO(what << " of a tree that is a million nodes deep did not come out as a million, or the "
-                 "stack was full.\nHint: a function that calls itself for each child needs room "
-                 "on the stack for every level. Keep a std::vector of the nodes that are still to "
-                 "be visited");
-    CHECK(fine);
+void check_deep(int expected_number, Work work) {
+    const PlainNode* const root = deep_tree().root;
+    const std::string actual = in_own_process([&] { return std::to_string(work(root)); });
+    const std::string expected = std::to_string(expected_number);
+    INFO(
+        "a tree that is a million nodes deep. Where the program ends, the stack was full.\nHint: a "
+        "function that calls itself for a child needs room on the stack for every level. Keep a "
+        "std::vector of the nodes that are still to be visited, which grows as it must");
+    CHECK(actual == expected);
 }
 
 }  // namespace
@@ -126,62 +177,96 @@ TEST_CASE("00.3 the depth of small trees", "[00.3]") {
     check_memory();
 }
 
+TEST_CASE("00.3 trees of any shape are counted and measured", "[00.3]") {
+    const Watch watch;
+    rt::Rng rng{3, 3};
+    for (int i = 0; i < 300; ++i) {
+        const int count = static_cast<int>(rng() % 40);
+        const Tree root = random_tree(count, rng);
+        INFO("a tree of " << count
+                          << " nodes, of any shape.\nHint: each call starts anew, and every "
+                          << "node has its turn, whichever children it has");
+        REQUIRE(rt::count_nodes(root.get()) == count);
+        REQUIRE(rt::depth_of(root.get()) == plain_depth(root.get()));
+    }
+}
+
 TEST_CASE("00.3 a tree is made of halves", "[00.3]") {
     const Watch watch;
-    for (int count = 1; count <= 33; ++count) {
-        {
-            const Tree root = rt::make_tree<WatchedNode>(100, 100 + count);
-            INFO("a tree over " << count << " things, from 100 on");
-            REQUIRE((root != nullptr));
-            CHECK(root->first == 100);
-            CHECK(root->last == 100 + count);
-            std::vector<int> things;
-            collect(root.get(), things);
-            std::vector<int> expected;
-            for (int i = 0; i < count; ++i) expected.push_back(100 + i);
+    for (const int first : {100, -1, -10, -77})
+        for (int count = 1; count <= 40; ++count) {
             {
-                INFO(
-                    "the leaves must stand for each thing once, in order.\nHint: the left child "
-                    "has first to middle, the right one middle to last: `last` itself is not among "
-                    "the things");
-                REQUIRE(things == expected);
+                const int made = Watch::made;
+                const Tree root = rt::make_tree<WatchedNode>(first, first + count);
+                INFO("a tree over " << count << " things, from " << first << " on");
+                REQUIRE(root);
+                CHECK(root->first == first);
+                CHECK(root->last == first + count);
+                std::vector<int> things;
+                collect(root.get(), things);
+                std::vector<int> expected;
+                for (int i = 0; i < count; ++i) expected.push_back(first + i);
+                {
+                    INFO(
+                        "the leaves must stand for each thing once, in order.\nHint: the left "
+                        "child has first to middle, the right one middle to last: `last` itself is "
+                        "not among the things");
+                    REQUIRE(things == expected);
+                }
+                {
+                    INFO(
+                        "each thing is there: which of the nodes has not the halves of its own as "
+                        "children?\nHint: middle = first + (last - first) / 2; of an odd number "
+                        "the right half is the larger one, and one thing alone is a leaf. Below 0 "
+                        "(first + last) / 2 is rounded to the other side");
+                    REQUIRE(unbalanced(root.get()) == "none");
+                }
+                INFO("nodes that were made: each is needed once");
+                REQUIRE(Watch::made - made == 2 * count - 1);
             }
-            INFO(
-                "each thing is there, but not in halves.\nHint: middle = first + (last - first) / "
-                "2; of an odd number the right half is the larger one, and one thing alone is a "
-                "leaf");
-            REQUIRE(is_balanced(root.get()));
+            check_memory();
         }
-        check_memory();
-    }
 }
 
 TEST_CASE("00.3 a tree of nothing is empty", "[00.3]") {
     const Watch watch;
-    CHECK((rt::make_tree<WatchedNode>(5, 5) == nullptr));
-    INFO("Hint: the root of an empty tree is nullptr; no node may be made for it");
-    CHECK(Watch::made == 0);
+    for (const int first : {0, 5, -5}) {
+        INFO("Hint: the root of an empty tree is nullptr; no node may be made for it");
+        const Tree root = rt::make_tree<WatchedNode>(first, first);
+        const std::string actual = root ? "a node" : "nullptr";
+        CHECK(actual == "nullptr");
+        CHECK(Watch::made == 0);
+    }
 }
 
 TEST_CASE("00.3 taking apart destroys every node once", "[00.3]") {
     const Watch watch;
     rt::take_apart(Tree{});
     rt::take_apart(node(node(node(), node({}, node())), node()));
+    check_memory();
+    rt::Rng rng{4, 4};
+    for (int i = 0; i < 100; ++i) rt::take_apart(random_tree(static_cast<int>(rng() % 40), rng));
     INFO("Hint: move the children out into a list, then let the node go");
-    CHECK(Watch::made == 6);
     check_memory();
 }
 
 TEST_CASE("00.3 no destructor runs inside of another", "[00.3][hard]") {
     const Watch watch;
-    for (const bool to_left : {true, false}) {
-        Tree root;
-        for (int i = 0; i < 1000; ++i)
-            root = to_left ? node(std::move(root)) : node({}, std::move(root));
+    rt::Rng rng{5, 5};
+    for (int kind = 0; kind < 6; ++kind) {
+        Tree root = kind == 0 ? random_tree(1000, rng) : Tree{};
+        // To the left, to the right, or by turns; with leaves on the other side, or without.
+        for (int i = 0; i < 1000; ++i) {
+            Tree side = kind >= 3 ? node() : Tree{};
+            const bool to_left = kind % 3 == 0 ? i % 2 == 0 : kind % 3 == 1;
+            root = to_left ? node(std::move(root), std::move(side))
+                           : node(std::move(side), std::move(root));
+        }
         rt::take_apart(std::move(root));
-        INFO("destructors that ran inside of each other: "
-             << Watch::deepest_destructor << ", in a tree 1000 nodes deep.\nHint: take both "
-             << "children away from a node before it goes");
+        INFO(
+            "destructors that ran inside of each other, in a tree 1000 nodes deep.\nHint: take "
+            "both "
+            << "children away from a node before it goes");
         CHECK(Watch::deepest_destructor == 1);
     }
     check_memory();
@@ -189,48 +274,55 @@ TEST_CASE("00.3 no destructor runs inside of another", "[00.3][hard]") {
 
 TEST_CASE("00.3 a tree a million nodes deep can be counted", "[00.3][hard]") {
     rt::count_nodes<PlainNode>(nullptr);
-    check_deep("the count", [](const PlainNode* root) { return rt::count_nodes(root); });
+    check_deep(deep_tree().count, [](const PlainNode* root) { return rt::count_nodes(root); });
 }
 
 TEST_CASE("00.3 a tree a million nodes deep has its depth measured", "[00.3][hard]") {
     rt::depth_of<PlainNode>(nullptr);
-    check_deep("the depth", [](const PlainNode* root) { return rt::depth_of(root); });
+    check_deep(million, [](const PlainNode* root) { return rt::depth_of(root); });
 }
 
 TEST_CASE("00.3 a tree a million nodes deep is taken apart", "[00.3][hard]") {
     rt::take_apart(std::unique_ptr<PlainNode>{});
-    auto root = deep_tree(million);
-    const bool fine = survives([&] {
-        rt::take_apart(std::move(root));
-        return true;
+    PlainNode* const root = deep_tree().root;
+    // In a process of its own, on a copy of the tree.
+    const std::string actual = in_own_process([&] {
+        rt::take_apart(std::unique_ptr<PlainNode>{root});
+        return std::to_string(PlainNode::Level::most) + " destructor at a time";
     });
-    remove(std::move(root));
     INFO(
-        "the stack was full.\nHint: does take_apart call itself? Each call that waits takes room "
-        "on the stack, also where no destructor runs inside of another. Keep a std::vector of "
-        "unique_ptr, step 5 of the text");
-    CHECK(fine);
+        "where the program ends, the stack was full.\nHint: does take_apart call itself? Each call "
+        "that waits takes room on the stack, also where no destructor runs inside of another. Keep "
+        "a "
+        "std::vector of unique_ptr, step 5 of the text");
+    CHECK(actual == "1 destructor at a time");
 }
 
 TEST_CASE("00.3 things may be numbered up to the largest int", "[00.3][hard]") {
     rt::make_tree<rt::RangeNode>(0, 0);
-    const int largest = std::numeric_limits<int>::max();
-    const bool fine = survives([&] {
-        const auto root = rt::make_tree<rt::RangeNode>(largest - 100, largest);
-        const auto low = rt::make_tree<rt::RangeNode>(-largest, 100 - largest);
-        return is_balanced(root.get()) && is_balanced(low.get());
-    });
-    INFO("a tree over " << largest - 100 << " to " << largest
-                        << " is wrong, or the program ended.\nHint: first + last does not fit an "
-                           "int; first + (last - first) / 2 does");
-    CHECK(fine);
+    using limits = std::numeric_limits<int>;
+    for (const int first : {limits::max() - 100, limits::max() - 1, limits::min(), -50}) {
+        const int last = first + (first == limits::max() - 1 ? 1 : 100);
+        const std::string actual = in_own_process([&] {
+            const auto root = rt::make_tree<rt::RangeNode>(first, last);
+            const bool is_root = root && root->first == first && root->last == last;
+            return is_root ? unbalanced(root.get()) : "the root";
+        });
+        INFO("which node has no halves, in a tree over "
+             << first << " to " << last
+             << ".\nHint: first + last does not fit an int; first + (last - first) / "
+                "2 does");
+        CHECK(actual == "none");
+    }
 }
 
 TEST_CASE("00.3 a balanced tree is as deep as the logarithm says", "[00.3][hard]") {
     for (const int count : {1, 2, 3, 4, 5, 8, 9, 1000, 1024, 1025, 100'000}) {
-        const auto root = rt::make_tree<rt::RangeNode>(0, count);
+        const auto root = rt::make_tree<rt::RangeNode>(-count / 3, count - count / 3);
         const int expected = 1 + static_cast<int>(std::ceil(std::log2(count)));
         INFO(count << " things");
+        REQUIRE(root);
+        CHECK(unbalanced(root.get()) == "none");
         CHECK(rt::count_nodes(root.get()) == 2 * count - 1);
         CHECK(rt::depth_of(root.get()) == expected);
     }

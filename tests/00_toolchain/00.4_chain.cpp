@@ -2,29 +2,53 @@
 #include <rt/rng.hpp>
 
 #include "checkpoint.hpp"
-#include "watched.hpp"
+#include "own_process.hpp"
 
 using namespace checkpoint;
 using rt::Link;
 
 namespace {
 
-// A chain through scattered places: link number i has the value i + 1.
+// A chain through scattered places. Its numbers are of any size and sign, with all their digits;
+// some are 0, and some equal those before.
 struct Scattered {
     explicit Scattered(int count) : links(static_cast<std::size_t>(count)) {
+        rt::Rng rng{5, static_cast<std::uint64_t>(count)};
+        while (values.size() < links.size()) {
+            const bool again = rng() % 8 == 0 && !values.empty();
+            const int power = static_cast<int>(rng() % 60) - 30;
+            const Real any = std::scalbn(rng.uniform(-1, 1), rng() % 4 ? 0 : power);
+            values.push_back(again ? values.back() : rng() % 8 == 0 ? Real(0) : any);
+        }
         std::vector<std::size_t> places(links.size());
         for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
-        rt::Rng rng{5, 5};
         for (std::size_t i = places.size(); i > 1; --i) std::swap(places[i - 1], places[rng() % i]);
         for (std::size_t i = places.size(); i-- > 0;) {
             Link& link = links[places[i]];
-            link = {static_cast<Real>(i + 1), first};
+            link = {values[i], first};
             first = &link;
         }
     }
+
+    // The sum, one after the other from the first to the last.
+    Real sum() const {
+        Real so_far = 0;
+        for (const Real value : values) so_far += value;
+        return so_far;
+    }
+
+    std::vector<Real> values;
     std::vector<Link> links;
     const Link* first = nullptr;
 };
+
+// Three million links, one beside the other.
+std::vector<Link> long_chain() {
+    std::vector<Link> links(3'000'000);
+    for (std::size_t i = 0; i < links.size(); ++i)
+        links[i] = {static_cast<Real>(i % 5), i + 1 < links.size() ? &links[i + 1] : nullptr};
+    return links;
+}
 
 // Where a link leads, compared with where it should; nothing where it is right. It compares
 // addresses and follows none.
@@ -50,126 +74,155 @@ std::string misled(const std::vector<Link>& links, std::size_t i) {
            "a copy lies elsewhere, so return the one that you connected";
 }
 
-// Whether the links follow each other in memory with the values 1, 2, 3, ...
-void check_gathered(const std::vector<Link>& links, int count) {
-    INFO("a chain of " << count << " links");
-    REQUIRE(links.size() == static_cast<std::size_t>(count));
+// Whether the links follow each other in memory with the values of the chain.
+void check_gathered(const std::vector<Link>& links, const std::vector<Real>& values) {
+    INFO("a chain of " << values.size() << " links");
+    REQUIRE(links.size() == values.size());
     for (std::size_t i = 0; i < links.size(); ++i) {
-        INFO("link " << i << ".\nHint: the values must come in the order of the chain");
-        REQUIRE(links[i].value == static_cast<Real>(i + 1));
+        if (links[i].value != values[i]) {
+            INFO("the value of link "
+                 << i
+                 << ".\nHint: the values come unchanged, in the order of the chain; an int has "
+                    "nothing behind the point, a float 7 digits only");
+            const std::string actual = text(links[i].value), expected = text(values[i]);
+            REQUIRE(actual == expected);
+        }
         const std::string wrong = misled(links, i);
-        INFO(wrong);
-        const bool leads_on = wrong.empty();
-        REQUIRE(leads_on);
+        REQUIRE(wrong == "");
     }
 }
+
+void check_sum(const char* of, const Link* first, Real expected_sum, const char* hint) {
+    const Real sum = rt::sum_along(first);
+    if (sum == expected_sum) return;
+    INFO("the sum of " << of << "\nHint: " << hint);
+    const std::string actual = text(sum), expected = text(expected_sum);
+    CHECK(actual == expected);
+}
+
+const char* const in_order =
+    "add link by link from the first to the last; and is the sum a Real, and each value unchanged? "
+    "`auto sum = 0` is an int, and a float or a long double has other digits than a Real";
 
 }  // namespace
 
 TEST_CASE("00.4 the values of a chain are added up", "[00.4]") {
-    INFO(
-        "Hint: the sum starts at 0, `Real sum = 0;`: a variable without a value holds rubbish. And "
-        "for (const Link* link = first; link; link = link->next) visits each link once");
-    CHECK(rt::sum_along(Scattered{1}.first) == 1);
-    const Scattered five{5};
-    CHECK(rt::sum_along(five.first) == 15);
-    CHECK(rt::sum_along(Scattered{100}.first) == 5050);
+    const char* const hint =
+        "the sum starts at 0, `Real sum = 0;`: without a value it holds rubbish, and `auto sum = "
+        "0` is "
+        "an int, with nothing behind the point. And for (const Link* link = first; link; link = "
+        "link->next) visits each link once";
+    const Link three{Real(0.75), nullptr}, two{-2, &three}, one{Real(4.5), &two};
+    check_sum("0.75", &three, Real(0.75), hint);
+    check_sum("-2 and 0.75", &two, Real(-1.25), hint);
+    check_sum("4.5, -2 and 0.75", &one, Real(3.25), hint);
+    const Link zero{0, &one}, start{8, &zero};
+    check_sum("8, 0, 4.5, -2 and 0.75", &start, Real(11.25), hint);
 }
 
 TEST_CASE("00.4 an empty chain has the sum 0 and gathers nothing", "[00.4]") {
     INFO("Hint: `Real sum = 0;` and `std::vector<Link> links;`, and no link to begin with");
     CHECK(rt::sum_along(nullptr) == 0);
-    CHECK(rt::gathered(nullptr).empty());
+    CHECK(rt::gathered(nullptr).size() == 0);
 }
 
 TEST_CASE("00.4 the gathered links come in the order of the chain", "[00.4]") {
-    for (const int count : {1, 2, 3, 10}) {
+    for (const int count : {1, 2, 3, 10, 50}) {
         const Scattered chain{count};
         const std::vector<Link> links = rt::gathered(chain.first);
-        REQUIRE(links.size() == static_cast<std::size_t>(count));
-        for (std::size_t i = 0; i < links.size(); ++i) {
-            INFO("link " << i << " of " << count
-                         << ".\nHint: walk from `first` along next, and push_back each value");
-            CHECK(links[i].value == static_cast<Real>(i + 1));
-        }
+        REQUIRE(links.size() == chain.values.size());
+        std::vector<Real> values;
+        for (const Link& link : links) values.push_back(link.value);
+        INFO("Hint: push_back appends, and the chain is walked from its first link on");
+        REQUIRE(values == chain.values);
     }
 }
 
 TEST_CASE("00.4 each gathered link leads to the one behind it", "[00.4]") {
-    const Scattered chain{10};
-    check_gathered(rt::gathered(chain.first), 10);
+    const Scattered chain{10}, other{12};
+    const std::vector<Link> links = rt::gathered(chain.first);
+    const std::vector<Link> others = rt::gathered(other.first);
+    check_gathered(links, chain.values);
+    check_gathered(others, other.values);
 }
 
 TEST_CASE("00.4 the sum is the same after gathering", "[00.4]") {
     const Scattered chain{50};
     const std::vector<Link> links = rt::gathered(chain.first);
-    check_gathered(links, 50);
-    CHECK(rt::sum_along(links.data()) == rt::sum_along(chain.first));
+    check_gathered(links, chain.values);
+    check_sum("the gathered chain", links.data(), rt::sum_along(chain.first), in_order);
 }
 
 TEST_CASE("00.4 the values are added in the order of the chain", "[00.4][hard]") {
     // Floating point numbers are rounded after every step: another order, another sum.
     const Real huge = 2 / rt::epsilon;
     const Link end{1, nullptr}, down{-huge, &end}, one{1, &down}, up{huge, &one};
-    INFO(
+    check_sum(
         "a huge number, 1, minus the huge number, 1: the first 1 is rounded away, the last one "
-        "stays.\nHint: add link by link from the first to the last; and is the sum a Real? `auto "
-        "sum "
-        "= 0` is an int, and a float or a double has other digits than a Real");
-    CHECK(rt::sum_along(&up) == 1);
-    const Link last{huge, nullptr}, first{1, &last};
-    const Link front{-huge, &first};
-    CHECK(rt::sum_along(&front) == (Real(1) - huge) + huge);
+        "stays",
+        &up, 1, in_order);
+    for (int count = 1; count <= 200; ++count) {
+        const Scattered chain{count};
+        check_sum((std::to_string(count) + " numbers of any size, to the last digit").c_str(),
+                  chain.first, chain.sum(), in_order);
+    }
 }
 
 TEST_CASE("00.4 chains of any length are gathered", "[00.4][hard]") {
     for (int count = 1; count <= 200; ++count) {
         const Scattered chain{count};
-        check_gathered(rt::gathered(chain.first), count);
+        check_gathered(rt::gathered(chain.first), chain.values);
     }
 }
 
-TEST_CASE("00.4 a chain of a million links leads from each link to the next", "[00.4][hard]") {
-    // Whoever reserves room for a few links and connects while it fills passes up to there.
+TEST_CASE("00.4 a chain of millions of links leads from each link to the next", "[00.4][hard]") {
+    // Whoever reserves room for many links and connects while it fills passes up to there.
     rt::gathered(nullptr);
-    const Scattered chain{1'000'000};
+    const std::vector<Link> chain = long_chain();
     {
-        const bool lives = survives([&] {
-            alarm(4);  // the right answer takes some hundredths of a second
-            return !rt::gathered(chain.first).empty();
-        });
+        // The right answer takes some hundredths of a second.
+        const std::string actual = in_own_process(
+            [&] { return std::to_string(rt::gathered(chain.data()).size()) + " links"; }, 5);
         INFO(
-            "the program ended, gathered none, or took too long.\nHint: a loop, no call for every "
+            "where the program ends, the stack was full, or it took too long.\nHint: a loop, no "
+            "call for every "
             "link, and push_back: what is inserted at the front moves all that is there");
-        REQUIRE(lives);
+        REQUIRE(actual == "3000000 links");
     }
-    const std::vector<Link> links = rt::gathered(chain.first);
-    REQUIRE(links.size() == 1'000'000);
+    const std::vector<Link> links = rt::gathered(chain.data());
+    REQUIRE(links.size() == chain.size());
     std::string wrong;
-    for (std::size_t i = 0; i < links.size() && wrong.empty(); ++i) wrong = misled(links, i);
-    INFO(wrong);
-    const bool all_lead_on = wrong.empty();
-    CHECK(all_lead_on);
+    for (std::size_t i = 0; i < links.size() && wrong.empty(); ++i) {
+        if (links[i].next != &links[i] + 1 || links[i].value != chain[i].value)
+            wrong = misled(links, i);
+        if (wrong.empty() && links[i].value != chain[i].value)
+            wrong = "link " + std::to_string(i) + " has another value";
+    }
+    CHECK(wrong == "");
 }
 
 TEST_CASE("00.4 the gathered chain outlives the old one", "[00.4][hard]") {
     std::vector<Link> links;
+    Scattered chain{20};
     {
-        Scattered chain{20};
         std::vector<Link> made = rt::gathered(chain.first);
         links = std::move(made);
         for (Link& link : chain.links) link = {};  // and here it goes
     }
-    check_gathered(links, 20);
-    CHECK(rt::sum_along(links.data()) == 210);
+    check_gathered(links, chain.values);
+    check_sum("the gathered chain", links.data(), chain.sum(), in_order);
 }
 
-TEST_CASE("00.4 a chain of a million links does not fill the stack", "[00.4][hard]") {
+TEST_CASE("00.4 a chain of millions of links does not fill the stack", "[00.4][hard]") {
     rt::sum_along(nullptr);
-    std::vector<Link> links(1'000'000);
-    for (std::size_t i = 0; i < links.size(); ++i)
-        links[i] = {1, i + 1 < links.size() ? &links[i + 1] : nullptr};
-    const bool fine = survives([&] { return rt::sum_along(links.data()) == 1'000'000; });
-    INFO("Hint: a loop, not a function that calls itself for the rest of the chain");
-    CHECK(fine);
+    const std::vector<Link> chain = long_chain();
+    Real expected_sum = 0;
+    for (const Link& link : chain) expected_sum += link.value;
+    const std::string actual = in_own_process([&] { return text(rt::sum_along(chain.data())); });
+    const std::string expected = text(expected_sum);
+    INFO(
+        "where the program ends, the stack was full.\nHint: a loop, not a function that calls "
+        "itself "
+        "for the rest of the chain");
+    CHECK(actual == expected);
 }

@@ -4,11 +4,6 @@
 // case, so that wrong code, which uses what is gone or releases it twice, fails instead of
 // crashing.
 
-#include <signal.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -23,7 +18,10 @@ class Watch {
   public:
     Watch() {
         forget();
-        released_twice = dead_uses = copies = made = deepest_destructor = 0;
+        released_twice = dead_uses = byte_copies = copies = made = deepest_destructor = 0;
+        most_live = 0;
+        asked = 0;
+        is_full = false;
     }
     ~Watch() { forget(); }
     Watch(const Watch&) = delete;
@@ -38,12 +36,17 @@ class Watch {
 
     inline static int released_twice = 0;      // objects and blocks
     inline static int dead_uses = 0;           // of an object that is no more
+    inline static int byte_copies = 0;         // uses of an object that was copied byte by byte
     inline static int copies = 0;              // of objects
     inline static int made = 0;                // objects, copies among them
+    inline static int most_live = 0;           // objects that were there at the same time
     inline static int deepest_destructor = 0;  // destructors that ran inside of each other
+    inline static std::size_t asked = 0;       // bytes of the last block that was asked for
+    inline static bool is_full = false;        // the heap: it gives nothing any more
 
     static void* take(std::size_t size) {
-        void* const block = std::malloc(size ? size : 1);
+        asked = size;
+        void* const block = is_full ? nullptr : std::malloc(size ? size : 1);
         if (!block) throw std::bad_alloc{};
         blocks[block] = true;
         return block;
@@ -59,6 +62,7 @@ class Watch {
     static void begin(const void* object) {
         objects.insert(object);
         ++made;
+        most_live = std::max(most_live, live_objects());
     }
     static void end(const void* object) {
         if (objects.erase(object) == 0) ++released_twice;
@@ -98,6 +102,7 @@ class WatchedPixel {
 
     int value() const {
         Watch::use(this);
+        Watch::byte_copies += self_ != this;
         return value_;
     }
     friend bool operator==(const WatchedPixel& a, const WatchedPixel& b) {
@@ -115,6 +120,7 @@ class WatchedPixel {
 
   private:
     int value_;
+    const WatchedPixel* self_ = this;  // its own address, as objects of some types know it
 };
 
 // A node of a tree that is watched.
@@ -140,29 +146,5 @@ class WatchedNode {
     int first, last;
     std::unique_ptr<WatchedNode> left, right;
 };
-
-// True where work() returns true. It runs in a process of its own with 8 MiB of stack, as is usual,
-// so that the checkpoint survives when it does not.
-template <class Work>
-bool survives(Work work) {
-    const pid_t child = fork();
-    if (child == 0) {
-        rlimit limit{};
-        getrlimit(RLIMIT_STACK, &limit);
-        limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, rlim_t{8} << 20);
-        setrlimit(RLIMIT_STACK, &limit);
-        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL}) signal(number, SIG_DFL);
-        alarm(20);
-        bool fine = false;
-        try {
-            fine = work();
-        } catch (...) {
-        }
-        _exit(fine ? 0 : 1);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
 
 }  // namespace checkpoint

@@ -1,4 +1,5 @@
 #include <limits>
+#include <rt/rng.hpp>
 #include <rt/slice_rows.hpp>
 #include <string>
 
@@ -20,15 +21,16 @@ std::string complaint(int height, int workers) {
     for (int worker = 0; worker < workers; ++worker) {
         const Rows rows = slice_rows(height, workers, worker);
         const std::string which = all + std::to_string(worker) + " has " + text(rows);
+        if (rows.end < rows.begin) return which + ", which ends before it begins";
+        least = std::min(least, rows.end - rows.begin);
+        if (rows.begin == rows.end) continue;  // no rows, wherever that is
         if (rows.begin < next)
             return which + ", but the rows before " + std::to_string(next) +
                    " are taken (a slice ends before its row `end`)";
         if (rows.begin > next) return which + ", but nobody has row " + std::to_string(next);
-        if (rows.end < rows.begin) return which + ", which ends before it begins";
         if (rows.end > height) return which + ", which is below the picture";
         next = rows.end;
         most = std::max(most, rows.end - rows.begin);
-        least = std::min(least, rows.end - rows.begin);
     }
     if (next != height)
         return all + std::to_string(workers - 1) + ", the last, ends at row " +
@@ -36,6 +38,34 @@ std::string complaint(int height, int workers) {
     if (most - least > 1)
         return all.substr(0, all.size() - 7) + "the longest slice has " + std::to_string(most) +
                " rows and the shortest " + std::to_string(least);
+    return {};
+}
+
+// What is wrong with the slice of one worker of very many, who cannot all be asked; empty if
+// nothing seems to be. Those before it and behind it have as many rows, or one more or less.
+std::string complaint_of_one(std::int64_t height, std::int64_t workers, std::int64_t worker) {
+    const auto slice = [&](std::int64_t k) {
+        return slice_rows(static_cast<int>(height), static_cast<int>(workers), static_cast<int>(k));
+    };
+    // In any order: nothing may be remembered from one call to the next.
+    const Rows after = worker + 1 < workers ? slice(worker + 1) : Rows{};
+    const Rows rows = slice(worker), again = slice(worker);
+    const std::string which = std::to_string(height) + " rows for " + std::to_string(workers) +
+                              " workers: worker " + std::to_string(worker) + " has " + text(rows);
+    if (!(again == rows)) return which + ", and when asked once more " + text(again);
+    const std::int64_t count = std::int64_t{rows.end} - rows.begin;
+    const std::int64_t least = height / workers, most = least + (height % workers != 0);
+    if (count < least || count > most)
+        return which + ", which are " + std::to_string(count) + "; expected " +
+               std::to_string(least) + (most > least ? ", or one more" : "");
+    if (count == 0) return {};
+    const std::int64_t behind = workers - 1 - worker;
+    if (rows.begin < worker * least || rows.begin > worker * most)
+        return which + ", which the workers before cannot reach or must pass";
+    if (height - rows.end < behind * least || height - rows.end > behind * most)
+        return which + ", which leaves too few rows or too many for those behind";
+    if (after.begin < after.end && after.begin != rows.end)
+        return which + ", and the one behind has " + text(after);
     return {};
 }
 
@@ -62,17 +92,35 @@ TEST_CASE("06.1 the rows of equal slices are equal in number", "[06.1]") {
     }
 }
 
-TEST_CASE("06.1 less rows than workers", "[06.1][hard]") {
+TEST_CASE("06.1 fewer rows than workers", "[06.1][hard]") {
     for (int height = 0; height < 64; ++height)
         for (int workers = 1; workers <= 64; ++workers) REQUIRE(complaint(height, workers) == "");
 }
 
 TEST_CASE("06.1 no row is lost in a picture of any height", "[06.1][hard]") {
-    for (const int height : {65'536, 100'000'000, std::numeric_limits<int>::max()})
+    constexpr int largest = std::numeric_limits<int>::max();
+    for (const int height : {65'536, 100'000'000, largest})
         for (const int workers : {1, 2, 3, 7, 63, 64, 1000}) {
             // As many rows are left over, in a picture of few.
             REQUIRE(complaint(10 * workers + height % workers, workers) == "");
             INFO("Hint: height * worker may need more than the 32 bits of an int");
             REQUIRE(complaint(height, workers) == "");
         }
+    rt::Rng rng{6, 1};
+    const auto any_below = [&](std::int64_t end) {
+        return static_cast<std::int64_t>((std::uint64_t{rng()} << 31 | rng() >> 1) %
+                                         static_cast<std::uint64_t>(end));
+    };
+    for (int i = 0; i < 3000; ++i) {
+        // Of any size: as many of 3 digits as of 9. The last worker and the first have their turn.
+        const auto any_size = [&] { return any_below((std::int64_t{largest} >> rng() % 31) + 1); };
+        const std::int64_t height = i % 16 == 0 ? largest : any_size();
+        const std::int64_t workers = i % 16 == 1   ? largest
+                                     : i % 16 == 2 ? height + 1
+                                                   : 1 + any_size();
+        if (workers > largest) continue;
+        const std::int64_t worker = i % 4 == 0 ? workers - 1 : i % 4 == 1 ? 0 : any_below(workers);
+        INFO("Hint: height * worker may need more than the 32 bits of an int");
+        REQUIRE(complaint_of_one(height, workers, worker) == "");
+    }
 }

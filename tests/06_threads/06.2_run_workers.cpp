@@ -1,16 +1,109 @@
 #include <atomic>
+#include <cstdlib>
+#include <functional>
 #include <memory>
+#include <new>
 #include <rt/render_slices.hpp>
+#include <rt/rng.hpp>
 #include <rt/run_workers.hpp>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <typeinfo>
 
 #include "checkpoint.hpp"
 #include "gathering.hpp"
+#include "own_process.hpp"
 
 using namespace checkpoint;
 using rt::run_workers, rt::render_slices, rt::Tile, rt::TileGrid;
+
+// Memory that takes its time, where it is told to. With `together` it lets two threads go on at the
+// same moment: a container that grows without a lock, while another thread makes it grow as well,
+// is harmed once in a thousand times; so, soon. With `slowly` a thread that starts others is slower
+// than those that it has started.
+namespace {
+enum class Memory { usual, together, slowly };
+std::atomic<Memory> memory = Memory::usual;
+std::atomic<unsigned> asking = 0;
+
+void take_time() {
+    if (memory == Memory::slowly) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    if (memory != Memory::together) return;
+    const unsigned mine = asking++;
+    if (mine % 2 == 1) return;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds{100};
+    while (asking == mine + 1 && std::chrono::steady_clock::now() < end) {
+    }
+}
+}  // namespace
+void* operator new(std::size_t size) {
+    if (memory != Memory::usual) take_time();
+    if (void* const block = std::malloc(size ? size : 1)) return block;
+    throw std::bad_alloc{};
+}
+void operator delete(void* block) noexcept {
+    std::free(block);
+}
+void operator delete(void* block, std::size_t) noexcept {
+    std::free(block);
+}
+
+namespace {
+
+// What workers throw: types of all kinds, and in each the number of the worker.
+struct OwnType {
+    int worker;
+};
+struct Failure : std::runtime_error {
+    explicit Failure(int number) : std::runtime_error("failure"), worker{number} {}
+    int worker;
+};
+void throw_something(int worker) {
+    switch (worker % 4) {
+        case 0:
+            throw Failure{worker};
+        case 1:
+            throw worker;
+        case 2:
+            throw OwnType{worker};
+        default:
+            throw std::runtime_error(std::to_string(worker));
+    }
+}
+std::string name_of(int worker) {
+    const char* const types[] = {"Failure", "int", "OwnType", "std::runtime_error"};
+    return "the " + std::string{types[worker % 4]} + " of worker " + std::to_string(worker);
+}
+
+// What comes out of work(): the exception, or that there was none.
+template <class Work>
+std::string what_comes_out(Work work) {
+    try {
+        work();
+    } catch (const std::runtime_error& error) {
+        const auto* const failure = dynamic_cast<const Failure*>(&error);
+        if (failure && typeid(error) == typeid(Failure)) return name_of(failure->worker);
+        const int worker = std::atoi(error.what());
+        if (typeid(error) == typeid(std::runtime_error) && std::to_string(worker) == error.what())
+            return name_of(worker);
+        return std::string{"another exception, a kind of std::runtime_error: "} + error.what();
+    } catch (const OwnType& own) {
+        return name_of(own.worker);
+    } catch (int worker) {
+        return name_of(worker);
+    } catch (...) {
+        return "an exception of another type";
+    }
+    return "no exception";
+}
+
+const char* const how_to_keep =
+    "an exception that leaves a thread's function ends the program: catch (...) it there, whatever "
+    "its type, keep std::current_exception() in the worker's own slot, and rethrow it after all "
+    "threads have ended. Two threads must not push_back to one vector";
+
+}  // namespace
 
 TEST_CASE("06.2 each worker is called once with its own number", "[06.2]") {
     for (int round = 0; round < 20; ++round)
@@ -32,27 +125,36 @@ TEST_CASE("06.2 each worker is called once with its own number", "[06.2]") {
 }
 
 TEST_CASE("06.2 the workers run at the same time", "[06.2]") {
-    for (const int workers : {2, 4}) {
-        MeetingPlace place;
-        std::atomic<int> met = 0;
-        run_workers(workers, [&](int) { met += place.wait_for(workers); });
-        INFO(met << " of " << workers << " workers met all the others.\nHint: start all threads "
-                 << "first, and wait for them (join) after that");
-        CHECK(met == workers);
+    for (const int workers : {1, 2, 4, 64}) {
+        Roll roll{workers};
+        run_workers(workers, [&](int worker) { roll.sign(worker); });
+        INFO(workers << " workers.\nHint: a thread for each worker, also for the first; start all "
+                     << "threads first, and wait for them (join) after that");
+        REQUIRE(roll.complaint() == "");
     }
 }
 
 TEST_CASE("06.2 the work is done when run_workers returns", "[06.2]") {
-    // Shared with threads that may run on after the test.
-    const auto done = std::make_shared<std::atomic<int>>(0);
-    run_workers(3, [done](int) {
-        std::this_thread::sleep_for(std::chrono::milliseconds{20});
-        ++*done;
-    });
-    const int done_by_then = *done;
-    while (*done < 3) std::this_thread::yield();
-    INFO("Hint: join every thread; a detached one lives on, and writes to what is gone");
-    CHECK(done_by_then == 3);
+    for (int slow = 0; slow < 3; ++slow) {
+        // Shared with threads that may run on after the test.
+        const auto done = std::make_shared<std::atomic<int>>(0);
+        run_workers(3, [done, slow](int worker) {
+            if (worker == slow) std::this_thread::sleep_for(std::chrono::milliseconds{20});
+            ++*done;
+        });
+        const int done_by_then = *done;
+        while (*done < 3) std::this_thread::yield();
+        INFO("worker " << slow
+                       << " is the last one to end.\nHint: join every thread; a detached one "
+                       << "lives on, and writes to what is gone");
+        CHECK(done_by_then == 3);
+    }
+}
+
+TEST_CASE("06.2 for no workers nothing is done", "[06.2]") {
+    int calls = 0;
+    run_workers(0, [&](int) { ++calls; });
+    CHECK(calls == 0);
 }
 
 TEST_CASE("06.2 every pixel is rendered once in slices", "[06.2]") {
@@ -67,95 +169,191 @@ TEST_CASE("06.2 every pixel is rendered once in slices", "[06.2]") {
 }
 
 TEST_CASE("06.2 the slices go to the workers in order", "[06.2]") {
-    std::vector<Tile> tile_of(4);
-    render_slices({40, 20}, 4, [&](const Tile& tile, int worker) {
-        if (0 <= worker && worker < 4) tile_of[static_cast<std::size_t>(worker)] = tile;
-    });
-    for (int worker = 0; worker < 4; ++worker) {
-        const Tile& tile = tile_of[static_cast<std::size_t>(worker)];
-        INFO("40x20 pixels: worker " << worker << " renders columns " << tile.left << " to "
-                                     << tile.right << " of rows " << tile.top << " to "
-                                     << tile.bottom);
-        CHECK(tile == Tile{0, 5 * worker, 40, 5 * worker + 5});
+    for (const TileGrid grid :
+         {TileGrid{40, 20}, TileGrid{7, 23}, TileGrid{1, 9}, TileGrid{300, 5}})
+        for (const int workers : {1, 2, 3, 4, 5, 7}) {
+            std::vector<std::vector<Tile>> tiles_of(static_cast<std::size_t>(workers));
+            render_slices(grid, workers, [&](const Tile& tile, int worker) {
+                if (0 <= worker && worker < workers)
+                    tiles_of[static_cast<std::size_t>(worker)].push_back(tile);
+            });
+            for (int worker = 0; worker < workers; ++worker) {
+                const auto& tiles = tiles_of[static_cast<std::size_t>(worker)];
+                const rt::Rows rows = rt::slice_rows(grid.height, workers, worker);
+                if (rows.begin >= rows.end) continue;
+                INFO(grid.width << 'x' << grid.height << " pixels: worker " << worker << " of "
+                                << workers << " has one tile, all columns of its rows");
+                REQUIRE(tiles.size() == 1);
+                const Tile &actual = tiles[0], expected{0, rows.begin, grid.width, rows.end};
+                REQUIRE(text(actual) == text(expected));
+            }
+        }
+}
+
+TEST_CASE("06.2 the slices are rendered at the same time", "[06.2]") {
+    for (const int workers : {1, 4}) {
+        Roll roll{workers};
+        render_slices({3, 10}, workers, [&](const Tile&, int worker) { roll.sign(worker); });
+        INFO(workers << " workers.\nHint: render_slices calls run_workers");
+        CHECK(roll.complaint() == "");
     }
 }
 
 TEST_CASE("06.2 an exception of a worker reaches the caller", "[06.2][hard]") {
     run_workers(0, [](int) {});
-    for (const int thrower : {0, 1, 3}) {
-        const Ending ending = ending_of([&] {
-            run_workers(4, [&](int worker) {
-                if (worker == thrower) throw std::runtime_error("worker");
+    for (const int thrower : {0, 1, 2, 3}) {
+        const std::string actual = in_own_process([&] {
+            return what_comes_out([&] {
+                run_workers(4, [&](int worker) {
+                    if (worker == thrower) throw_something(worker);
+                });
             });
         });
-        INFO("worker " << thrower << " of 4 throws: expected " << text(Ending::threw)
-                       << ", but there was " << text(ending)
-                       << ".\nHint: an exception that leaves a thread's function ends the program: "
-                          "catch (...) it there, keep std::current_exception(), and rethrow it "
-                          "after all threads have ended");
-        CHECK(static_cast<int>(ending) == static_cast<int>(Ending::threw));
+        INFO("worker " << thrower << " of 4 throws.\nHint: " << how_to_keep);
+        CHECK(actual == name_of(thrower));
     }
+    const std::string actual = in_own_process([&] {
+        return what_comes_out([&] {
+            render_slices({5, 8}, 4, [](const Tile&, int worker) { throw worker * 4 + 1; });
+        });
+    });
+    INFO("render_slices, whose work throws 1, 5, 9 and 13.\nHint: it leaves that to run_workers");
+    CHECK(actual == name_of(1));
 }
 
 TEST_CASE("06.2 no thread is left running after an exception", "[06.2][hard]") {
     run_workers(0, [](int) {});
-    const Ending ending = ending_of([] {
-        const auto running = std::make_shared<std::atomic<int>>(0);
-        try {
-            run_workers(4, [running](int worker) {
-                if (worker == 0) throw std::runtime_error("worker 0");
-                ++*running;
-                std::this_thread::sleep_for(std::chrono::milliseconds{30});
-                --*running;
+    for (int thrower = 0; thrower < 3; ++thrower) {
+        const std::string actual = in_own_process([&] {
+            const auto ended = std::make_shared<std::atomic<int>>(0);
+            memory = Memory::slowly;
+            const std::string out = what_comes_out([&] {
+                run_workers(4, [ended, thrower](int worker) {
+                    if (worker == thrower) throw worker * 4 + 1;
+                    std::this_thread::sleep_for(std::chrono::milliseconds{20});
+                    ++*ended;
+                });
             });
-        } catch (const std::runtime_error&) {
-            if (*running == 0) throw;  // as it should be
-        }
-    });
-    INFO("expected the exception after all workers have ended, but there was " << text(ending));
-    CHECK(static_cast<int>(ending) == static_cast<int>(Ending::threw));
+            return out + " after " + std::to_string(*ended) + " others have ended";
+        });
+        INFO("worker " << thrower << " of 4 throws, the others are still at work.\nHint: all have "
+                       << "their turn; then rethrow");
+        CHECK(actual == name_of(thrower * 4 + 1) + " after 3 others have ended");
+    }
 }
 
 TEST_CASE("06.2 of several exceptions the first worker's is thrown", "[06.2][hard]") {
     run_workers(0, [](int) {});
-    for (const bool first_in_time : {true, false}) {
-        const Ending ending = ending_of([&] {
+    const std::string actual = in_own_process([] {
+        rt::Rng rng{6, 2};
+        for (int round = 0; round < 30; ++round) {
+            // Any of them throw, in any order in time.
+            const int workers = round % 3 ? 1 + static_cast<int>(rng() % 8) : 64;
+            const auto any_bits = [&] { return std::uint64_t{rng()} << 32 | rng(); };
+            const std::uint64_t throwers = any_bits() & any_bits() & any_bits(),
+                                delays = any_bits();
+            int first = 0;
+            while (first < workers && (throwers >> first & 1) == 0) ++first;
             MeetingPlace place;
-            try {
-                run_workers(4, [&](int worker) {
-                    place.wait_for(4);
-                    if ((worker == 1) != first_in_time)
-                        std::this_thread::sleep_for(std::chrono::milliseconds{20});
-                    if (worker >= 1) throw std::runtime_error(std::to_string(worker));
+            const std::string out = what_comes_out([&] {
+                run_workers(workers, [&](int worker) {
+                    place.wait_for(workers);
+                    const std::chrono::milliseconds delay{2 * (delays >> (worker % 32 * 2) & 3)};
+                    std::this_thread::sleep_for(delay);
+                    if (throwers >> worker & 1) throw_something(worker);
                 });
-            } catch (const std::runtime_error& error) {
-                if (error.what() == std::string("1")) throw;
-            }
-        });
-        INFO("workers 1, 2 and 3 throw, worker 1 "
-             << (first_in_time ? "first" : "last")
-             << " in time: expected the exception of worker 1. There was " << text(ending)
-             << ", or it was another exception.\nHint: a slot for each worker; then look "
-             << "through them in order");
-        CHECK(static_cast<int>(ending) == static_cast<int>(Ending::threw));
-    }
+            });
+            const std::string expected = first < workers ? name_of(first) : "no exception";
+            if (out != expected) return out + " instead of " + expected;
+        }
+        return std::string{"the first one's"};
+    });
+    INFO(
+        "several workers throw, now the first one earlier, now later than the others.\nHint: a "
+        "slot "
+        "for each worker; then look through them in order. "
+        << how_to_keep);
+    CHECK(actual == "the first one's");
+}
+
+TEST_CASE("06.2 workers may throw at the same moment", "[06.2][hard]") {
+    run_workers(0, [](int) {});
+    const std::string actual = in_own_process([] {
+        // Now the containers of the workers grow together, now two threads on two cores throw
+        // without a step in between.
+        for (int round = 0; round < 400; ++round) {
+            const int workers = round < 20 ? 8 : round < 26 ? 64 : 2;
+            const bool grow_together = workers == 8 || round > 200;
+            std::atomic<int> there = 0, calls = 0;
+            const std::string out = what_comes_out([&] {
+                run_workers(workers, [&](int worker) {
+                    ++calls;
+                    if (++there == workers && grow_together) memory = Memory::together;
+                    for (int turns = 0; there < workers; ++turns)
+                        if (turns > 10'000 || workers > 2) std::this_thread::yield();
+                    throw_something(worker);
+                });
+            });
+            memory = Memory::usual;
+            if (out != name_of(0)) return out;
+            if (calls != workers) return std::to_string(calls) + " of " + std::to_string(workers);
+        }
+        return name_of(0);
+    });
+    INFO("all of 2, 8 or 64 workers throw at once.\nHint: " << how_to_keep);
+    CHECK(actual == name_of(0));
+}
+
+TEST_CASE("06.2 several calls at the same time know nothing of each other", "[06.2][hard]") {
+    run_workers(0, [](int) {});
+    const std::string actual = in_own_process([] {
+        // One type for the work of all.
+        using AnyWork = std::function<void(int)>;
+        MeetingPlace place;
+        std::string of_five;
+        std::thread other{[&] {
+            const AnyWork long_work = [&](int) {
+                place.wait_for(8);
+                std::this_thread::sleep_for(std::chrono::milliseconds{20});
+            };
+            of_five = what_comes_out([&] { run_workers(5, long_work); });
+        }};
+        const AnyWork work = [&](int worker) {
+            if (!place.wait_for(8)) throw std::runtime_error("they do not meet");
+            if (worker == 1) throw worker;
+        };
+        const std::string of_three = what_comes_out([&] { run_workers(3, work); });
+        other.join();
+        // A worker may have workers of its own; and what was thrown is forgotten.
+        std::atomic<int> calls = 0;
+        const AnyWork inner = [&](int) { ++calls; }, outer = [&](int) { run_workers(3, inner); };
+        const std::string nested = what_comes_out([&] { run_workers(2, outer); });
+        return of_three + "; " + of_five + "; " + nested + ", " + std::to_string(calls) + " calls";
+    });
+    INFO(
+        "3 workers, of whom 1 throws, while 5 others work elsewhere; then 2 workers with 3 workers "
+        "each.\nHint: threads and exceptions are variables of the function, not static");
+    CHECK(actual == name_of(1) + "; no exception; no exception, 6 calls");
 }
 
 TEST_CASE("06.2 a thread that cannot be started leaves none behind", "[06.2][hard]") {
     run_workers(0, [](int) {});
-    const Ending ending = ending_of([] {
-        if (!leave_room_for_few_threads()) throw 0;  // cannot be tried here
-        run_workers(1000, [](int) {});
+    const std::string actual = in_own_process([]() -> std::string {
+        if (!leave_room_for_few_threads()) return "std::system_error";  // cannot be tried here
+        try {
+            run_workers(1000, [](int) {});
+        } catch (const std::system_error&) {
+            return "std::system_error";
+        }
+        return "no exception";
     });
-    INFO("the system has no more threads: expected "
-         << text(Ending::threw) << ", but there was " << text(ending)
-         << ".\nHint: the constructor of std::thread "
-            "may throw; the threads before it must "
-            "be joined all the same. JoinGuard does that");
-    CHECK(static_cast<int>(ending) == static_cast<int>(Ending::threw));
+    INFO(
+        "the system has no more threads, and the constructor of std::thread throws.\nHint: the "
+        "threads before it must be joined all the same. JoinGuard does that");
+    CHECK(actual == "std::system_error");
 }
 
-TEST_CASE("06.2 a picture with less rows than workers or none", "[06.2][hard]") {
+TEST_CASE("06.2 a picture with fewer rows than workers or none", "[06.2][hard]") {
     for (const TileGrid grid : {TileGrid{9, 3}, TileGrid{1, 1}, TileGrid{1, 1000}, TileGrid{0, 0},
                                 TileGrid{0, 5}, TileGrid{5, 0}})
         for (const int workers : {1, 2, 3, 7, 64}) {

@@ -1,6 +1,9 @@
 #include <atomic>
 #include <limits>
+#include <memory>
 #include <rt/render_tiles.hpp>
+#include <rt/rng.hpp>
+#include <rt/todo.hpp>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -13,58 +16,66 @@ using rt::Tile, rt::TileGrid, rt::tile_at, rt::tile_count, rt::take_tile;
 
 namespace {
 
-std::string text(const Tile& tile) {
-    return "columns " + std::to_string(tile.left) + " to " + std::to_string(tile.right) +
-           " of rows " + std::to_string(tile.top) + " to " + std::to_string(tile.bottom);
-}
-
 // A counter that counts as std::atomic<int> does, but whose every step is followed by another
 // worker, who takes a tile of its own at once. What two threads do to each other once in a million
 // times happens here every time.
 class HauntedCounter {
   public:
-    int fetch_add(int n) {
+    using value_type = int;
+    using Order = std::memory_order;
+
+    // The other worker comes after every step, or after every second one by chance.
+    explicit HauntedCounter(unsigned seed) : always{seed == 0}, guests{seed, 6} {}
+
+    int fetch_add(int n, Order = {}) {
         return step([&] { return std::exchange(value_, value_ + n); });
     }
+    int fetch_sub(int n, Order = {}) { return fetch_add(-n); }
     int operator++(int) { return fetch_add(1); }
     int operator++() { return fetch_add(1) + 1; }
+    int operator--(int) { return fetch_add(-1); }
+    int operator--() { return fetch_add(-1) - 1; }
     int operator+=(int n) { return fetch_add(n) + n; }
-    int load() const {
+    int operator-=(int n) { return fetch_add(-n) - n; }
+    int load(Order = {}) const {
         return step([&] { return value_; });
     }
     operator int() const { return load(); }
-    void store(int n) {
+    void store(int n, Order = {}) {
         step([&] { return value_ = n; });
     }
     int operator=(int n) {
         store(n);
         return n;
     }
-    int exchange(int n) {
+    int exchange(int n, Order = {}) {
         return step([&] { return std::exchange(value_, n); });
     }
-    bool compare_exchange_strong(int& expected, int desired) {
+    bool compare_exchange_strong(int& expected, int desired, Order = {}, Order = {}) {
         const bool same = value_ == expected;
         expected = step([&] { return same ? std::exchange(value_, desired) : value_; });
         return same;
     }
-    bool compare_exchange_weak(int& expected, int desired) {
+    bool compare_exchange_weak(int& expected, int desired, Order = {}, Order = {}) {
         return compare_exchange_strong(expected, desired);
     }
 
-    // How many tiles the other worker takes, and which it took.
-    int guests_left = 0;
+    // The number itself, for the test alone: looking at it is no step.
+    int now() const { return value_; }
+
+    // Which tiles the other worker took.
     mutable std::vector<int> taken;
 
   private:
     template <class Step>
     int step(Step work) const {
         const int result = work();
-        if (guests_left > 0 && static_cast<int>(taken.size()) < guests_left)
-            taken.push_back(value_++);
+        if (always || guests() % 2 == 0) taken.push_back(value_++);
         return result;
     }
 
+    bool always;
+    mutable rt::Rng guests;
     mutable int value_ = 0;
 };
 
@@ -101,33 +112,87 @@ TEST_CASE("06.3 the tiles are counted row by row", "[06.3]") {
     }
 }
 
-TEST_CASE("06.3 every tile is taken once and then none", "[06.3]") {
-    std::atomic<int> next = 0;
-    for (int i = 0; i < 5; ++i) {
-        const auto tile = take_tile(next, 5);
-        INFO("call " << i + 1 << " for 5 tiles gives " << (tile ? std::to_string(*tile) : "none"));
-        REQUIRE(tile.has_value());
-        CHECK(*tile == i);
-    }
-    for (int i = 0; i < 3; ++i) {
-        INFO("all 5 tiles are taken");
-        CHECK_FALSE(take_tile(next, 5).has_value());
+TEST_CASE("06.3 tiles of any size in pictures of any size", "[06.3]") {
+    rt::Rng rng{6, 3};
+    const auto any_to = [&](int most) {
+        return 1 + static_cast<int>(rng() % static_cast<unsigned>(most));
+    };
+    for (int round = 0; round < 2000; ++round) {
+        const TileGrid grid{any_to(round % 2 ? 100 : 100'000), any_to(round % 2 ? 100 : 100'000),
+                            any_to(any_to(round % 2 ? 60 : 3000))};
+        const int columns = (grid.width - 1) / grid.tile_size + 1;
+        const int rows = (grid.height - 1) / grid.tile_size + 1;
+        INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size << ": "
+                        << columns << " columns of tiles, " << rows << " rows");
+        if (std::int64_t{columns} * rows > std::numeric_limits<int>::max()) continue;
+        REQUIRE(tile_count(grid) == columns * rows);
+        // One of them, or one of the last.
+        const int column = round % 3 ? any_to(columns) - 1 : columns - 1;
+        const int row = round % 5 ? any_to(rows) - 1 : rows - 1;
+        const int left = column * grid.tile_size, top = row * grid.tile_size;
+        const Tile expected_tile{left, top, std::min(left + grid.tile_size, grid.width),
+                                 std::min(top + grid.tile_size, grid.height)};
+        const std::string actual = text(tile_at(grid, row * columns + column));
+        INFO("tile " << row * columns + column);
+        REQUIRE(actual == text(expected_tile));
     }
 }
 
+TEST_CASE("06.3 every tile is taken once and then none", "[06.3]") {
+    // Two pictures at the same time, each with a counter of its own.
+    std::atomic<int> next = 0, next_of_other = 0;
+    const auto words = [](std::optional<int> tile) {
+        return tile ? std::to_string(*tile) : "none";
+    };
+    for (int i = 0; i < 2000; ++i) {
+        const auto tile = take_tile(next, 5), other = take_tile(next_of_other, 900);
+        INFO("call " << i + 1 << " for 5 tiles.\nHint: all that is remembered is in the counter");
+        REQUIRE(words(tile) == (i < 5 ? std::to_string(i) : "none"));
+        INFO("call " << i + 1 << " for the 900 tiles of another picture");
+        REQUIRE(words(other) == (i < 900 ? std::to_string(i) : "none"));
+    }
+    std::atomic<int> of_none = 0;
+    CHECK(words(take_tile(of_none, 0)) == "none");
+}
+
 TEST_CASE("06.3 every pixel is rendered once in tiles", "[06.3]") {
-    for (int workers = 1; workers <= 64; ++workers) {
-        const TileGrid grid{35, 21, 4};
+    const auto check = [](const TileGrid& grid, int workers, int tiles) {
         PixelCounts counts{grid, workers};
         rt::render_tiles(grid, workers, std::ref(counts));
-        INFO("35x21 pixels in tiles of 4, " << workers << " workers");
+        INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size << ", "
+                        << workers << " workers");
         CHECK_RENDERED_ONCE(counts);
-        CHECK(counts.tiles == 54);
+        CHECK(counts.tiles == tiles);
+    };
+    for (int workers = 1; workers <= 64; ++workers) check({35, 21, 4}, workers, 54);
+    check({40, 30, 1}, 3, 1200);
+    check({333, 200, 13}, 2, 416);
+    // As fast as can be, for workers that come between two steps of each other.
+    const TileGrid many{400, 300, 1};
+    std::vector<std::atomic<int>> counts(120'000);
+    rt::render_tiles(many, 4, [&](const Tile& tile, int) {
+        ++counts[static_cast<std::size_t>(tile.top * 400 + tile.left)];
+    });
+    INFO(
+        "400x300 tiles of one pixel, 4 workers: those that were not rendered once.\nHint: the "
+        "counter that all workers share is a std::atomic<int>, and take_tile takes from it");
+    CHECK(std::count(counts.begin(), counts.end(), 1) == 120'000);
+}
+
+TEST_CASE("06.3 all workers are at work at the same time", "[06.3]") {
+    for (const int workers : {1, 2, 7, 64}) {
+        Roll roll{workers};  // each waits in its tile for all the others
+        rt::render_tiles({workers * 3, 3, 3}, workers,
+                         [&](const Tile&, int worker) { roll.sign(worker); });
+        INFO(
+            workers << " workers, and as many tiles.\nHint: run_workers, and each worker gives its "
+                    << "own number to work");
+        REQUIRE(roll.complaint() == "");
     }
 }
 
 TEST_CASE("06.3 a slow tile does not hold up the others", "[06.3]") {
-    for (const int slow : {0, 3}) {
+    for (const int slow : {0, 1, 3}) {
         const TileGrid grid{8, 8, 2};
         MeetingPlace end;
         std::atomic<bool> in_time = false;
@@ -142,28 +207,36 @@ TEST_CASE("06.3 a slow tile does not hold up the others", "[06.3]") {
         INFO("2 workers, 16 tiles: while one worker is busy with tile "
              << slow << ", the other shall render all the rest.\nHint: whoever is free takes "
              << "the next tile; nobody owns a tile beforehand");
-        CHECK(in_time);
+        const std::string actual = in_time ? "in time" : "too late";
+        CHECK(actual == "in time");
     }
 }
 
 TEST_CASE("06.3 no other worker comes between reading and adding", "[06.3][hard]") {
     constexpr int count = 100;
-    HauntedCounter next;
-    next.guests_left = count;  // it never runs out
-    std::multiset<int> taken;
-    for (int calls = 0; calls < 2 * count; ++calls)
-        if (const auto tile = take_tile(next, count)) taken.insert(*tile);
-    int outside = 0;
-    for (const int tile : next.taken)
-        if (tile < count) taken.insert(tile);
-    for (const int tile : taken) outside += tile < 0 || tile >= count;
-    INFO(
-        "Hint: between two steps (reading the counter, then changing or comparing it again) "
-        "another worker may take a tile. Read and add in one step, and decide by what that gave");
-    CHECK(outside == 0);
-    for (int tile = 0; tile < count; ++tile) {
-        INFO("tile " << tile << " of " << count << " is taken " << taken.count(tile) << " times");
-        REQUIRE(taken.count(tile) == 1);
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        HauntedCounter next{seed};
+        std::multiset<int> taken;
+        INFO(
+            "Hint: between two steps (reading the counter, then changing or comparing it again) "
+            "another worker may take a tile. Read and add in one step, and decide by what that "
+            "gave");
+        for (int calls = 0; calls < 2 * count; ++calls) {
+            if (const auto tile = take_tile(next, count)) {
+                taken.insert(*tile);
+            } else {
+                INFO("none is returned when all are taken, which is when the counter is at");
+                REQUIRE(next.now() >= count);
+            }
+        }
+        for (const int tile : next.taken)
+            if (tile < count) taken.insert(tile);
+        for (int tile = 0; tile < count; ++tile) {
+            INFO("tile " << tile << " of " << count << " is taken, so many times");
+            REQUIRE(taken.count(tile) == 1);
+        }
+        INFO("tiles that were taken, of " << count);
+        REQUIRE(taken.size() == count);
     }
 }
 
@@ -193,6 +266,12 @@ TEST_CASE("06.3 a tile as large as a number can be", "[06.3][hard]") {
         {{wide, 50, half}, {{0, 0, half, 50}, {half, 0, wide, 50}}},
         {{50, wide, half}, {{0, 0, 50, half}, {0, half, 50, wide}}},
     };
+    for (const TileGrid grid : {TileGrid{largest, 1, 1}, TileGrid{1, largest, 1}}) {
+        INFO(grid.width << 'x' << grid.height << " pixels in tiles of 1");
+        REQUIRE(tile_count(grid) == largest);
+        const std::string last = text(tile_at(grid, largest - 1));
+        REQUIRE(last == text(Tile{grid.width - 1, grid.height - 1, grid.width, grid.height}));
+    }
     for (const auto& [grid, tiles] : cases) {
         INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size);
         {
@@ -209,11 +288,47 @@ TEST_CASE("06.3 a tile as large as a number can be", "[06.3][hard]") {
 }
 
 TEST_CASE("06.3 an exception in a tile reaches the caller", "[06.3][hard]") {
-    const auto all_but_one = [](const Tile& tile, int) {
-        if (tile.left == 4 && tile.top == 4) throw std::runtime_error("tile");
-    };
-    for (const int workers : {1, 3}) {
-        INFO(workers << " workers; tile (4, 4) throws");
-        CHECK_THROWS_AS(rt::render_tiles({16, 16, 4}, workers, all_but_one), std::runtime_error);
+    for (const int workers : {1, 2, 3, 7}) {
+        std::atomic<int> running = 0;
+        std::string actual = "no exception";
+        try {
+            rt::render_tiles({16, 16, 4}, workers, [&](const Tile& tile, int) {
+                ++running;
+                if (tile.left == 4 && tile.top == 4) {
+                    --running;
+                    throw 44;
+                }
+                std::this_thread::sleep_for(std::chrono::milliseconds{1});
+                --running;
+            });
+        } catch (int number) {
+            actual = std::to_string(number);
+        } catch (const rt::NotImplemented&) {
+            throw;
+        } catch (...) {
+            actual = "another exception";
+        }
+        INFO(workers << " workers; tile (4, 4) throws 44");
+        CHECK(actual == "44");
+        INFO("calls that had not ended by then");
+        CHECK(running == 0);
     }
+}
+
+TEST_CASE("06.3 a picture may be rendered while another one is", "[06.3][hard]") {
+    const TileGrid outer{12, 9, 3}, inner{23, 11, 4};
+    PixelCounts outer_counts{outer, 3};
+    std::vector<std::unique_ptr<PixelCounts>> inner_counts;
+    for (int i = 0; i < 12; ++i) inner_counts.push_back(std::make_unique<PixelCounts>(inner, 2));
+    std::atomic<std::size_t> tiles = 0;
+    rt::render_tiles(outer, 3, [&](const Tile& tile, int worker) {
+        outer_counts(tile, worker);
+        const std::size_t tile_number = tiles++;
+        if (tile_number < 12) rt::render_tiles(inner, 2, std::ref(*inner_counts[tile_number]));
+    });
+    INFO(
+        "each tile of a picture renders another picture.\nHint: a counter for each call of "
+        "render_tiles, so nothing static");
+    CHECK_RENDERED_ONCE(outer_counts);
+    for (const auto& counts : inner_counts) CHECK_RENDERED_ONCE(*counts);
 }

@@ -3,18 +3,17 @@
 // code brings about at once is given up after a while, so that wrong code fails instead of hanging.
 
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <mutex>
 #include <rt/tile.hpp>
+#include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace checkpoint {
@@ -43,6 +42,46 @@ class MeetingPlace {
     bool gave_up_ = false;
 };
 
+// Workers who wait here for each other, and sign with their numbers and threads.
+class Roll {
+  public:
+    explicit Roll(int workers) : workers_{workers} {}
+
+    // To be called by every worker once.
+    void sign(int worker) {
+        {
+            const std::lock_guard lock{mutex_};
+            numbers_.insert(worker);
+            threads_.insert(std::this_thread::get_id());
+        }
+        met_ += place_.wait_for(workers_);
+    }
+
+    // What was not as it should be: each worker once, each in a thread of its own, all at the same
+    // time. Empty if nothing was.
+    std::string complaint() const {
+        std::multiset<int> expected;
+        for (int worker = 0; worker < workers_; ++worker) expected.insert(worker);
+        const std::string all = std::to_string(workers_);
+        if (met_ != workers_)
+            return std::to_string(met_) + " of " + all + " workers met all the others";
+        if (numbers_ != expected) return "the numbers of the workers are not 0 ... " + all + " - 1";
+        if (threads_.count(std::this_thread::get_id()))
+            return "the thread that called is itself one of the workers";
+        if (static_cast<int>(threads_.size()) != workers_)
+            return std::to_string(threads_.size()) + " threads for " + all + " workers";
+        return {};
+    }
+
+  private:
+    int workers_;
+    std::atomic<int> met_ = 0;
+    std::multiset<int> numbers_;
+    std::set<std::thread::id> threads_;
+    std::mutex mutex_;
+    MeetingPlace place_;
+};
+
 // Counts how often each pixel of a picture is rendered, and what else a Strategy may get wrong.
 class PixelCounts {
   public:
@@ -67,6 +106,7 @@ class PixelCounts {
                 for (int y = tile.top; y < tile.bottom; ++y)
                     for (int x = tile.left; x < tile.right; ++x) ++counts_[index(x, y)];
         }
+        std::this_thread::yield();  // others may come in between
         const std::lock_guard lock{mutex_};
         if (0 <= worker && worker < static_cast<int>(busy_.size()))
             --busy_[static_cast<std::size_t>(worker)];
@@ -111,29 +151,9 @@ class PixelCounts {
         CHECK((counts).overlapping_workers == 0);                                       \
     }
 
-// How a piece of work ended that ran in a process of its own, so that the checkpoint survives it.
-enum class Ending { returned, threw, program_ended };
-
-// work() runs in a copy of this process. It must do everything that it needs threads for itself.
-template <class Work>
-Ending ending_of(Work work) {
-    const pid_t child = fork();
-    if (child == 0) {
-        std::set_terminate([] { _exit(3); });  // what an exception in a thread leads to
-        alarm(20);
-        try {
-            work();
-        } catch (...) {
-            _exit(2);
-        }
-        _exit(0);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (!WIFEXITED(status)) return Ending::program_ended;
-    return WEXITSTATUS(status) == 0   ? Ending::returned
-           : WEXITSTATUS(status) == 2 ? Ending::threw
-                                      : Ending::program_ended;
+inline std::string text(const rt::Tile& tile) {
+    return "columns " + std::to_string(tile.left) + " to " + std::to_string(tile.right) +
+           " of rows " + std::to_string(tile.top) + " to " + std::to_string(tile.bottom);
 }
 
 // Leaves this process only so much more address space: enough for a few threads. False where that
@@ -149,17 +169,6 @@ inline bool leave_room_for_few_threads() {
     const auto limit = static_cast<rlim_t>(used + (64LL << 20));
     const rlimit both{limit, limit};
     return setrlimit(RLIMIT_AS, &both) == 0;
-}
-
-inline std::string text(Ending ending) {
-    switch (ending) {
-        case Ending::returned:
-            return "a normal return";
-        case Ending::threw:
-            return "an exception that reaches the caller";
-        default:
-            return "the end of the whole program (std::terminate)";
-    }
 }
 
 }  // namespace checkpoint

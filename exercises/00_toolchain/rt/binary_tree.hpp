@@ -13,7 +13,8 @@ namespace rt {
 // Exercise 00.3. A balanced tree over the things first, first + 1, ... last - 1. Its root is made
 // by std::make_unique<Node>(first, last); where that is more than one thing, its left child is the
 // tree over the first half of them, and its right child the tree over the rest, which is one larger
-// when the number is odd. Of no things the tree is empty. The numbers may be as large as an int.
+// when the number is odd. Of no things, where last equals first, the tree is empty. The numbers may
+// be as large as an int, or below 0; last is never below first.
 template <class Node>
 std::unique_ptr<Node> make_tree(int first, int last) {
     return rt::todo("00.3", first, last);

@@ -63,8 +63,8 @@ class Canvas {
 };
 
 // Exercise 00.2. The canvas upside down: its first row becomes the last one. Takes and returns a
-// value; a canvas that is moved into it comes out again with the same memory, and no pixel is made
-// anew. std::swap(a, b) exchanges two pixels.
+// value; a canvas that is moved into it comes out again with the same memory, and no row or canvas
+// is made on the way. std::swap(a, b) exchanges two pixels. An empty canvas stays empty.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
     return rt::todo("00.2", canvas);

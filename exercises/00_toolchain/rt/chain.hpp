@@ -5,9 +5,10 @@
 
 namespace rt {
 
-// Exercise 00.4. The sum of the values of a chain, added up from its first link to its last one.
-// The chain is given by the address of its first link; an empty one is nullptr, and its sum 0. A
-// chain may have millions of links.
+// Exercise 00.4. The sum of the values of a chain, added up from its first link to its last one, in
+// a Real: another order, or another type of number, is rounded otherwise. The chain is given by the
+// address of its first link; an empty one is nullptr, and its sum 0. A chain may have millions of
+// links.
 inline Real sum_along(const Link* first) {
     return rt::todo("00.4", first);
 }

@@ -6,8 +6,9 @@
 
 namespace rt {
 
-// Exercise 06.2. A Strategy: each worker renders one tile, its slice of the rows over the full
-// width. A worker without rows calls nothing, and neither does any in a picture without columns.
+// Exercise 06.2. A Strategy: each worker, in a thread of run_workers, renders one tile, its slice
+// of the rows over the full width. A worker without rows calls nothing, and neither does any in a
+// picture without columns.
 inline void render_slices(const TileGrid& grid, int workers, const TileWork& work) {
     rt::todo("06.2", grid, workers, work);
 }

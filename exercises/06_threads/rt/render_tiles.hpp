@@ -8,7 +8,7 @@
 
 namespace rt {
 
-// Exercise 06.3. How many tiles cover the picture; 0 where a side has no pixels.
+// Exercise 06.3. How many tiles cover the picture, which fits an int; 0 where a side has no pixels.
 inline int tile_count(const TileGrid& grid) {
     return rt::todo("06.3", grid);
 }
@@ -20,14 +20,15 @@ inline Tile tile_at(const TileGrid& grid, int index) {
 }
 
 // Exercise 06.3. Takes the next of `count` tiles: every index 0 ... count - 1 is returned to one
-// caller alone, and none when all are taken. The counter starts at 0; it may be any type that
-// counts as std::atomic<int> does.
+// caller alone, and none only when all are taken. The counter starts at 0; it may be any type that
+// counts as std::atomic<int> does. Between any two steps on it another worker may take a tile.
 template <class Counter>
 std::optional<int> take_tile(Counter& next, int count) {
     return rt::todo("06.3", next, count);
 }
 
-// Exercise 06.3. A Strategy: whoever is free takes the next tile.
+// Exercise 06.3. A Strategy: whoever is free takes the next tile. Several pictures may be rendered
+// at the same time.
 inline void render_tiles(const TileGrid& grid, int workers, const TileWork& work) {
     rt::todo("06.3", grid, workers, work);
 }

@@ -12,7 +12,7 @@ namespace rt {
 // A balanced tree over the things first, first + 1, ... last - 1. Its root is made from
 // Node(first, last); where that is more than one thing, its left child is the tree over the first
 // half of them, and its right child the tree over the rest, which is one larger when the number is
-// odd. Of no things the tree is empty.
+// odd. Of no things the tree is empty. last is never below first.
 template <class Node>
 std::unique_ptr<Node> make_tree(int first, int last) {
     if (first >= last) return nullptr;

@@ -78,7 +78,8 @@ class Canvas {
 };
 
 // The canvas upside down: its first row becomes the last one. Takes and returns a value; a canvas
-// that is moved into it comes out again with the same memory, and no pixel is made anew.
+// that is moved into it comes out again with the same memory, and no row or canvas is made on the
+// way.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
     for (int y = 0; y < canvas.height() / 2; ++y)

@@ -6,7 +6,7 @@ namespace rt {
 
 // The rows of a picture of this height, 0 or more, that worker 0 ... workers - 1 renders: in the
 // order of the workers, each row once, and no worker has more than one row more than another.
-// Any height that fits an int will do. workers must be 1 or more.
+// Any height and any number of workers, 1 or more, will do that fits an int.
 inline Rows slice_rows(int height, int workers, int worker) {
     // The product may need 64 bits.
     const auto start_of = [&](std::int64_t k) { return static_cast<int>(height * k / workers); };
