@@ -500,6 +500,10 @@ TEST_CASE("04.5 roulette follows bright paths and lets dark ones go", "[04.5][ha
             return number;
         }
     };
+    {
+        INFO("Hint: leave RouletteEnding as it was given");
+        CHECK(text(rt::RouletteEnding{}.most_likely) == text(real(0.95)));
+    }
     rt::Rng rng{45, 10};
     for (int i = 0; i < 20000; ++i) {
         const Color before{any_size(rng, -6, 1), any_size(rng, -6, 1), any_size(rng, -6, 1)};
