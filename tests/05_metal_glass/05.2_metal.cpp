@@ -147,6 +147,10 @@ TEST_CASE("05.2 fuzz is added to the mirror direction and the sum is folded", "[
 }
 
 TEST_CASE("05.2 scatter takes each parameter from the material and the hit", "[05.2]") {
+    {
+        INFO("Hint: leave Metal as it was given, a mirror where no fuzz is named");
+        CHECK(text(rt::Metal{}.fuzz) == "0");
+    }
     rt::Rng rng{52, 10};
     Recorded random;
     for (int i = 0; i < 500; ++i) {
@@ -309,6 +313,29 @@ TEST_CASE("05.2 no direction points below the surface even by rounding", "[05.2]
              "v . normal turned around if it is below 0, and lifted no more than rounding makes "
              "necessary: by rounding_bound(16) * length(v). This is how far it is off, in epsilon");
         REQUIRE(off <= allowed);
+    }
+}
+
+TEST_CASE("05.2 along an axis all lengths and normals are lifted", "[05.2][hard]") {
+    // Two components are 0 here, and the third must be enough to tell how far to lift.
+    rt::Rng rng{52, 12};
+    for (int i = 0; i < 600; ++i) {
+        const auto turn = [i](Vec3 v) {
+            return i % 3 == 0 ? v : i % 3 == 1 ? Vec3{v.z, v.x, v.y} : Vec3{v.y, v.z, v.x};
+        };
+        const Real angle = i % 4 == 0 ? 0 : rng.uniform(0, 2 * rt::pi);
+        const Vec3 normal = turn({0, std::cos(angle), std::sin(angle)});
+        const Real size = std::scalbn(Real(1), static_cast<int>(rng() % 60) - 30);
+        const Vec3 v = turn({i & 8 ? size : -size, 0, 0});
+        const Vec3 computed = rt::above_horizon(v, normal);
+        const Real cosine = rt::dot(computed, normal);
+        if (cosine > 0) continue;
+        INFO("above_horizon("
+             << text(v) << ", " << text(normal) << ") = " << text(computed)
+             << ", its dot product with the normal is " << text(cosine)
+             << "\nHint: least is rounding_bound(16) times the length of v, or |vx| "
+                "+ |vy| + |vz|: none of the three may be missing");
+        REQUIRE(text(cosine) == "greater than 0");
     }
 }
 
