@@ -118,7 +118,8 @@ TEST_CASE("05.2 fuzz is added to the mirror direction and the sum is folded", "[
     std::vector<int> kinds(UniformDirection::kinds);  // those that explain all directions so far
     for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = static_cast<int>(i);
     for (int i = 0; i < 2000; ++i) {
-        const auto [incoming, normal] = any_arrival(rng);
+        const Arrival arrival = any_arrival(rng);
+        const Vec3 incoming = arrival.incoming, normal = arrival.normal;
         const Real fuzz = i % 4 == 0 ? 1 : i % 4 == 1 ? any_size(rng, -9, 0) : rng.uniform();
         const rt::Vec2 place = rt::random_place(rng);
         const Vec3 computed = rt::metal_direction(incoming, normal, fuzz, place);
@@ -154,7 +155,8 @@ TEST_CASE("05.2 scatter takes each parameter from the material and the hit", "[0
     rt::Rng rng{52, 10};
     Recorded random;
     for (int i = 0; i < 500; ++i) {
-        const auto [incoming, normal] = any_arrival(rng);
+        const Arrival arrival = any_arrival(rng);
+        const Vec3 incoming = arrival.incoming, normal = arrival.normal;
         const rt::Metal metal{{rng.uniform(), rng.uniform(), rng.uniform()}, rng.uniform()};
         rt::Hit hit;
         hit.front = i % 2;

@@ -107,7 +107,8 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
     // Any reflectance, as a function that tells what it is asked.
     rt::Rng rng{55, 1};
     for (int i = 0; i < 3000; ++i) {
-        const auto [incoming, normal] = random_arrival(rng);
+        const Arrival arrival = random_arrival(rng);
+        const Vec3 incoming = arrival.incoming, normal = arrival.normal;
         const Real near_1 = std::pow(Real(10), rng.uniform(for_this_precision(-6, -14), -1));
         const Real index = i % 3 == 0   ? rng.uniform(real(0.3), 3)
                            : i % 3 == 1 ? std::pow(Real(10), rng.uniform(-1, 1))
