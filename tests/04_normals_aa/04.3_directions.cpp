@@ -109,7 +109,7 @@ Spot any_spot(rt::Rng& rng, int i) {
     return {{inner(), inner()}, for_this_precision(real(0.05), real(1e-5)), fine};
 }
 
-// Any normal, or one close to an axis, or to where all coordinates are equal.
+// Any normal, or an axis or a diagonal, or one close to these.
 Vec3 any_normal(rt::Rng& rng, int i) {
     const Vec3 any = any_direction(rng);
     if (i % 2) return any;
@@ -119,7 +119,7 @@ Vec3 any_normal(rt::Rng& rng, int i) {
         const unsigned axis = rng() % 3;
         special = {axis == 0 ? special.x : 0, axis == 1 ? special.y : 0, axis == 2 ? special.z : 0};
     }
-    const Vec3 v = special + (i % 8 ? any_size(rng, -9, -1) : 0) * any;
+    const Vec3 v = special + (rng() % 4 ? any_size(rng, -9, -1) : 0) * any;
     return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 

@@ -210,24 +210,6 @@ struct TimedGround : Ground {
     }
 };
 
-// The ground with so large an error that the side on which the next ray starts is plain to see.
-struct ThickGround {
-    mutable int rays = 0;
-    mutable Ray next;
-
-    std::optional<Hit> hit(const Ray& ray, Interval) const {
-        if (++rays > 1) {
-            next = ray;
-            return {};
-        }
-        Hit hit;
-        hit.t = 1;
-        hit.normal = {0, 1, 0};
-        hit.point_error = real(0.25);
-        return hit;
-    }
-};
-
 }  // namespace
 
 TEST_CASE("04.5 a path that hits nothing brings the sky of its direction", "[04.5]") {
@@ -276,7 +258,7 @@ TEST_CASE("04.5 an absorbed path is black", "[04.5]") {
 
 TEST_CASE("04.5 the material is told the incoming direction and the hit", "[04.5]") {
     rt::Rng rng{45, 4};
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < 500; ++i) {
         const Story story = any_story(rng);
         radiance(story, rng);
         for (std::size_t k = 0; k < std::min(story.incoming.size(), story.hits.size()); ++k) {
@@ -308,7 +290,7 @@ TEST_CASE("04.5 the material is told the incoming direction and the hit", "[04.5
 
 TEST_CASE("04.5 any path brings the light that its bounces say", "[04.5]") {
     rt::Rng rng{45, 14};
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         const Story story = any_story(rng);
         rt::Rng twin = rng;
         const Color light = radiance(story, rng);
@@ -365,8 +347,9 @@ TEST_CASE("04.5 any path brings the light that its bounces say", "[04.5]") {
             }
             if (off(ray.origin, next.origin) > 8) {
                 INFO(
-                    "Hint: the next ray starts at leave_surface(hit, new direction), the first one "
-                    "where it was given");
+                    "Hint: the next ray starts at leave_surface(hit, new direction), not at the "
+                    "old "
+                    "direction's; the first one where it was given");
                 REQUIRE(text(ray.origin) == text(next.origin));
             }
         }
@@ -443,22 +426,6 @@ TEST_CASE("04.5 the ray keeps what else it carries", "[04.5]") {
     CHECK_FALSE(world.time_was_lost);
 }
 
-TEST_CASE("04.5 the next ray starts on the side of its own direction", "[04.5]") {
-    rt::Rng rng{45, 13};
-    for (const Real goes_on : {Real(-1), Real(1)}) {
-        const ThickGround world;
-        const auto material = [&](Vec3, const Hit&, rt::Rng&) -> std::optional<Scatter> {
-            return Scatter{{1, 1, 1}, {0, goes_on, 0}};
-        };
-        rt::path_radiance(downward, world, material, rt::UniformSky{}, rt::BlackEnding{}, 8, rng);
-        INFO("a ray comes from above to the ground, y = 0, and goes on "
-             << (goes_on < 0 ? "down into it" : "upward again")
-             << ": the next one starts at y = " << text(world.next.origin.y)
-             << ".\nHint: leave_surface gets the new direction, not the one that arrived");
-        CHECK(world.next.origin.y * goes_on > 0);
-    }
-}
-
 TEST_CASE("04.5 black darkens and the sky brightens by what the series says", "[04.5]") {
     const double albedo = 0.8, up = 0.25;
     for (const int depth : {1, 2, 4}) {
@@ -514,16 +481,13 @@ TEST_CASE("04.5 roulette follows bright paths and lets dark ones go", "[04.5][ha
                    ": expected the probability " + text(p);
         };
         int draws = 0;
+        std::optional<Color> wrongly_divided;
         const auto goes_on = [&](Real drawn) {
             Fixed random{drawn};
             Color c = before;
             const bool goes = rt::play_roulette(c, most_likely, random) == rt::Fate::goes_on;
             draws = std::max(draws, random.draws);
-            if (goes && !is_near(c, before / p)) {
-                INFO(describe());
-                INFO("Hint: a path that goes on is divided by the probability, in all channels");
-                REQUIRE(text(c) == text(before / p));
-            }
+            if (goes && !is_near(c, before / p)) wrongly_divided = c;
             return goes;
         };
         // The numbers on one side of a limit go on. Which side does not matter.
@@ -542,6 +506,11 @@ TEST_CASE("04.5 roulette follows bright paths and lets dark ones go", "[04.5][ha
             INFO(describe() << ", yours goes on with " << text(share));
             INFO("Hint: the probability is the largest channel, and most_likely at the most");
             REQUIRE(text(share) == text(p));
+        }
+        if (wrongly_divided) {
+            INFO(describe());
+            INFO("Hint: a path that goes on is divided by the probability, in all channels");
+            REQUIRE(text(*wrongly_divided) == text(before / p));
         }
         INFO("so many random numbers were drawn for one decision");
         REQUIRE(draws <= 1);
@@ -581,14 +550,4 @@ TEST_CASE("04.5 even a path between white surfaces ends by roulette", "[04.5][ha
         INFO("Hint: no path may be sure to go on, however bright it is");
         if (!(light == Color{})) REQUIRE(text(light) == "(0, 0, 0)");
     }
-}
-
-TEST_CASE("04.5 depth 1 asks for the light of the first surface only", "[04.5][hard]") {
-    rt::Rng rng{45, 12};
-    const Ground world;
-    const Color light = rt::path_radiance(downward, world, UpAfter{1}, rt::UniformSky{sky_color},
-                                          rt::SkyEnding{}, 1, rng);
-    INFO("expected " << text(tint * sky_color) << ", yours gives " << text(light));
-    if (!is_near(light, tint * sky_color)) CHECK(text(light) == text(tint * sky_color));
-    CHECK(world.rays == 1);
 }

@@ -56,6 +56,7 @@ TEST_CASE("05.1 a mirror turns the part along the normal around", "[05.1]") {
     check({-2, 5, 7}, {1, 0, 0}, {2, 5, 7});
     check({1, 1, -1}, {0, 0, 1}, {1, 1, 1});
     check({1, 0, 2}, {0, 1, 0}, {1, 0, 2});  // along the surface
+    check({3, -4, 1}, {real(0.6), real(0.8), 0}, {real(4.68), real(-1.76), 1});
 }
 
 TEST_CASE("05.1 reflection keeps the length and the angle", "[05.1]") {
