@@ -50,7 +50,7 @@ struct Grid {
     template <class RingOf>
     void add(Vec3 d, RingOf ring_of) {
         const double turn = std::atan2(dot(d, y), dot(d, x)) / (2 * 3.141592653589793) + 0.5;
-        const int column = std::min(static_cast<int>(turn * turns), turns - 1);
+        const int column = std::clamp(static_cast<int>(turn * turns), 0, turns - 1);
         const int row = std::clamp(static_cast<int>(ring_of(dot(d, pole))), 0, rings - 1);
         ++counts[static_cast<std::size_t>(row * turns + column)];
     }

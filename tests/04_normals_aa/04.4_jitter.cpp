@@ -20,6 +20,7 @@ bool is_in_cell(Real x, int k, int n) {
 
 // The cell of n along one side that an offset lies in; -1 if in none.
 int cell_of(Real x, int n) {
+    if (!(0 <= x && x < 1)) return -1;
     const int near = static_cast<int>(x * static_cast<Real>(n));
     for (int k = std::max(near - 1, 0); k <= std::min(near + 1, n - 1); ++k)
         if (is_in_cell(x, k, n)) return k;
