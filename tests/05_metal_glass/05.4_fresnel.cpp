@@ -42,23 +42,56 @@ double allowed(const Interface& surface) {
     return static_cast<double>(rt::rounding_bound(50)) * surface.magnification();
 }
 
-// Every angle and index ratio of a grid, as Real holds them, but for total reflection.
+template <class Check>
+void check_interface(Real eta, Real cosine, const Check& check) {
+    const Interface surface{exact(eta), exact(cosine)};
+    if (!surface.is_total()) check(eta, cosine, surface);
+}
+
+// Every angle and index ratio of a grid, as Real holds them, and others at random, but for total
+// reflection.
 template <class Check>
 void for_each_interface(Check check) {
     for (const double ratio : {0.4, 0.5, 1 / 1.5, 0.75, 0.9, 1.1, 1.33, 1.5, 2.0, 2.5})
-        for (int i = 1; i <= 60; ++i) {
-            const Real eta = real(ratio), cosine = static_cast<Real>(i) / 60;
-            const Interface surface{exact(eta), exact(cosine)};
-            if (!surface.is_total()) check(eta, cosine, surface);
-        }
+        for (int i = 1; i <= 60; ++i)
+            check_interface(real(ratio), static_cast<Real>(i) / 60, check);
+    rt::Rng rng{54, 1};
+    for (int i = 0; i < 1000; ++i) {
+        const Real eta = rng.uniform(real(0.2), 3), least = eta > 1 ? 1 - 1 / eta / eta : 0;
+        const Real cosine = std::sqrt(rng.uniform(least + real(0.01) * (1 - least), 1));
+        if (std::abs(eta - 1) > real(0.01)) check_interface(eta, cosine, check);
+    }
+}
+
+// The hard ones: ratios of any size and as near to 1 as there are numbers, angles as near to 0, to
+// a right angle and to total reflection.
+template <class Check>
+void for_each_hard_interface(Check check) {
+    rt::Rng rng{54, 4};
+    const auto any_power = [&](Real lowest, Real highest) {
+        return std::pow(Real(10), rng.uniform(lowest, highest));
+    };
+    const Real smallest = for_this_precision(-6, -15);
+    for (int i = 0; i < 4000; ++i) {
+        const Real near_1 = 1 + (i & 4 ? any_power(smallest, -1) : -any_power(smallest, -1));
+        const Real eta = i % 100 == 0 ? 1 : i & 1 ? near_1 : any_power(-3, 3);
+        // The cosine at the critical angle, where there is one.
+        const Real critical = eta > 1 ? std::sqrt((1 - 1 / eta) * (1 + 1 / eta)) : 0;
+        const Real part = i & 2   ? rng.uniform()
+                          : i & 8 ? any_power(smallest / 2, -1)
+                                  : 1 - any_power(smallest, -1);
+        check_interface(eta, i % 50 == 1 ? 1 : critical + (1 - critical) * part, check);
+    }
 }
 
 void check_error(Real computed, Exact expected, double limit, Real eta, Real cosine,
                  const char* hint) {
-    if (std::abs((expected - exact(computed)).high) <= limit) return;
-    INFO("cosine " << text(cosine) << ", eta " << text(eta));
+    const double error = std::abs((expected - exact(computed)).high);
+    if (error <= limit) return;
+    INFO("cosine " << text(cosine) << ", eta " << text(eta) << "; rounding allows an error of "
+                   << limit);
     HINT(expected, computed, hint);
-    REQUIRE(std::abs((expected - exact(computed)).high) <= limit);
+    REQUIRE(text(computed) == text(expected));
 }
 
 }  // namespace
@@ -66,8 +99,10 @@ void check_error(Real computed, Exact expected, double limit, Real eta, Real cos
 TEST_CASE("05.4 the cosine behind the surface follows from the law of Snell", "[05.4]") {
     for_each_interface([](Real eta, Real cosine, const Interface& surface) {
         const auto computed = rt::refracted_cosine(cosine, eta);
-        INFO("cosine " << text(cosine) << ", eta " << text(eta));
-        REQUIRE(computed.has_value());
+        if (!computed) {
+            INFO("cosine " << text(cosine) << ", eta " << text(eta) << ": light goes through here");
+            REQUIRE(computed.has_value());
+        }
         check_error(*computed, surface.beyond(), allowed(surface), eta, cosine,
                     "cosine behind = sqrt(1 - eta^2 (1 - cosine^2)); where that cancels, "
                     "difference_of_products(eta c, eta c, eta - 1, eta + 1) keeps the digits");
@@ -81,10 +116,12 @@ TEST_CASE("05.4 head on both formulas give the square of the contrast", "[05.4]"
             const double r = (1 - ratio) / (1 + ratio);
             INFO("eta = " << ratio << ": expected ((1 - eta) / (1 + eta))^2 = " << r * r);
             const double limit = static_cast<double>(rt::rounding_bound(64));
-            CHECK(std::abs(static_cast<double>(rt::fresnel_reflectance(1, real(ratio))) - r * r) <=
-                  limit);
-            CHECK(std::abs(static_cast<double>(rt::schlick_reflectance(1, real(ratio))) - r * r) <=
-                  limit);
+            const Real fresnel = rt::fresnel_reflectance(1, real(ratio));
+            const Real schlick = rt::schlick_reflectance(1, real(ratio));
+            if (!(std::abs(static_cast<double>(fresnel) - r * r) <= limit))
+                CHECK(text(fresnel) == text(real(r * r)));
+            if (!(std::abs(static_cast<double>(schlick) - r * r) <= limit))
+                CHECK(text(schlick) == text(real(r * r)));
         }
 }
 
@@ -98,6 +135,11 @@ TEST_CASE("05.4 Fresnel reflectance is the mean over both polarisations", "[05.4
         if (is_near(surface.r_s() * surface.r_s())) hint = "this is r_s squared alone";
         if (is_near(surface.r_p() * surface.r_p())) hint = "this is r_p squared alone";
         check_error(computed, surface.reflectance(), allowed(surface), eta, cosine, hint);
+        if (0 <= computed && computed <= 1) return;
+        INFO("cosine " << text(cosine) << ", eta " << text(eta)
+                       << ".\nHint: rounding may put the reflectance above 1; it is a share: take "
+                          "std::min(Real(1), ...)");
+        REQUIRE(text(computed) == "from 0 to 1");
     });
 }
 
@@ -135,18 +177,76 @@ TEST_CASE("05.4 Schlick takes the cosine on the thinner side", "[05.4]") {
 }
 
 TEST_CASE("05.4 total reflection reflects everything", "[05.4]") {
-    for (const double ratio : {1.1, 1.5, 2.5})
-        for (const double part : {0.0, 0.5, 0.99}) {
-            const Real cosine = real(part * std::sqrt(1 - 1 / (ratio * ratio)));
-            INFO("eta = " << ratio << ", cosine " << cosine << ": beyond the critical angle");
-            CHECK(!rt::refracted_cosine(cosine, real(ratio)).has_value());
-            const Real fresnel = rt::fresnel_reflectance(cosine, real(ratio));
-            const Real schlick = rt::schlick_reflectance(cosine, real(ratio));
-            INFO("expected 1, but yours gives " << text(fresnel) << " (exact), " << text(schlick)
-                                                << " (Schlick)");
-            CHECK((fresnel == 1));
-            CHECK((schlick == 1));
+    rt::Rng rng{54, 2};
+    for (int i = 0; i < 1000; ++i) {
+        const double ratios[] = {1.1, 1.5, 2.5};
+        const double ratio = i < 9 ? ratios[i / 3] : 1 + std::pow(10, rng.uniform(-3, 3));
+        const double parts[] = {0.0, 0.5, 0.99};
+        const double part = i < 9 ? parts[i % 3] : 0.99 * static_cast<double>(rng.uniform());
+        const Real eta = real(ratio), cosine = real(part * std::sqrt(1 - 1 / (ratio * ratio)));
+        const auto beyond = rt::refracted_cosine(cosine, eta);
+        const Real fresnel = rt::fresnel_reflectance(cosine, eta);
+        const Real schlick = rt::schlick_reflectance(cosine, eta);
+        if (!beyond && fresnel == 1 && schlick == 1) continue;
+        INFO("eta = " << text(eta) << ", cosine " << text(cosine)
+                      << ": beyond the critical angle no light goes through, and all is reflected");
+        CHECK_FALSE(beyond.has_value());
+        INFO("expected 1, but yours gives " << text(fresnel) << " (exact), " << text(schlick)
+                                            << " (Schlick)");
+        REQUIRE(text(fresnel) == "1");
+        REQUIRE(text(schlick) == "1");
+    }
+}
+
+TEST_CASE("05.4 no ratio and no angle costs digits", "[05.4][hard]") {
+    // So close to the critical angle the product of eta and the cosine is rounded too much to tell.
+    const auto is_in_doubt = [](const Interface& surface) {
+        const Exact scaled = surface.eta * surface.cosine;
+        return std::abs(surface.squared_beyond().high) <=
+               8 * static_cast<double>(rt::epsilon) * (scaled * scaled).high;
+    };
+    for_each_hard_interface([&](Real eta, Real cosine, const Interface& surface) {
+        if (eta > 1 && is_in_doubt(surface)) return;
+        const auto beyond = rt::refracted_cosine(cosine, eta);
+        if (!beyond) {
+            INFO("cosine " << text(cosine) << ", eta " << text(eta) << ": light goes through here");
+            REQUIRE(beyond.has_value());
         }
+        check_error(*beyond, surface.beyond(), allowed(surface) * surface.beyond().high, eta,
+                    cosine,
+                    "the cosine behind: 1 - eta^2 (1 - cosine^2) cancels; "
+                    "difference_of_products(eta c, eta c, eta - 1, eta + 1) keeps the digits");
+        const Real fresnel = rt::fresnel_reflectance(cosine, eta);
+        check_error(fresnel, surface.reflectance(), allowed(surface), eta, cosine,
+                    "r_s = (eta - 1) (eta + 1) / (eta c + c')^2 and the ratio of the text do not "
+                    "cancel");
+        if (!(0 <= fresnel && fresnel <= 1)) {
+            INFO("cosine " << text(cosine) << ", eta " << text(eta)
+                           << ".\nHint: rounding may put the reflectance above 1; it is a share: "
+                              "take std::min(Real(1), ...)");
+            REQUIRE(text(fresnel) == "from 0 to 1");
+        }
+        check_error(rt::schlick_reflectance(cosine, eta), surface.schlick(), 5 * allowed(surface),
+                    eta, cosine,
+                    "Schlick's: the same cosine behind for eta > 1, and no other case");
+    });
+    // And where nothing goes through, however near that is to the critical angle.
+    rt::Rng rng{54, 5};
+    for (int i = 0; i < 2000; ++i) {
+        const Real eta = 1 + std::pow(Real(10), rng.uniform(-2, 2));
+        const Real critical = std::sqrt((1 - 1 / eta) * (1 + 1 / eta));
+        const Real below = std::pow(Real(10), rng.uniform(for_this_precision(-6, -15), 0));
+        const Real cosine = critical * (1 - below);
+        const Interface surface{exact(eta), exact(cosine)};
+        if (!surface.is_total() || is_in_doubt(surface)) continue;
+        const auto beyond = rt::refracted_cosine(cosine, eta);
+        if (!beyond) continue;
+        INFO("cosine " << text(cosine) << ", eta " << text(eta)
+                       << ": the square of the cosine behind would be "
+                       << surface.squared_beyond().high << ", yours gives " << text(*beyond)
+                       << ".\nHint: none where it is below 0, by however little");
+        REQUIRE_FALSE(beyond.has_value());
+    }
 }
 
 TEST_CASE("05.4 both formulas are continuous at total reflection", "[05.4][hard]") {
@@ -172,9 +272,12 @@ TEST_CASE("05.4 both formulas are continuous at total reflection", "[05.4][hard]
                             "0 / 0; a value too far from 1 from 1 - eta^2 (1 - c^2), which has no "
                             "digits left here (take difference_of_products), or, Schlick's, from "
                             "the wrong cosine");
-            REQUIRE((1 - fresnel_falls <= fresnel && fresnel <= 1));
             const double rounding = static_cast<double>(rt::rounding_bound(8));
-            REQUIRE((1 - schlick_falls - rounding <= schlick && schlick <= 1 + rounding));
+            REQUIRE(fresnel >= 1 - fresnel_falls);
+            REQUIRE(schlick >= 1 - schlick_falls - rounding);
+            INFO("the reflectance is a share, 1 at most");
+            if (fresnel > 1) REQUIRE(text(real(fresnel)) == "1 at most");
+            if (schlick > 1 + rounding) REQUIRE(text(real(schlick)) == "1 at most");
         }
     }
 }
@@ -186,49 +289,65 @@ TEST_CASE("05.4 equal indices reflect nothing", "[05.4][hard]") {
                        << "\nHint: with eta = 1 there is no surface; at a cosine of "
                        << "0 the formulas even divide 0 by 0");
         const Real computed = rt::fresnel_reflectance(cosine, 1);
-        INFO("expected 0, but yours gives " << text(computed));
-        CHECK((computed == 0));
+        if (!(computed == 0)) CHECK(text(computed) == "0");
     }
 }
 
 TEST_CASE("05.4 nearly equal indices keep their digits", "[05.4][hard]") {
-    for (int exponent = 3; exponent < std::numeric_limits<Real>::digits - 1; ++exponent)
-        for (const int sign : {-1, 1})
-            for (const double part : {0.05, 0.3, 0.7, 1.0}) {
-                const Real eta = 1 + static_cast<Real>(sign) * std::scalbn(Real(1), -exponent);
-                const Real cosine = real(part);
-                const Interface surface{exact(eta), exact(cosine)};
-                if (surface.is_total()) continue;
-                const Exact expected = surface.reflectance();
-                check_error(rt::fresnel_reflectance(cosine, eta), expected,
-                            allowed(surface) * expected.high, eta, cosine,
-                            "eta c - c' cancels here; it equals (eta^2 - 1) / (eta c + c'), and "
-                            "eta^2 - 1 is (eta - 1) (eta + 1)");
-            }
+    rt::Rng rng{54, 3};
+    const int digits = std::numeric_limits<Real>::digits;
+    for (int i = 0; i < 4000; ++i) {
+        // Any distance from 1 down to a few numbers.
+        const int exponent = 3 + i % (digits - 4);
+        const Real distance = std::scalbn(i < 500 ? Real(1) : rng.uniform(1, 2), -exponent);
+        const Real eta = rng() & 1 ? 1 + distance : 1 - distance;
+        const Real parts[] = {real(0.05), real(0.3), real(0.7), 1};
+        const Real cosine = i % 2 ? parts[rng() % 4] : rng.uniform(real(0.001), 1);
+        const Interface surface{exact(eta), exact(cosine)};
+        if (surface.is_total()) continue;
+        const Exact expected = surface.reflectance();
+        check_error(rt::fresnel_reflectance(cosine, eta), expected,
+                    allowed(surface) * expected.high, eta, cosine,
+                    "eta c - c' cancels here; it equals (eta^2 - 1) / (eta c + c'), and "
+                    "eta^2 - 1 is (eta - 1) (eta + 1)");
+    }
 }
 
 TEST_CASE("05.4 grazing light is reflected as a whole", "[05.4][hard]") {
-    for (const double ratio : {0.4, 1 / 1.5, 0.99}) {
-        const double rounding = static_cast<double>(rt::rounding_bound(50));
-        for (const Real cosine : {Real(0), std::numeric_limits<Real>::denorm_min()}) {
-            INFO("eta " << ratio << ", cosine " << text(cosine));
-            const auto fresnel = static_cast<double>(rt::fresnel_reflectance(cosine, real(ratio)));
-            const auto schlick = static_cast<double>(rt::schlick_reflectance(cosine, real(ratio)));
-            CHECK((1 - rounding <= fresnel && fresnel <= 1));
-            CHECK(std::abs(schlick - 1) <= rounding);
+    const double rounding = static_cast<double>(rt::rounding_bound(50));
+    for (const double ratio : {0.05, 0.2, 0.4, 0.5, 1 / 1.5, 0.75, 0.9, 0.99})
+        for (const Real cosine : {Real(0), std::numeric_limits<Real>::denorm_min(),
+                                  rt::epsilon / 1024, rt::epsilon / 64}) {
+            INFO("eta " << ratio << ", cosine " << text(cosine)
+                        << ": expected 1, but for rounding, and no more");
+            const Real fresnel = rt::fresnel_reflectance(cosine, real(ratio));
+            const Real schlick = rt::schlick_reflectance(cosine, real(ratio));
+            // At a small cosine it is 1 - 2 c (eta + 1 / eta) / sqrt(1 - eta^2), or 1 - 5 c.
+            const double falls = 50 * static_cast<double>(cosine) / ratio;
+            if (!(1 - rounding - falls <= static_cast<double>(fresnel) && fresnel <= 1))
+                CHECK(text(fresnel) == "1");
+            if (!(std::abs(static_cast<double>(schlick) - 1) <= rounding + falls))
+                CHECK(text(schlick) == "1");
         }
-    }
 }
 
 TEST_CASE("05.4 a cosine that rounding put above 1 counts as 1", "[05.4][hard]") {
-    for (const double ratio : {0.4, 1 / 1.5, 1.5, 2.5}) {
-        const Real above = 1 + 3 * rt::epsilon, eta = real(ratio);
-        const auto check = [&](const char* name, Real at_1, Real computed) {
-            INFO(name << ", eta " << text(eta) << ", cosine " << text(above));
-            HINT(at_1, computed, "take std::min(cosine, Real(1)) wherever the cosine is used");
-            CHECK((computed == at_1));
-        };
-        check("exact", rt::fresnel_reflectance(1, eta), rt::fresnel_reflectance(above, eta));
-        check("Schlick", rt::schlick_reflectance(1, eta), rt::schlick_reflectance(above, eta));
-    }
+    const auto check = [](const char* name, Real eta, Real cosine, Real at_1, Real computed) {
+        if (computed == at_1) return;
+        INFO(name << ", eta " << text(eta) << ", cosine " << text(cosine));
+        HINT(at_1, computed, "take std::min(cosine, Real(1)) wherever the cosine is used");
+        CHECK(text(computed) == text(at_1));
+    };
+    for (const double ratio : {0.1, 0.4, 1 / 1.5, 0.999, 1.0, 1.001, 1.5, 2.5, 10.0})
+        for (const Real more : {1, 2, 3, 4}) {
+            const Real above = 1 + more * rt::epsilon, eta = real(ratio);
+            const auto behind = rt::refracted_cosine(above, eta);
+            INFO("eta " << text(eta) << ", cosine " << text(above));
+            REQUIRE(behind.has_value());
+            check("the cosine behind", eta, above, *rt::refracted_cosine(1, eta), *behind);
+            check("exact", eta, above, rt::fresnel_reflectance(1, eta),
+                  rt::fresnel_reflectance(above, eta));
+            check("Schlick", eta, above, rt::schlick_reflectance(1, eta),
+                  rt::schlick_reflectance(above, eta));
+        }
 }

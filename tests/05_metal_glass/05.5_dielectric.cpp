@@ -13,16 +13,32 @@ using namespace checkpoint;
 
 namespace {
 
-// Draws the same number again and again: 0 reflects wherever anything is, 0.999... never does.
+// Draws the same number again and again, and counts how often.
 struct Fixed {
     Real number;
-    Real uniform() { return number; }
+    int draws = 0;
+    Real uniform() {
+        ++draws;
+        return number;
+    }
 };
+
+// The smallest and the largest number: one reflects wherever anything is reflected, the other
+// nowhere. Which one reflects is for the learner to choose, and asked here: half is reflected.
+constexpr Real smallest = 0, largest = 1 - rt::epsilon / 2;
+bool small_numbers_reflect() {
+    rt::Hit hit;
+    hit.normal = floor_normal;
+    Fixed random{real(0.25)};
+    const auto half = [](Real, Real) { return real(0.5); };
+    return rt::scatter_at_glass(real(1.5), half, arriving_at_floor(30), hit, random).direction.y >
+           0;
+}
 Fixed always_reflect() {
-    return {0};
+    return {small_numbers_reflect() ? smallest : largest};
 }
 Fixed never_reflect() {
-    return {1 - rt::epsilon / 2};
+    return {small_numbers_reflect() ? largest : smallest};
 }
 
 rt::Hit floor_hit(bool front) {
@@ -58,10 +74,11 @@ TEST_CASE("05.5 light enters glass and leaves it by the law of Snell", "[05.5]")
         if (distance(bounce->direction, {incoming.x, -incoming.y, 0}) <=
             static_cast<double>(rt::rounding_bound(32)))
             hint =
-                "this light was reflected. The number drawn is close to 1: reflect where it is "
-                "less than the reflectance, else refract";
+                "this light was reflected: reflect where random.uniform() is less than the "
+                "reflectance, else refract";
         HINT(expected, bounce->direction, hint);
-        CHECK(distance(bounce->direction, expected) <= static_cast<double>(rt::rounding_bound(32)));
+        if (distance(bounce->direction, expected) > static_cast<double>(rt::rounding_bound(32)))
+            CHECK(text(bounce->direction) == text(expected));
     }
 }
 
@@ -75,7 +92,8 @@ TEST_CASE("05.5 what is not let through is reflected", "[05.5]") {
         REQUIRE(bounce.has_value());
         const Vec3 expected{incoming.x, -incoming.y, incoming.z};
         HINT(expected, bounce->direction, "this is not the mirror direction");
-        CHECK(distance(bounce->direction, expected) <= static_cast<double>(rt::rounding_bound(32)));
+        if (distance(bounce->direction, expected) > static_cast<double>(rt::rounding_bound(32)))
+            CHECK(text(bounce->direction) == text(expected));
     };
     const char* drawn = "reflect where random.uniform() is less than the reflectance";
     check(true, 30, always_reflect(), drawn);
@@ -86,28 +104,118 @@ TEST_CASE("05.5 what is not let through is reflected", "[05.5]") {
 }
 
 TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
-    // The seeds are fixed; with another, one comparison in 16000 would fail.
-    const auto check = [](const auto& glass, Real expected, bool front, double degrees) {
-        rt::Rng rng{55, 1};
-        const int n = 20000;
-        int reflected = 0;
-        for (int i = 0; i < n; ++i)
-            reflected +=
-                scatter(glass, arriving_at_floor(degrees), floor_hit(front), rng)->direction.y > 0;
-        const double p = static_cast<double>(expected), share = static_cast<double>(reflected) / n;
-        INFO((front ? "from outside" : "from inside")
-             << " at " << degrees << " degrees: expected " << p << ", but yours reflects " << share
-             << "\nHint: cosine = -dot(incoming, normal), and reflectance(cosine, eta) as given");
-        CHECK(std::abs(share - p) <= 4 * std::sqrt(p * (1 - p) / n));
-    };
-    for (const bool front : {true, false})
-        for (const double degrees : {0.0, 30.0, 40.0, 75.0}) {
-            const Real cosine = -arriving_at_floor(degrees).y,
-                       eta = front ? 1 / real(1.5) : real(1.5);
-            check(rt::Dielectric{real(1.5)}, rt::fresnel_reflectance(cosine, eta), front, degrees);
-            check(rt::SchlickDielectric{real(1.5)}, rt::schlick_reflectance(cosine, eta), front,
-                  degrees);
+    {
+        INFO("Hint: leave the two materials as they were given, glass where no index is named");
+        CHECK(text(rt::Dielectric{}.index) == "1.5");
+        CHECK(text(rt::SchlickDielectric{}.index) == "1.5");
+    }
+    // Any reflectance, as a function that tells what it is asked.
+    rt::Rng rng{55, 1};
+    for (int i = 0; i < 3000; ++i) {
+        const Arrival arrival = random_arrival(rng);
+        const Vec3 incoming = arrival.incoming, normal = arrival.normal;
+        const Real near_1 = std::pow(Real(10), rng.uniform(for_this_precision(-6, -14), -1));
+        const Real index = i % 3 == 0   ? rng.uniform(real(0.3), 3)
+                           : i % 3 == 1 ? std::pow(Real(10), rng.uniform(-1, 1))
+                                        : 1 + (i % 2 ? near_1 : -near_1);
+        rt::Hit hit;
+        hit.front = rng() & 1;
+        hit.normal = hit.front ? normal : -normal;
+        const Real tiny = std::pow(Real(10), rng.uniform(for_this_precision(-6, -15), -1));
+        const Real wanted = i % 8 == 0   ? 0
+                            : i % 8 == 1 ? 1
+                            : i % 8 < 4  ? tiny
+                            : i % 8 < 6  ? 1 - tiny
+                                         : rng.uniform();
+        Real cosine = -1, eta = -1;
+        const auto reflectance = [&](Real c, Real e) {
+            cosine = c;
+            eta = e;
+            return wanted;
+        };
+        const Real eta_expected = hit.front ? 1 / index : index;
+        const Real cosine_expected = static_cast<Real>(-dot(exact(incoming), exact(normal)).high);
+        const auto through = rt::refract(incoming, normal, eta_expected);
+        const Vec3 mirror = rt::above_horizon(rt::reflect(incoming, normal), normal);
+        const auto describe = [&] {
+            return "index " + text(index) + ", hit from " + (hit.front ? "outside" : "inside") +
+                   ", incoming " + text(incoming) + ", normal " + text(hit.normal) +
+                   ", reflectance " + text(wanted);
+        };
+        int draws = 0;
+        const auto is_reflected = [&](Real drawn) {
+            Fixed random{drawn};
+            const rt::Scatter bounce =
+                rt::scatter_at_glass(index, reflectance, incoming, hit, random);
+            draws = std::max(draws, random.draws);
+            if (!(bounce.attenuation == rt::Color{1, 1, 1})) {
+                INFO(describe());
+                INFO("attenuation "
+                     << bounce.attenuation
+                     << "\nHint: the lots that are drawn weigh the two ways already; "
+                        "neither is dimmed");
+                REQUIRE(text(Vec3{bounce.attenuation.r, bounce.attenuation.g,
+                                  bounce.attenuation.b}) == "(1, 1, 1)");
+            }
+            const double rounding = 32 * static_cast<double>(rt::epsilon);
+            if (distance(bounce.direction, mirror) <= rounding) return true;
+            // Close to the critical angle the last digit of the ratio shows.
+            const double behind =
+                std::abs(static_cast<double>(rt::dot(through.value_or(normal), normal)));
+            const double loose = rounding * (1 + static_cast<double>(eta_expected)) *
+                                 (1 + 1 / std::max(1e-9, behind));
+            if (through && distance(bounce.direction, *through) <= loose) return false;
+            INFO(describe() << ", drawn " << text(drawn));
+            INFO("expected is either the mirror direction "
+                 << text(mirror) << " or the refracted one "
+                 << (through ? text(*through) : "(none)") << ", yours is "
+                 << text(bounce.direction));
+            INFO(
+                "Hint: eta is 1 / index where hit.front, else index; the normal is "
+                "facing_normal(hit), also for above_horizon");
+            REQUIRE(text(bounce.direction) == text(through.value_or(mirror)));
+            return false;
+        };
+        // The numbers on one side of a limit are reflected. Which side does not matter.
+        Real low = smallest, high = largest, share = 0;
+        const bool small_ones = is_reflected(low);
+        if (is_reflected(high) == small_ones) {
+            share = small_ones ? 1 : 0;
+        } else {
+            while (high - low > rt::epsilon / 2) {
+                const Real middle = low + (high - low) / 2;
+                if (!(low < middle && middle < high)) break;
+                (is_reflected(middle) == small_ones ? low : high) = middle;
+            }
+            share = small_ones ? high : 1 - high;
         }
+        const Real expected = through ? wanted : 1;
+        if (!(std::abs(share - expected) <= 2 * rt::epsilon)) {
+            INFO(describe());
+            HINT(expected, share,
+                 through ? "this is the share that is reflected: where random.uniform() is less "
+                           "than the reflectance, also a tiny one"
+                         : "this is the share that is reflected. Where refract gives none, it is "
+                           "all");
+            REQUIRE(text(share) == text(expected));
+        }
+        const bool asks_right = std::abs(cosine - cosine_expected) <= 8 * rt::epsilon &&
+                                std::abs(eta - eta_expected) <= 4 * rt::epsilon * eta_expected;
+        if ((through || cosine != -1) && !asks_right) {
+            INFO(describe());
+            INFO("expected reflectance(" << text(cosine_expected) << ", " << text(eta_expected)
+                                         << "), yours asks for reflectance(" << text(cosine) << ", "
+                                         << text(eta)
+                                         << ")\nHint: cosine = -dot(incoming, normal) with the "
+                                            "facing normal, and the eta of this side");
+            REQUIRE(text(eta) == text(eta_expected));
+            REQUIRE(text(cosine) == text(cosine_expected));
+        }
+        INFO(describe() << ": so many numbers were drawn from `random`. Expected is one for each "
+                           "decision, and none where the reflectance is 0");
+        REQUIRE(draws <= (wanted > 0 ? 1 : 0));
+        if (through && 0 < wanted && wanted < 1) REQUIRE(draws == 1);
+    }
 }
 
 TEST_CASE("05.5 glass keeps all light", "[05.5]") {
@@ -119,7 +227,9 @@ TEST_CASE("05.5 glass keeps all light", "[05.5]") {
                                             floor_hit(front), rng);
                 INFO("Hint: the lots that are drawn weigh the two ways already; neither is dimmed");
                 REQUIRE(bounce.has_value());
-                REQUIRE(bounce->attenuation == rt::Color{1, 1, 1});
+                const rt::Color weight = bounce->attenuation;
+                if (!(weight == rt::Color{1, 1, 1}))
+                    REQUIRE(text(Vec3{weight.r, weight.g, weight.b}) == "(1, 1, 1)");
             }
 }
 
@@ -143,12 +253,13 @@ TEST_CASE("05.5 a ball turns light by twice the difference of the angles", "[05.
         INFO("light at " << aside << " of the radius");
         HINT(expected, leaves, "from inside the ball, hit.front is false: eta is the index itself");
         // The points are off by point_error, 20 epsilon at most; angles there by that over cosine.
-        CHECK(distance(leaves, expected) <=
-              static_cast<double>(rt::rounding_bound(80)) / std::sqrt(1 - aside * aside));
+        const double off_in_epsilons =
+            distance(leaves, expected) / static_cast<double>(rt::epsilon);
+        CHECK(off_in_epsilons <= 40 / std::sqrt(1 - aside * aside));
     }
 }
 
-TEST_CASE("05.5 a ball of index 1 is invisible bit for bit", "[05.5][hard]") {
+TEST_CASE("05.5 a ball of index 1 is invisible", "[05.5][hard]") {
     const rt::SphereList empty,
         with_ball{{{{{0, 0, -3}, 1}, 0}, {{{real(0.4), 0, -3}, real(0.3)}, 0}}};
     const Glass glass{{rt::Dielectric{1}}};
@@ -160,11 +271,16 @@ TEST_CASE("05.5 a ball of index 1 is invisible bit for bit", "[05.5][hard]") {
                                         {4, 9, 1}, x, y);
             };
             const rt::Color computed = draw(with_ball), expected = draw(empty);
+            // But for the rounding of directions that were normalized once more.
+            const rt::Color off = computed - expected;
+            if (std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)}) <= 64 * rt::epsilon)
+                continue;
             INFO("pixel (" << x << ", " << y << "): expected " << expected << ", but yours gives "
                            << computed
                            << "\nHint: where the reflectance is 0, refract, and draw no random "
                               "number: the next sample of the pixel needs it");
-            REQUIRE(computed == expected);
+            const auto all = [](rt::Color c) { return text(Vec3{c.r, c.g, c.b}); };
+            REQUIRE(all(computed) == all(expected));
         }
 }
 
@@ -180,11 +296,14 @@ TEST_CASE("05.5 light that grazes is reflected to its own side", "[05.5][hard]")
         Fixed random = always_reflect();
         const auto bounce = scatter(rt::Dielectric{real(1.5)}, incoming, hit, random);
         REQUIRE(bounce.has_value());
+        const Real height = rt::dot(bounce->direction, normal);
+        if (height > 0) continue;
         INFO("incoming " << text(incoming) << ", facing normal " << text(normal) << ": "
-                         << text(bounce->direction)
+                         << text(bounce->direction) << ", its dot product with the normal is "
+                         << text(height)
                          << "\nHint: rounding may put a grazing mirror direction on the wrong "
                             "side; pass it through above_horizon, with facing_normal(hit)");
-        REQUIRE(rt::dot(bounce->direction, normal) > 0);
+        REQUIRE(text(height) == "greater than 0");
     }
 }
 
@@ -202,8 +321,9 @@ TEST_CASE("05.5 a white furnace through glass stays white", "[05.5][hard]") {
             const rt::Ray ray{{s * rng.uniform(-1, 1), s * rng.uniform(-1, 1), 5 * s}, {0, 0, -1}};
             const rt::Color light =
                 rt::path_radiance(ray, nested, glass, rt::UniformSky{}, rt::SkyEnding{}, 100, rng);
-            INFO("scale " << scale << ": " << light);
-            REQUIRE(light == rt::Color{1, 1, 1});
+            if (light == rt::Color{1, 1, 1}) continue;
+            INFO("scale " << scale << ": expected white, but yours gives " << light);
+            REQUIRE(text(light.g) == "1");
         }
     }
 }
@@ -226,8 +346,9 @@ TEST_CASE("05.5 light finds its way out of glass at every scale", "[05.5][hard]"
             const rt::Color light =
                 rt::path_radiance(rt::Ray{{s * aside, 0, 5 * s}, {0, 0, -1}}, nested, glass,
                                   rt::UniformSky{}, rt::BlackEnding{}, 7, random);
+            if (light == rt::Color{1, 1, 1}) continue;
             INFO("scale " << scale << ", light at " << aside << " of the radius: caught inside");
-            REQUIRE(light == rt::Color{1, 1, 1});
+            REQUIRE(text(light.g) == "1");
         }
     }
 }

@@ -11,7 +11,8 @@ namespace rt {
 // length 1 within 2 epsilon. Random places, spread evenly over the square, become random
 // directions.
 
-// Every direction is equally likely. Source: Archimedes, "On the sphere and cylinder": slices of
+// Every direction is equally likely. Near the poles, where the distance from the axis is small, it
+// keeps its digits all the same. Source: Archimedes, "On the sphere and cylinder": slices of
 // equal thickness have equal surface.
 inline Vec3 uniform_direction(Vec2 place) {
     return rt::todo("04.3", place);

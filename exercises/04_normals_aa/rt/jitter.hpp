@@ -18,7 +18,7 @@ inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
 
 // Exercise 04.4. The average color of a pixel over this many samples, 1 or more: sample(offset) is
 // called with one random offset in each cell of the finest n x n grid that they suffice for; what
-// is left goes anywhere in the pixel.
+// is left goes anywhere in the pixel. The samples may come in any order.
 template <class Random, class Sample>
 Color pixel_average(int samples, Random& random, Sample sample) {
     return rt::todo("04.4", samples, random, sample);

@@ -23,8 +23,9 @@ struct SchlickDielectric {
 // Exercise 05.5. How a path goes on from the surface of glass: reflected as often as
 // reflectance(cosine, eta) says, else refracted. Both ways carry all of the light on, since the
 // choice itself already weighs them. `incoming` has length 1; reflectance is one of the functions
-// of exercise 05.4. Where it is 0, no random number is drawn. Reflected light stays on its side of
-// the surface, also where it grazes: above_horizon().
+// of exercise 05.4, or any other. One random number decides; where the reflectance is 0, none is
+// drawn. The index may be below 1, as that of a bubble. Reflected light stays on its side of the
+// surface, also where it grazes: above_horizon().
 template <class Reflectance, class Random>
 Scatter scatter_at_glass(Real index, Reflectance reflectance, Vec3 incoming, const Hit& hit,
                          Random& random) {

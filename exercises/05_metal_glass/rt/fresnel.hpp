@@ -9,7 +9,8 @@ namespace rt {
 
 // Exercise 05.4. In all three functions, `cosine` is that of the angle between the normal and the
 // light that arrives, in [0, 1] (what rounding has put above 1 counts as 1), and eta the index of
-// refraction on the side that the light comes from divided by the one behind, greater than 0.
+// refraction on the side that the light comes from divided by the one behind, greater than 0. None
+// of them loses digits, however close to 1 eta is, or the angle to the critical one.
 
 // The cosine of the angle behind the surface. None at total reflection.
 inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
