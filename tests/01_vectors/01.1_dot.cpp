@@ -2,8 +2,25 @@
 
 #include "checkpoint.hpp"
 #include "exact_products.hpp"
+#include "random_inputs.hpp"
 
 using namespace checkpoint;
+
+namespace {
+
+void check_dot(Vec3 a, Vec3 b) {
+    const Exact expected = exact_dot(exact_vector(a), exact_vector(b));
+    const Real computed = rt::dot(a, b);
+    const double allowed = static_cast<double>(rt::rounding_bound(3)) *
+                           size_of_terms(exact_vector(a), exact_vector(b));
+    INFO("dot(" << text(a) << ", " << text(b) << ")");
+    HINT(expected, computed,
+         "compute with Real throughout, and add up the 3 products as they are, whatever their "
+         "sizes");
+    REQUIRE(times_allowed(computed, expected, allowed) <= 1);
+}
+
+}  // namespace
 
 TEST_CASE("01.1 the dot product sums the products of all three components", "[01.1]") {
     const Vec3 a{1, 2, 3}, b{10, 100, 1000};
@@ -14,15 +31,27 @@ TEST_CASE("01.1 the dot product sums the products of all three components", "[01
     CHECK(computed == 3210);
 }
 
+TEST_CASE("01.1 the dot product takes any vectors", "[01.1]") {
+    rt::Rng rng{1, 1};
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 a = any_vector(rng, -2, 2), b = any_vector(rng, -2, 2);
+        check_dot(a, b);
+        check_dot(a, a);
+        check_dot(a, -b);
+    }
+}
+
 TEST_CASE("01.1 the dot product has the accuracy that three products allow", "[01.1][hard]") {
-    for (const auto& row : exact::products()) {
-        const Vec3 a = vec3(row.a), b = vec3(row.b);
-        const double size = std::abs(row.a[0] * row.b[0]) + std::abs(row.a[1] * row.b[1]) +
-                            std::abs(row.a[2] * row.b[2]);
-        const Real computed = rt::dot(a, b);
-        const double error = std::abs((row.dot - Exact(computed)).high);
-        INFO("dot(" << text(a) << ", " << text(b) << ")");
-        HINT(row.dot, computed, "compute with Real throughout, and add up no more than 3 products");
-        REQUIRE(error <= static_cast<double>(rt::rounding_bound(3)) * size);
+    for (const auto& row : exact::products()) check_dot(vec3(row.a), vec3(row.b));
+    // Products near the largest and the smallest numbers, too.
+    const Real apart = for_this_precision<Real>(7, 60), far = for_this_precision<Real>(8, 70);
+    rt::Rng rng{1, 2};
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3 a = any_vector(rng, -apart, apart), b = any_vector(rng, -apart, apart);
+        check_dot(a * any_number(rng, -far, far), b * any_number(rng, -far, far));
+        // Nearly perpendicular: the terms cancel but for their last digits.
+        const Vec3 c = any_vector(rng, -3, 3), d = any_vector(rng, -3, 3);
+        const Real tilt = 1 + any_number(rng, -16, -1);
+        if (c.z != 0) check_dot(c, {d.x, d.y, -tilt * (c.x * d.x + c.y * d.y) / c.z});
     }
 }

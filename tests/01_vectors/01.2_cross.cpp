@@ -2,8 +2,23 @@
 
 #include "checkpoint.hpp"
 #include "exact_products.hpp"
+#include "random_inputs.hpp"
 
 using namespace checkpoint;
+
+namespace {
+
+void check_cross(Vec3 a, Vec3 b) {
+    const ExactVec3 expected = exact_cross(exact_vector(a), exact_vector(b));
+    const Vec3 computed = rt::cross(a, b);
+    INFO("cross(" << text(a) << ", " << text(b) << ")");
+    HINT(expected, computed,
+         "a component p q - r s loses its digits where both products are nearly the same; "
+         "difference_of_products(p, q, r, s) keeps them");
+    REQUIRE(error_in_ulp(computed, expected) <= 1.5);
+}
+
+}  // namespace
 
 TEST_CASE("01.2 x cross y is z and so on around", "[01.2]") {
     const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
@@ -29,16 +44,31 @@ TEST_CASE("01.2 the cross product of a vector with itself is exactly zero", "[01
     CHECK(rt::cross(a, a) == Vec3{0, 0, 0});
 }
 
+TEST_CASE("01.2 the cross product is perpendicular to both and as long as it should be", "[01.2]") {
+    // Small whole numbers, with which nothing is rounded.
+    rt::Rng rng{2, 1};
+    const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 a{whole(), whole(), whole()}, b{whole(), whole(), whole()};
+        const ExactVec3 expected = exact_cross(exact_vector(a), exact_vector(b));
+        const Vec3 computed = rt::cross(a, b);
+        INFO("cross(" << text(a) << ", " << text(b) << ")");
+        HINT(expected, computed, "each component leaves out its own letter: x is ay bz - az by");
+        REQUIRE(error_in_ulp(computed, expected) <= 1.5);
+    }
+}
+
 TEST_CASE("01.2 the cross product is within 1.5 ulp even where its products cancel",
           "[01.2][hard]") {
-    for (const auto& row : exact::products()) {
-        const Vec3 a = vec3(row.a), b = vec3(row.b);
-        const Vec3 computed = rt::cross(a, b);
-        INFO("cross(" << text(a) << ", " << text(b) << ")"
-                      << (row.nearly_parallel ? ", which are nearly parallel" : ""));
-        HINT(row.cross, computed,
-             "a component p q - r s loses its digits where both products are nearly the same; "
-             "difference_of_products(p, q, r, s) keeps them");
-        REQUIRE(error_in_ulp(computed, row.cross) <= 1.5);
+    for (const auto& row : exact::products()) check_cross(vec3(row.a), vec3(row.b));
+    // Products near the largest and the smallest numbers, and factors parallel but for their last
+    // digits.
+    const Real apart = for_this_precision<Real>(3, 50), far = for_this_precision<Real>(8, 70);
+    rt::Rng rng{2, 2};
+    for (int i = 0; i < 6000; ++i) {
+        const Vec3 a = any_vector(rng, -apart, apart), b = any_vector(rng, -apart, apart);
+        check_cross(a * any_number(rng, -far, far), b * any_number(rng, -far, far));
+        const Vec3 tilted = a + any_vector(rng, -16, -1) * a;
+        check_cross(a, tilted * any_number(rng, -far, far));
     }
 }

@@ -2,6 +2,7 @@
 
 #include "checkpoint.hpp"
 #include "exact_lengths.hpp"
+#include "random_inputs.hpp"
 
 using namespace checkpoint;
 
@@ -37,6 +38,56 @@ void check_normalize(const exact::Length& row) {
     REQUIRE(error_in_ulp(computed, row.unit) <= 3.5);
 }
 
+// A vector v 2^exponent with its length and direction, exact even where squares are no numbers.
+struct Scaled {
+    Vec3 v;
+    int exponent;
+
+    Vec3 vector() const {
+        return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+    }
+};
+
+// A vector of any size that has all its digits or, where that cannot be, is itself what counts.
+Scaled any_scaled(rt::Rng& rng, int lowest, int highest) {
+    const int exponent = lowest + static_cast<int>(rng() % static_cast<unsigned>(highest - lowest));
+    Scaled scaled{any_vector(rng, -4, 0), exponent};
+    while (scaled.v == Vec3{}) scaled.v = any_vector(rng, -4, 0);
+    const Vec3 rounded = scaled.vector();  // the smallest numbers have few digits
+    scaled.v = {std::scalbn(rounded.x, -exponent), std::scalbn(rounded.y, -exponent),
+                std::scalbn(rounded.z, -exponent)};
+    return scaled;
+}
+
+// The exponents of the smallest and the largest number.
+constexpr int smallest_exponent =
+    std::numeric_limits<Real>::min_exponent - std::numeric_limits<Real>::digits;
+constexpr int largest_exponent = std::numeric_limits<Real>::max_exponent - 1;
+
+void check_scaled(const Scaled& scaled) {
+    const Vec3 v = scaled.vector();
+    const ExactVec3 exact = exact_vector(scaled.v);
+    const Exact exact_scaled_length = exact_length(exact);
+    if (exact_scaled_length.high == 0) return;
+    {
+        const Real computed = rt::length(v), scaled_back = std::scalbn(computed, -scaled.exponent);
+        const Real smallest =
+            std::scalbn(std::numeric_limits<Real>::denorm_min(), -scaled.exponent);
+        const double ulp = static_cast<double>(
+            std::max(smallest, study::ulp(static_cast<Real>(exact_scaled_length.high))));
+        INFO("length(" << text(v) << ")");
+        HINT(std::scalbn(static_cast<Real>(exact_scaled_length.high), scaled.exponent), computed,
+             "the root of v . v, of a vector that split_scale has scaled where its squares are too "
+             "large or too small");
+        REQUIRE(times_allowed(scaled_back, exact_scaled_length, ulp) <= 2.5);
+    }
+    const Vec3 unit = rt::normalize(v);
+    const ExactVec3 exact_direction = exact_unit(exact);
+    INFO("normalize(" << text(v) << ")");
+    HINT(exact_direction, unit, "divide each component of the scaled vector by its length, once");
+    REQUIRE(error_in_ulp(unit, exact_direction) <= 3.5);
+}
+
 }  // namespace
 
 TEST_CASE("01.3 the length follows from Pythagoras", "[01.3]") {
@@ -59,21 +110,37 @@ TEST_CASE("01.3 normalize works on huge and tiny vectors", "[01.3][hard]") {
         if (!is_ordinary(row)) check_normalize(row);
 }
 
+TEST_CASE("01.3 vectors of any direction have a length", "[01.3]") {
+    rt::Rng rng{3, 1};
+    for (int i = 0; i < 2000; ++i) check_scaled(any_scaled(rng, -10, 10));
+    // Some are nearly as long as 1 already.
+    for (int i = 0; i < 200; ++i)
+        check_scaled(
+            {rt::normalize(any_vector(rng, -1, 0) + Vec3{2, 0, 0}) * (1 + any_number(rng, -15, -1)),
+             0});
+}
+
 TEST_CASE("01.3 the smallest and the largest numbers have a length", "[01.3][hard]") {
-    const Real smallest = std::numeric_limits<Real>::denorm_min();
+    rt::Rng rng{3, 2};
+    for (int i = 0; i < 2000; ++i) {
+        check_scaled(any_scaled(rng, smallest_exponent, largest_exponent - 1));
+        // Where squares begin to be too small and too large.
+        check_scaled(any_scaled(rng, smallest_exponent / 2 - 4, smallest_exponent / 2 + 60));
+        check_scaled(any_scaled(rng, largest_exponent / 2 - 4, largest_exponent / 2 + 8));
+    }
     const Real largest = std::numeric_limits<Real>::max();
-    for (const Real size : {Real(0), smallest, largest})
-        for (const Vec3 v : {Vec3{size, 0, 0}, Vec3{0, size, 0}, Vec3{0, 0, -size}}) {
-            const Real computed = rt::length(v);
-            INFO("length(" << text(v) << ")");
-            HINT(size, computed, "scale v first by split_scale, and scale the result back");
-            CHECK((computed == size));
-            if (size == 0) continue;
-            const Vec3 expected{v.x / size, v.y / size, v.z / size}, unit = rt::normalize(v);
-            INFO("normalize(" << text(v) << ")");
-            HINT(expected, unit, "scale v first by split_scale; its direction stays the same");
-            CHECK((unit == expected));
+    for (const Scaled& one :
+         {Scaled{{1, 0, 0}, smallest_exponent}, Scaled{{2 - rt::epsilon, 0, 0}, largest_exponent}})
+        for (const Real sign : {Real(1), Real(-1)}) {
+            const Real size = sign * one.v.x;
+            check_scaled({{size, 0, 0}, one.exponent});
+            check_scaled({{0, size, 0}, one.exponent});
+            check_scaled({{0, 0, size}, one.exponent});
         }
+    INFO("length({0, 0, 0}) is 0");
+    CHECK(rt::length({0, 0, 0}) == 0);
+    INFO("the length of three components of the largest number is too large: infinite");
+    CHECK(rt::length({largest, largest, -largest}) == rt::infinity);
 }
 
 TEST_CASE("01.3 a vector without direction is refused", "[01.3][hard]") {
@@ -81,8 +148,14 @@ TEST_CASE("01.3 a vector without direction is refused", "[01.3][hard]") {
         "Hint: throw std::domain_error(\"why\") where the vector is zero, infinite or not a "
         "number; "
         "is_finite(v) tells");
+    const Real zero = 0, nan = std::numeric_limits<Real>::quiet_NaN();
     CHECK_THROWS_AS(rt::normalize({0, 0, 0}), std::domain_error);
-    CHECK_THROWS_AS(rt::normalize({1, rt::infinity, 0}), std::domain_error);
-    CHECK_THROWS_AS(rt::normalize({1, std::numeric_limits<Real>::quiet_NaN(), 0}),
-                    std::domain_error);
+    CHECK_THROWS_AS(rt::normalize({-zero, 0, -zero}), std::domain_error);
+    for (const Real bad : {rt::infinity, -rt::infinity, nan})
+        for (const Real other : {Real(0), Real(1), std::numeric_limits<Real>::max()})
+            for (const Vec3 v :
+                 {Vec3{bad, other, other}, Vec3{other, bad, other}, Vec3{other, other, bad}}) {
+                INFO("normalize(" << text(v) << ") must throw std::domain_error");
+                CHECK_THROWS_AS(rt::normalize(v), std::domain_error);
+            }
 }

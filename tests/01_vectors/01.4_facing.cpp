@@ -1,8 +1,36 @@
 #include <rt/facing.hpp>
 
 #include "checkpoint.hpp"
+#include "random_inputs.hpp"
 
 using namespace checkpoint;
+
+namespace {
+
+Vec3 scaled(Vec3 v, int exponent) {
+    return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+}
+
+// The exact sign, both ways round. Within the rounding of edge-on any answer is right.
+void check_side(Vec3 normal, Vec3 to_viewer, int exponent, int other_exponent) {
+    const ExactVec3 a = exact_vector(normal), b = exact_vector(to_viewer);
+    const double dot = exact_dot(a, b).high;
+    if (std::abs(dot) <= static_cast<double>(rt::rounding_bound(3)) * size_of_terms(a, b)) return;
+    const int side = dot > 0 ? 1 : -1;
+    const Vec3 n = scaled(normal, exponent), v = scaled(to_viewer, other_exponent);
+    INFO("facing("
+         << text(n) << ", " << text(v) << "), which are "
+         << std::acos(std::clamp(dot / exact_length(a).high / exact_length(b).high, -1.0, 1.0)) *
+                180 / 3.14159265358979
+         << " degrees apart.\nHint: no angle is so near 90 degrees, and no vector so short "
+            "or long, that it counts as edge-on: the sign alone decides, of vectors that "
+            "split_scale has scaled");
+    const int computed = rt::facing(n, v), from_behind = rt::facing(-n, v);
+    REQUIRE(computed == side);
+    REQUIRE(from_behind == -side);
+}
+
+}  // namespace
 
 TEST_CASE("01.4 facing is the sign of the cosine", "[01.4]") {
     const Vec3 normal{0, 1, 0};
@@ -19,20 +47,64 @@ TEST_CASE("01.4 the lengths of the vectors do not matter", "[01.4]") {
     CHECK(rt::facing({1, 2, 3}, {3, 0, -1}) == 0);
 }
 
+TEST_CASE("01.4 any two directions", "[01.4]") {
+    rt::Rng rng{4, 1};
+    for (int i = 0; i < 2000; ++i) check_side(any_vector(rng, -2, 2), any_vector(rng, -2, 2), 0, 0);
+}
+
+TEST_CASE("01.4 nearly edge-on is not edge-on", "[01.4][hard]") {
+    rt::Rng rng{4, 2};
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3 a = any_vector(rng, -1, 1), b = any_vector(rng, -1, 1);
+        const Real tilt = 1 + any_number(rng, -16, -1);
+        if (a.z != 0) check_side(a, {b.x, b.y, -tilt * (a.x * b.x + a.y * b.y) / a.z}, 0, 0);
+    }
+}
+
+TEST_CASE("01.4 exactly edge-on is 0, whatever the lengths", "[01.4][hard]") {
+    INFO("Hint: scaled by a power of two, as split_scale does, no digit of these vectors is lost");
+    rt::Rng rng{4, 3};
+    const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
+    for (int i = 0; i < 500; ++i) {
+        const Vec3 a{whole(), whole(), whole()}, b{whole(), whole(), whole()};
+        const Vec3 edge_on{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+        const int far = for_this_precision(100, 900);
+        const Vec3 n = scaled(a, far / 2 - static_cast<int>(rng() % static_cast<unsigned>(far)));
+        INFO("facing(" << text(n) << ", " << text(edge_on) << ")");
+        REQUIRE(rt::facing(n, edge_on) == 0);
+        REQUIRE(rt::facing(edge_on, n) == 0);
+    }
+}
+
 TEST_CASE("01.4 tiny and huge vectors have a side too", "[01.4][hard]") {
-    const Real tiny = real(for_this_precision(1e-30, 1e-200));
-    const Real huge = 1 / tiny;
-    INFO(
-        "Hint: the product of two tiny numbers underflows to 0, that of two huge ones is infinite; "
-        "split_scale(v).v has the same direction as v and an ordinary size");
-    CHECK(rt::facing({tiny, 0, 0}, {tiny, tiny, 0}) == 1);
-    CHECK(rt::facing({tiny, 0, 0}, {-tiny, tiny, 0}) == -1);
-    CHECK(rt::facing({huge, huge, 0}, {huge, -huge, 0}) == 0);
-    CHECK(rt::facing({huge, huge, 0}, {huge, -huge / 2, 0}) == 1);
-    CHECK(rt::facing({huge, 0, 0}, {-huge, tiny, 0}) == -1);
+    constexpr int digits = std::numeric_limits<Real>::digits,
+                  lowest = std::numeric_limits<Real>::min_exponent - digits,
+                  highest = std::numeric_limits<Real>::max_exponent - 1;
+    rt::Rng rng{4, 4};
+    const auto exponent = [&] {
+        if (rng() % 4 == 0) return highest;
+        return lowest + digits + 4 + static_cast<int>(rng() % (highest - lowest - digits - 4));
+    };
+    const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
+    for (int i = 0; i < 3000; ++i) {
+        const Vec3 a = any_vector(rng, -1, 0), b = any_vector(rng, -1, 0);
+        const Vec3 smallest{whole(), whole(), whole()};
+        check_side(a, b, exponent(), exponent());
+        // Multiples of the smallest number.
+        check_side(a, smallest, exponent(), lowest);
+        check_side(smallest, a, lowest, exponent());
+        // Components that are nothing beside each other.
+        const Real apart = for_this_precision<Real>(15, 60);
+        check_side(any_vector(rng, -apart, apart), any_vector(rng, -apart, apart), 0, 0);
+    }
 }
 
 TEST_CASE("01.4 a zero vector faces nowhere", "[01.4][hard]") {
-    CHECK(rt::facing({0, 0, 0}, {1, 2, 3}) == 0);
-    CHECK(rt::facing({1, 2, 3}, {0, 0, 0}) == 0);
+    const Real huge = std::numeric_limits<Real>::max();
+    for (const Real zero : {Real(0), Real(-0.0)})
+        for (const Vec3 other : {Vec3{1, 2, 3}, Vec3{-huge, huge, huge}, Vec3{0, 0, 0}}) {
+            INFO("a zero vector and " << text(other));
+            CHECK(rt::facing({zero, zero, zero}, other) == 0);
+            CHECK(rt::facing(other, {zero, zero, zero}) == 0);
+        }
 }

@@ -1,8 +1,11 @@
 #include <rt/inverse.hpp>
 #include <rt/rng.hpp>
+#include <rt/todo.hpp>
+#include <string>
 
 #include "checkpoint.hpp"
 #include "exact_inverses.hpp"
+#include "random_inputs.hpp"
 
 using namespace checkpoint;
 using rt::Mat4;
@@ -14,27 +17,126 @@ Mat4 matrix(const exact::Inverse& row, Vec3 origin) {
                             origin);
 }
 
-// Whether the inverse is refused, and refused by the right exception.
-bool is_refused(const Mat4& m) {
+// What a call throws, in words.
+template <class Call>
+std::string refusal(Call call) {
     try {
-        rt::inverse(m);
+        call();
     } catch (const std::domain_error&) {
-        return true;
+        return "std::domain_error";
+    } catch (const rt::NotImplemented&) {
+        throw;
+    } catch (const std::exception& other) {
+        return "another exception: " + std::string(other.what());
     }
-    return false;
+    return "nothing was thrown";
+}
+std::string refusal_by_inverse(const Mat4& m) {
+    return refusal([&] { rt::inverse(m); });
+}
+std::string refusal_by_to_object(const Mat4& m) {
+    return refusal([&] { rt::to_object(m, {1, 2, 3}); });
 }
 
 Vec3 row_of(const Mat4& m, int row) {
     return {m(row, 0), m(row, 1), m(row, 2)};
 }
 
-// How much rounding in the cross products is amplified: the sum of the terms of the determinant
-// without their signs, divided by the determinant. 1 where nothing cancels.
-double condition(const exact::Inverse& row, int i) {
-    const auto& [x, y, z] = row.rows[i];
-    const double* column = row.columns[i];
-    return std::abs(column[0] * x.high) + std::abs(column[1] * y.high) +
-           std::abs(column[2] * z.high);
+// A map as its columns, each of ordinary size times a power of two, with the exact inverse of its
+// linear part, in which the powers of two are left out.
+struct Exactly {
+    Vec3 columns[3];
+    int exponents[3];
+    Vec3 origin;
+    ExactVec3 rows[3];
+    // The sum of the terms of the determinant without their signs, divided by the determinant, at
+    // its largest: it depends on the row or column that the determinant is developed by.
+    double condition = 0;
+
+    Exactly(Vec3 a, Vec3 b, Vec3 c, int e, int f, int g, Vec3 moved)
+        : columns{a, b, c}, exponents{e, f, g}, origin{moved} {
+        const ExactVec3 x = exact_vector(a), y = exact_vector(b), z = exact_vector(c);
+        const ExactVec3 yz = exact_cross(y, z), zx = exact_cross(z, x), xy = exact_cross(x, y);
+        const Exact determinant = exact_dot(x, yz);
+        if (determinant.high == 0) return;  // no inverse
+        const Exact inverse = Exact(1) / determinant;
+        rows[0] = yz * inverse, rows[1] = zx * inverse, rows[2] = xy * inverse;
+        const auto by_row = [&](auto component) {
+            return size_of_terms({component(x), component(y), component(z)},
+                                 {component(rows[0]), component(rows[1]), component(rows[2])});
+        };
+        condition =
+            std::max({size_of_terms(x, rows[0]), size_of_terms(y, rows[1]),
+                      size_of_terms(z, rows[2]), by_row([](const ExactVec3& v) { return v.x; }),
+                      by_row([](const ExactVec3& v) { return v.y; }),
+                      by_row([](const ExactVec3& v) { return v.z; })});
+    }
+
+    Mat4 map() const {
+        const auto column = [&](int i) {
+            return Vec3{std::scalbn(columns[i].x, exponents[i]),
+                        std::scalbn(columns[i].y, exponents[i]),
+                        std::scalbn(columns[i].z, exponents[i])};
+        };
+        return rt::from_columns(column(0), column(1), column(2), origin);
+    }
+    // Where rounding cannot hide that there is an inverse, by a good measure.
+    bool is_clear() const {
+        return condition > 0 && condition * static_cast<double>(rt::epsilon) < 1.0 / 16;
+    }
+    double allowed_ulp() const { return 4 + 6 * condition; }
+};
+
+// The linear part's numbers, the translation, and both ways between the spaces. Sums of terms are
+// allowed the errors of their terms.
+void check_inverse(const Exactly& exact, Vec3 point) {
+    const Mat4 m = exact.map();
+    INFO("the matrix:\n"
+         << m
+         << "Hint: build the rows from your cross product, which keeps its "
+            "digits on nearly parallel columns, and split_scale the columns so that nothing "
+            "overflows");
+    const Mat4 inverse = rt::inverse(m);
+    const Vec3 there = rt::to_object(m, point), back = rt::to_world(m, point);
+    const Real translations[] = {inverse(0, 3), inverse(1, 3), inverse(2, 3)};
+    const Real seen[] = {there.x, there.y, there.z};
+    const ExactVec3 origin = exact_vector(exact.origin), p = exact_vector(point);
+    // An ulp is epsilon of the number at most, and each term is rounded up to four times more.
+    const double of_terms = (exact.allowed_ulp() + 4) * static_cast<double>(rt::epsilon);
+    for (int i = 0; i < 3; ++i) {
+        const auto unscaled = [&](Real x) { return std::scalbn(x, exact.exponents[i]); };
+        const Vec3 row = row_of(inverse, i);
+        const Vec3 computed{unscaled(row.x), unscaled(row.y), unscaled(row.z)};
+        const ExactVec3& expected = exact.rows[i];
+        const double moves = size_of_terms(expected, origin);
+        {
+            INFO("row " << i << " of the inverse" << (exact.exponents[i] == 0 ? "" : ", unscaled"));
+            HINT(expected, computed, "divide each row by the determinant, with its sign");
+            REQUIRE(error_in_ulp(computed, expected) <= exact.allowed_ulp());
+        }
+        {
+            const Exact moved = -exact_dot(expected, origin);
+            INFO("the last number of row " << i << " of the inverse");
+            HINT(moved, unscaled(translations[i]),
+                 "it is the inverse's row times the translation, negative");
+            REQUIRE(times_allowed(unscaled(translations[i]), moved, of_terms * moves) <= 1);
+        }
+        const Exact seen_there = exact_dot(expected, p - origin);
+        INFO("to_object, component " << i << ", of " << text(point));
+        HINT(seen_there, unscaled(seen[i]), "transform_point with the inverse");
+        REQUIRE(times_allowed(unscaled(seen[i]), seen_there,
+                              of_terms * (moves + size_of_terms(expected, p))) <= 1);
+    }
+    const Real seen_back[] = {back.x, back.y, back.z}, origins[] = {m(0, 3), m(1, 3), m(2, 3)};
+    for (int i = 0; i < 3; ++i) {
+        const ExactVec3 row = exact_vector(row_of(m, i));
+        const Exact moved = exact_dot(row, p) + Exact(origins[i]);
+        const double size = size_of_terms(row, p) + static_cast<double>(std::abs(origins[i]));
+        INFO("to_world, component " << i << ", of " << text(point));
+        HINT(moved, seen_back[i], "transform_point with the map itself");
+        REQUIRE(times_allowed(seen_back[i], moved,
+                              static_cast<double>(rt::rounding_bound(5)) * size) <= 1);
+    }
 }
 
 }  // namespace
@@ -59,19 +161,52 @@ TEST_CASE("01.6 to_object and to_world are each other's way back", "[01.6]") {
     CHECK(rt::to_object(placement, {4, 8, -16}) == Vec3{0, 0, 0});
 }
 
+TEST_CASE("01.6 any map that can be undone is", "[01.6]") {
+    rt::Rng rng{16, 1};
+    const auto any = [&] { return any_vector(rng, -1, 1); };
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 a = any(), b = any(), c = any(), origin = any();
+        const Exactly exact{a, b, c, 0, 0, 0, origin};
+        if (exact.condition > 0 && exact.condition < 100) check_inverse(exact, any());
+    }
+    // A turn, a little more or less, and hardly a change at all.
+    for (int i = 0; i < 100; ++i) {
+        const Real little = std::pow(Real(10), rng.uniform(-15, -1));
+        const Mat4 turn = rt::rotation_y(rng.uniform(-3, 3) * Real(i % 2));
+        const auto column = [&](int k) {
+            return Vec3{turn(0, k), turn(1, k), turn(2, k)} + any() * little;
+        };
+        const Vec3 a = column(0), b = column(1), c = column(2), origin = any();
+        const Exactly exact{a, b, c, 0, 0, 0, origin};
+        if (exact.condition > 0 && exact.condition < 100) check_inverse(exact, any());
+    }
+}
+
 TEST_CASE("01.6 the inverse is as accurate as its determinant allows", "[01.6][hard]") {
+    rt::Rng rng{16, 2};
     for (const auto& row : exact::inverses()) {
         const Mat4 computed = rt::inverse(matrix(row, {0, 0, 0}));
+        const bool huge = std::abs(row.columns[0][0]) > 1e6 || std::abs(row.columns[0][0]) < 1e-6;
+        if (huge) continue;  // further down, of every size
+        const Exactly exact{
+            vec3(row.columns[0]),  vec3(row.columns[1]), vec3(row.columns[2]), 0, 0, 0,
+            any_vector(rng, -1, 1)};
         for (int i = 0; i < 3; ++i) {
-            INFO("columns " << text(vec3(row.columns[0])) << ' ' << text(vec3(row.columns[1]))
-                            << ' ' << text(vec3(row.columns[2])) << ", row " << i
-                            << " of the inverse");
             HINT(row.rows[i], row_of(computed, i),
                  "build it from your cross product, which keeps its digits on nearly parallel "
-                 "columns, and split_scale the columns so that nothing overflows");
-            // 3 roundings of the cross product and 1 of the division, 6 of the determinant.
-            CHECK(error_in_ulp(row_of(computed, i), row.rows[i]) <= 4 + 6 * condition(row, i));
+                 "columns");
+            REQUIRE(error_in_ulp(row_of(computed, i), row.rows[i]) <= exact.allowed_ulp());
         }
+    }
+    // Ever nearer to a plane.
+    const auto any = [&] { return any_vector(rng, -1, 1); };
+    for (int i = 0; i < 600; ++i) {
+        const Vec3 a = any(), b = any(), origin = any();
+        const Vec3 c =
+            rng.uniform(-2, 2) * a + rng.uniform(-2, 2) * b +
+            std::pow(Real(10), rng.uniform(for_this_precision<Real>(-7, -16), 0)) * any();
+        const Exactly exact{a, b, c, 0, 0, 0, origin};
+        if (exact.is_clear()) check_inverse(exact, any());
     }
 }
 
@@ -81,7 +216,8 @@ TEST_CASE("01.6 a singular matrix is refused", "[01.6][hard]") {
              << m
              << "Hint: throw std::domain_error where the determinant, without its sign, is not "
                 "larger than its own rounding error");
-        CHECK(is_refused(m));
+        CHECK(refusal_by_inverse(m) == "std::domain_error");
+        CHECK(refusal_by_to_object(m) == "std::domain_error");
     };
     const Vec3 a{1, real(0.1), -3}, b{real(0.7), 2, real(0.3)};
     check_refused(rt::scaling({1, 0, 1}));
@@ -102,26 +238,46 @@ TEST_CASE("01.6 a singular matrix is refused", "[01.6][hard]") {
 
 TEST_CASE("01.6 a matrix that is not finite is refused", "[01.6][hard]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
-    INFO("Hint: not-a-number compares false with everything; is_finite(v) tells");
-    CHECK(is_refused(rt::scaling({1, 1, nan})));
-    CHECK(is_refused(rt::scaling({rt::infinity, 1, 1})));
-    CHECK(is_refused(rt::translation({rt::infinity, 0, 0})));
-    CHECK(is_refused(rt::translation({0, nan, 0})));
+    for (const Real bad : {rt::infinity, -rt::infinity, nan})
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 4; ++column) {
+                Mat4 m{{{{2, 1, 0, 10}, {0, 3, -1, 20}, {-1, 1, 1, 30}, {0, 0, 0, 1}}}};
+                m(row, column) = bad;
+                INFO("inverse and to_object must throw std::domain_error for\n"
+                     << m
+                     << "Hint: not-a-number compares false with everything; is_finite(v) tells");
+                CHECK(refusal_by_inverse(m) == "std::domain_error");
+                CHECK(refusal_by_to_object(m) == "std::domain_error");
+            }
 }
 
 TEST_CASE("01.6 a mirror is not singular", "[01.6]") {
     INFO("its determinant is negative, which is no flaw: compare without the sign");
-    CHECK(rt::inverse(rt::scaling({1, 1, -1})) == rt::scaling({1, 1, -1}));
+    check_inverse({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0, 0, 0, {1, 2, 3}}, {4, 5, 6});
 }
 
 TEST_CASE("01.6 small is not singular", "[01.6][hard]") {
     // A scene in nanometers beside one in light years; its determinant is far from 1, not its
     // shape.
-    const Real s = real(for_this_precision(0x1p-40, 0x1p-400));
     INFO(
         "Hint: compare the determinant with its own rounding error, not with a constant; and "
         "split_scale "
         "the columns, so that no product of three overflows or underflows");
-    CHECK(rt::inverse(rt::scaling({s, s, s})) == rt::scaling({1 / s, 1 / s, 1 / s}));
-    CHECK(rt::inverse(rt::scaling({1 / s, s, 1})) == rt::scaling({s, 1 / s, 1}));
+    const int far = for_this_precision(50, 480), apart = for_this_precision(16, 100);
+    rt::Rng rng{16, 3};
+    const auto any = [&] { return any_vector(rng, -1, 1); };
+    const auto exponent = [&](int most) {
+        return static_cast<int>(rng() % static_cast<unsigned>(2 * most)) - most;
+    };
+    for (int i = 0; i < 400; ++i) {
+        const Vec3 a = any(), b = any(), c = any(), origin = any();
+        const int all = i % 2 == 0 ? exponent(far) : (i % 4 == 1 ? far : -far);
+        const Exactly exact{
+            a, b, c, all + exponent(apart), all + exponent(apart), all + exponent(apart), origin};
+        if (exact.condition > 0 && exact.condition < 100) check_inverse(exact, any());
+    }
+    const Real smallest = std::numeric_limits<Real>::denorm_min();
+    const Mat4 inverse = rt::inverse(rt::from_columns({1, 0, 0}, {0, smallest, 0}, {0, 0, 1}));
+    INFO("the number " << text(smallest) << " in the matrix becomes one too large for Real");
+    CHECK(inverse(1, 1) == rt::infinity);
 }

@@ -1,14 +1,20 @@
 #include <rt/look_at.hpp>
+#include <rt/todo.hpp>
 #include <stdexcept>
+#include <string>
 
 #include "checkpoint.hpp"
 #include "exact_views.hpp"
+#include "random_inputs.hpp"
 #include "vectors.hpp"
 
 using namespace checkpoint;
 using rt::Basis;
 
 namespace {
+
+std::string text(const Basis& b);
+const char* suggestion(const Basis& b);
 
 // How far the basis is from three perpendicular unit vectors with u x v = w, in units in the last
 // place of 1.
@@ -28,6 +34,34 @@ double flaw_in_ulp(const Basis& b) {
 // w carries fewer than 4 roundings and u fewer than 8, half a unit each at most; a product of two
 // vectors adds up what both have, and v is one. orthonormal_basis keeps to 8 units.
 constexpr double allowed_flaw = 16;
+
+struct ExactBasis {
+    ExactVec3 u, v, w;
+};
+
+// Of a view along `back`, which is exact, and any up that is not parallel.
+ExactBasis exact_basis(const ExactVec3& back, Vec3 up) {
+    const ExactVec3 right = exact_cross(exact_vector(up), back);
+    return {exact_unit(right), exact_unit(exact_cross(back, right)), exact_unit(back)};
+}
+
+Vec3 scaled(Vec3 v, int exponent) {
+    return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+}
+
+// What a call throws, in words.
+std::string refusal(Vec3 from, Vec3 at, Vec3 up) {
+    try {
+        rt::look_at(from, at, up);
+    } catch (const std::domain_error&) {
+        return "std::domain_error";
+    } catch (const rt::NotImplemented&) {
+        throw;
+    } catch (const std::exception& other) {
+        return "another exception: " + std::string(other.what());
+    }
+    return "nothing was thrown";
+}
 
 std::string text(const Basis& b) {
     return "u = " + checkpoint::text(b.u) + ", v = " + checkpoint::text(b.v) +
@@ -100,6 +134,32 @@ TEST_CASE("02.3 the vectors are perpendicular with length 1 and right-handed", "
     }
 }
 
+TEST_CASE("02.3 any view and any up", "[02.3]") {
+    rt::Rng rng{23, 1};
+    int tried = 0;
+    for (int i = 0; i < 600; ++i) {
+        const Vec3 from = any_vector(rng, -1, 1), at = any_vector(rng, -1, 1),
+                   up = any_vector(rng, -2, 2);
+        const ExactVec3 back = exact_vector(from) - exact_vector(at);
+        const ExactVec3 right = exact_cross(exact_vector(up), back);
+        const double sine = exact_length(right).high / exact_length(back).high /
+                            exact_length(exact_vector(up)).high;
+        if (!(sine > 0.1)) continue;  // or there is no view, or no up
+        ++tried;
+        const ExactBasis exact = exact_basis(back, up);
+        const Basis b = rt::look_at(from, at, up);
+        INFO("look_at(" << checkpoint::text(from) << ", " << checkpoint::text(at) << ", "
+                        << checkpoint::text(up) << ") gives " << text(b) << ", but expected is u = "
+                        << checkpoint::text(exact.u) << ", v = " << checkpoint::text(exact.v)
+                        << ", w = " << checkpoint::text(exact.w) << ".\nHint: " << suggestion(b));
+        REQUIRE(error_in_ulp_of_1(b.w, exact.w) <= 6);
+        // A cross product of vectors that were normalized first has the sine under its error.
+        REQUIRE(error_in_ulp_of_1(b.u, exact.u) <= 16 / sine);
+        REQUIRE(error_in_ulp_of_1(b.v, exact.v) <= 20 / sine);
+    }
+    REQUIRE(tried > 300);
+}
+
 TEST_CASE("02.3 coordinates of any size and a camera a million away", "[02.3][hard]") {
     for (const auto& row : exact::views()) {
         if (row.nearly_parallel) continue;
@@ -124,17 +184,50 @@ TEST_CASE("02.3 coordinates of any size and a camera a million away", "[02.3][ha
     }
 }
 
+TEST_CASE("02.3 the smallest and the largest up still point up", "[02.3][hard]") {
+    constexpr int lowest =
+                      std::numeric_limits<Real>::min_exponent - std::numeric_limits<Real>::digits,
+                  highest = std::numeric_limits<Real>::max_exponent - 5;
+    rt::Rng rng{23, 4};
+    const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 up{whole(), whole(), whole()}, from = any_vector(rng, -1, 1);
+        const ExactVec3 right = exact_cross(exact_vector(up), exact_vector(from));
+        if (!(exact_length(right).high > 0)) continue;
+        const ExactBasis exact = exact_basis(exact_vector(from), up);
+        const Vec3 upwards = scaled(up, i % 2 == 0 ? lowest : highest);
+        const Basis b = rt::look_at(from, {0, 0, 0}, upwards);
+        INFO("look_at(" << checkpoint::text(from) << ", (0, 0, 0), " << checkpoint::text(upwards)
+                        << ")");
+        HINT(exact.u, b.u, "scale up, too, before the cross product");
+        REQUIRE(error_in_ulp(b.u, exact.u) <= 8);
+        REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
+    }
+}
+
 TEST_CASE("02.3 a view parallel to up still has a basis", "[02.3][hard]") {
-    const Vec3 ups[] = {{0, 1, 0}, {0, 0, -2}, {1, 2, 3}, {Real(0.1), Real(-0.7), Real(0.3)}};
-    for (const Vec3 up : ups)
-        for (const Real distance : {Real(1), Real(-1), Real(3), Real(64)}) {
-            const Vec3 from = distance * up;
-            const Basis b = rt::look_at(from, {0, 0, 0}, up);
-            INFO("look_at(" << checkpoint::text(from) << ", (0, 0, 0), " << checkpoint::text(up)
-                            << ") gives " << text(b) << ".\nHint: " << suggestion(b));
-            CHECK(flaw_in_ulp(b) <= allowed_flaw);
-            CHECK(dot_in_double(b.w, from) > 0);
-        }
+    // Whole numbers, so that the two are exactly parallel, of any lengths.
+    rt::Rng rng{23, 2};
+    const auto whole = [&] { return std::floor(rng.uniform(-4, 5)); };
+    const auto any_power = [&](int most) {
+        return static_cast<int>(rng() % static_cast<unsigned>(2 * most)) - most;
+    };
+    const int far = for_this_precision(90, 900);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 up{whole(), whole(), whole()};
+        const Real distance = whole();
+        if (up == Vec3{} || distance == 0) continue;
+        const Vec3 at{whole(), whole(), whole()}, from = at + distance * up;
+        const int size = any_power(far);
+        const Vec3 eye = scaled(from, size), target = scaled(at, size);
+        const Vec3 upwards = scaled(up, any_power(far));
+        const Basis b = rt::look_at(eye, target, upwards);
+        INFO("look_at(" << checkpoint::text(eye) << ", " << checkpoint::text(target) << ", "
+                        << checkpoint::text(upwards) << ") gives " << text(b)
+                        << ".\nHint: " << suggestion(b));
+        REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
+        REQUIRE(error_in_ulp_of_1(b.w, exact_unit(exact_vector(distance * up))) <= 6);
+    }
 }
 
 TEST_CASE("02.3 a view nearly parallel to up keeps its digits", "[02.3][hard]") {
@@ -159,15 +252,53 @@ TEST_CASE("02.3 a view nearly parallel to up keeps its digits", "[02.3][hard]") 
     }
 }
 
+TEST_CASE("02.3 the smallest angle between view and up counts", "[02.3][hard]") {
+    // Two whole numbers that differ by 1 make the smallest angle there is; sizes of any power of
+    // two round nothing.
+    rt::Rng rng{23, 3};
+    const Real most = for_this_precision<Real>(0x1p23, 0x1p52);
+    const int far = for_this_precision(60, 600);
+    const auto any_power = [&] {
+        return static_cast<int>(rng() % static_cast<unsigned>(2 * far)) - far;
+    };
+    for (int i = 0; i < 600; ++i) {
+        const auto whole = [&] { return std::floor(rng.uniform(-most, most)); };
+        const auto step = [&] { return std::floor(rng.uniform(-1, 2) * (i % 3 == 0 ? 1 : 1000)); };
+        const Vec3 up{whole(), whole(), whole()}, back = up + Vec3{step(), step(), step()};
+        const Vec3 from = i % 2 == 0 ? back : -back;
+        const ExactVec3 right = exact_cross(exact_vector(up), exact_vector(from));
+        if (right.x.high == 0 && right.y.high == 0 && right.z.high == 0) continue;
+        const ExactBasis exact = exact_basis(exact_vector(from), up);
+        const Vec3 eye = scaled(from, any_power()), upwards = scaled(up, any_power());
+        const Basis b = rt::look_at(eye, {0, 0, 0}, upwards);
+        INFO("look_at(" << checkpoint::text(eye) << ", (0, 0, 0), " << checkpoint::text(upwards)
+                        << ")");
+        HINT(exact.u, b.u,
+             "no angle is so small that it counts as parallel: only where the cross product of up "
+             "and from - at, scaled but not normalized, is exactly zero");
+        REQUIRE(error_in_ulp(b.u, exact.u) <= 8);
+        REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
+    }
+}
+
 TEST_CASE("02.3 nothing to look at and no up are refused", "[02.3][hard]") {
-    const Real nan = std::numeric_limits<Real>::quiet_NaN();
     INFO(
         "look_at must throw std::domain_error.\nHint: normalize does that for from - at; ask about "
         "up "
         "before you cross it with anything: up == Vec3{} or not is_finite(up)");
-    CHECK_THROWS_AS(rt::look_at({1, 2, 3}, {1, 2, 3}, {0, 1, 0}), std::domain_error);
-    CHECK_THROWS_AS(rt::look_at({1, 2, 3}, {0, 0, 0}, {0, 0, 0}), std::domain_error);
-    CHECK_THROWS_AS(rt::look_at({nan, 2, 3}, {0, 0, 0}, {0, 1, 0}), std::domain_error);
-    CHECK_THROWS_AS(rt::look_at({1, 2, 3}, {0, rt::infinity, 0}, {0, 1, 0}), std::domain_error);
-    CHECK_THROWS_AS(rt::look_at({1, 2, 3}, {0, 0, 0}, {0, nan, 0}), std::domain_error);
+    const Vec3 from{1, 2, 3}, at{4, -5, 6}, up{0, 1, 0};
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    const Real huge = for_this_precision<Real>(Real(1e30), Real(1e300));
+    CHECK(refusal(from, from, up) == "std::domain_error");
+    CHECK(refusal(huge * from, huge * from, up) == "std::domain_error");
+    CHECK(refusal(from / huge, from / huge, up) == "std::domain_error");
+    CHECK(refusal(from, at, {0, 0, 0}) == "std::domain_error");
+    CHECK(refusal(from, at, {Real(-0.0), 0, Real(-0.0)}) == "std::domain_error");
+    for (const Real bad : {rt::infinity, -rt::infinity, nan})
+        for (const Vec3 add : {Vec3{bad, 0, 0}, Vec3{0, bad, 0}, Vec3{0, 0, bad}}) {
+            INFO(checkpoint::text(bad) << " among the numbers of from, at or up");
+            CHECK(refusal(from + add, at, up) == "std::domain_error");
+            CHECK(refusal(from, at + add, up) == "std::domain_error");
+            CHECK(refusal(from, at, up + add) == "std::domain_error");
+        }
 }

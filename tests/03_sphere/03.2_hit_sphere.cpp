@@ -4,6 +4,8 @@
 
 #include "checkpoint.hpp"
 #include "exact_hits.hpp"
+#include "random_inputs.hpp"
+#include "statistics.hpp"
 
 using namespace checkpoint;
 using rt::hit_sphere;
@@ -30,12 +32,127 @@ std::string scene(const Sphere& sphere, const Ray& ray) {
            ", ray from " + text(ray.origin) + " along " + text(ray.direction);
 }
 
-// For small whole numbers nothing is rounded: t must be exactly this.
+// Where the line of a ray meets a sphere, exactly, and the error that t is allowed: both as
+// docs/03-sphere.md derives them.
+struct Meeting {
+    bool moves = false;     // the direction is not zero
+    bool hits = false;      // the line meets the sphere
+    bool is_clear = false;  // and so it does where all is rounded
+    Exact low, high;
+    double allowed = 0;
+    double length = 0;  // of the direction
+
+    Meeting(const Sphere& sphere, const Ray& ray) {
+        const ExactVec3 f = exact_vector(ray.origin) - exact_vector(sphere.center);
+        const ExactVec3 d = exact_vector(ray.direction);
+        const Exact a = exact_dot(d, d), r(sphere.radius);
+        if (!(a.high > 0)) return;
+        moves = true;
+        const Exact one = study::sqrt(a), along = exact_dot(f, d) / one;
+        const Exact p = exact_length(exact_cross(f, d)) / one;
+        const double size = exact_length(f).high + r.high;
+        length = one.high;
+        hits = p.high < r.high;
+        is_clear = std::abs((p - r).high) >= 3 * static_cast<double>(rt::epsilon) * size;
+        if (!hits) return;
+        const Exact h = study::sqrt((r - p) * (r + p));
+        low = (-along - h) / one;
+        high = (-along + h) / one;
+        allowed = 6 * static_cast<double>(rt::epsilon) * size * (1 + p.high / h.high) / length;
+    }
+
+    bool is_at(double t, Exact where) const { return std::abs((Exact(t) - where).high) <= allowed; }
+};
+
+// What a wrong answer suggests.
+const char* suggestion(const Meeting& exact, Interval within, const Hit& t) {
+    if (!exact.moves) return "a is 0: a ray that does not move meets nothing";
+    if (!exact.hits)
+        return "the ray passes by: the discriminant is negative, and nothing is to be returned";
+    if (!t)
+        return "the discriminant is positive; ask for the nearer solution, then for the farther";
+    if (!within.contains(*t)) return "this t is not within the interval: within.contains(t) tells";
+    const auto computed = static_cast<double>(*t);
+    if (exact.is_at(computed, exact.high))
+        return "that is the farther solution: take the nearer one where it is within the interval";
+    if (exact.is_at(computed / exact.length, exact.low) ||
+        exact.is_at(computed / exact.length, exact.high) ||
+        exact.is_at(computed / exact.length / exact.length, exact.low))
+        return "t counts in lengths of the direction, whose square is a = dot(d, d)";
+    return "f is the ray's origin minus the sphere's center; roots_from_discriminant takes a, 2 b, "
+           "c, and four quarters of the discriminant";
+}
+
+// Where both ends of the interval are clearly away from both solutions, or are clearly the ends.
+void check_within(const Sphere& sphere, const Ray& ray, Interval within) {
+    const Meeting exact{sphere, ray};
+    if (exact.moves && !exact.is_clear) return;
+    const auto is_in = [&](Exact t) {
+        return static_cast<double>(within.min) < t.high - exact.allowed &&
+               t.high + exact.allowed < static_cast<double>(within.max);
+    };
+    const auto is_out = [&](Exact t) {
+        return t.high + exact.allowed < static_cast<double>(within.min) ||
+               static_cast<double>(within.max) < t.high - exact.allowed;
+    };
+    const bool has_low = exact.hits && is_in(exact.low);
+    const bool has_high = exact.hits && !has_low && is_in(exact.high);
+    if (exact.hits && !has_low && !(is_out(exact.low) && (has_high || is_out(exact.high)))) return;
+    // A hit before it must not show through.
+    hit_sphere({{0, 0, -5}, 1}, forward, whole_line);
+    const Hit t = hit_sphere(sphere, ray, within);
+    const bool has_any = has_low || has_high;
+    const Exact expected = has_low ? exact.low : exact.high;
+    INFO(scene(sphere, ray) << ", t from " << checkpoint::text(within.min) << " to "
+                            << checkpoint::text(within.max) << ": expected "
+                            << (has_any ? "t = " + checkpoint::text(expected) : "no hit")
+                            << ", but yours gives " << text(t)
+                            << ".\nHint: " << suggestion(exact, within, t));
+    const std::string came = t ? "a hit" : "no hit";
+    REQUIRE(came == (has_any ? "a hit" : "no hit"));
+    if (has_any) REQUIRE(times_allowed(*t, expected, exact.allowed) <= 1);
+}
+
+// The same for small whole numbers, with the answer by hand. The hint is for those who do not find
+// the hit, or find one that is none.
 void check(const Sphere& sphere, const Ray& ray, Interval within, Hit expected, const char* hint) {
     const Hit t = hit_sphere(sphere, ray, within);
+    const Meeting exact{sphere, ray};
+    const bool same_kind = t.has_value() == expected.has_value();
     INFO(scene(sphere, ray) << ", t from " << within.min << " to " << within.max);
-    INFO("expected " << text(expected) << ", but yours gives " << text(t) << ".\nHint: " << hint);
-    CHECK((t == expected));
+    INFO("expected " << text(expected) << ", but yours gives " << text(t)
+                     << ".\nHint: " << (same_kind ? suggestion(exact, within, t) : hint));
+    const std::string came = t ? "a hit" : "no hit";
+    REQUIRE(came == (expected ? "a hit" : "no hit"));
+    if (expected) CHECK(times_allowed(*t, Exact(*expected), exact.allowed) <= 1);
+}
+
+// A ray from so many radii away that passes the center at so many radii aside, of a sphere about as
+// far from (0, 0, 0) as it is large, and intervals of all kinds.
+void check_any_interval(rt::Rng& rng, Real radius, Real distance, Real aside, Real length) {
+    const auto across = [&](Vec3 w) {
+        const Vec3 v = any_direction(rng);
+        const Vec3 c{v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
+        return c / std::sqrt(c.x * c.x + c.y * c.y + c.z * c.z);
+    };
+    const Vec3 w = any_direction(rng), side = across(w);
+    const Real sine = std::min(aside / distance, Real(1));
+    const Real cosine = std::sqrt((1 - sine) * (1 + sine)) * (rng() % 8 == 0 ? -1 : 1);
+    const Sphere sphere{any_vector(rng, -2, 1) * radius, radius};
+    const Ray ray{sphere.center + radius * distance * w, length * (sine * side - cosine * w)};
+    check_within(sphere, ray, whole_line);
+    check_within(sphere, ray, ahead);
+    const Meeting exact{sphere, ray};
+    const Real low = real(exact.low.high), high = real(exact.high.high);
+    const Real middle = low + (high - low) * rng.uniform(), past = high + (high - low) * 2;
+    const Real before = low - (high - low) * rng.uniform();
+    check_within(sphere, ray, {middle, infinity});
+    check_within(sphere, ray, {before, middle});
+    check_within(sphere, ray, {middle, past});
+    check_within(sphere, ray, {-infinity, before});
+    check_within(sphere, ray, {past, infinity});
+    check_within(sphere, ray, {middle, middle});
+    check_within(sphere, ray, {past, before});  // empty
 }
 
 // The rows of one kind: both intersections, each within the error that the row allows.
@@ -49,8 +166,8 @@ void check_table(std::string_view kind, const char* hint) {
             const Hit t = hit_sphere(sphere, ray, within);
             INFO(which << ": expected t = " << checkpoint::text(exact) << " within " << row.allowed
                        << ", but yours gives " << text(t));
-            REQUIRE(t.has_value());
-            REQUIRE(std::abs((Exact(static_cast<double>(*t)) - exact).high) <= row.allowed);
+            REQUIRE(text(t) != "no hit");
+            REQUIRE(times_allowed(*t, exact, row.allowed) <= 1);
         };
         if (row.hits) {
             check_t("nearer hit", whole_line, row.low);
@@ -59,7 +176,7 @@ void check_table(std::string_view kind, const char* hint) {
         } else {
             const Hit t = hit_sphere(sphere, ray, whole_line);
             INFO("the ray passes by, but yours gives " << text(t));
-            REQUIRE_FALSE(t.has_value());
+            REQUIRE(text(t) == "no hit");
         }
     }
 }
@@ -121,27 +238,20 @@ TEST_CASE("03.2 a direction of length zero hits nothing", "[03.2][hard]") {
     check({{0, 0, 0}, 1}, {{0, 0, 1}, {0, 0, 0}}, whole_line, {}, hint);
 }
 
-TEST_CASE("03.2 a tangent ray touches the sphere once", "[03.2][hard]") {
-    const char* const hint =
-        "all numbers on the way are small and whole, so the discriminant is exactly 0: a hit";
-    check({{0, 0, 0}, 1}, {{0, 1, 5}, {0, 0, -1}}, ahead, Real(5), hint);
-    check({{0, 0, 0}, 5}, {{-10, -5, 0}, {3, 4, 0}}, ahead, Real(2), hint);
-    check({{0, 0, 0}, 5}, {{-10, -5, 0}, {6, 8, 0}}, ahead, Real(1), hint);
-    check({{7, 0, 1}, 13}, {{43, -10, 1}, {-12, -5, 0}}, ahead, {},
-          "this one passes at 20 and more from the center");
-    check({{1, 2, 3}, 13}, {{1 + 5 + 24, 2 - 12 + 10, 3}, {-12, -5, 0}}, ahead, Real(2), hint);
-    check({{0, 0, 0}, 1}, {{0, 1, 0}, {0, 0, -1}}, ahead, Real(0), hint);
+TEST_CASE("03.2 any sphere, any ray and any interval", "[03.2]") {
+    rt::Rng rng{32, 1};
+    for (int i = 0; i < 400; ++i) {
+        const Real radius = rng.uniform(Real(0.5), 2), length = rng.uniform(Real(0.5), 2);
+        const Real distance = i % 4 == 0 ? rng.uniform() : rng.uniform(1, 10);
+        check_any_interval(rng, radius, distance, rng.uniform(0, Real(1.3)), length);
+    }
 }
 
-TEST_CASE("03.2 a ray that starts on the surface hits it at zero", "[03.2][hard]") {
-    const char* const hint = "c is exactly 0, so one solution is exactly 0";
+TEST_CASE("03.2 a ray that starts on the surface", "[03.2][hard]") {
     const Sphere sphere{{1, 1, 1}, 7};
     const Vec3 start{3, 4, 7};  // 2, 3, 6 from the center: 4 + 9 + 36 = 49
-    for (const Vec3 inwards : {Vec3{-2, -3, -6}, Vec3{-4, -6, -12}})
-        check(sphere, {start, inwards}, ahead, Real(0), hint);
-    check(sphere, {start, {2, 3, 6}}, ahead, Real(0), hint);
     check(sphere, {start, {2, 3, 6}}, {-9, Real(-0.5)}, Real(-2), "the other solution is -2");
-    check(sphere, {start, {-2, -3, -6}}, {rt::epsilon, infinity}, Real(2),
+    check(sphere, {start, {-2, -3, -6}}, {Real(0.5), infinity}, Real(2),
           "an interval that begins after 0 leaves the other solution, 2");
     check_table("surface",
                 "rounded to the surface, c is all rounding: 0 within what the bound allows");
@@ -182,20 +292,15 @@ TEST_CASE("03.2 directions of any length give the same points", "[03.2][hard]") 
 }
 
 TEST_CASE("03.2 the scene at any scale gives the same hits", "[03.2][hard]") {
-    // 2^30 is about 10^9, and a power of two rounds nothing: t must scale to the last bit.
-    for (const Real scale : {Real(0x1p-30), Real(0x1p30)})
-        for (const auto& row : exact::hits()) {
-            if (row.kind != std::string_view("near") && row.kind != std::string_view("inside"))
-                continue;
-            const Sphere sphere{vec3(row.center), real(row.radius)};
-            const Ray ray{vec3(row.origin), vec3(row.direction)};
-            const Hit t = hit_sphere(sphere, ray, ahead);
-            const Hit scaled = hit_sphere({scale * sphere.center, scale * sphere.radius},
-                                          {scale * ray.origin, ray.direction}, ahead);
-            INFO(scene(sphere, ray)
-                 << ": " << text(t) << "; everything times " << scale << ": " << text(scaled)
-                 << ".\nHint: a fixed number such as 0.001 or 1e-6 in your code?");
-            REQUIRE(scaled.has_value() == t.has_value());
-            REQUIRE(scaled.value_or(0) == t.value_or(0) * scale);
-        }
+    constexpr Real far = for_this_precision<Real>(6, 40), longest = for_this_precision<Real>(3, 20);
+    constexpr Real farthest = for_this_precision<Real>(5, 8);
+    rt::Rng rng{32, 2};
+    for (int i = 0; i < 500; ++i) {
+        const Real radius = any_size(rng, -far, far), length = any_size(rng, -longest, longest);
+        check_any_interval(rng, radius, rng.uniform(0, 10), rng.uniform(0, Real(1.3)), length);
+        // From far away, to the middle and to the rim.
+        const Real distance = any_size(rng, 0, farthest);
+        const Real rim = 1 + any_number(rng, for_this_precision<Real>(-6, -15), -1);
+        check_any_interval(rng, radius, distance, i % 4 == 0 ? 0 : rim, length);
+    }
 }

@@ -1,7 +1,10 @@
 #include <cctype>
 #include <rt/ppm.hpp>
+#include <rt/rng.hpp>
+#include <rt/todo.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "checkpoint.hpp"
@@ -12,10 +15,14 @@ using rt::Image;
 
 namespace {
 
+// The text, without the comments that the format allows.
 std::string written(const Image& image) {
     std::ostringstream out;
     rt::write_ppm(out, image);
-    return out.str();
+    std::string text = out.str();
+    for (auto from = text.find('#'); from != std::string::npos; from = text.find('#', from))
+        text.erase(from, std::min(text.find('\n', from), text.size()) - from);
+    return text;
 }
 
 // The start of what was written, for messages: ? for letters that a terminal cannot show.
@@ -111,8 +118,17 @@ TEST_CASE("03.3 light is stored in sRGB", "[03.3]") {
 
 TEST_CASE("03.3 an image of one pixel is an image", "[03.3][hard]") {
     check_bytes(Image{1, 1, black}, {0, 0, 0}, "one pixel, three numbers");
-    CHECK(bytes_of(Image{1, 7}).size() == 21);
-    CHECK(bytes_of(Image{7, 1}).size() == 21);
+    for (const Image& image : {Image{1, 7}, Image{7, 1}, Image{300, 1}, Image{1, 700}}) {
+        INFO("an image of " << image.width() << 'x' << image.height() << " pixels starts with "
+                            << begin_of(written(image)));
+        CHECK(bytes_of(image).size() == image.pixels().size() * 3);
+        std::istringstream in{written(image)};
+        std::string format;
+        int width = 0, height = 0;
+        in >> format >> width >> height;
+        CHECK(width == image.width());
+        CHECK(height == image.height());
+    }
 }
 
 TEST_CASE("03.3 light outside of 0 to 1 is clamped", "[03.3][hard]") {
@@ -133,6 +149,39 @@ TEST_CASE("03.3 each of the 256 bytes comes back", "[03.3][hard]") {
     check_bytes(image, expected, "round to the nearest byte: cutting digits off loses one");
 }
 
+TEST_CASE("03.3 any image comes out byte by byte", "[03.3][hard]") {
+    rt::Rng rng{33, 1};
+    for (const int width : {1, 13, 64}) {
+        Image image{width, 41};
+        std::vector<int> expected;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < width; ++x) {
+                const auto light = [&] {
+                    const Real encoded = rng.uniform(Real(-0.1), Real(1.1));
+                    return encoded < 0   ? encoded
+                           : encoded > 1 ? 10 * encoded
+                                         : rt::srgb_decode(encoded);
+                };
+                const Color c{light(), light(), light()};
+                image.at(x, y) = c;
+                for (const Real channel : {c.r, c.g, c.b}) expected.push_back(rt::to_byte(channel));
+            }
+        const std::vector<int> bytes = bytes_of(image);
+        INFO("an image of " << width << 'x' << image.height() << " pixels");
+        REQUIRE(bytes.size() == expected.size());
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            INFO("pixel (" << i / 3 % static_cast<std::size_t>(width) << ", "
+                           << i / 3 / static_cast<std::size_t>(width) << "), "
+                           << (i % 3 == 0   ? "red"
+                               : i % 3 == 1 ? "green"
+                                            : "blue")
+                           << ": expected " << expected[i] << ", but yours is " << bytes[i]
+                           << ".\nHint: every pixel in its place, each channel by rt::to_byte");
+            REQUIRE(bytes[i] == expected[i]);
+        }
+    }
+}
+
 TEST_CASE("03.3 no line is longer than 70 letters", "[03.3][hard]") {
     std::istringstream in{written(Image{100, 2, white})};
     for (std::string line; std::getline(in, line);) {
@@ -145,10 +194,27 @@ TEST_CASE("03.3 no line is longer than 70 letters", "[03.3][hard]") {
 TEST_CASE("03.3 a color that is no number is refused", "[03.3][hard]") {
     CHECK(bytes_of(Image{1, 1, white}).size() == 3);  // a color that is fine goes through
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
-    for (const Color& c : {Color{nan, 0, 0}, Color{0, nan, 0}, Color{0, 0, rt::infinity}}) {
+    const auto refusal = [](const Image& image) -> std::string {
         std::ostringstream out;
-        INFO("a pixel of " << c << " must end in std::logic_error.\nHint: ask rt::is_finite(color) "
-                           << "before you write it");
-        CHECK_THROWS_AS(rt::write_ppm(out, Image(1, 1, c)), std::logic_error);
-    }
+        try {
+            rt::write_ppm(out, image);
+        } catch (const rt::NotImplemented&) {
+            throw;
+        } catch (const std::logic_error&) {
+            return "std::logic_error";
+        } catch (const std::exception& other) {
+            return "another exception: " + std::string(other.what());
+        }
+        return "nothing was thrown";
+    };
+    for (const Real bad : {rt::infinity, -rt::infinity, nan})
+        for (const Color& c : {Color{bad, 0, 0}, Color{0, bad, 0}, Color{0, 0, bad}})
+            for (const int place : {0, 4, 11}) {
+                Image image{4, 3, white};
+                image.at(place % 4, place / 4) = c;
+                INFO("an image with " << c << " in pixel (" << place % 4 << ", " << place / 4
+                                      << ") must end in std::logic_error.\nHint: ask "
+                                         "rt::is_finite(color) of every color before you write it");
+                CHECK(refusal(image) == "std::logic_error");
+            }
 }

@@ -14,6 +14,8 @@ namespace rt {
 // The map that undoes m. Throws std::domain_error where m is singular: it flattens space (or comes
 // so near to it that rounding decides the result), or a number in it is not finite.
 // A number of the inverse that is too large for Real comes out infinite.
+// Each number of the linear part is within 4 + 6 k units in the last place, where k is the sum of
+// the absolute values of the determinant's terms divided by the determinant: 1 where none cancel.
 inline Mat4 inverse(const Mat4& m) {
     return rt::todo("01.6", m);
 }

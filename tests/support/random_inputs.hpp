@@ -1,0 +1,65 @@
+#pragma once
+// Random inputs from the whole range that a contract names, and exact values for them. Seeds are
+// fixed: a test that passes once passes always.
+
+#include <rt/rng.hpp>
+
+#include "checkpoint.hpp"
+
+namespace checkpoint {
+
+// A number of either sign whose size is 10^low to 10^high.
+inline Real any_number(rt::Rng& rng, Real low, Real high) {
+    const Real size = std::pow(Real(10), rng.uniform(low, high));
+    return rng() % 2 == 0 ? size : -size;
+}
+
+// A vector whose components are at most 10^high and at least 10^low, unless they are 0, as one in
+// eight is: half of the vectors have components of one size, the others of any sizes.
+inline Vec3 any_vector(rt::Rng& rng, Real low, Real high) {
+    const bool alike = rng() % 2 == 0;
+    const Real size = rng.uniform(low, high);
+    const auto component = [&] {
+        if (rng() % 8 == 0) return rng() % 2 == 0 ? Real(0) : Real(-0.0);
+        return alike ? any_number(rng, std::max(low, size - 1), size) : any_number(rng, low, high);
+    };
+    return {component(), component(), component()};
+}
+
+inline ExactVec3 exact_vector(Vec3 v) {
+    return {Exact(v.x), Exact(v.y), Exact(v.z)};
+}
+
+inline ExactVec3 operator-(const ExactVec3& a, const ExactVec3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline ExactVec3 operator*(const ExactVec3& v, Exact s) {
+    return {v.x * s, v.y * s, v.z * s};
+}
+
+inline Exact exact_dot(const ExactVec3& a, const ExactVec3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline ExactVec3 exact_cross(const ExactVec3& a, const ExactVec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Exact exact_length(const ExactVec3& v) {
+    return study::sqrt(exact_dot(v, v));
+}
+inline ExactVec3 exact_unit(const ExactVec3& v) {
+    return v * (Exact(1) / exact_length(v));
+}
+
+// |ax bx| + |ay by| + |az bz|: what the rounding error of a sum of products is measured by.
+inline double size_of_terms(const ExactVec3& a, const ExactVec3& b) {
+    return std::abs(a.x.high * b.x.high) + std::abs(a.y.high * b.y.high) +
+           std::abs(a.z.high * b.z.high);
+}
+
+// How many times the allowed error a result is off: right up to 1. An error of 0 is always allowed.
+inline double times_allowed(Real computed, Exact exact, double allowed) {
+    const double error = std::abs((exact - Exact(computed)).high);
+    return error == 0 ? 0 : error / allowed;
+}
+
+}  // namespace checkpoint
