@@ -228,3 +228,43 @@ TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
         return;
     }
 }
+
+// Rays in any direction, which leave one slab just before or just after they enter another: past an
+// edge, or over it.
+TEST_CASE("07.1 a near miss is a miss in any direction", "[07.1][hard]") {
+    rt::Rng rng{71, 2};
+    for (int i = 0; i < 4000; ++i) {
+        const Real size = any_size(rng, -9, 9);
+        const Vec3 low = size * any_size(rng, -1, 1) * in_cube(rng);
+        const Vec3 high = low + size * (abs(in_cube(rng)) + Vec3{1, 1, 1} * Real(0.01));
+        const Vec3 d = any_size(rng, -9, 9) * any_direction(rng);
+        const Real margin = i % 2 ? size * any_size(rng, -3, 0) : 0;
+        const int left = static_cast<int>(rng() % 3),
+                  entered = (left + 1 + static_cast<int>(rng() % 2)) % 3;
+        const Real way = size * any_size(rng, -1, 2);
+        const Real by = size * any_size(rng, for_this_precision(Real(-5), Real(-13)), -2);
+        const bool over = rng() % 2 == 0;
+        Real place[3];
+        for (int k = 0; k < 3; ++k) {
+            const Real l = rt::along(low, k) - margin, h = rt::along(high, k) + margin;
+            const bool forward = rt::along(d, k) > 0;
+            const Real outward = (forward == over ? -by : by);
+            place[k] = k == left      ? (forward ? h : l) + outward
+                       : k == entered ? (forward ? l : h)
+                                      : (l + h) / 2;
+        }
+        const Vec3 edge{place[0], place[1], place[2]}, origin = edge - way / max_component(d) * d;
+        const Real rounding =
+            32 * rt::epsilon *
+            (max_component(low) + max_component(high) + max_component(origin) + margin);
+        if (by < rounding || max_component(low - high) < 4 * by) continue;
+        const SlabRay ray = bare(origin, d, margin);
+        if (hit_box({low, high}, ray, ahead) == over) continue;
+        check(
+            {low, high}, origin, d, ahead, over,
+            over ? "it goes over an edge of the box, within it for a short way"
+                 : "it passes an edge of the box, not far from it: the margin is all that is added",
+            margin);
+        return;
+    }
+}
