@@ -21,7 +21,9 @@ void check(const Box& box, Vec3 origin, Vec3 direction, Interval within, bool ex
            const char* hint, Real margin = 0) {
     const bool met = hit_box(box, bare(origin, direction, margin), within);
     INFO(checkpoint::text(box) << ", " << checkpoint::text(Ray{origin, direction}) << ", t from "
-                               << within.min << " to " << within.max << ", margin " << margin);
+                               << checkpoint::text(within.min) << " to "
+                               << checkpoint::text(within.max) << ", margin "
+                               << checkpoint::text(margin));
     INFO("expected " << (expected ? "a hit" : "no hit") << ", but yours gives "
                      << (met ? "a hit" : "no hit") << ".\nHint: " << hint);
     CHECK(met == expected);
@@ -152,42 +154,117 @@ TEST_CASE("07.1 the margin makes the box larger", "[07.1][hard]") {
     }
 }
 
-// Whole numbers from -8 to 8, directions of -2, -1, 0, 1, 2: all t are multiples of 1/2.
+// All in whole numbers times powers of two, in which nothing is rounded: near misses from afar, at
+// all scales, each axis with its own.
 TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
     rt::Rng rng{71, 1};
-    const auto whole = [&](int low, int high) {
-        return low + static_cast<int>(rng() % static_cast<unsigned>(high - low + 1));
+    const auto whole = [&](long low, long high) {
+        return low + static_cast<long>(rng() % static_cast<unsigned long>(high - low + 1));
     };
-    for (int i = 0; i < 20000; ++i) {
-        int o[3], d[3], low[3], high[3];
-        long first = -1000, last = 1000;  // halves of t
-        bool expected = true;
+    const long always = 1L << 60;  // stands for infinity
+    for (int i = 0; i < 30000; ++i) {
+        const int t_power = static_cast<int>(whole(-60, 60)) * (i % 2);
+        const bool same_scale = i % 4 < 2;
+        const int power = static_cast<int>(whole(-30, 30)) * (i % 2);
+        const long margin = same_scale ? std::max(0L, whole(-4, 4)) : 0;
+        const long size = 1L << whole(2, for_this_precision(16, 38));
+        const long far = 1L << whole(2, for_this_precision(16, 38));
+        const long t = whole(-far / 4, far);  // of a place near the box
+        const auto near_t = [&] {             // in quarters
+            const long kind = whole(0, 5);
+            return kind == 0   ? always * (whole(0, 1) * 2 - 1)
+                   : kind == 1 ? 0
+                               : 4 * t + whole(-8, 8);
+        };
+        const auto end_of = [&](long quarters) {
+            if (std::abs(quarters) == always) return quarters < 0 ? -infinity : infinity;
+            return std::ldexp(static_cast<Real>(quarters), t_power - 2);
+        };
+        const bool empty = i % 32 == 0;
+        const int axis = static_cast<int>(whole(0, 2));  // along it the direction is not 0
+        bool expected = !empty, zero = false;
+        long first = -always, last = always;  // quarters of t
+        Real origin[3], direction[3], low[3], high[3];
         for (int k = 0; k < 3; ++k) {
-            o[k] = whole(-4, 4);
-            d[k] = whole(-2, 2);
-            low[k] = whole(-4, 4);
-            high[k] = low[k] + whole(0, 4);
-            if (d[k] == 0) {
-                expected = expected && low[k] <= o[k] && o[k] <= high[k];
+            const long l = whole(-size, size), h = l + whole(0, 2) * whole(0, size / 2);
+            const long kind = whole(0, 3), near = whole(-2, 2);
+            const long place = kind == 0   ? l - margin + near
+                               : kind == 1 ? h + margin + near
+                                           : whole(l, std::max(l, h));
+            const long way = whole(0, 1) * 2 - 1;
+            const long d = k != axis && whole(0, 2) == 0 ? 0 : way * (1L << whole(0, 2));
+            const long o = place - t * d;
+            if (d == 0) {
+                expected = expected && l - margin <= o && o <= h + margin;
             } else {
-                const long a = 2L * (low[k] - o[k]) / d[k], b = 2L * (high[k] - o[k]) / d[k];
+                const long a = 4 * (l - margin - o) / d, b = 4 * (h + margin - o) / d;
                 first = std::max(first, std::min(a, b));
                 last = std::min(last, std::max(a, b));
             }
+            const int own = same_scale ? power : static_cast<int>(whole(-30, 30));
+            const auto scaled = [&](long x) { return std::ldexp(static_cast<Real>(x), own); };
+            origin[k] = scaled(o);
+            low[k] = scaled(l);
+            high[k] = scaled(h);
+            direction[k] = std::ldexp(static_cast<Real>(d), own - t_power);
+            if (d == 0 && i % 3 == 0) direction[k] = -Real(0);
+            zero = zero || d == 0;
         }
-        const long min = whole(-4, 4), max = whole(-4, 12);
+        const long min = near_t(), max = near_t();
         expected = expected && std::max(first, min) <= std::min(last, max);
-        const auto point = [](const int(&p)[3]) {
-            return Vec3{static_cast<Real>(p[0]), static_cast<Real>(p[1]), static_cast<Real>(p[2])};
-        };
-        const Box box{point(low), point(high)};
-        const Interval within{static_cast<Real>(min) / 2, static_cast<Real>(max) / 2};
-        if (hit_box(box, bare(point(o), point(d)), within) != expected) {
-            const bool zero = d[0] == 0 || d[1] == 0 || d[2] == 0;
-            check(box, point(o), point(d), within, expected,
-                  zero ? "a component of the direction is 0: see the cases with zeros and faces"
-                       : "all numbers here are exact: touching counts, and so do both ends");
-            return;
+        const auto vec = [](const Real(&v)[3]) { return Vec3{v[0], v[1], v[2]}; };
+        const Box box = empty ? Box{} : Box{vec(low), vec(high)};
+        const Interval within{end_of(min), end_of(max)};
+        const Real grown = std::ldexp(static_cast<Real>(margin), power);
+        if (hit_box(box, bare(vec(origin), vec(direction), grown), within) == expected) continue;
+        check(box, vec(origin), vec(direction), within, expected,
+              empty  ? "this is the empty box, Box{}: it is left before it is entered"
+              : zero ? "a component of the direction is 0: see the cases with zeros and faces"
+              : margin
+                  ? "each low plane goes down by the margin and each high one up"
+                  : "nothing is rounded here: touching counts, both ends of the interval count, "
+                    "and nothing else does, be the numbers large or small",
+              grown);
+        return;
+    }
+}
+
+// Rays in any direction, which leave one slab just before or just after they enter another: past an
+// edge, or over it.
+TEST_CASE("07.1 a near miss is a miss in any direction", "[07.1][hard]") {
+    rt::Rng rng{71, 2};
+    for (int i = 0; i < 4000; ++i) {
+        const Real size = any_size(rng, -9, 9);
+        const Vec3 low = size * any_size(rng, -1, 1) * in_cube(rng);
+        const Vec3 high = low + size * (abs(in_cube(rng)) + Vec3{1, 1, 1} * Real(0.01));
+        const Vec3 d = any_size(rng, -9, 9) * any_direction(rng);
+        const Real margin = i % 2 ? size * any_size(rng, -3, 0) : 0;
+        const int left = static_cast<int>(rng() % 3),
+                  entered = (left + 1 + static_cast<int>(rng() % 2)) % 3;
+        const Real way = size * any_size(rng, -1, 2);
+        const Real by = size * any_size(rng, for_this_precision(Real(-5), Real(-13)), -2);
+        const bool over = rng() % 2 == 0;
+        Real place[3];
+        for (int k = 0; k < 3; ++k) {
+            const Real l = rt::along(low, k) - margin, h = rt::along(high, k) + margin;
+            const bool forward = rt::along(d, k) > 0;
+            const Real outward = (forward == over ? -by : by);
+            place[k] = k == left      ? (forward ? h : l) + outward
+                       : k == entered ? (forward ? l : h)
+                                      : (l + h) / 2;
         }
+        const Vec3 edge{place[0], place[1], place[2]}, origin = edge - way / max_component(d) * d;
+        const Real rounding =
+            32 * rt::epsilon *
+            (max_component(low) + max_component(high) + max_component(origin) + margin);
+        if (by < rounding || max_component(low - high) < 4 * by) continue;
+        const SlabRay ray = bare(origin, d, margin);
+        if (hit_box({low, high}, ray, ahead) == over) continue;
+        check(
+            {low, high}, origin, d, ahead, over,
+            over ? "it goes over an edge of the box, within it for a short way"
+                 : "it passes an edge of the box, not far from it: the margin is all that is added",
+            margin);
+        return;
     }
 }

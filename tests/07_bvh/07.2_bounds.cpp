@@ -7,6 +7,17 @@ using rt::bounds_of;
 using rt::join;
 using rt::Sphere;
 
+namespace {
+
+void check_join(const Box& a, const Box& b, const Box& expected, const char* hint) {
+    const Box both = join(a, b);
+    if (both == expected) return;
+    INFO(checkpoint::text(a) << " and " << checkpoint::text(b) << ".\nHint: " << hint);
+    CHECK(checkpoint::text(both) == checkpoint::text(expected));
+}
+
+}  // namespace
+
 TEST_CASE("07.2 the box around a sphere", "[07.2]") {
     const Box box = bounds_of(Sphere{{1, 2, -3}, 4});
     INFO("your " << checkpoint::text(box));
@@ -25,10 +36,12 @@ TEST_CASE("07.2 the box around a sphere", "[07.2]") {
 
 TEST_CASE("07.2 the margin is as wide as the proof asks", "[07.2]") {
     rt::Rng rng{72, 1};
-    for (int i = 0; i < 1000; ++i) {
-        const Real size = any_size(rng, -6, 6);
+    for (int i = 0; i < 3000; ++i) {
+        const Real size = any_size(rng, -15, 15);
         Sphere sphere{size * in_cube(rng), size * any_size(rng, -3, 3)};
         if (i == 0) sphere = {{1, 2, -3}, 4};
+        if (i % 8 == 1) sphere.radius = 0;
+        if (i % 16 == 2) sphere.center = {};
         const Box box = bounds_of(sphere);
         const Real largest = rt::max_component(sphere.center) + sphere.radius;
         const Real margin = rt::hit_margin * largest, rounding = 2 * rt::epsilon * largest;
@@ -53,13 +66,7 @@ TEST_CASE("07.2 the margin is as wide as the proof asks", "[07.2]") {
 }
 
 TEST_CASE("07.2 two boxes join to one", "[07.2]") {
-    const auto check = [](const Box& a, const Box& b, const Box& expected, const char* hint) {
-        const Box both = join(a, b);
-        INFO(checkpoint::text(a) << " and " << checkpoint::text(b) << "\nexpected "
-                                 << checkpoint::text(expected) << ", but yours gives "
-                                 << checkpoint::text(both) << ".\nHint: " << hint);
-        CHECK(both == expected);
-    };
+    const auto check = check_join;
     const Box a{{0, 0, 0}, {1, 1, 1}}, b{{-2, Real(0.5), 3}, {Real(0.5), 5, 4}};
     const Box expected{{-2, 0, 0}, {1, 5, 4}};
     const char* const hint = "the smaller of the lows and the larger of the highs, along each axis";
@@ -77,12 +84,36 @@ TEST_CASE("07.2 two boxes join to one", "[07.2]") {
     check(flat, a, {{0, 0, 0}, {4, 1, 1}}, not_empty);
 }
 
+TEST_CASE("07.2 boxes of all sizes join exactly", "[07.2][hard]") {
+    rt::Rng rng{72, 3};
+    const auto any_box = [&](Real size) {
+        if (rng() % 16 == 0) return Box{};
+        const Vec3 low = size * in_cube(rng), reach = any_size(rng, -9, 1) * size * in_cube(rng);
+        const auto larger = [&](Real x, Real by) { return rng() % 4 == 0 ? x : x + std::abs(by); };
+        return Box{low, {larger(low.x, reach.x), larger(low.y, reach.y), larger(low.z, reach.z)}};
+    };
+    const auto lower = [](Real x, Real y) { return x < y ? x : y; };
+    const auto higher = [](Real x, Real y) { return x < y ? y : x; };
+    for (int i = 0; i < 4000; ++i) {
+        const Real size = any_size(rng, -15, 15);
+        const Box a = any_box(size);
+        Box b = any_box(i % 2 ? size : any_size(rng, -15, 15));
+        if (i % 3 == 0 && !a.is_empty()) b = {a.low + b.size(), a.low + b.size()};
+        check_join(
+            a, b,
+            {{lower(a.low.x, b.low.x), lower(a.low.y, b.low.y), lower(a.low.z, b.low.z)},
+             {higher(a.high.x, b.high.x), higher(a.high.y, b.high.y), higher(a.high.z, b.high.z)}},
+            "each of the six numbers is one of a's or of b's, with all its digits");
+    }
+}
+
 TEST_CASE("07.2 the empty box adds nothing", "[07.2][hard]") {
     const Box a{{-5, -6, -7}, {-2, -3, -4}};
-    INFO("the empty box reaches from infinity to -infinity; it needs no case of its own");
-    CHECK(join(Box{}, a) == a);
-    CHECK(join(a, Box{}) == a);
-    CHECK(join(Box{}, Box{}).is_empty());
+    const char* const hint =
+        "the empty box reaches from infinity to -infinity; it needs no case of its own";
+    check_join({}, a, a, hint);
+    check_join(a, {}, a, hint);
+    check_join({}, {}, {}, hint);
 }
 
 // The reason for the margin: whatever hit_sphere takes for a hit, the box test must let through.

@@ -65,6 +65,68 @@ std::vector<int> first_sorted(std::span<const int> order, std::size_t count) {
     return first;
 }
 
+// Whether the numbers are in ascending order of their middles along an axis along which these lie
+// farthest apart. Middles may be rounded in more than one way: what differs by that counts as
+// equal.
+bool sorted_by_middles(std::span<const int> order, const std::vector<Box>& boxes) {
+    Box middles;
+    Real largest = 0;
+    for (const int number : order) {
+        const Box& box = boxes[static_cast<std::size_t>(number)];
+        middles = rt::join(middles, {box.center(), box.center()});
+        largest = std::max({largest, max_component(box.low), max_component(box.high)});
+    }
+    const Real rounding = 2 * rt::epsilon * largest, longest = max_component(middles.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        if (rt::along(middles.size(), axis) < longest - 2 * rounding) continue;
+        const auto middle = [&](int number) {
+            return rt::along(boxes[static_cast<std::size_t>(number)].center(), axis);
+        };
+        const auto before = [&](int a, int b) { return middle(a) < middle(b) - rounding; };
+        if (std::is_sorted(order.begin(), order.end(), before)) return true;
+    }
+    return false;
+}
+
+// Goes down a learner's tree and builds it once more beside it, on a list of its own. Splits give
+// the same for the same part.
+template <class Split>
+void follow(const rt::TreeNode& node, std::span<int> order, int first,
+            const std::vector<Box>& boxes, const Split& split, int level) {
+    Box around;
+    for (const int number : order)
+        around = rt::join(around, boxes[static_cast<std::size_t>(number)]);
+    const int left =
+        level < rt::most_levels ? split(order, boxes) : rt::split_in_half(order, boxes);
+    INFO("a node at level " << level << " over " << order.size() << " numbers from place " << first
+                            << " on, " << left << " of which go to the left");
+    if (!(node.box == around)) {
+        INFO("Hint: join boxes[number] of the numbers in order, and no others");
+        REQUIRE(checkpoint::text(node.box) == checkpoint::text(around));
+    }
+    const char* const expected = left == 0 ? "a leaf" : "a node with two children";
+    const char* const actual = node.left && node.right   ? "a node with two children"
+                               : node.left || node.right ? "a node with one child"
+                                                         : "a leaf";
+    if (std::string{expected} != actual) {
+        INFO(
+            "Hint: for every part ask split, at level most_levels and deeper split_in_half, and "
+            "nothing else; only 0 makes a leaf. Both children are one level deeper");
+        REQUIRE(std::string{actual} == expected);
+    }
+    if (left == 0) {
+        INFO(
+            "Hint: a leaf's count is order.size(), its first is what build_node was given; the "
+            "right part begins where the left one ends, at first + left");
+        REQUIRE(node.first == first);
+        REQUIRE(node.count == static_cast<int>(order.size()));
+        return;
+    }
+    const auto cut = static_cast<std::size_t>(left);
+    follow(*node.left, order.first(cut), first, boxes, split, level + 1);
+    follow(*node.right, order.subspan(cut), first + left, boxes, split, level + 1);
+}
+
 int largest_leaf(const rt::TreeNode& node) {
     if (node.is_leaf()) return node.count;
     return std::max(largest_leaf(*node.left), largest_leaf(*node.right));
@@ -73,12 +135,15 @@ int largest_leaf(const rt::TreeNode& node) {
 }  // namespace
 
 TEST_CASE("07.3 a few spheres need no split", "[07.3]") {
-    for (int count = 1; count <= rt::leaf_size; ++count) {
+    for (int count = 1; count <= 12; ++count) {
         const auto boxes = boxes_at(std::vector<Vec3>(static_cast<std::size_t>(count)));
         auto order = numbers(boxes.size());
         const int left = split_in_half(order, boxes);
-        HINT(Real(0), static_cast<Real>(left), "up to leaf_size spheres stay together: return 0");
-        CHECK(left == 0);
+        INFO(count << " spheres at one place");
+        INFO(
+            "Hint: up to leaf_size spheres stay together: return 0. Of more, half go to the left, "
+            "wherever they are");
+        CHECK(left == (count <= rt::leaf_size ? 0 : count / 2));
     }
 }
 
@@ -97,17 +162,51 @@ TEST_CASE("07.3 half of the spheres go to the left", "[07.3]") {
         INFO("41 spheres, farthest apart along axis " << axis << "; yours: left " << left);
         REQUIRE(left == 20);
         CHECK(std::is_permutation(order.begin(), order.end(), numbers(41).begin()));
-        Real last_left = -rt::infinity, first_right = rt::infinity;
-        for (int i = 0; i < 41; ++i) {
-            const Real at = rt::along(
-                middles[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])], axis);
-            if (i < left)
-                last_left = std::max(last_left, at);
-            else
-                first_right = std::min(first_right, at);
+        INFO("no middle may lie behind that of the next number in order, along this axis");
+        CHECK(sorted_by_middles(order, boxes));
+    }
+}
+
+// At all scales and far from the origin, with other boxes between; often one axis is hardly longer
+// than the next, and often most of the middles are close together.
+TEST_CASE("07.3 numbers are sorted along the longest axis of their middles", "[07.3][hard]") {
+    rt::Rng rng{73, 9};
+    for (int i = 0; i < 1500; ++i) {
+        const Real size = any_size(rng, -15, 15);
+        const Vec3 origin =
+            size * any_size(rng, 0, for_this_precision(Real(3), Real(10))) * in_cube(rng);
+        Vec3 spread = abs(in_cube(rng)) + Vec3{1, 1, 1} * Real(i % 2);
+        const bool crowded[3] = {rng() % 2 == 0, rng() % 2 == 0, rng() % 2 == 0};
+        const auto crowd = [&](Real x, int axis) { return crowded[axis] ? x * x * x * x * x : x; };
+        std::vector<Box> boxes;
+        std::vector<int> order;
+        const unsigned others = rng() % 3;
+        for (int count = 5 + static_cast<int>(rng() % 40); count > 0;) {
+            if (rng() % 3 < others) {
+                boxes.push_back({origin - size * abs(in_cube(rng)) * 50, origin});
+                continue;
+            }
+            const Vec3 p = in_cube(rng), half = size * any_size(rng, -2, 1) * abs(in_cube(rng));
+            const Vec3 m =
+                origin + size * spread * Vec3{crowd(p.x, 0), crowd(p.y, 1), crowd(p.z, 2)};
+            order.push_back(static_cast<int>(boxes.size()));
+            boxes.push_back({m - half, m + half});
+            --count;
         }
-        INFO("no middle on the left may lie behind one on the right, along this axis");
-        CHECK(last_left <= first_right);
+        for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[rng() % k]);
+        auto sorted = order;
+        const int left = split_in_half(sorted, boxes);
+        if (left == static_cast<int>(order.size()) / 2 && sorted_by_middles(sorted, boxes) &&
+            std::is_permutation(sorted.begin(), sorted.end(), order.begin()))
+            continue;
+        INFO(order.size() << " numbers of " << boxes.size() << " boxes, of a size of about "
+                          << checkpoint::text(size) << ", around " << checkpoint::text(origin));
+        REQUIRE(left == static_cast<int>(order.size()) / 2);
+        REQUIRE(std::is_permutation(sorted.begin(), sorted.end(), order.begin()));
+        INFO(
+            "Hint: only the numbers in order count. Join their middles, take the longest axis of "
+            "that, and sort all of them by the same middles along this axis");
+        REQUIRE(sorted_by_middles(sorted, boxes));
     }
 }
 
@@ -166,7 +265,7 @@ TEST_CASE("07.3 the box of a node is around its part alone", "[07.3]") {
                                                << checkpoint::text(root->box));
     INFO(
         "Hint: for (int number : order) join boxes[number], to the node's box, which starts empty");
-    CHECK(root->box == expected);
+    CHECK(checkpoint::text(root->box) == checkpoint::text(expected));
 }
 
 TEST_CASE("07.3 every sphere is in exactly one leaf", "[07.3]") {
@@ -183,6 +282,46 @@ TEST_CASE("07.3 every sphere is in exactly one leaf", "[07.3]") {
              "each level halves the spheres, down to leaf_size");
         CHECK(levels == expected);
     }
+}
+
+TEST_CASE("07.3 trees of every shape are as the splits say", "[07.3][hard]") {
+    const auto boxes = rt::bounds_of(random_spheres(400));
+    for (int shape = 0; shape < 6; ++shape)
+        for (const int level : {0, 1, 40, 63, 64, 65, 100}) {
+            long asked = 0;
+            const auto split = [&](std::span<int> part, std::span<const Box> all) {
+                ++asked;
+                if (all.data() != boxes.data() || all.size() != boxes.size())
+                    FAIL("split got " << all.size() << " boxes; expected " << boxes.size()
+                                      << ".\nHint: pass boxes on as it is, all of it");
+                const auto n = static_cast<unsigned>(part.size());
+                if (n == 1 || (shape == 5 && n < 20)) return 0;
+                std::reverse(part.begin(), part.end());
+                if (shape == 0) return 1;
+                if (shape == 1) return static_cast<int>(n) - 1;
+                // Any number of them, but the same one for the same part.
+                const auto chance = static_cast<unsigned>(
+                    rt::mix_bits(n * 1000 + static_cast<unsigned>(part[0])) >> 32);
+                if (shape == 2) return chance % 2 ? 1 : static_cast<int>(n) - 1;
+                if (chance % 8 == 0 && n < 7) return 0;
+                return static_cast<int>(1 + chance % (n - 1));
+            };
+            const int first = 20, count = 300;
+            auto order = numbers(boxes.size()), again = order;
+            const auto part = [&](std::vector<int>& of) {
+                return std::span{of}.subspan(static_cast<std::size_t>(first),
+                                             static_cast<std::size_t>(count));
+            };
+            INFO("a part of " << count << " numbers, from level " << level
+                              << " on, split by a function of the test");
+            const auto root = rt::build_node(part(order), first, std::span{boxes}, split, level);
+            const long yours = asked;
+            asked = 0;
+            follow(*root, part(again), first, boxes, split, level);
+            CHECK(order == again);
+            INFO("Hint: call split once for each node, and split_in_half from most_levels on");
+            CHECK(yours <= asked);
+        }
 }
 
 TEST_CASE("07.3 the list is not copied", "[07.3]") {

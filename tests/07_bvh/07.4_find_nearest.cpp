@@ -1,8 +1,14 @@
+#include <atomic>
+#include <functional>
+#include <future>
+#include <numeric>
 #include <rt/sphere_tree.hpp>
+#include <thread>
 
 #include "scenes.hpp"
 
 using namespace checkpoint;
+using rt::infinity;
 
 namespace {
 
@@ -41,10 +47,67 @@ struct ByHand {
 
 void check_winner(const rt::Search& search, const Winner& expected, const char* hint) {
     const Winner found{search.nearest, search.within.max};
-    INFO("expected " << text(expected) << ", but yours gives " << text(found)
-                     << ".\nHint: " << hint);
-    CHECK(found.sphere == expected.sphere);
-    if (expected.sphere >= 0) CHECK(same_bits(found.t, expected.t));
+    INFO("Hint: " << hint);
+    const bool same =
+        found.sphere == expected.sphere && (expected.sphere < 0 || same_bits(found.t, expected.t));
+    if (!same) CHECK(text(found) == text(expected));
+}
+
+// A tree over this part of an order, of a shape that split chooses: how many of so many places go
+// to the left, 0 for a leaf.
+std::unique_ptr<rt::TreeNode> shaped_tree(const std::vector<int>& order,
+                                          const std::vector<Box>& boxes, int first, int count,
+                                          const std::function<int(int)>& split) {
+    auto node = std::make_unique<rt::TreeNode>();
+    for (int place = first; place < first + count; ++place) {
+        const int number = order[static_cast<std::size_t>(place)];
+        node->box = rt::join(node->box, boxes[static_cast<std::size_t>(number)]);
+    }
+    const int left = split(count);
+    if (left == 0) {
+        node->first = first;
+        node->count = count;
+    } else {
+        node->left = shaped_tree(order, boxes, first, left, split);
+        node->right = shaped_tree(order, boxes, first + left, count - left, split);
+    }
+    return node;
+}
+
+std::vector<int> shuffled(int count, rt::Rng& rng) {
+    std::vector<int> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[rng() % k]);
+    return order;
+}
+
+// What a search must be after it went through a tree, here by a list of the nodes that wait.
+void expect_of(const rt::TreeNode& root, rt::Search& search) {
+    std::vector<const rt::TreeNode*> waiting{&root};
+    while (!waiting.empty()) {
+        const rt::TreeNode& node = *waiting.back();
+        waiting.pop_back();
+        if (!search.meets(node.box)) continue;
+        if (!node.is_leaf()) {
+            waiting.push_back(node.right.get());
+            waiting.push_back(node.left.get());
+            continue;
+        }
+        for (int place = node.first; place < node.first + node.count; ++place) {
+            const int number = search.order[static_cast<std::size_t>(place)];
+            const auto t = search.meets_sphere(number);
+            if (!t || (*t == search.within.max && search.nearest > number)) continue;
+            search.within.max = *t;
+            search.nearest = number;
+        }
+    }
+}
+
+std::string state(const rt::Search& search) {
+    return (search.nearest < 0 ? "no hit" : "sphere " + std::to_string(search.nearest)) +
+           ", t from " + text(search.within.min) + " to " + text(search.within.max) + ", " +
+           std::to_string(search.box_tests) + " box tests, " + std::to_string(search.sphere_tests) +
+           " sphere tests";
 }
 
 // The same winner as the linear list, bit for bit, for this many rays.
@@ -98,6 +161,52 @@ TEST_CASE("07.4 of equally near spheres the last in the list counts", "[07.4]") 
     rt::Search search{same.spheres, same.order, ray, {0, 4}};
     rt::try_sphere(0, search);
     check_winner(search, {0, 4}, "nothing was found before: the first hit counts");
+}
+
+TEST_CASE("07.4 near ties are decided by t and ties by number", "[07.4][hard]") {
+    rt::Rng rng{74, 3};
+    for (int i = 0; i < 4000; ++i) {
+        const Real size = any_size(rng, -9, 9);
+        const Vec3 d = any_direction(rng), middle = size * in_cube(rng);
+        Spheres spheres;
+        std::vector<Vec3> motions;
+        const int count = 2 + static_cast<int>(rng() % 4);
+        for (int k = 0; k < count; ++k) {
+            // Farther away by nothing, by a rounding, or by anything more.
+            const Real by = rng() % 3 == 0 ? Real(0) : any_size(rng, rng() % 2 ? -17 : -8, 0);
+            const bool behind = rng() % 16 == 0;
+            add(spheres, middle + (by - (behind ? 20 : 0)) * size * d, size);
+            motions.push_back(i % 2 ? Vec3{} : any_size(rng, -17, 0) * size * in_cube(rng));
+        }
+        const Ray ray{middle - (3 + 9 * rng.uniform()) * size * d, any_size(rng, -3, 3) * d};
+        const Real time = rng.uniform();
+        Spheres there = spheres;  // at that time
+        if (i % 4)
+            for (std::size_t k = 0; k < there.size(); ++k)
+                there[k].shape = rt::moved(there[k].shape, time * motions[k]);
+        Interval within;
+        if (i % 8 == 0) within = {-infinity, infinity};
+        if (i % 8 == 1)
+            if (const auto t = rt::hit_sphere(there[0].shape, ray, {})) within.max = *t;
+        const Winner expected = linear(there, ray, within);
+        rt::Search search{spheres, {}, ray, within};
+        if (i % 4) search.motions = motions;
+        search.time = time;
+        for (const int number : shuffled(count, rng)) rt::try_sphere(number, search);
+        rt::Search after = search;
+        after.nearest = expected.sphere;
+        after.within = {within.min, expected.sphere < 0 ? within.max : expected.t};
+        after.box_tests = 0;
+        after.sphere_tests = count;
+        if (state(search) == state(after)) continue;
+        INFO(
+            count << " spheres whose hits are almost or exactly at the same t; the first is hit at "
+                  << text(rt::hit_sphere(there[0].shape, ray, {}).value_or(-1)));
+        INFO(
+            "Hint: compare t with == and <, and only at the same t the numbers. Ask each sphere "
+            "once, by search.meets_sphere");
+        REQUIRE(state(search) == state(after));
+    }
 }
 
 TEST_CASE("07.4 the same hits as the linear list", "[07.4]") {
@@ -158,6 +267,104 @@ TEST_CASE("07.4 hits move the end of the search", "[07.4]") {
     check_winner(search, {0, Real(4.75)}, "the first in the row");
     CHECK(search.sphere_tests <= 8);
     CHECK(search.box_tests <= 30);
+}
+
+TEST_CASE("07.4 each box that counts is asked once, left before right", "[07.4][hard]") {
+    rt::Rng rng{74, 5};
+    for (int i = 0; i < 250; ++i) {
+        const int count = 1 + static_cast<int>(rng() % 60),
+                  largest = 1 + static_cast<int>(rng() % 9);
+        const Spheres spheres = random_spheres(count, rng());
+        const auto boxes = rt::bounds_of(spheres);
+        const auto order = shuffled(count, rng);
+        const auto split = [&](int n) {
+            if (n == 1 || (n <= largest && rng() % 2)) return 0;
+            return 1 + static_cast<int>(rng() % static_cast<unsigned>(n - 1));
+        };
+        // Two trees, one after the other: what was found in the first counts in the second.
+        const int half = count / 2;
+        const auto one = shaped_tree(order, boxes, half, count - half, split);
+        const auto two = half ? shaped_tree(order, boxes, 0, half, split) : nullptr;
+        for (int k = 0; k < 32; ++k) {
+            const Ray ray = any_ray(spheres, rng, k);
+            const Real a = rng.uniform(-2, 2), b = rng.uniform(-2, 4);
+            const Interval within = k % 3 == 0   ? Interval{std::min(a, b), std::max(a, b)}
+                                    : k % 3 == 1 ? Interval{std::abs(a), infinity}
+                                                 : Interval{};
+            rt::Search search{spheres, order, ray, within}, expected = search;
+            rt::find_nearest(*one, search);
+            expect_of(*one, expected);
+            if (two && state(search) == state(expected)) {
+                rt::find_nearest(*two, search);
+                expect_of(*two, expected);
+            }
+            if (state(search) == state(expected)) continue;
+            INFO("a tree of " << count << " spheres, " << text(ray) << ", t from "
+                              << text(within.min) << " to " << text(within.max));
+            INFO(
+                "Hint: ask a node's box once, by search.meets, before anything below it; then the "
+                "left child with all below it, and only then the right one. A leaf's spheres are "
+                "asked once each");
+            REQUIRE(state(search) == state(expected));
+        }
+    }
+}
+
+TEST_CASE("07.4 a tree may have 84 levels", "[07.4][hard]") {
+    // most_levels, and 20 for halves of a million. From either end of a row of spheres.
+    const int levels = rt::most_levels + 20;
+    Spheres spheres;
+    for (int i = 0; i < levels; ++i) add(spheres, {static_cast<Real>(i), 0, 0}, Real(0.25));
+    const auto boxes = rt::bounds_of(spheres);
+    std::vector<int> order(spheres.size());
+    std::iota(order.begin(), order.end(), 0);
+    for (int shape = 0; shape < 3; ++shape) {
+        const auto tree = shaped_tree(order, boxes, 0, levels, [&](int n) {
+            if (n == 1) return 0;
+            return shape == 0 || (shape == 1 && n % 2) ? 1 : n - 1;
+        });
+        for (const int way : {1, -1}) {
+            const Real start = way > 0 ? Real(-5) : static_cast<Real>(levels + 4);
+            const Ray ray{{start, 0, 0}, {static_cast<Real>(way), 0, 0}};
+            rt::Search search{spheres, order, ray, {}}, expected = search;
+            {
+                INFO("Hint, if this crashes: what waits may be as much as the tree has levels");
+                rt::find_nearest(*tree, search);
+            }
+            expect_of(*tree, expected);
+            INFO("a tree of " << levels << " levels, with one sphere beside each node");
+            INFO("Hint: no limit of your own, on levels or on nodes that wait");
+            CHECK(state(search) == state(expected));
+        }
+    }
+}
+
+TEST_CASE("07.4 many threads search one tree", "[07.4][hard]") {
+    const Spheres spheres = random_spheres(300);
+    const rt::SphereTree tree = rt::make_tree(spheres, rt::split_in_half);
+    const auto ray = [&](int i) {
+        rt::Rng rng{74, static_cast<std::uint64_t>(i)};
+        return any_ray(spheres, rng, i);
+    };
+    std::vector<int> alone;
+    for (int i = 0; i < 3000; ++i) alone.push_back(tree.search(ray(i), {}).nearest);
+    std::atomic<int> to_come = 4;
+    const auto searches = [&] {
+        for (--to_come; to_come > 0;) std::this_thread::yield();  // all begin at once
+        int others = 0;
+        for (int again = 0; again < 6; ++again)
+            for (int i = 0; i < 3000; ++i)
+                others += tree.search(ray(i), {}).nearest != alone[static_cast<std::size_t>(i)];
+        return others;
+    };
+    std::vector<std::future<int>> threads;
+    for (int i = to_come; i > 0; --i) threads.push_back(std::async(std::launch::async, searches));
+    int others = 0;
+    for (auto& thread : threads) others += thread.get();
+    INFO(
+        "rays that hit something else when four threads search at the same time.\nHint: nothing "
+        "may be static: what belongs to one ray is in its search");
+    CHECK(others == 0);
 }
 
 TEST_CASE("07.4 hard scenes give the same hits bit for bit", "[07.4][hard]") {

@@ -12,18 +12,20 @@ namespace rt {
 // the whole scene: boxes[number] is the box of the sphere of that number, and only those whose
 // numbers are in order count. Move the numbers within order, and copy nothing.
 
-// Exercise 07.3. Sorts the numbers by the middles of their boxes, along the axis along which these
-// middles lie farthest apart. Returns how many of them go to the left: half (rounded down), or 0
-// where leaf_size or fewer are there, for those need no split. Compare with <, never with <=.
+// Exercise 07.3. Sorts the numbers, all of them, in ascending order of the middles of their boxes
+// along the axis along which these middles lie farthest apart; equal ones in any order. Returns how
+// many of them go to the left: half (rounded down), or 0 where leaf_size or fewer are there, for
+// those need no split. Compare with <, never with <=.
 inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {
     return rt::todo("07.3", order, boxes);
 }
 
 // Exercise 07.3. The tree over this part of the order, which begins at the place `first` of the
 // whole. At least one number must be there. split(order, boxes) is split_in_half or another
-// function like it, and returns how many of the numbers go to the left, 0 for a leaf. The right
-// part begins where the left one ends. From level most_levels on call split_in_half in the place of
-// split. The root is at level 0.
+// function like it, and returns how many of the numbers go to the left, 0 for a leaf. Call it once
+// for each node: nothing else decides what is a leaf. The right part begins where the left one
+// ends. From level most_levels on call split_in_half in the place of split. The root is at level 0,
+// and children are one level deeper than their parent.
 template <class Split>
 std::unique_ptr<TreeNode> build_node(std::span<int> order, int first, std::span<const Box> boxes,
                                      const Split& split, int level = 0) {

@@ -15,8 +15,10 @@ inline void try_sphere(int number, Search& search) {
 
 // Exercise 07.4. Tries every sphere below a node that may be hit nearer than what was found so far.
 // What lies in a box that the ray does not meet, by search.meets(box), is skipped; a leaf has a
-// box, too. Each box is asked once, left before right. A leaf has no children, and holds the
-// spheres search.order[place] for place = first, first + 1, ... count of them.
+// box, too. Each box is asked once, and before all that is below it: the right child only after the
+// left one with all below it, as a hit there makes the search on the right shorter. A leaf has no
+// children, and holds the spheres search.order[place] for place = first, first + 1, ... count of
+// them. Trees have up to most_levels + 20 levels, and many threads search them at the same time.
 inline void find_nearest(const TreeNode& node, Search& search) {
     rt::todo("07.4", node, search);
 }

@@ -10,7 +10,8 @@ namespace rt {
 
 // Exercise 07.1. True when the ray meets the box, grown by ray.margin on all sides, at some t of
 // the interval. Its faces, edges and corners belong to the box; so does what lies in a face. A
-// component of the direction may be 0 or -0: then ray.inverse has infinity or -infinity there.
+// component of the direction may be 0 or -0: then ray.inverse has infinity or -infinity there. The
+// margin has room for all rounding: no other tolerance is wanted.
 // Always false for the empty box, Box{}, and for an empty interval (min > max).
 // Source of the idea: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986.
 inline bool hit_box(const Box& box, const SlabRay& ray, Interval within) {

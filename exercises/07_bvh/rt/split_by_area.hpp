@@ -19,7 +19,8 @@ inline Real surface_area(const Box& box) {
 // split, in tests that a ray which meets the box A around this part can expect, is
 //     1 + (k area(left box) + (count - k) area(right box)) / area(A)
 // and that of a leaf is count. As in build.hpp, only boxes[number] of the numbers in order count.
-// At least one number must be there; the time must grow as count log(count).
+// Equal middles may come in any order, as long as the order that comes back is the one whose cost
+// was the least. At least one number must be there; the time must grow as count log(count).
 // Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     return rt::todo("07.5", order, boxes);

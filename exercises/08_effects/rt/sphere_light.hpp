@@ -29,7 +29,10 @@ inline Real light_density(const Sphere& light, Vec3 from) {
 // Exercise 08.3. A direction to a sphere that shines, of length 1 within 5 epsilon, the distance to
 // its surface along it, and light_density. None where that is 0. `place` lies in the unit square, 0
 // <= x, y < 1: x says how far the direction leads from the middle (0) to the rim (1), spread evenly
-// over the cap's height; y is the share of a turn around it.
+// over the cap's height; y is the share of a turn around it, from wherever you like, to either
+// side. From inside or from a point on the surface any way to make all directions equally likely
+// will do. The distance leads to the surface within rounding_bound(60) * (d + r), where d is that
+// of the middle and r the radius; for x = 0 it is d - r within rounding_bound(30) of itself.
 // Source: Wang, "Physically correct direct lighting for distribution ray tracing", Graphics Gems
 // III, 1992.
 inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, Vec2 place) {
@@ -38,9 +41,9 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
 
 // Exercise 08.3. The weight of a way to find light that chose a direction with this density, where
 // the other way would have chosen it with density `other`: density^2 / (density^2 + other^2). Both
-// are 0 or more, finite, and not both 0; no square may overflow, nor anything become 0 / 0.
-// Source: the power heuristic of Veach and Guibas, "Optimally combining sampling techniques for
-// Monte Carlo rendering", SIGGRAPH 1995.
+// are 0 or more, finite, and not both 0; no square may overflow, nor anything become 0 / 0. Within
+// 8 epsilon. Source: the power heuristic of Veach and Guibas, "Optimally combining sampling
+// techniques for Monte Carlo rendering", SIGGRAPH 1995.
 inline Real shared_weight(Real density, Real other) {
     return rt::todo("08.3", density, other);
 }
