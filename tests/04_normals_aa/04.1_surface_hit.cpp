@@ -65,7 +65,8 @@ void for_shots(int count, Real far_power, Real far, Check check) {
         const Ray ray{sphere.center + radius * from,
                       any_size(rng, -lengths, lengths) * (aim - from)};
         auto t = rt::hit_sphere(sphere, ray, {});
-        if (t && rng() % 8 == 0) t = rt::hit_sphere(sphere, ray, {2 * *t, rt::infinity});
+        if (t && rng() % 4 == 0)  // the place where it leaves
+            t = rt::hit_sphere(sphere, ray, {std::nextafter(*t, rt::infinity), rt::infinity});
         if (!t) continue;
         ++i;
         check(Shot{sphere, ray, *t});

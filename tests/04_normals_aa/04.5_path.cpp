@@ -126,8 +126,10 @@ Story any_story(rt::Rng& rng) {
     const auto count = static_cast<std::size_t>(is_long ? rng() % 300 : rng() % 8);
     story.depth = 1 + static_cast<int>(rng() % (count + 3));
     story.first = {any_size(rng, -3, 3) * any_direction(rng), any_direction(rng)};
-    const Real darkest = is_long ? real(-0.1) : rng.uniform(-3, 0);
-    const Real brightest = is_long ? real(0.1) : real(0.5);
+    // In powers of ten. Some paths become very dim.
+    const bool is_dark = rng() % 4 == 0;
+    const Real darkest = is_long ? real(-0.1) : is_dark ? -3 : rng.uniform(-3, 0);
+    const Real brightest = is_long ? real(0.1) : is_dark ? -2 : real(0.5);
     const unsigned dark_channel = rng() % 6;  // often there is none
     for (std::size_t i = 0; i < count; ++i) {
         Hit hit;
@@ -143,7 +145,7 @@ Story any_story(rt::Rng& rng) {
         if (dark_channel == 1) attenuation.g = 0;
         if (dark_channel == 2) attenuation.b = 0;
         story.bounces.push_back({attenuation, any_direction(rng)});
-        story.factors.push_back(any_color(is_long ? darkest : 0, 2 * brightest));
+        story.factors.push_back(any_color(is_long ? darkest : 0, is_long ? real(0.2) : 1));
     }
     // Only a path that has made `depth` bounces can be ended.
     const bool can_be_ended = static_cast<int>(count) >= story.depth;
