@@ -1,6 +1,7 @@
 #pragma once
 // Scenes and rays that are hard for a tree, and the hit that counts: the linear list's.
 
+#include <algorithm>
 #include <cstring>
 #include <rt/rng.hpp>
 #include <rt/search.hpp>
@@ -31,6 +32,12 @@ inline void add(Spheres& spheres, Vec3 center, Real radius) {
 inline Vec3 in_cube(rt::Rng& rng) {
     const Real x = rng.uniform(-1, 1), y = rng.uniform(-1, 1), z = rng.uniform(-1, 1);
     return {x, y, z};
+}
+
+// The same numbers from the smallest to the largest.
+inline std::vector<int> from_smallest(std::vector<int> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
 }
 
 // As many spheres in a cube from -1 to 1; about as much of it is full for any number.
