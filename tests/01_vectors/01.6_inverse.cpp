@@ -6,6 +6,7 @@
 #include "checkpoint.hpp"
 #include "exact_inverses.hpp"
 #include "random_inputs.hpp"
+#include "refusal.hpp"
 
 using namespace checkpoint;
 using rt::Mat4;
@@ -17,25 +18,11 @@ Mat4 matrix(const exact::Inverse& row, Vec3 origin) {
                             origin);
 }
 
-// What a call throws, in words.
-template <class Call>
-std::string refusal(Call call) {
-    try {
-        call();
-    } catch (const std::domain_error&) {
-        return "std::domain_error";
-    } catch (const rt::NotImplemented&) {
-        throw;
-    } catch (const std::exception& other) {
-        return "another exception: " + std::string(other.what());
-    }
-    return "nothing was thrown";
-}
 std::string refusal_by_inverse(const Mat4& m) {
-    return refusal([&] { rt::inverse(m); });
+    return checkpoint::refusal([&] { rt::inverse(m); });
 }
 std::string refusal_by_to_object(const Mat4& m) {
-    return refusal([&] { rt::to_object(m, {1, 2, 3}); });
+    return checkpoint::refusal([&] { rt::to_object(m, {1, 2, 3}); });
 }
 
 Vec3 row_of(const Mat4& m, int row) {

@@ -6,6 +6,7 @@
 #include "checkpoint.hpp"
 #include "exact_viewports.hpp"
 #include "random_inputs.hpp"
+#include "refusal.hpp"
 
 using namespace checkpoint;
 
@@ -36,16 +37,7 @@ void check_viewport(Real fov, Real aspect, Exact exact_height) {
 
 // What a call throws, in words.
 std::string refusal(Real fov, Real aspect) {
-    try {
-        rt::viewport_size(fov, aspect);
-    } catch (const std::domain_error&) {
-        return "std::domain_error";
-    } catch (const rt::NotImplemented&) {
-        throw;
-    } catch (const std::exception& other) {
-        return "another exception: " + std::string(other.what());
-    }
-    return "nothing was thrown";
+    return checkpoint::refusal([&] { rt::viewport_size(fov, aspect); });
 }
 
 const char* suggestion(double degrees, double computed, double exact) {

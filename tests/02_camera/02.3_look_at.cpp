@@ -6,6 +6,7 @@
 #include "checkpoint.hpp"
 #include "exact_views.hpp"
 #include "random_inputs.hpp"
+#include "refusal.hpp"
 #include "vectors.hpp"
 
 using namespace checkpoint;
@@ -49,18 +50,8 @@ Vec3 scaled(Vec3 v, int exponent) {
     return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
 }
 
-// What a call throws, in words.
 std::string refusal(Vec3 from, Vec3 at, Vec3 up) {
-    try {
-        rt::look_at(from, at, up);
-    } catch (const std::domain_error&) {
-        return "std::domain_error";
-    } catch (const rt::NotImplemented&) {
-        throw;
-    } catch (const std::exception& other) {
-        return "another exception: " + std::string(other.what());
-    }
-    return "nothing was thrown";
+    return checkpoint::refusal([&] { rt::look_at(from, at, up); });
 }
 
 std::string text(const Basis& b) {
