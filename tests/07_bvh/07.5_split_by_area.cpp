@@ -241,6 +241,27 @@ TEST_CASE("07.5 a little cheaper is cheaper", "[07.5][hard]") {
             }
 }
 
+TEST_CASE("07.5 a split that is cheaper by next to nothing", "[07.5][hard]") {
+    // Two cubes with a gap of 1.5 edges: the split costs as much as the leaf. A gap that is larger
+    // by next to nothing makes the split cheaper, a smaller one the leaf.
+    const Real little = std::ldexp(rt::epsilon, 12);
+    for (int i = 0; i < 200; ++i) {
+        const Real edge = 1 + static_cast<Real>(i) / 41;
+        for (const bool apart : {true, false}) {
+            const Real gap = Real(1.5) * edge * (apart ? 1 + little : 1 - little);
+            const std::vector<Box> boxes{{{0, 0, 0}, {edge, edge, edge}},
+                                         {{gap, 0, 0}, {gap + edge, edge, edge}}};
+            auto order = numbers(2);
+            const int left = rt::split_by_area(order, boxes);
+            INFO("two cubes of edge " << checkpoint::text(edge) << ", the second one moved by "
+                                      << checkpoint::text(gap) << " along x: expected "
+                                      << (apart ? "1, the split" : "0, the leaf")
+                                      << ", but yours gives " << left);
+            REQUIRE(left == (apart ? 1 : 0));
+        }
+    }
+}
+
 TEST_CASE("07.5 a leaf where it is cheaper", "[07.5]") {
     const auto expect_leaf = [](const std::vector<Box>& boxes, const char* hint) {
         auto order = numbers(boxes.size());

@@ -725,7 +725,8 @@ def main():
 
     failed, totals = False, [0, 0, 0, 0, 0]
     record = HERE / "verified.json"
-    verified = json.loads(record.read_text()) if record.exists() else {}
+    known = json.loads(record.read_text()) if record.exists() else {}
+    verified = {}
     lines = lambda text: print(text, flush=True)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         running = []
@@ -733,7 +734,7 @@ def main():
             said = []
             sample = options.sample
             if options.changed:
-                sample = (options.sample or 5) if verified.get(exercise.id) == exercise.hash() else 0
+                sample = (options.sample or 5) if known.get(exercise.id) == exercise.hash() else 0
             running.append((exercise, sample, said, pool.submit(run_exercise, exercise, build, sample,
                                                                 not options.no_float, said.append)))
         for exercise, sample, said, result in running:
@@ -746,6 +747,8 @@ def main():
                 said.append(f"{exercise.id}: {error}")
                 failed = True
             lines("\n".join(said))
+    # Another run may have written meanwhile.
+    verified = (json.loads(record.read_text()) if record.exists() else {}) | verified
     record.write_text(json.dumps(verified, indent=1, sort_keys=True) + "\n")
     lines(f"all  made {totals[0]}  stopped {totals[1]}  allowed {totals[2]}  survived {totals[3]}")
     sys.exit(1 if failed or totals[3] or totals[4] else 0)
