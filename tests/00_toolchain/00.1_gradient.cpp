@@ -121,7 +121,7 @@ TEST_CASE("00.1 every place is right to the last digits", "[00.1][hard]") {
             // Eight roundings on the way of any corner. No term is negative, so the bound holds
             // relative to the sum; and the smallest number that there is may be added by each mix.
             const double error = std::abs((exact(color.*channel) - sum).high);
-            const double smallest = std::numeric_limits<Real>::denorm_min();
+            const double smallest = double(std::numeric_limits<Real>::denorm_min());
             if (error <= static_cast<double>(rt::rounding_bound(8)) * sum.high + 4 * smallest)
                 continue;
             INFO("a color channel at across = "

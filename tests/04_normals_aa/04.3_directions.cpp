@@ -259,9 +259,9 @@ TEST_CASE("04.3 the corners of the square give directions too", "[04.3][hard]") 
         const Vec3 d = rt::uniform_direction(place), a = rt::abs(d);
         const Real height = std::max({a.x, a.y, a.z});
         if (height < real(0.999)) continue;
-        const double from_axis = height == a.x   ? std::hypot(a.y, a.z)
-                                 : height == a.y ? std::hypot(a.x, a.z)
-                                                 : std::hypot(a.x, a.y);
+        const auto from_axis = static_cast<double>(height == a.x   ? std::hypot(a.y, a.z)
+                                                   : height == a.y ? std::hypot(a.x, a.z)
+                                                                   : std::hypot(a.x, a.y));
         const double expected = static_cast<double>(2 * std::sqrt(x * (1 - x)));
         const double off_in_epsilons =
             std::abs(from_axis / expected - 1) / static_cast<double>(rt::epsilon);

@@ -1,7 +1,7 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <companion/model/exercise.hpp>
 #include <companion/model/stubs.hpp>
-#include <algorithm>
 #include <set>
 
 #include "catch.hpp"
