@@ -411,8 +411,8 @@ TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]")
         const Real x = rng.uniform(), y = rng.uniform();
         const Vec3 d = sampled(light, {1, 1, 0}, {x, y}).direction;
         const double turn = std::atan2(double(d.y), double(d.x)) / (2 * 3.14159265358979) + 0.5;
-        const auto hundredth = [](double x) {
-            return std::clamp(static_cast<int>(100 * x), 0, 99);
+        const auto hundredth = [](double share) {
+            return std::clamp(static_cast<int>(100 * share), 0, 99);
         };
         ++zones[static_cast<std::size_t>(2 * hundredth((1 + double(d.z)) / 2) + (d.x > 0))];
         ++parts[static_cast<std::size_t>(2 * hundredth(turn) + (d.z > 0))];
