@@ -61,7 +61,7 @@ TEST_CASE("01.4 nearly edge-on is not edge-on", "[01.4][hard]") {
     }
 }
 
-TEST_CASE("01.4 exactly edge-on is 0, whatever the lengths", "[01.4][hard]") {
+TEST_CASE("01.4 exactly edge-on is 0 whatever the lengths", "[01.4][hard]") {
     INFO("Hint: scaled by a power of two, as split_scale does, no digit of these vectors is lost");
     rt::Rng rng{4, 3};
     const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };

@@ -84,7 +84,7 @@ TEST_CASE("01.7 there is a basis for 10000 directions and close to the axes", "[
         }
 }
 
-TEST_CASE("01.7 there is a basis for directions of whole numbers, and close to them",
+TEST_CASE("01.7 there is a basis for directions of whole numbers and close to them",
           "[01.7][hard]") {
     rt::Rng rng{7, 2};
     for (int x = -3; x <= 3; ++x)

@@ -269,7 +269,7 @@ TEST_CASE("07.4 hits move the end of the search", "[07.4]") {
     CHECK(search.box_tests <= 30);
 }
 
-TEST_CASE("07.4 each box that counts is asked once, left before right", "[07.4][hard]") {
+TEST_CASE("07.4 each box that counts is asked once and left before right", "[07.4][hard]") {
     rt::Rng rng{74, 5};
     for (int i = 0; i < 250; ++i) {
         const int count = 1 + static_cast<int>(rng() % 60),

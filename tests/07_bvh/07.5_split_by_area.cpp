@@ -202,7 +202,7 @@ TEST_CASE("07.5 the cheapest of all splits is found", "[07.5]") {
 
 // Few boxes at a time, for a leaf often costs nearly as much as a split; of all sizes; with other
 // boxes, which do not count, between them; some at one place.
-TEST_CASE("07.5 the cheapest of all splits, or a leaf, for any part of a scene", "[07.5][hard]") {
+TEST_CASE("07.5 the cheapest of all splits or a leaf for any part of a scene", "[07.5][hard]") {
     rt::Rng rng{75, 5};
     for (int i = 0; i < 4000; ++i) {
         const Real size = any_size(rng, -9, 9);
