@@ -78,6 +78,7 @@ std::string order_of_middles(std::span<const int> order, const std::vector<Box>&
         largest = std::max({largest, max_component(box.low), max_component(box.high)});
     }
     const Real rounding = 2 * rt::epsilon * largest, longest = max_component(middles.size());
+    const char* const along_axis[]{"along x", "along y", "along z"};
     std::string wrong;
     for (int axis = 0; axis < 3; ++axis) {
         if (rt::along(middles.size(), axis) < longest - 2 * rounding) continue;
@@ -87,7 +88,7 @@ std::string order_of_middles(std::span<const int> order, const std::vector<Box>&
         const auto before = [&](int a, int b) { return middle(a) < middle(b) - rounding; };
         const auto out = std::is_sorted_until(order.begin(), order.end(), before);
         if (out == order.end()) return ascending;
-        wrong = std::string{"along "} + "xyz"[axis] + " a middle at " + text(middle(*(out - 1))) +
+        wrong = along_axis[axis] + (" a middle at " + text(middle(*(out - 1)))) +
                 " comes before one at " + text(middle(*out));
     }
     return wrong;
