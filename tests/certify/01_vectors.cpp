@@ -31,7 +31,7 @@ void dot_product(Certificate& certificate) {
         const double error = (DoubleDouble(rt::dot(a, b)) - exact).high;
         worst = std::max(worst, std::abs(error) / (size * epsilon));
     }
-    certificate.at_most("01.1", "dot product, error against the sum of |a b|", worst, 1.5,
+    certificate.at_most("01.2", "dot product, error against the sum of |a b|", worst, 1.5,
                         "epsilon");
 }
 
@@ -54,8 +54,8 @@ void unit_vectors(Certificate& certificate) {
             ((DoubleDouble(rt::length(v)) / DoubleDouble(scale)) / length - DoubleDouble(1)).high;
         worst_length = std::max(worst_length, std::abs(ratio) / epsilon);
     }
-    certificate.at_most("01.3", "length, lengths from 1e-200 to 1e200", worst_length, 4, "epsilon");
-    certificate.at_most("01.3", "normalize, error of a component", worst_direction, 4, "epsilon");
+    certificate.at_most("01.4", "length, lengths from 1e-200 to 1e200", worst_length, 4, "epsilon");
+    certificate.at_most("01.4", "normalize, error of a component", worst_direction, 4, "epsilon");
 }
 
 void bases(Certificate& certificate) {
@@ -68,7 +68,7 @@ void bases(Certificate& certificate) {
              {rt::cross(b.u, b.v) - b.w, rt::cross(b.v, b.w) - b.u, rt::cross(b.w, b.u) - b.v})
             worst = std::max(worst, largest_component(off) / epsilon);
     }
-    certificate.at_most("01.7", "orthonormal basis, right angles and handedness", worst, 8,
+    certificate.at_most("01.8", "orthonormal basis, right angles and handedness", worst, 8,
                         "epsilon");
 }
 

@@ -7,7 +7,7 @@
 namespace rt {
 
 Color gradient(const Corners& corners, Real across, Real down) {
-    return todo({"00.1", "exercises/00_toolchain/rt/gradient.cpp", 18}, corners, across, down);
+    return todo({"00.2", "exercises/00_toolchain/rt/gradient.cpp", 18}, corners, across, down);
 }
 
 }  // namespace rt

@@ -3,7 +3,7 @@
 
 namespace rt {
 
-// Exercise 00.1. Write the definition of the function that gradient.hpp declares: the same line,
+// Exercise 00.2. Write the definition of the function that gradient.hpp declares: the same line,
 // with a body { ... } in place of the semicolon. Mix the two upper corners by `across`, the two
 // lower corners by `across`, and both results by `down`. mix(a, b, t), which rt/color.hpp has, goes
 // from color a to color b as t goes from 0 to 1.
@@ -15,7 +15,7 @@ namespace rt {
 
 // Replace these three lines by your definition. Nobody calls them: they mark the place.
 [[maybe_unused]] static void still_to_be_written() {
-    rt::todo("00.1");
+    rt::todo("00.2");
 }
 
 }  // namespace rt

@@ -9,7 +9,7 @@
 
 namespace rt {
 
-// Exercise 01.6.
+// Exercise 01.7.
 
 // The map that undoes m. Throws std::domain_error where m is singular: it flattens space (or comes
 // so near to it that rounding decides the result), or a number in it is not finite.
@@ -17,18 +17,18 @@ namespace rt {
 // Each number of the linear part is within 4 + 6 k units in the last place, where k is the sum of
 // the absolute values of the determinant's terms divided by the determinant: 1 where none cancel.
 inline Mat4 inverse(const Mat4& m) {
-    return rt::todo("01.6", m);
+    return rt::todo("01.7", m);
 }
 
 // A point of the world as the object's own coordinates have it, given the map that places the
 // object in the world. Throws std::domain_error where that map is singular.
 inline Vec3 to_object(const Mat4& object_to_world, Vec3 world_point) {
-    return rt::todo("01.6", object_to_world, world_point);
+    return rt::todo("01.7", object_to_world, world_point);
 }
 
 // The way back.
 inline Vec3 to_world(const Mat4& object_to_world, Vec3 object_point) {
-    return rt::todo("01.6", object_to_world, object_point);
+    return rt::todo("01.7", object_to_world, object_point);
 }
 
 }  // namespace rt

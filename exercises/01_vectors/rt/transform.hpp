@@ -5,29 +5,29 @@
 
 namespace rt {
 
-// Exercise 01.5. m(row, column) is the number in that row and column, both counted from 0. The
+// Exercise 01.6. m(row, column) is the number in that row and column, both counted from 0. The
 // rounding error of each number that you compute may be at most rounding_bound(5) times the sum of
 // the absolute values of its terms.
 
 // Where the map takes a point: linear part and translation.
 inline Vec3 transform_point(const Mat4& m, Vec3 p) {
-    return rt::todo("01.5", m, p);
+    return rt::todo("01.6", m, p);
 }
 
 // Where the map takes a direction, which has no place: the linear part alone.
 inline Vec3 transform_vector(const Mat4& m, Vec3 v) {
-    return rt::todo("01.5", m, v);
+    return rt::todo("01.6", m, v);
 }
 
 // Where a map takes a surface's normal, given the INVERSE of that map: the inverse's linear part,
 // transposed, times n. It stays perpendicular to the transformed surface; its length may change.
 inline Vec3 transform_normal(const Mat4& inverse, Vec3 n) {
-    return rt::todo("01.5", inverse, n);
+    return rt::todo("01.6", inverse, n);
 }
 
 // The map that applies b first, then a.
 inline Mat4 multiply(const Mat4& a, const Mat4& b) {
-    return rt::todo("01.5", a, b);
+    return rt::todo("01.6", a, b);
 }
 
 }  // namespace rt

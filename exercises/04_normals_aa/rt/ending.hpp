@@ -24,13 +24,13 @@ struct BlackEnding {
     }
 };
 
-// Exercise 04.5. Russian roulette: the path goes on with a probability p, and its throughput is
+// Exercise 04.7. Russian roulette: the path goes on with a probability p, and its throughput is
 // divided by p, so that those that go on stand in for those that ended. Right on the average: p *
 // (1 / p) = 1. p is the largest channel of the throughput, however small, but at most most_likely.
 // One random number decides. A black path, p = 0, always ends, also when 0 is drawn.
 template <class Random>
 Fate play_roulette(Color& throughput, Real most_likely, Random& random) {
-    return rt::todo("04.5", throughput, most_likely, random);
+    return rt::todo("04.7", throughput, most_likely, random);
 }
 
 struct RouletteEnding {

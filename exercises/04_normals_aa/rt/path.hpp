@@ -10,7 +10,7 @@
 
 namespace rt {
 
-// Exercise 04.5. The light that comes back along a ray: followed from bounce to bounce until it
+// Exercise 04.7. The light that comes back along a ray: followed from bounce to bounce until it
 // meets the sky, is absorbed, or is ended: ending is asked after bounce number `depth`, 1 or more,
 // and after every further one. Every hit counts, at any t from 0 to infinity; so does all light,
 // however dim. It calls leave_surface, so do 04.6 first. It is written over types:
@@ -23,7 +23,7 @@ namespace rt {
 template <class AnyRay, class World, class Materials, class Sky, class Ending, class Random>
 Color path_radiance(AnyRay ray, const World& world, const Materials& materials, const Sky& sky,
                     const Ending& ending, int depth, Random& random) {
-    return rt::todo("04.5", ray, world, materials, sky, ending, depth, random);
+    return rt::todo("04.7", ray, world, materials, sky, ending, depth, random);
 }
 
 }  // namespace rt

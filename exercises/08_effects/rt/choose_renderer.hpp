@@ -7,12 +7,12 @@
 
 namespace rt {
 
-// Exercise 08.4. The number of the renderer that draws a scene that needs these effects: it has all
+// Exercise 08.6. The number of the renderer that draws a scene that needs these effects: it has all
 // of them, and no other that has all of them has fewer effects. Of several such renderers the
 // first. The functions covers() and count() of effects.hpp help. Throws std::invalid_argument, with
 // a message of your own, when none has all.
 inline std::size_t narrowest(const Effects& needed, std::span<const Effects> renderers) {
-    return rt::todo("08.4", needed, renderers);
+    return rt::todo("08.6", needed, renderers);
 }
 
 }  // namespace rt

@@ -147,7 +147,7 @@ void check_deep(int expected_number, Work work) {
 
 }  // namespace
 
-TEST_CASE("00.3 the nodes of small trees are counted", "[00.3]") {
+TEST_CASE("00.4 the nodes of small trees are counted", "[00.4]") {
     const Watch watch;
     {
         INFO(
@@ -163,7 +163,7 @@ TEST_CASE("00.3 the nodes of small trees are counted", "[00.3]") {
     check_memory();
 }
 
-TEST_CASE("00.3 the depth of small trees", "[00.3]") {
+TEST_CASE("00.4 the depth of small trees", "[00.4]") {
     const Watch watch;
     {
         INFO("Hint: nodes on the longest way down, the root among them; the larger child counts");
@@ -177,7 +177,7 @@ TEST_CASE("00.3 the depth of small trees", "[00.3]") {
     check_memory();
 }
 
-TEST_CASE("00.3 trees of any shape are counted and measured", "[00.3]") {
+TEST_CASE("00.4 trees of any shape are counted and measured", "[00.4]") {
     const Watch watch;
     rt::Rng rng{3, 3};
     for (int i = 0; i < 300; ++i) {
@@ -191,7 +191,7 @@ TEST_CASE("00.3 trees of any shape are counted and measured", "[00.3]") {
     }
 }
 
-TEST_CASE("00.3 a tree is made of halves", "[00.3]") {
+TEST_CASE("00.4 a tree is made of halves", "[00.4]") {
     const Watch watch;
     for (const int first : {100, -1, -10, -77})
         for (int count = 1; count <= 40; ++count) {
@@ -228,7 +228,7 @@ TEST_CASE("00.3 a tree is made of halves", "[00.3]") {
         }
 }
 
-TEST_CASE("00.3 a tree of nothing is empty", "[00.3]") {
+TEST_CASE("00.4 a tree of nothing is empty", "[00.4]") {
     const Watch watch;
     for (const int first : {0, 5, -5}) {
         INFO("Hint: the root of an empty tree is nullptr; no node may be made for it");
@@ -239,7 +239,7 @@ TEST_CASE("00.3 a tree of nothing is empty", "[00.3]") {
     }
 }
 
-TEST_CASE("00.3 taking apart destroys every node once", "[00.3]") {
+TEST_CASE("00.4 taking apart destroys every node once", "[00.4]") {
     const Watch watch;
     rt::take_apart(Tree{});
     rt::take_apart(node(node(node(), node({}, node())), node()));
@@ -250,7 +250,7 @@ TEST_CASE("00.3 taking apart destroys every node once", "[00.3]") {
     check_memory();
 }
 
-TEST_CASE("00.3 no destructor runs inside of another", "[00.3][hard]") {
+TEST_CASE("00.4 no destructor runs inside of another", "[00.4][hard]") {
     const Watch watch;
     rt::Rng rng{5, 5};
     for (int kind = 0; kind < 6; ++kind) {
@@ -272,17 +272,17 @@ TEST_CASE("00.3 no destructor runs inside of another", "[00.3][hard]") {
     check_memory();
 }
 
-TEST_CASE("00.3 a tree a million nodes deep can be counted", "[00.3][hard]") {
+TEST_CASE("00.4 a tree a million nodes deep can be counted", "[00.4][hard]") {
     rt::count_nodes<PlainNode>(nullptr);
     check_deep(deep_tree().count, [](const PlainNode* root) { return rt::count_nodes(root); });
 }
 
-TEST_CASE("00.3 a tree a million nodes deep has its depth measured", "[00.3][hard]") {
+TEST_CASE("00.4 a tree a million nodes deep has its depth measured", "[00.4][hard]") {
     rt::depth_of<PlainNode>(nullptr);
     check_deep(million, [](const PlainNode* root) { return rt::depth_of(root); });
 }
 
-TEST_CASE("00.3 a tree a million nodes deep is taken apart", "[00.3][hard]") {
+TEST_CASE("00.4 a tree a million nodes deep is taken apart", "[00.4][hard]") {
     rt::take_apart(std::unique_ptr<PlainNode>{});
     PlainNode* const root = deep_tree().root;
     // In a process of its own, on a copy of the tree.
@@ -298,7 +298,7 @@ TEST_CASE("00.3 a tree a million nodes deep is taken apart", "[00.3][hard]") {
     CHECK(actual == "1 destructor at a time");
 }
 
-TEST_CASE("00.3 things may be numbered up to the largest int", "[00.3][hard]") {
+TEST_CASE("00.4 things may be numbered up to the largest int", "[00.4][hard]") {
     rt::make_tree<rt::RangeNode>(0, 0);
     using limits = std::numeric_limits<int>;
     for (const int first : {limits::max() - 100, limits::max() - 1, limits::min(), -50}) {
@@ -316,7 +316,7 @@ TEST_CASE("00.3 things may be numbered up to the largest int", "[00.3][hard]") {
     }
 }
 
-TEST_CASE("00.3 a balanced tree is as deep as the logarithm says", "[00.3][hard]") {
+TEST_CASE("00.4 a balanced tree is as deep as the logarithm says", "[00.4][hard]") {
     for (const int count : {1, 2, 3, 4, 5, 8, 9, 1000, 1024, 1025, 100'000}) {
         const auto root = rt::make_tree<rt::RangeNode>(-count / 3, count - count / 3);
         const int expected = 1 + static_cast<int>(std::ceil(std::log2(count)));

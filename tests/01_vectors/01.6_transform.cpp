@@ -75,7 +75,7 @@ void check_maps(rt::Rng& rng, Real low, Real high) {
 
 }  // namespace
 
-TEST_CASE("01.5 a point is turned and moved", "[01.5]") {
+TEST_CASE("01.6 a point is turned and moved", "[01.6]") {
     const Vec3 computed = rt::transform_point(map, {1, 2, 3});
     INFO("yours gives " << text(computed)
                         << ".\nHint: each row times (x, y, z, 1); (12, 17, 32) is 2 x, -z, y, then "
@@ -83,13 +83,13 @@ TEST_CASE("01.5 a point is turned and moved", "[01.5]") {
     CHECK(computed == Vec3{12, 17, 32});
 }
 
-TEST_CASE("01.5 a direction is turned but not moved", "[01.5]") {
+TEST_CASE("01.6 a direction is turned but not moved", "[01.6]") {
     const Vec3 computed = rt::transform_vector(map, {1, 2, 3});
     INFO("yours gives " << text(computed) << ".\nHint: each row times (x, y, z, 0)");
     CHECK(computed == Vec3{2, -3, 2});
 }
 
-TEST_CASE("01.5 a normal stays perpendicular to its surface", "[01.5]") {
+TEST_CASE("01.6 a normal stays perpendicular to its surface", "[01.6]") {
     // A slope along (1, 1, 0) has the normal (1, -1, 0). Stretched twice in x it runs along (2, 1,
     // 0).
     const Mat4 stretch = rt::scaling({2, 1, 1}), shrink = rt::scaling({real(0.5), 1, 1});
@@ -103,7 +103,7 @@ TEST_CASE("01.5 a normal stays perpendicular to its surface", "[01.5]") {
     CHECK(normal == Vec3{real(0.5), -1, 0});
 }
 
-TEST_CASE("01.5 a normal takes the columns of the inverse and does not move", "[01.5]") {
+TEST_CASE("01.6 a normal takes the columns of the inverse and does not move", "[01.6]") {
     const Vec3 computed = rt::transform_normal(inverse_of_map, {1, 2, 3});
     INFO("yours gives " << text(computed)
                         << ".\nHint: component x is column 0 of the inverse times n, and so on; "
@@ -111,7 +111,7 @@ TEST_CASE("01.5 a normal takes the columns of the inverse and does not move", "[
     CHECK(computed == Vec3{real(0.5), -3, 2});
 }
 
-TEST_CASE("01.5 the product of two maps applies the right one first", "[01.5]") {
+TEST_CASE("01.6 the product of two maps applies the right one first", "[01.6]") {
     const Mat4 move = rt::translation({1, 0, 0}), stretch = rt::scaling({2, 3, 4});
     const Mat4 moved_last = rt::multiply(move, stretch), moved_first = rt::multiply(stretch, move);
     INFO(
@@ -121,17 +121,17 @@ TEST_CASE("01.5 the product of two maps applies the right one first", "[01.5]") 
     CHECK(moved_first == Mat4{{{{2, 0, 0, 2}, {0, 3, 0, 0}, {0, 0, 4, 0}, {0, 0, 0, 1}}}});
 }
 
-TEST_CASE("01.5 any map is applied to anything", "[01.5]") {
+TEST_CASE("01.6 any map is applied to anything", "[01.6]") {
     rt::Rng rng{5, 1};
     for (int i = 0; i < 300; ++i) check_maps(rng, -1, 1);
 }
 
-TEST_CASE("01.5 a map times its inverse is the identity", "[01.5][hard]") {
+TEST_CASE("01.6 a map times its inverse is the identity", "[01.6][hard]") {
     CHECK(rt::multiply(map, inverse_of_map) == Mat4{});
     CHECK(rt::multiply(inverse_of_map, map) == Mat4{});
 }
 
-TEST_CASE("01.5 a sheared and squeezed surface keeps its normal", "[01.5][hard]") {
+TEST_CASE("01.6 a sheared and squeezed surface keeps its normal", "[01.6][hard]") {
     // Powers of two, so that nothing is rounded: the angle must be right exactly.
     const Real s = real(for_this_precision(0x1p-20, 0x1p-200));
     const Mat4 shear{{{{1, 4, 0, 7}, {0, s, 0, 8}, {0, 0, 1 / s, 9}, {0, 0, 0, 1}}}};
@@ -143,7 +143,7 @@ TEST_CASE("01.5 a sheared and squeezed surface keeps its normal", "[01.5][hard]"
     CHECK(std::abs(normal.x) + std::abs(normal.y) > 0);
 }
 
-TEST_CASE("01.5 each number is within the bound of five roundings", "[01.5][hard]") {
+TEST_CASE("01.6 each number is within the bound of five roundings", "[01.6][hard]") {
     // Terms of very different sizes, which may cancel: the bound is on the size of the terms.
     const Real far = for_this_precision<Real>(15, 100);
     rt::Rng rng{5, 2};

@@ -91,7 +91,7 @@ void check_memory() {
 
 }  // namespace
 
-TEST_CASE("00.2 a new canvas has its size and its color", "[00.2]") {
+TEST_CASE("00.3 a new canvas has its size and its color", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         const int before = Watch::live_objects();
@@ -117,7 +117,7 @@ TEST_CASE("00.2 a new canvas has its size and its color", "[00.2]") {
     CHECK(complaint(Canvas{2, 2}, 2, 2, [](int, int) { return 0; }) == "");
 }
 
-TEST_CASE("00.2 the pixels are released with the canvas", "[00.2]") {
+TEST_CASE("00.3 the pixels are released with the canvas", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         { const Canvas canvas{width, height, WatchedPixel{7}}; }
@@ -125,7 +125,7 @@ TEST_CASE("00.2 the pixels are released with the canvas", "[00.2]") {
     }
 }
 
-TEST_CASE("00.2 a copy has pixels of its own", "[00.2]") {
+TEST_CASE("00.3 a copy has pixels of its own", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         const Canvas original = numbered(width, height);
@@ -151,7 +151,7 @@ TEST_CASE("00.2 a copy has pixels of its own", "[00.2]") {
     check_memory();
 }
 
-TEST_CASE("00.2 a move takes the pixels over", "[00.2]") {
+TEST_CASE("00.3 a move takes the pixels over", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         Canvas original = numbered(width, height);
@@ -175,7 +175,7 @@ TEST_CASE("00.2 a move takes the pixels over", "[00.2]") {
     check_memory();
 }
 
-TEST_CASE("00.2 assignment copies or moves and releases what was there", "[00.2]") {
+TEST_CASE("00.3 assignment copies or moves and releases what was there", "[00.3]") {
     const Watch watch;
     const char* const hint = "std::swap each of the three members with other's";
     for (const auto& [width, height] : sizes)
@@ -208,7 +208,7 @@ TEST_CASE("00.2 assignment copies or moves and releases what was there", "[00.2]
     check_memory();
 }
 
-TEST_CASE("00.2 flipped swaps top and bottom", "[00.2]") {
+TEST_CASE("00.3 flipped swaps top and bottom", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         const Canvas canvas = numbered(width, height);
@@ -229,7 +229,7 @@ TEST_CASE("00.2 flipped swaps top and bottom", "[00.2]") {
     check_memory();
 }
 
-TEST_CASE("00.2 a canvas that is moved into flipped comes out again", "[00.2]") {
+TEST_CASE("00.3 a canvas that is moved into flipped comes out again", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         Canvas canvas = numbered(width, height);
@@ -253,7 +253,7 @@ TEST_CASE("00.2 a canvas that is moved into flipped comes out again", "[00.2]") 
     check_memory();
 }
 
-TEST_CASE("00.2 largest is a reference to the pixel itself", "[00.2]") {
+TEST_CASE("00.3 largest is a reference to the pixel itself", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : {std::pair{3, 2}, {1, 1}, {1, 6}, {4, 5}}) {
         Canvas canvas{width, height, WatchedPixel{}};
@@ -282,7 +282,7 @@ TEST_CASE("00.2 largest is a reference to the pixel itself", "[00.2]") {
     check_memory();
 }
 
-TEST_CASE("00.2 of several largest pixels the first is found", "[00.2][hard]") {
+TEST_CASE("00.3 of several largest pixels the first is found", "[00.3][hard]") {
     const Watch watch;
     Canvas canvas{5, 4, WatchedPixel{-5}};
     // Catch2 would print addresses, which tell a person nothing.
@@ -305,7 +305,7 @@ TEST_CASE("00.2 of several largest pixels the first is found", "[00.2][hard]") {
     check_found(4, 3, "the largest one may be the last");
 }
 
-TEST_CASE("00.2 a canvas may be assigned to itself", "[00.2][hard]") {
+TEST_CASE("00.3 a canvas may be assigned to itself", "[00.3][hard]") {
     const Watch watch;
     {
         Canvas canvas = numbered(3, 2);
@@ -319,7 +319,7 @@ TEST_CASE("00.2 a canvas may be assigned to itself", "[00.2][hard]") {
     check_memory();
 }
 
-TEST_CASE("00.2 a vector of canvases grows without copies", "[00.2][hard]") {
+TEST_CASE("00.3 a vector of canvases grows without copies", "[00.3][hard]") {
     const Watch watch;
     {
         std::vector<Canvas> canvases;
@@ -339,7 +339,7 @@ TEST_CASE("00.2 a vector of canvases grows without copies", "[00.2][hard]") {
     check_memory();
 }
 
-TEST_CASE("00.2 a canvas that was moved from can be used again", "[00.2][hard]") {
+TEST_CASE("00.3 a canvas that was moved from can be used again", "[00.3][hard]") {
     const Watch watch;
     {
         Canvas canvas = numbered(3, 2);
@@ -365,7 +365,7 @@ TEST_CASE("00.2 a canvas that was moved from can be used again", "[00.2][hard]")
     check_memory();
 }
 
-TEST_CASE("00.2 sides below 1 are refused and nothing is lost", "[00.2][hard]") {
+TEST_CASE("00.3 sides below 1 are refused and nothing is lost", "[00.3][hard]") {
     const Watch watch;
     try {
         const Canvas one{1, 1, WatchedPixel{1}};
@@ -397,7 +397,7 @@ TEST_CASE("00.2 sides below 1 are refused and nothing is lost", "[00.2][hard]") 
     check_memory();
 }
 
-TEST_CASE("00.2 a heap that is full is no canvas that is lost", "[00.2][hard]") {
+TEST_CASE("00.3 a heap that is full is no canvas that is lost", "[00.3][hard]") {
     const Watch watch;
     {
         Canvas canvas = numbered(3, 2);

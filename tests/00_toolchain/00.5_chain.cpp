@@ -106,7 +106,7 @@ const char* const in_order =
 
 }  // namespace
 
-TEST_CASE("00.4 the values of a chain are added up", "[00.4]") {
+TEST_CASE("00.5 the values of a chain are added up", "[00.5]") {
     const char* const hint =
         "the sum starts at 0, `Real sum = 0;`: without a value it holds rubbish, and `auto sum = "
         "0` is "
@@ -120,13 +120,13 @@ TEST_CASE("00.4 the values of a chain are added up", "[00.4]") {
     check_sum("8, 0, 4.5, -2 and 0.75", &start, Real(11.25), hint);
 }
 
-TEST_CASE("00.4 an empty chain has the sum 0 and gathers nothing", "[00.4]") {
+TEST_CASE("00.5 an empty chain has the sum 0 and gathers nothing", "[00.5]") {
     INFO("Hint: `Real sum = 0;` and `std::vector<Link> links;`, and no link to begin with");
     CHECK(rt::sum_along(nullptr) == 0);
     CHECK(rt::gathered(nullptr).size() == 0);
 }
 
-TEST_CASE("00.4 the gathered links come in the order of the chain", "[00.4]") {
+TEST_CASE("00.5 the gathered links come in the order of the chain", "[00.5]") {
     for (const int count : {1, 2, 3, 10, 50}) {
         const Scattered chain{count};
         const std::vector<Link> links = rt::gathered(chain.first);
@@ -138,7 +138,7 @@ TEST_CASE("00.4 the gathered links come in the order of the chain", "[00.4]") {
     }
 }
 
-TEST_CASE("00.4 each gathered link leads to the one behind it", "[00.4]") {
+TEST_CASE("00.5 each gathered link leads to the one behind it", "[00.5]") {
     const Scattered chain{10}, other{12};
     const std::vector<Link> links = rt::gathered(chain.first);
     const std::vector<Link> others = rt::gathered(other.first);
@@ -146,14 +146,14 @@ TEST_CASE("00.4 each gathered link leads to the one behind it", "[00.4]") {
     check_gathered(others, other.values);
 }
 
-TEST_CASE("00.4 the sum is the same after gathering", "[00.4]") {
+TEST_CASE("00.5 the sum is the same after gathering", "[00.5]") {
     const Scattered chain{50};
     const std::vector<Link> links = rt::gathered(chain.first);
     check_gathered(links, chain.values);
     check_sum("the gathered chain", links.data(), rt::sum_along(chain.first), in_order);
 }
 
-TEST_CASE("00.4 the values are added in the order of the chain", "[00.4][hard]") {
+TEST_CASE("00.5 the values are added in the order of the chain", "[00.5][hard]") {
     // Floating point numbers are rounded after every step: another order, another sum.
     const Real huge = 2 / rt::epsilon;
     const Link end{1, nullptr}, down{-huge, &end}, one{1, &down}, up{huge, &one};
@@ -168,14 +168,14 @@ TEST_CASE("00.4 the values are added in the order of the chain", "[00.4][hard]")
     }
 }
 
-TEST_CASE("00.4 chains of any length are gathered", "[00.4][hard]") {
+TEST_CASE("00.5 chains of any length are gathered", "[00.5][hard]") {
     for (int count = 1; count <= 200; ++count) {
         const Scattered chain{count};
         check_gathered(rt::gathered(chain.first), chain.values);
     }
 }
 
-TEST_CASE("00.4 a chain of millions of links leads from each link to the next", "[00.4][hard]") {
+TEST_CASE("00.5 a chain of millions of links leads from each link to the next", "[00.5][hard]") {
     // Whoever reserves room for many links and connects while it fills passes up to there.
     rt::gathered(nullptr);
     const std::vector<Link> chain = long_chain();
@@ -201,7 +201,7 @@ TEST_CASE("00.4 a chain of millions of links leads from each link to the next", 
     CHECK(wrong == "");
 }
 
-TEST_CASE("00.4 the gathered chain outlives the old one", "[00.4][hard]") {
+TEST_CASE("00.5 the gathered chain outlives the old one", "[00.5][hard]") {
     std::vector<Link> links;
     Scattered chain{20};
     {
@@ -213,7 +213,7 @@ TEST_CASE("00.4 the gathered chain outlives the old one", "[00.4][hard]") {
     check_sum("the gathered chain", links.data(), chain.sum(), in_order);
 }
 
-TEST_CASE("00.4 a chain of millions of links does not fill the stack", "[00.4][hard]") {
+TEST_CASE("00.5 a chain of millions of links does not fill the stack", "[00.5][hard]") {
     rt::sum_along(nullptr);
     const std::vector<Link> chain = long_chain();
     Real expected_sum = 0;

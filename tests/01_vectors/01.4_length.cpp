@@ -90,27 +90,27 @@ void check_scaled(const Scaled& scaled) {
 
 }  // namespace
 
-TEST_CASE("01.3 the length follows from Pythagoras", "[01.3]") {
+TEST_CASE("01.4 the length follows from Pythagoras", "[01.4]") {
     for (const auto& row : exact::lengths())
         if (is_ordinary(row)) check_length(row);
 }
 
-TEST_CASE("01.3 normalize keeps the direction and makes the length 1", "[01.3]") {
+TEST_CASE("01.4 normalize keeps the direction and makes the length 1", "[01.4]") {
     for (const auto& row : exact::lengths())
         if (is_ordinary(row)) check_normalize(row);
 }
 
-TEST_CASE("01.3 the length of huge and tiny vectors is right", "[01.3][hard]") {
+TEST_CASE("01.4 the length of huge and tiny vectors is right", "[01.4][hard]") {
     for (const auto& row : exact::lengths())
         if (!is_ordinary(row)) check_length(row);
 }
 
-TEST_CASE("01.3 normalize works on huge and tiny vectors", "[01.3][hard]") {
+TEST_CASE("01.4 normalize works on huge and tiny vectors", "[01.4][hard]") {
     for (const auto& row : exact::lengths())
         if (!is_ordinary(row)) check_normalize(row);
 }
 
-TEST_CASE("01.3 vectors of any direction have a length", "[01.3]") {
+TEST_CASE("01.4 vectors of any direction have a length", "[01.4]") {
     rt::Rng rng{3, 1};
     for (int i = 0; i < 2000; ++i) check_scaled(any_scaled(rng, -10, 10));
     // Some are nearly as long as 1 already.
@@ -120,7 +120,7 @@ TEST_CASE("01.3 vectors of any direction have a length", "[01.3]") {
              0});
 }
 
-TEST_CASE("01.3 the smallest and the largest numbers have a length", "[01.3][hard]") {
+TEST_CASE("01.4 the smallest and the largest numbers have a length", "[01.4][hard]") {
     rt::Rng rng{3, 2};
     for (int i = 0; i < 2000; ++i) {
         check_scaled(any_scaled(rng, smallest_exponent, largest_exponent - 1));
@@ -143,7 +143,7 @@ TEST_CASE("01.3 the smallest and the largest numbers have a length", "[01.3][har
     CHECK(rt::length({largest, largest, -largest}) == rt::infinity);
 }
 
-TEST_CASE("01.3 a vector without direction is refused", "[01.3][hard]") {
+TEST_CASE("01.4 a vector without direction is refused", "[01.4][hard]") {
     INFO(
         "Hint: throw std::domain_error(\"why\") where the vector is zero, infinite or not a "
         "number; "

@@ -20,7 +20,7 @@ void check_cross(Vec3 a, Vec3 b) {
 
 }  // namespace
 
-TEST_CASE("01.2 x cross y is z and so on around", "[01.2]") {
+TEST_CASE("01.3 x cross y is z and so on around", "[01.3]") {
     const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
     INFO(
         "Hint: if only signs are wrong, two products are swapped: the order is y z - z y, "
@@ -30,21 +30,21 @@ TEST_CASE("01.2 x cross y is z and so on around", "[01.2]") {
     CHECK(rt::cross(z, x) == y);
 }
 
-TEST_CASE("01.2 the cross product changes its sign when its factors are swapped", "[01.2]") {
+TEST_CASE("01.3 the cross product changes its sign when its factors are swapped", "[01.3]") {
     const Vec3 a{1, 2, 3}, b{4, 5, 7};
     INFO("cross((1, 2, 3), (4, 5, 7)) must be (-1, 5, -3), yours is " << text(rt::cross(a, b)));
     CHECK(rt::cross(a, b) == Vec3{-1, 5, -3});
     CHECK(rt::cross(b, a) == Vec3{1, -5, 3});
 }
 
-TEST_CASE("01.2 the cross product of a vector with itself is exactly zero", "[01.2][hard]") {
+TEST_CASE("01.3 the cross product of a vector with itself is exactly zero", "[01.3][hard]") {
     const Vec3 a{real(0.1), real(-0.7), real(0.3)};
     INFO("yours is " << text(rt::cross(a, a))
                      << ".\nHint: the two products of a component must round alike");
     CHECK(rt::cross(a, a) == Vec3{0, 0, 0});
 }
 
-TEST_CASE("01.2 the cross product is perpendicular to both and as long as it should be", "[01.2]") {
+TEST_CASE("01.3 the cross product is perpendicular to both and as long as it should be", "[01.3]") {
     // Small whole numbers, with which nothing is rounded.
     rt::Rng rng{2, 1};
     const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
@@ -58,8 +58,8 @@ TEST_CASE("01.2 the cross product is perpendicular to both and as long as it sho
     }
 }
 
-TEST_CASE("01.2 the cross product is within 1.5 ulp even where its products cancel",
-          "[01.2][hard]") {
+TEST_CASE("01.3 the cross product is within 1.5 ulp even where its products cancel",
+          "[01.3][hard]") {
     for (const auto& row : exact::products()) check_cross(vec3(row.a), vec3(row.b));
     // Products near the largest and the smallest numbers, and factors parallel but for their last
     // digits.

@@ -44,7 +44,7 @@ constexpr Corners four{{1, 2, 3}, {5, 7, 11}, {13, 17, 19}, {23, 29, 31}};
 
 }  // namespace
 
-TEST_CASE("00.1 each corner has its own color", "[00.1]") {
+TEST_CASE("00.2 each corner has its own color", "[00.2]") {
     const char* const hint =
         "across = 0 is left and 1 is right, down = 0 is the top. Across mixes along a row, the "
         "top one and the bottom one; down mixes these two";
@@ -54,7 +54,7 @@ TEST_CASE("00.1 each corner has its own color", "[00.1]") {
     check_exactly(four, 1, 1, four.bottom_right, hint);
 }
 
-TEST_CASE("00.1 halfway is the mean of both ends", "[00.1]") {
+TEST_CASE("00.2 halfway is the mean of both ends", "[00.2]") {
     const char* const hint = "mix(a, b, t) goes evenly from a to b; 1 / 2 is 0 in C++";
     const Real half = Real(0.5);
     check_exactly(four, half, 0, {3, Real(4.5), 7}, hint);
@@ -64,13 +64,13 @@ TEST_CASE("00.1 halfway is the mean of both ends", "[00.1]") {
     check_exactly(four, half, half, {Real(10.5), Real(13.75), 16}, hint);
 }
 
-TEST_CASE("00.1 a quarter of the way down is a quarter of the way", "[00.1]") {
+TEST_CASE("00.2 a quarter of the way down is a quarter of the way", "[00.2]") {
     const Corners corners{{0, 0, 0}, {16, 0, 0}, {0, 16, 0}, {0, 0, 16}};
     check_exactly(corners, Real(0.75), Real(0.25), {9, 1, 3},
                   "mix above and below by across, then those two by down");
 }
 
-TEST_CASE("00.1 the ends are exact whatever is on the other side", "[00.1][hard]") {
+TEST_CASE("00.2 the ends are exact whatever is on the other side", "[00.2][hard]") {
     const char* const hint =
         "(1 - t) a + t b is exactly b at t = 1; a + t (b - a) is not, since b - a was rounded";
     const Color sun{Real(1e6), Real(3e6), Real(7e6)}, dark{Real(0.1), Real(0.2), Real(0.7)};
@@ -81,7 +81,7 @@ TEST_CASE("00.1 the ends are exact whatever is on the other side", "[00.1][hard]
     check_exactly(corners, 0, 0, sun, hint);
 }
 
-TEST_CASE("00.1 every place is right to the last digits", "[00.1][hard]") {
+TEST_CASE("00.2 every place is right to the last digits", "[00.2][hard]") {
     rt::Rng rng{1, 1};
     const auto one_in = [&](int n) { return rng.uniform() * static_cast<Real>(n) < 1; };
     // Near either end, at an end, at the place before, or anywhere.

@@ -214,7 +214,7 @@ struct TimedGround : Ground {
 
 }  // namespace
 
-TEST_CASE("04.5 a path that hits nothing brings the sky of its direction", "[04.5]") {
+TEST_CASE("04.7 a path that hits nothing brings the sky of its direction", "[04.7]") {
     rt::Rng rng{45, 1};
     const Ground world;
     const rt::GradientSky sky{{0, 0, 0}, {1, 1, 1}};
@@ -236,7 +236,7 @@ TEST_CASE("04.5 a path that hits nothing brings the sky of its direction", "[04.
     if (!is_near(bounced, tint)) CHECK(text(bounced) == text(tint));
 }
 
-TEST_CASE("04.5 every bounce multiplies the light by its attenuation", "[04.5]") {
+TEST_CASE("04.7 every bounce multiplies the light by its attenuation", "[04.7]") {
     for (int bounces = 1; bounces <= 6; ++bounces) {
         rt::Rng rng{45, 2};
         const Ground world;
@@ -250,7 +250,7 @@ TEST_CASE("04.5 every bounce multiplies the light by its attenuation", "[04.5]")
     }
 }
 
-TEST_CASE("04.5 an absorbed path is black", "[04.5]") {
+TEST_CASE("04.7 an absorbed path is black", "[04.7]") {
     rt::Rng rng{45, 3};
     const Color light = rt::path_radiance(downward, Ground{}, Absorber{}, rt::UniformSky{},
                                           rt::SkyEnding{}, 8, rng);
@@ -258,7 +258,7 @@ TEST_CASE("04.5 an absorbed path is black", "[04.5]") {
     if (!(light == Color{})) CHECK(text(light) == "(0, 0, 0)");
 }
 
-TEST_CASE("04.5 the material is told the incoming direction and the hit", "[04.5]") {
+TEST_CASE("04.7 the material is told the incoming direction and the hit", "[04.7]") {
     rt::Rng rng{45, 4};
     for (int i = 0; i < 500; ++i) {
         const Story story = any_story(rng);
@@ -290,7 +290,7 @@ TEST_CASE("04.5 the material is told the incoming direction and the hit", "[04.5
     }
 }
 
-TEST_CASE("04.5 any path brings the light that its bounces say", "[04.5]") {
+TEST_CASE("04.7 any path brings the light that its bounces say", "[04.7]") {
     rt::Rng rng{45, 14};
     for (int i = 0; i < 2000; ++i) {
         const Story story = any_story(rng);
@@ -389,7 +389,7 @@ TEST_CASE("04.5 any path brings the light that its bounces say", "[04.5]") {
     }
 }
 
-TEST_CASE("04.5 the depth limit ends a path in the sky or in black", "[04.5]") {
+TEST_CASE("04.7 the depth limit ends a path in the sky or in black", "[04.7]") {
     for (const int depth : {1, 2, 5, 50}) {
         rt::Rng rng{45, 5};
         const Ground sky_world, black_world;
@@ -419,7 +419,7 @@ TEST_CASE("04.5 the depth limit ends a path in the sky or in black", "[04.5]") {
     }
 }
 
-TEST_CASE("04.5 the ray keeps what else it carries", "[04.5]") {
+TEST_CASE("04.7 the ray keeps what else it carries", "[04.7]") {
     rt::Rng rng{45, 6};
     const TimedRay ray{{0, 1, 0}, {0, -1, 0}, real(0.375)};
     const TimedGround world;
@@ -428,7 +428,7 @@ TEST_CASE("04.5 the ray keeps what else it carries", "[04.5]") {
     CHECK_FALSE(world.time_was_lost);
 }
 
-TEST_CASE("04.5 black darkens and the sky brightens by what the series says", "[04.5]") {
+TEST_CASE("04.7 black darkens and the sky brightens by what the series says", "[04.7]") {
     const double albedo = 0.8, up = 0.25;
     for (const int depth : {1, 2, 4}) {
         // The paths that end by themselves: after k bounces, of which the last goes up.
@@ -448,7 +448,7 @@ TEST_CASE("04.5 black darkens and the sky brightens by what the series says", "[
     }
 }
 
-TEST_CASE("04.5 Russian roulette is right on the average", "[04.5]") {
+TEST_CASE("04.7 Russian roulette is right on the average", "[04.7]") {
     const double albedo = 0.8, up = 0.25, exact = albedo * up / (1 - albedo * (1 - up));
     for (const int depth : {1, 3}) {
         const Mean light = mean_light(real(albedo), depth, rt::RouletteEnding{}, 9);
@@ -459,7 +459,7 @@ TEST_CASE("04.5 Russian roulette is right on the average", "[04.5]") {
     }
 }
 
-TEST_CASE("04.5 roulette follows bright paths and lets dark ones go", "[04.5][hard]") {
+TEST_CASE("04.7 roulette follows bright paths and lets dark ones go", "[04.7][hard]") {
     // Draws the same number again and again.
     struct Fixed {
         Real number;
@@ -519,7 +519,7 @@ TEST_CASE("04.5 roulette follows bright paths and lets dark ones go", "[04.5][ha
     }
 }
 
-TEST_CASE("04.5 a black path ends whatever roulette draws", "[04.5][hard]") {
+TEST_CASE("04.7 a black path ends whatever roulette draws", "[04.7][hard]") {
     struct Always {
         Real number;
         Real uniform() const { return number; }
@@ -540,7 +540,7 @@ TEST_CASE("04.5 a black path ends whatever roulette draws", "[04.5][hard]") {
     }
 }
 
-TEST_CASE("04.5 even a path between white surfaces ends by roulette", "[04.5][hard]") {
+TEST_CASE("04.7 even a path between white surfaces ends by roulette", "[04.7][hard]") {
     rt::Rng rng{45, 11};
     for (int i = 0; i < 1000; ++i) {
         const Ground world;

@@ -32,7 +32,7 @@ void check_side(Vec3 normal, Vec3 to_viewer, int exponent, int other_exponent) {
 
 }  // namespace
 
-TEST_CASE("01.4 facing is the sign of the cosine", "[01.4]") {
+TEST_CASE("01.5 facing is the sign of the cosine", "[01.5]") {
     const Vec3 normal{0, 1, 0};
     INFO("Hint: the cosine of an angle is positive below 90 degrees and negative above");
     CHECK(rt::facing(normal, {real(0.5), 1, 0}) == 1);
@@ -40,19 +40,19 @@ TEST_CASE("01.4 facing is the sign of the cosine", "[01.4]") {
     CHECK(rt::facing(normal, {1, 0, -2}) == 0);
 }
 
-TEST_CASE("01.4 the lengths of the vectors do not matter", "[01.4]") {
+TEST_CASE("01.5 the lengths of the vectors do not matter", "[01.5]") {
     INFO("Hint: compare the dot product with 0, not with 1");
     CHECK(rt::facing({0, 0, 20}, {0, 3, 100}) == 1);
     CHECK(rt::facing({0, 0, real(0.125)}, {0, 3, real(-0.5)}) == -1);
     CHECK(rt::facing({1, 2, 3}, {3, 0, -1}) == 0);
 }
 
-TEST_CASE("01.4 any two directions", "[01.4]") {
+TEST_CASE("01.5 any two directions", "[01.5]") {
     rt::Rng rng{4, 1};
     for (int i = 0; i < 2000; ++i) check_side(any_vector(rng, -2, 2), any_vector(rng, -2, 2), 0, 0);
 }
 
-TEST_CASE("01.4 nearly edge-on is not edge-on", "[01.4][hard]") {
+TEST_CASE("01.5 nearly edge-on is not edge-on", "[01.5][hard]") {
     rt::Rng rng{4, 2};
     for (int i = 0; i < 4000; ++i) {
         const Vec3 a = any_vector(rng, -1, 1), b = any_vector(rng, -1, 1);
@@ -61,7 +61,7 @@ TEST_CASE("01.4 nearly edge-on is not edge-on", "[01.4][hard]") {
     }
 }
 
-TEST_CASE("01.4 exactly edge-on is 0 whatever the lengths", "[01.4][hard]") {
+TEST_CASE("01.5 exactly edge-on is 0 whatever the lengths", "[01.5][hard]") {
     INFO("Hint: scaled by a power of two, as split_scale does, no digit of these vectors is lost");
     rt::Rng rng{4, 3};
     const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
@@ -76,7 +76,7 @@ TEST_CASE("01.4 exactly edge-on is 0 whatever the lengths", "[01.4][hard]") {
     }
 }
 
-TEST_CASE("01.4 tiny and huge vectors have a side too", "[01.4][hard]") {
+TEST_CASE("01.5 tiny and huge vectors have a side too", "[01.5][hard]") {
     constexpr int digits = std::numeric_limits<Real>::digits,
                   lowest = std::numeric_limits<Real>::min_exponent - digits,
                   highest = std::numeric_limits<Real>::max_exponent - 1;
@@ -99,7 +99,7 @@ TEST_CASE("01.4 tiny and huge vectors have a side too", "[01.4][hard]") {
     }
 }
 
-TEST_CASE("01.4 a zero vector faces nowhere", "[01.4][hard]") {
+TEST_CASE("01.5 a zero vector faces nowhere", "[01.5][hard]") {
     const Real huge = std::numeric_limits<Real>::max();
     for (const Real zero : {Real(0), Real(-0.0)})
         for (const Vec3 other : {Vec3{1, 2, 3}, Vec3{-huge, huge, huge}, Vec3{0, 0, 0}}) {

@@ -22,7 +22,7 @@ void check_dot(Vec3 a, Vec3 b) {
 
 }  // namespace
 
-TEST_CASE("01.1 the dot product sums the products of all three components", "[01.1]") {
+TEST_CASE("01.2 the dot product sums the products of all three components", "[01.2]") {
     const Vec3 a{1, 2, 3}, b{10, 100, 1000};
     const Real computed = rt::dot(a, b);
     INFO("dot((1, 2, 3), (10, 100, 1000)): expected 10 + 200 + 3000 = 3210, yours gives "
@@ -31,7 +31,7 @@ TEST_CASE("01.1 the dot product sums the products of all three components", "[01
     CHECK(computed == 3210);
 }
 
-TEST_CASE("01.1 the dot product takes any vectors", "[01.1]") {
+TEST_CASE("01.2 the dot product takes any vectors", "[01.2]") {
     rt::Rng rng{1, 1};
     for (int i = 0; i < 2000; ++i) {
         const Vec3 a = any_vector(rng, -2, 2), b = any_vector(rng, -2, 2);
@@ -41,7 +41,7 @@ TEST_CASE("01.1 the dot product takes any vectors", "[01.1]") {
     }
 }
 
-TEST_CASE("01.1 the dot product has the accuracy that three products allow", "[01.1][hard]") {
+TEST_CASE("01.2 the dot product has the accuracy that three products allow", "[01.2][hard]") {
     for (const auto& row : exact::products()) check_dot(vec3(row.a), vec3(row.b));
     // Products near the largest and the smallest numbers, too.
     const Real apart = for_this_precision<Real>(7, 60), far = for_this_precision<Real>(8, 70);

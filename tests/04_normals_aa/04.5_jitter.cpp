@@ -67,7 +67,7 @@ void check_offset(int cell, int n, Vec2 place) {
 
 }  // namespace
 
-TEST_CASE("04.4 jittered offsets lie one in each cell", "[04.4]") {
+TEST_CASE("04.5 jittered offsets lie one in each cell", "[04.5]") {
     rt::Rng rng{44, 1};
     for (int n = 1; n <= 16; ++n)
         for (int cell = 0; cell < n * n; ++cell) check_offset(cell, n, rt::random_place(rng));
@@ -78,7 +78,7 @@ TEST_CASE("04.4 jittered offsets lie one in each cell", "[04.4]") {
     }
 }
 
-TEST_CASE("04.4 the average takes each cell once and all samples", "[04.4]") {
+TEST_CASE("04.5 the average takes each cell once and all samples", "[04.5]") {
     rt::Rng rng{44, 2};
     for (int i = 1; i <= 134; ++i) {
         const int more[] = {1000, 1023, 1024, 1025}, samples = i <= 130 ? i : more[i - 131];
@@ -122,7 +122,7 @@ TEST_CASE("04.4 the average takes each cell once and all samples", "[04.4]") {
     }
 }
 
-TEST_CASE("04.4 each sample lies anywhere in its cell whatever the others do", "[04.4]") {
+TEST_CASE("04.5 each sample lies anywhere in its cell whatever the others do", "[04.5]") {
     rt::Rng rng{44, 3};
     constexpr int pixels = 5000;
     // Both coordinates of all samples of a pixel, each from 0 to 1 across its cell. In any two of
@@ -176,7 +176,7 @@ TEST_CASE("04.4 each sample lies anywhere in its cell whatever the others do", "
     CHECK(places.chi_square() < PairCounts::limit());
 }
 
-TEST_CASE("04.4 an edge pixel shows how much of it is covered", "[04.4]") {
+TEST_CASE("04.5 an edge pixel shows how much of it is covered", "[04.5]") {
     const Real cosine = real(0.8), sine = real(0.6), edge = real(0.55);
     const double covered = coverage(0.8, 0.6, 0.55);
     for (const int samples : {1, 4, 16, 20}) {
@@ -200,7 +200,7 @@ TEST_CASE("04.4 an edge pixel shows how much of it is covered", "[04.4]") {
     }
 }
 
-TEST_CASE("04.4 no rounding moves a sample into the next cell", "[04.4][hard]") {
+TEST_CASE("04.5 no rounding moves a sample into the next cell", "[04.5][hard]") {
     for (int n = 1; n <= 100; ++n)
         for (int k = 0; k < n; ++k)
             for (const Real x : {Real(0), rt::epsilon / 2, largest})

@@ -134,7 +134,7 @@ void check_inverse(const Exactly& exact, Vec3 point) {
 
 }  // namespace
 
-TEST_CASE("01.6 the inverse undoes stretching and moving", "[01.6]") {
+TEST_CASE("01.7 the inverse undoes stretching and moving", "[01.7]") {
     const Mat4 m{{{{2, 0, 0, 10}, {0, 0, -1, 20}, {0, 1, 0, 30}, {0, 0, 0, 1}}}};
     const Mat4 computed = rt::inverse(m);
     INFO(
@@ -147,14 +147,14 @@ TEST_CASE("01.6 the inverse undoes stretching and moving", "[01.6]") {
           Mat4{{{{real(0.5), 0, 0, -5}, {0, 0, 1, -30}, {0, -1, 0, 20}, {0, 0, 0, 1}}}});
 }
 
-TEST_CASE("01.6 to_object and to_world are each other's way back", "[01.6]") {
+TEST_CASE("01.7 to_object and to_world are each other's way back", "[01.7]") {
     const Mat4 placement = rt::multiply(rt::translation({4, 8, -16}), rt::scaling({2, 4, 8}));
     CHECK(rt::to_world(placement, {1, 1, 1}) == Vec3{6, 12, -8});
     CHECK(rt::to_object(placement, {6, 12, -8}) == Vec3{1, 1, 1});
     CHECK(rt::to_object(placement, {4, 8, -16}) == Vec3{0, 0, 0});
 }
 
-TEST_CASE("01.6 any map that can be undone is", "[01.6]") {
+TEST_CASE("01.7 any map that can be undone is", "[01.7]") {
     rt::Rng rng{16, 1};
     const auto any = [&] { return any_vector(rng, -1, 1); };
     for (int i = 0; i < 300; ++i) {
@@ -175,7 +175,7 @@ TEST_CASE("01.6 any map that can be undone is", "[01.6]") {
     }
 }
 
-TEST_CASE("01.6 the inverse is as accurate as its determinant allows", "[01.6][hard]") {
+TEST_CASE("01.7 the inverse is as accurate as its determinant allows", "[01.7][hard]") {
     rt::Rng rng{16, 2};
     for (const auto& row : exact::inverses()) {
         const Mat4 computed = rt::inverse(matrix(row, {0, 0, 0}));
@@ -209,7 +209,7 @@ TEST_CASE("01.6 the inverse is as accurate as its determinant allows", "[01.6][h
     }
 }
 
-TEST_CASE("01.6 a singular matrix is refused", "[01.6][hard]") {
+TEST_CASE("01.7 a singular matrix is refused", "[01.7][hard]") {
     const auto check_refused = [](const Mat4& m) {
         INFO("this matrix flattens space:\n"
              << m
@@ -235,7 +235,7 @@ TEST_CASE("01.6 a singular matrix is refused", "[01.6][hard]") {
     }
 }
 
-TEST_CASE("01.6 a matrix that is not finite is refused", "[01.6][hard]") {
+TEST_CASE("01.7 a matrix that is not finite is refused", "[01.7][hard]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     for (const Real bad : {rt::infinity, -rt::infinity, nan})
         for (int row = 0; row < 3; ++row)
@@ -250,12 +250,12 @@ TEST_CASE("01.6 a matrix that is not finite is refused", "[01.6][hard]") {
             }
 }
 
-TEST_CASE("01.6 a mirror is not singular", "[01.6]") {
+TEST_CASE("01.7 a mirror is not singular", "[01.7]") {
     INFO("its determinant is negative, which is no flaw: compare without the sign");
     check_inverse({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0, 0, 0, {1, 2, 3}}, {4, 5, 6});
 }
 
-TEST_CASE("01.6 small is not singular", "[01.6][hard]") {
+TEST_CASE("01.7 small is not singular", "[01.7][hard]") {
     // A scene in nanometers beside one in light years; its determinant is far from 1, not its
     // shape.
     INFO(

@@ -65,7 +65,7 @@ constexpr Color black{0, 0, 0}, red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1}, whi
 
 }  // namespace
 
-TEST_CASE("03.3 the header has the format and the size and 255", "[03.3]") {
+TEST_CASE("03.4 the header has the format and the size and 255", "[03.4]") {
     const std::string text = written(Image{3, 2});
     std::istringstream in{text};
     std::string format;
@@ -79,7 +79,7 @@ TEST_CASE("03.3 the header has the format and the size and 255", "[03.3]") {
     CHECK(full == 255);
 }
 
-TEST_CASE("03.3 bytes are written as numbers", "[03.3]") {
+TEST_CASE("03.4 bytes are written as numbers", "[03.4]") {
     const std::string text = written(Image{2, 1, white});
     INFO("the text is " << begin_of(text)
                         << ".\nHint: a std::uint8_t prints as a letter, + in front makes it a "
@@ -92,7 +92,7 @@ TEST_CASE("03.3 bytes are written as numbers", "[03.3]") {
     CHECK(bytes_of(text) == std::vector<int>{255, 255, 255, 255, 255, 255});
 }
 
-TEST_CASE("03.3 red comes before green and green before blue", "[03.3]") {
+TEST_CASE("03.4 red comes before green and green before blue", "[03.4]") {
     Image image{3, 1};
     image.at(0, 0) = red;
     image.at(1, 0) = green;
@@ -100,7 +100,7 @@ TEST_CASE("03.3 red comes before green and green before blue", "[03.3]") {
     check_bytes(image, {255, 0, 0, 0, 255, 0, 0, 0, 255}, "red, green, blue: c.r, c.g, c.b");
 }
 
-TEST_CASE("03.3 rows run from the top and pixels from the left", "[03.3]") {
+TEST_CASE("03.4 rows run from the top and pixels from the left", "[03.4]") {
     Image image{2, 3};
     image.at(0, 0) = red;
     image.at(1, 0) = green;
@@ -110,13 +110,13 @@ TEST_CASE("03.3 rows run from the top and pixels from the left", "[03.3]") {
                 "the pixels are (0, 0), (1, 0), then (0, 1), (1, 1), ...: y in the outer loop");
 }
 
-TEST_CASE("03.3 light is stored in sRGB", "[03.3]") {
+TEST_CASE("03.4 light is stored in sRGB", "[03.4]") {
     // 0.5 of the light is byte 188; 0.2 is 124 and 0.002 is 7 (the straight piece of the curve).
     check_bytes(Image{1, 1, {Real(0.5), Real(0.2), Real(0.002)}}, {188, 124, 7},
                 "the image holds linear light: rt::to_byte applies the sRGB curve");
 }
 
-TEST_CASE("03.3 an image of one pixel is an image", "[03.3][hard]") {
+TEST_CASE("03.4 an image of one pixel is an image", "[03.4][hard]") {
     check_bytes(Image{1, 1, black}, {0, 0, 0}, "one pixel, three numbers");
     for (const Image& image : {Image{1, 7}, Image{7, 1}, Image{300, 1}, Image{1, 700}}) {
         INFO("an image of " << image.width() << 'x' << image.height() << " pixels starts with "
@@ -131,14 +131,14 @@ TEST_CASE("03.3 an image of one pixel is an image", "[03.3][hard]") {
     }
 }
 
-TEST_CASE("03.3 light outside of 0 to 1 is clamped", "[03.3][hard]") {
+TEST_CASE("03.4 light outside of 0 to 1 is clamped", "[03.4][hard]") {
     const char* const hint = "more light than the file can hold is 255, less than none is 0";
     check_bytes(Image{1, 1, {1, Real(1.5), 1000}}, {255, 255, 255}, hint);
     check_bytes(Image{1, 1, {-1, Real(-1e-6), Real(-1e30)}}, {0, 0, 0}, hint);
     check_bytes(Image{1, 1, {1 - rt::epsilon, 1 + rt::epsilon, Real(1e30)}}, {255, 255, 255}, hint);
 }
 
-TEST_CASE("03.3 each of the 256 bytes comes back", "[03.3][hard]") {
+TEST_CASE("03.4 each of the 256 bytes comes back", "[03.4][hard]") {
     Image image{256, 1};
     std::vector<int> expected;
     for (int byte = 0; byte < 256; ++byte) {
@@ -149,7 +149,7 @@ TEST_CASE("03.3 each of the 256 bytes comes back", "[03.3][hard]") {
     check_bytes(image, expected, "round to the nearest byte: cutting digits off loses one");
 }
 
-TEST_CASE("03.3 any image comes out byte by byte", "[03.3][hard]") {
+TEST_CASE("03.4 any image comes out byte by byte", "[03.4][hard]") {
     rt::Rng rng{33, 1};
     for (const int width : {1, 13, 64}) {
         Image image{width, 41};
@@ -182,7 +182,7 @@ TEST_CASE("03.3 any image comes out byte by byte", "[03.3][hard]") {
     }
 }
 
-TEST_CASE("03.3 no line is longer than 70 letters", "[03.3][hard]") {
+TEST_CASE("03.4 no line is longer than 70 letters", "[03.4][hard]") {
     std::istringstream in{written(Image{100, 2, white})};
     for (std::string line; std::getline(in, line);) {
         INFO("a line of " << line.size() << " letters. Hint: the format asks for lines of at most "
@@ -191,7 +191,7 @@ TEST_CASE("03.3 no line is longer than 70 letters", "[03.3][hard]") {
     }
 }
 
-TEST_CASE("03.3 a color that is no number is refused", "[03.3][hard]") {
+TEST_CASE("03.4 a color that is no number is refused", "[03.4][hard]") {
     CHECK(bytes_of(Image{1, 1, white}).size() == 3);  // a color that is fine goes through
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const auto refusal = [](const Image& image) -> std::string {
