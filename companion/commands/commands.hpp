@@ -12,7 +12,8 @@ namespace companion {
 using Named = std::optional<std::string>;
 
 // Each returns the exit code.
-int check(const Course& course, const Named& chapter_or_exercise);
+// every_star: all open stars are shown, else the first where one exercise is checked.
+int check(const Course& course, const Named& chapter_or_exercise, bool every_star);
 // The checkpoints of one exercise under the sanitizer that is named: "thread", or else the others.
 int check_sanitized(const Course& course, const std::string& exercise,
                     const std::string& sanitizer);

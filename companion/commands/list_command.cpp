@@ -9,13 +9,14 @@ namespace companion {
 namespace {
 
 struct Work {
-    int done = 0, exercises = 0;
+    int done = 0, exercises = 0, stars = 0, open_stars = 0;
     double minutes = 0, minutes_left = 0;
 };
 
 std::string marked(Progress progress) {
     const std::string text = std::string{symbol(progress)} + ' ';
     switch (progress) {
+        case Progress::core:
         case Progress::done:
             return green(text);
         case Progress::failing:
@@ -25,6 +26,13 @@ std::string marked(Progress progress) {
         default:
             return yellow(text);
     }
+}
+
+// ", 5 of 7 stars": of the exercises whose core passes, as far as they were counted.
+std::string stars_of(const Work& work) {
+    if (work.stars == 0) return "";
+    return ", " + std::to_string(work.stars - work.open_stars) + " of " +
+           std::to_string(work.stars) + " stars";
 }
 
 std::string duration(double minutes) {
@@ -41,8 +49,12 @@ Work work_of(const Course& course, const State& state, const Chapter& chapter,
     Work result;
     double of_exercises = 0, left = 0;
     for (const Exercise& exercise : all) {
-        const bool done = progress_of(course, state, exercise) == Progress::done;
+        const bool done = passes(progress_of(course, state, exercise));
         result.done += done;
+        if (done) {
+            result.stars += state.at(exercise.id).stars;
+            result.open_stars += state.at(exercise.id).open_stars;
+        }
         ++result.exercises;
         of_exercises += exercise.minutes;
         if (!done) left += exercise.minutes;
@@ -61,15 +73,19 @@ int list(const Course& course) {
     for (const Chapter& chapter : chapters(course)) {
         const std::vector<Exercise> all = exercises(course, chapter);
         const Work part = work_of(course, state, chapter, all);
-        std::printf("%s %s %d of %d\n",
+        std::printf("%s %s %d of %d%s\n",
                     bold(chapter.name +
                          std::string(16 - std::min<std::size_t>(16, chapter.name.size()), ' '))
                         .c_str(),
-                    bar(part.done, part.exercises, 10).c_str(), part.done, part.exercises);
+                    bar(part.done, part.exercises, 10).c_str(), part.done, part.exercises,
+                    stars_of(part).c_str());
         for (const Exercise& exercise : all) {
             const Progress now = progress_of(course, state, exercise);
-            std::printf("  %s%s  %-38s %s\n", marked(now).c_str(), exercise.id.c_str(),
-                        exercise.title.c_str(), text(now));
+            std::printf("  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
+                        exercise.title.c_str(), text(now),
+                        now == Progress::core
+                            ? (", " + stars_open(state.at(exercise.id).open_stars)).c_str()
+                            : "");
             every.push_back(exercise);
         }
         total.done += part.done;
@@ -80,7 +96,7 @@ int list(const Course& course) {
     std::printf("\n%s %d of %d exercises, %s of %.0f hours left\n\n%s",
                 bar(total.done, total.exercises, 30).c_str(), total.done, total.exercises,
                 duration(total.minutes_left).c_str(), total.minutes / 60,
-                next_step(course, first_not_done(course, state, every)).c_str());
+                next_step(course, first_open(course, state, every)).c_str());
     return app::done;
 }
 

@@ -38,6 +38,7 @@ struct CommandLine {
     Words names;
     companion::Named named;
     companion::Named sanitizer;  // of check --sanitize
+    bool every_star = false;     // of check --stars
     int exit_code = app::done;
 
     CLI::App* add(const char* name, std::function<int()> run) {
@@ -58,7 +59,7 @@ struct CommandLine {
         using namespace companion;
         add("list", [&] { return list(course); });
         add("check", "chapter-or-exercise", [&] {
-            if (!sanitizer) return check(course, named);
+            if (!sanitizer) return check(course, named, every_star);
             if (!named && !sanitizer->empty()) named = std::exchange(*sanitizer, "");
             if (!named) throw app::UsageError("check --sanitize: needs an exercise, such as 01.3");
             return check_sanitized(course, *named, *sanitizer);
@@ -68,6 +69,7 @@ struct CommandLine {
                 "--sanitize", [this](const std::string& name) { sanitizer = name; })
             ->expected(0, 1)
             ->trigger_on_parse();
+        parser.get_subcommand("check")->add_flag("--stars", every_star);
         add("watch", "chapter", [&] { return watch(course, named); });
         add("hint", "exercise", [&] { return hint(course, *named); })->required();
         add("run", "chapter", [&] {

@@ -23,6 +23,12 @@ const Json& member(const Json& object, const std::string& key, Json::Kind kind) 
     throw app::Failure("it is no state of the course");
 }
 
+// A number that older states do not have.
+int count(const Json& record, const std::string& key) {
+    const Json* const found = find(record, key, Json::Kind::number);
+    return found ? static_cast<int>(found->number) : 0;
+}
+
 State parse(const std::string& text) {
     const Json json = app::parse_json(text, "state.json");
     const double written_as = member(json, "version", Json::Kind::number).number;
@@ -38,7 +44,9 @@ State parse(const std::string& text) {
             member(record, "passed", Json::Kind::boolean).number != 0,
             member(record, "hash", Json::Kind::text).text,
             static_cast<int>(member(record, "hints", Json::Kind::number).number),
-            warning ? warning->text : ""};
+            warning ? warning->text : "",
+            count(record, "stars"),
+            count(record, "open_stars")};
     }
     return state;
 }
@@ -53,8 +61,10 @@ std::string to_text(const State& state) {
                                  {{Json::Kind::boolean, record.passed ? 1.0 : 0.0},
                                   {Json::Kind::text, 0, record.hash},
                                   {Json::Kind::number, static_cast<double>(record.hints)},
-                                  {Json::Kind::text, 0, record.warning}},
-                                 {"passed", "hash", "hints", "warning"}});
+                                  {Json::Kind::text, 0, record.warning},
+                                  {Json::Kind::number, static_cast<double>(record.stars)},
+                                  {Json::Kind::number, static_cast<double>(record.open_stars)}},
+                                 {"passed", "hash", "hints", "warning", "stars", "open_stars"}});
     }
     const Json all{Json::Kind::object,
                    0,

@@ -10,10 +10,12 @@ namespace companion {
 
 // The verdict on the files with this hash; on any others nothing is known.
 struct Record {
-    bool passed = false;
+    bool passed = false;    // its core
     std::string hash;       // empty: never checked
     int hints = 0;          // that were shown
     std::string warning{};  // the compiler's on these files; it comes only when it compiles them
+    int stars = 0;          // its hard test cases, where it passed
+    int open_stars = 0;     // those of them that fail
 };
 
 using State = std::map<std::string, Record>;  // by exercise

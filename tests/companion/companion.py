@@ -34,7 +34,7 @@ fi
 mkdir -p check
 {
     echo '#!/bin/sh'
-    echo "cat <<'EVENTS'"
+    say 'case $3 in "[hard]"*) ;; *)' "cat <<'EVENTS'"
     say '{"event":"begins","name":"'"$id"' the answer is right"}'
     failed='{"event":"ends","passed":false,"output":""}'
     narrow=no
@@ -50,14 +50,36 @@ mkdir -p check
         say '{"event":"failed","exception":"there","missing":"01.1",' \
             '"messages":["Hint: is it the function that was declared?"]}'
         say "$failed"
-    elif grep -q 'endless\|crash\|chatter' "$file"; then
+    elif grep -q 'endless\|^crash\|, then crash\|chatter' "$file"; then
         :
     else
         say '{"event":"ends","passed":true,"output":""}'
     fi
-    echo EVENTS
+    say EVENTS
+    say ';; esac'
+    # The hard cases, where the file speaks of stars: "star one open", "star two open in float", "star
+    # one crash". $3 may ask for the core alone, or for these but for those that it names.
+    say '[ "$3" != "~[hard]" ] || exit 0'
+    for name in $(sed -n 's/^star \([a-z]*\) .*/\1/p' "$file"); do
+        say 'case $3 in *"star '"$name"'"*) ;; *)' "cat <<'EVENTS'"
+        say '{"event":"begins","name":"'"${id%.float} star $name"'","hard":true}'
+        if grep -q "star $name crash" "$file"; then
+            say EVENTS
+            say 'kill -SEGV $$ ;; esac'
+            continue
+        fi
+        passed=true
+        ! grep -q "star $name open$" "$file" || passed=false
+        case $id in *.float) ! grep -q "star $name open in float$" "$file" || passed=false ;; esac
+        [ $passed = true ] ||
+            say '{"event":"failed","macro":"CHECK","expression":"c == d","expanded":"8 == 7",' \
+                '"messages":["expected 7, but yours gives 8"]}'
+        say '{"event":"ends","passed":'$passed',"output":""}'
+        say EVENTS
+        say ';; esac'
+    done
     grep -q chatter "$file" && echo 'yes without end'
-    grep -q crash "$file" && echo 'kill -SEGV $$'
+    grep -q '^crash\|, then crash' "$file" && echo 'kill -SEGV $$'
     grep -q endless "$file" && echo 'sleep 60'
     grep -q wrong "$file" && echo 'exit 1'
     [ $narrow = no ] || echo 'exit 1'
@@ -73,14 +95,13 @@ class Companion(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory(prefix="course test ")
         self.root = Path(self.folder.name)
-        exercises = [(1, "one"), (2, "two")]
-        facts = []
+        self.facts = []
         hints = "# Hints\n"
         stubs = ""
         cmake = "cmake_minimum_required(VERSION 3.22)\nproject(tiny NONE)\n"
-        for number, name in exercises:
-            facts.append({"id": f"01.{number}", "title": f"Number {name}", "minutes": 10 * number,
-                          "files": [f"rt/{name}.hpp"]})
+        for number, name in ((1, "one"), (2, "two")):
+            self.facts.append({"id": f"01.{number}", "title": f"Number {name}", "minutes": 10 * number,
+                               "files": [f"rt/{name}.hpp"]})
             hints += f"\n## 01.{number}\n\n1. idea\n2. formula √x in `code`\n3. shape\n"
             stubs += f"==> rt/{name}.hpp\n" + STUB % (number, number)
             self.write(name, STUB % (number, number))
@@ -90,9 +111,10 @@ class Companion(unittest.TestCase):
                           f"{target} ${{CMAKE_SOURCE_DIR}}/exercises/01_tiny/rt/{name}.hpp VERBATIM)\n")
         cmake += ("add_custom_target(01_tiny_mine COMMAND ${CMAKE_COMMAND} -E make_directory bin "
                   "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/program.sh bin/01_tiny_mine)\n")
-        self.put("course.json", json.dumps({"chapters": [
-            {"name": "01_tiny", "core": True, "uses_real": True, "title": "Tiny", "hours": 1, "text": "docs/01-tiny.md",
-             "hints": "docs/hints/01-tiny.md", "caption": "Nothing", "exercises": facts}]}))
+        for target in ("02.1", "02.1.float"):
+            cmake += (f"add_custom_target(check.{target} COMMAND sh ${{CMAKE_SOURCE_DIR}}/check.sh "
+                      f"{target} ${{CMAKE_SOURCE_DIR}}/exercises/02_more/rt/three.hpp VERBATIM)\n")
+        self.put_course(self.chapter("01_tiny", self.facts))
         self.put("docs/hints/01-tiny.md", hints)
         self.put("companion/shipped_stubs/01_tiny.txt", stubs)
         self.put("CMakeLists.txt", cmake)
@@ -106,6 +128,21 @@ class Companion(unittest.TestCase):
         os.chmod(self.root / "build/bin/course", 0o755)
         self.environment = {**os.environ, "COURSE_TEST_FOLDER": str(self.root), "TERM": "xterm"}
         self.environment.pop("NO_COLOR", None)
+
+    def chapter(self, name, facts):
+        return {"name": name, "core": True, "uses_real": True, "title": "Tiny", "hours": 1,
+                "text": f"docs/{name.replace('_', '-')}.md",
+                "hints": f"docs/hints/{name.replace('_', '-')}.md", "caption": "Nothing", "exercises": facts}
+
+    def put_course(self, *chapters):
+        self.put("course.json", json.dumps({"chapters": chapters}))
+
+    def add_second_chapter(self):
+        stub = (STUB % (1, 1)).replace("01.1", "02.1")
+        self.put("companion/shipped_stubs/02_more.txt", "==> rt/three.hpp\n" + stub)
+        self.put("exercises/02_more/rt/three.hpp", stub)
+        self.put_course(self.chapter("01_tiny", self.facts), self.chapter("02_more", [
+            {"id": "02.1", "title": "Number three", "minutes": 10, "files": ["rt/three.hpp"]}]))
 
     def tearDown(self):
         self.folder.cleanup()
@@ -170,6 +207,53 @@ class Companion(unittest.TestCase):
         self.assertRegex(self.course("list"), r"x 01.1 .* failing")
         self.write("one", "right\n")
         self.assertIn("also with Real as float", self.course("check", "01.1"))
+
+    def test_core_and_stars(self):
+        self.write("one", "star one open\nstar two right\nstar three open\n")
+        said = self.course("check", "01.1")
+        self.assertRegex(said, r"\* 01.1 .* core passes, 2 stars open\n")
+        self.assertIn("Star: 01.1 star one\n    expected 7, but yours gives 8\n", said)
+        self.assertNotIn("star three\n", said)
+        self.assertIn("1 more: ./course check 01.1 --stars", said)
+        self.assertIn("Next: 01.2", said)
+        self.assertIn("Star: 01.1 star three\n", self.course("check", "01.1", "--stars"))
+        said = self.course("list")
+        self.assertIn("01_tiny          [#####.....] 1 of 2, 1 of 3 stars\n", said)
+        self.assertRegex(said, r"\* 01.1 .* core passes, 2 stars open\n")
+        self.assertIn("Next: 01.2", said)
+        self.write("two", "right\n")
+        said = self.course("check", "1")
+        self.assertNotIn("Star: ", said)
+        self.assertIn("Chapter 01 is done: its core passes. 2 stars open: ./course check 01 --stars",
+                      said)
+        self.assertEqual(self.course("check", "01", "--stars").count("Star: "), 2)
+        self.write("one", "star one right\nstar two right\n")
+        said = self.course("check", "1")
+        self.assertIn("every checkpoint passes", said)
+        self.assertIn("2 of 2, 2 of 2 stars\n", self.course("list"))
+
+    def test_the_core_comes_before_the_stars(self):
+        self.write("one", "wrong\nstar one open\n")
+        said = self.course("check", "01.1", code=1)
+        self.assertRegex(said, r"x 01.1 .* failing")
+        self.assertIn("expected 2, but yours gives 3.", said)
+
+    def test_a_star_may_fail_in_float_alone(self):
+        self.write("one", "star one open in float\nstar two right\n")
+        said = self.course("check", "01.1")
+        self.assertRegex(said, r"\+ 01.1 .* done\n.*\* 01.1 .* core passes, 1 star open\n")
+        self.assertIn("Star: 01.1 star one, with Real as float\n", said)
+        self.assertRegex(self.course("list"), r"\* 01.1 .* core passes, 1 star open")
+
+    def test_a_star_may_crash(self):
+        self.write("one", "star one crash\nstar two open\nstar three right\n")
+        said = self.course("check", "01.1", "--stars")
+        self.assertRegex(said, r"\* 01.1 .* core passes, 2 stars open\n")
+        self.assertRegex(said, "Star: 01.1 star one\n +it used memory that is not its own")
+        self.assertIn("Star: 01.1 star two\n    expected 7", said)
+        self.assertIn("1 of 3 stars", self.course("list"))
+        self.write("one", "star one crash\nwrong\n")
+        self.assertIn("It crashes", self.course("check", "01.1", code=1))
 
     def test_check_goes_on_in_the_chapter(self):
         self.write("two", "right\n")
@@ -385,12 +469,15 @@ class Companion(unittest.TestCase):
         self.assertNotIn("\033", said)
         self.write("one", "right\n")
         self.write("two", "right\n")
-        self.assertIn("Chapter 01 is done", self.course("watch", "01"))
+        said = self.course("watch", "01")
+        self.assertIn("Chapter 01 is done", said)
+        self.assertIn("Every exercise passes", said)
 
     def watched(self, *words):
         return Terminal([COURSE, "watch", *words], self.environment)
 
     def test_watch_checks_on_save_and_moves_on(self):
+        self.add_second_chapter()
         with self.watched("01") as terminal:
             terminal.expect("Next: .*01.1 Number one")
             self.assertFalse(terminal.echoes())
@@ -404,12 +491,23 @@ class Companion(unittest.TestCase):
             terminal.press("h")
             terminal.expect("idea")
             terminal.press("l")
-            terminal.expect("1 of 2 exercises")
+            terminal.expect("1 of 3 exercises")
             terminal.press("r")
             terminal.expect("program --out")
             terminal.press("x")
             self.write("two", "right\n")
             terminal.expect("Chapter 01 is done")
+            terminal.expect("Next: .*02.1 Number three")
+            self.write("one", "right\nstar one open\n")
+            terminal.expect("core passes.*, .*1 star open")
+            terminal.expect("Star: .*01.1 star one")
+            terminal.expect("Next: .*02.1 Number three")
+            self.put("exercises/02_more/rt/three.hpp", "right\n")
+            terminal.expect("Chapter 02 is done")
+            terminal.expect("Every exercise passes")
+            self.write("one", "right\n")
+            terminal.expect("01.1 .*done")
+            terminal.press("q")
             self.assertEqual(terminal.end(), 0)
             self.assertTrue(terminal.echoes())
 
