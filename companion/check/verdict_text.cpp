@@ -349,9 +349,11 @@ std::string stars_open(int count) {
 std::string next_step(const Course& course, const Exercise* next) {
     if (!next) return "Every exercise passes. The last step: ./course certify\n";
     return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
-           std::to_string(next->minutes) + " minutes\n  read   " + next->section() + "\n  write  " +
-           files_of(*next) + "\n  check  ./course check " + next->id + '\n' +
-           missing_files(course, *next);
+           std::to_string(next->minutes) + " minutes" +
+           (next->star_minutes > 0 ? " (its stars: " + std::to_string(next->star_minutes) + " more)"
+                                   : "") +
+           "\n  read   " + next->section() + "\n  write  " + files_of(*next) +
+           "\n  check  ./course check " + next->id + '\n' + missing_files(course, *next);
 }
 
 std::string chapter_done(const Chapter& chapter, int open_stars) {

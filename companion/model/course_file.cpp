@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <app/json.hpp>
 #include <cmath>
@@ -36,11 +37,14 @@ class Fact {
         require(json_.kind == Kind::text && !json_.text.empty(), "a text in quotes");
         return json_.text;
     }
-    int count() const {
-        require(json_.kind == Kind::number && json_.number >= 1 && json_.number <= 1000 &&
+    int count(int least = 1) const {
+        require(json_.kind == Kind::number && json_.number >= least && json_.number <= 1000 &&
                     json_.number == std::floor(json_.number),
-                "a whole number from 1 to 1000");
+                "a whole number from " + std::to_string(least) + " to 1000");
         return static_cast<int>(json_.number);
+    }
+    bool has(const char* key) const {
+        return std::find(json_.keys.begin(), json_.keys.end(), key) != json_.keys.end();
     }
     bool yes() const {
         require(json_.kind == Kind::boolean, "true or false");
@@ -63,6 +67,7 @@ Exercise read_exercise(const Fact& fact, const Chapter& chapter) {
         fact["id"].fail("should begin with " + chapter.number() + '.');
     exercise.title = fact["title"].text();
     exercise.minutes = fact["minutes"].count();
+    if (fact.has("star_minutes")) exercise.star_minutes = fact["star_minutes"].count(0);
     exercise.chapter = chapter;
     for (const Fact& file : fact["files"].list())
         exercise.files.push_back(fs::path{"exercises"} / chapter.name / file.text());
@@ -75,17 +80,27 @@ CourseFile read_course_file(const Course& course) {
     const app::Json json = app::parse_json(read_file(course.root / "course.json"), "course.json");
     CourseFile file;
     for (const Fact& fact : Fact{json, ""}["chapters"].list()) {
-        const Chapter chapter{.name = fact["name"].text(),
-                              .title = fact["title"].text(),
-                              .core = fact["core"].yes(),
-                              .hours = fact["hours"].count(),
-                              .text = fact["text"].text(),
-                              .hints = fact["hints"].text(),
-                              .caption = fact["caption"].text(),
-                              .uses_real = fact["uses_real"].yes()};
-        file.chapters.push_back(chapter);
+        Chapter chapter{.name = fact["name"].text(),
+                        .title = fact["title"].text(),
+                        .core = fact["core"].yes(),
+                        .reading = fact["reading"].count(),
+                        .text = fact["text"].text(),
+                        .hints = fact["hints"].text(),
+                        .caption = fact["caption"].text(),
+                        .uses_real = fact["uses_real"].yes()};
+        std::vector<Exercise> exercises;
         for (const Fact& exercise : fact["exercises"].list())
-            file.exercises.push_back(read_exercise(exercise, chapter));
+            exercises.push_back(read_exercise(exercise, chapter));
+        chapter.minutes = chapter.reading;
+        for (const Exercise& exercise : exercises) {
+            chapter.minutes += exercise.minutes;
+            chapter.star_minutes += exercise.star_minutes;
+        }
+        file.chapters.push_back(chapter);
+        for (Exercise& exercise : exercises) {
+            exercise.chapter = chapter;
+            file.exercises.push_back(std::move(exercise));
+        }
     }
     return file;
 }

@@ -100,7 +100,7 @@ class Companion(unittest.TestCase):
         stubs = ""
         cmake = "cmake_minimum_required(VERSION 3.22)\nproject(tiny NONE)\n"
         for number, name in ((1, "one"), (2, "two")):
-            self.facts.append({"id": f"01.{number}", "title": f"Number {name}", "minutes": 10 * number,
+            self.facts.append({"id": f"01.{number}", "title": f"Number {name}", "minutes": 10 * number, "star_minutes": 5,
                                "files": [f"rt/{name}.hpp"]})
             hints += f"\n## 01.{number}\n\n1. idea\n2. formula √x in `code`\n3. shape\n"
             stubs += f"==> rt/{name}.hpp\n" + STUB % (number, number)
@@ -109,8 +109,9 @@ class Companion(unittest.TestCase):
             for target in (f"01.{number}", f"01.{number}.float"):
                 cmake += (f"add_custom_target(check.{target} COMMAND sh ${{CMAKE_SOURCE_DIR}}/check.sh "
                           f"{target} ${{CMAKE_SOURCE_DIR}}/exercises/01_tiny/rt/{name}.hpp VERBATIM)\n")
-        cmake += ("add_custom_target(01_tiny_mine COMMAND ${CMAKE_COMMAND} -E make_directory bin "
-                  "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/program.sh bin/01_tiny_mine)\n")
+        for program in ("01_tiny_mine", "01_tiny_mine_float"):
+            cmake += (f"add_custom_target({program} COMMAND ${{CMAKE_COMMAND}} -E make_directory bin "
+                      f"COMMAND ${{CMAKE_COMMAND}} -E copy ${{CMAKE_SOURCE_DIR}}/program.sh bin/{program})\n")
         for target in ("02.1", "02.1.float"):
             cmake += (f"add_custom_target(check.{target} COMMAND sh ${{CMAKE_SOURCE_DIR}}/check.sh "
                       f"{target} ${{CMAKE_SOURCE_DIR}}/exercises/02_more/rt/three.hpp VERBATIM)\n")
@@ -119,7 +120,9 @@ class Companion(unittest.TestCase):
         self.put("companion/shipped_stubs/01_tiny.txt", stubs)
         self.put("CMakeLists.txt", cmake)
         self.put("check.sh", CHECK)
-        self.put("program.sh", '#!/bin/sh\necho "program $*"\n[ "$3" != --fail ] || exit 3\n'
+        self.put("program.sh", '#!/bin/sh\necho "program $*"\n'
+                 '[ "$1" != --study ] || echo study,variant,precision,x,x_name,error,error_name,cost,cost_name '
+                 '>"$2/01_tiny.csv"\n[ "$3" != --fail ] || exit 3\n'
                  '[ "$3" != --crash ] || kill -SEGV $$\n')
         os.chmod(self.root / "program.sh", 0o755)
         subprocess.run(["cmake", "-S", self.root, "-B", self.root / "build"], check=True,
@@ -130,7 +133,7 @@ class Companion(unittest.TestCase):
         self.environment.pop("NO_COLOR", None)
 
     def chapter(self, name, facts):
-        return {"name": name, "core": True, "uses_real": True, "title": "Tiny", "hours": 1,
+        return {"name": name, "core": True, "uses_real": True, "title": "Tiny", "reading": 30,
                 "text": f"docs/{name.replace('_', '-')}.md",
                 "hints": f"docs/hints/{name.replace('_', '-')}.md", "caption": "Nothing", "exercises": facts}
 
@@ -169,15 +172,15 @@ class Companion(unittest.TestCase):
 
     def test_list_says_where_things_stand(self):
         said = self.course()
-        self.assertIn("0 of 2 exercises, 1 h 00 min of 1 hours left", said)
-        self.assertIn("Next: 01.1 Number one, about 10 minutes", said)
+        self.assertIn("0 of 2 exercises, 1 h 00 min of 1.0 hours left; stars: 0.2 hours", said)
+        self.assertIn("Next: 01.1 Number one, about 10 minutes (its stars: 5 more)", said)
         self.assertFalse((self.root / ".course").exists())
         self.write("one", "right\n")
         self.assertRegex(self.course("list"), r"\? 01.1 .* not checked since it changed")
         self.course("check", "01.1")
         said = self.course("list")
         self.assertRegex(said, r"\+ 01.1 .* done")
-        self.assertIn("1 of 2 exercises, 0 h 40 min of 1 hours left", said)
+        self.assertIn("1 of 2 exercises, 0 h 40 min of 1.0 hours left", said)
         self.assertIn("Next: 01.2", said)
         self.write("one", "right, but touched\n")
         self.assertRegex(self.course("list"), r"\? 01.1 .* not checked since it changed")
@@ -218,7 +221,7 @@ class Companion(unittest.TestCase):
         self.assertIn("Next: 01.2", said)
         self.assertIn("Star: 01.1 star three\n", self.course("check", "01.1", "--stars"))
         said = self.course("list")
-        self.assertIn("01_tiny          [#####.....] 1 of 2, 1 of 3 stars\n", said)
+        self.assertIn("01_tiny          [#####.....] 1 of 2, 1.0 hours; stars: 1 of 3, 0.2 hours\n", said)
         self.assertRegex(said, r"\* 01.1 .* core passes, 2 stars open\n")
         self.assertIn("Next: 01.2", said)
         self.write("two", "right\n")
@@ -230,7 +233,7 @@ class Companion(unittest.TestCase):
         self.write("one", "star one right\nstar two right\n")
         said = self.course("check", "1")
         self.assertIn("every checkpoint passes", said)
-        self.assertIn("2 of 2, 2 of 2 stars\n", self.course("list"))
+        self.assertIn("2 of 2, 1.0 hours; stars: 2 of 2, 0.2 hours\n", self.course("list"))
 
     def test_the_core_comes_before_the_stars(self):
         self.write("one", "wrong\nstar one open\n")
@@ -251,7 +254,7 @@ class Companion(unittest.TestCase):
         self.assertRegex(said, r"\* 01.1 .* core passes, 2 stars open\n")
         self.assertRegex(said, "Star: 01.1 star one\n +it used memory that is not its own")
         self.assertIn("Star: 01.1 star two\n    expected 7", said)
-        self.assertIn("1 of 3 stars", self.course("list"))
+        self.assertIn("stars: 1 of 3", self.course("list"))
         self.write("one", "star one crash\nwrong\n")
         self.assertIn("It crashes", self.course("check", "01.1", code=1))
 
@@ -401,6 +404,14 @@ class Companion(unittest.TestCase):
                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.assertEqual(crashed.returncode, 1)
         self.assertIn("./course check 01", crashed.stderr)
+
+    def test_study_measures_what_passes(self):
+        self.write("one", "right\n")
+        said = self.course("study", "01", "--mine")
+        self.assertIn("Yours: 01.1. The solution's: 01.2. Tables are in ", said)
+        self.assertEqual(said.count(f"program --study {self.root}/out/study-mine"), 2)
+        self.assertTrue((self.root / "out/study-mine/01_tiny.csv").exists())
+        self.assertFalse((self.root / "out/study").exists())
 
     # ---- bad input ---------------------------------------------------------------------------
 
