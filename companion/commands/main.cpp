@@ -39,6 +39,7 @@ struct CommandLine {
     companion::Named named;
     companion::Named sanitizer;  // of check --sanitize
     bool every_star = false;     // of check --stars
+    bool is_mine = false;        // of study --mine
     int exit_code = app::done;
 
     CLI::App* add(const char* name, std::function<int()> run) {
@@ -81,7 +82,8 @@ struct CommandLine {
         add("certify", [&] { return certify(course); });
         add("reset", "exercise", [&] { return reset(course, *named); })->required();
         add("demo", [&] { return demo(course); });
-        add("study", "chapter", [&] { return study(course, named); });
+        add("study", "chapter", [&] { return study(course, named, is_mine); });
+        parser.get_subcommand("study")->add_flag("--mine", is_mine);
     }
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;
