@@ -91,11 +91,11 @@ class Examination {
 
     // The eight questions, when all lines are there.
     void prove(const std::vector<CheckedChapter>& all) {
-        for (const Question& question : self_assessment()) {
-            Proof proof{question.words, {}};
+        for (const Ability& ability : self_assessment()) {
+            Proof proof{ability.words, {}};
             for (const CheckedChapter& chapter : all)
                 for (const Checked& checked : chapter.exercises)
-                    if (is_in(checked.exercise.id, question.exercises))
+                    if (is_in(checked.exercise.id, ability.exercises))
                         proof.lines.push_back(
                             {checked.verdict == Verdict::passed ? Held::holds : Held::fails,
                              checked.exercise.id, checked.exercise.title,
@@ -103,7 +103,7 @@ class Examination {
                                  std::to_string(checked.tests.size()) + " test cases",
                              ""});
             for (const CertifiedFigure& line : certificate_.measurements)
-                if (is_in(line.exercise, question.exercises) &&
+                if (is_in(line.exercise, ability.exercises) &&
                     line.what.rfind("checkpoints of ", 0) != 0)
                     proof.lines.push_back(line);
             certificate_.proofs.push_back(proof);

@@ -38,6 +38,7 @@ struct CommandLine {
     Words names;
     companion::Named named;
     companion::Named sanitizer;  // of check --sanitize
+    companion::Named answer;     // of ask --answer
     bool every_star = false;     // of check --stars
     bool is_mine = false;        // of study --mine
     int exit_code = app::done;
@@ -81,6 +82,9 @@ struct CommandLine {
         add("mine", [&] { return mine(course); });
         add("certify", [&] { return certify(course); });
         add("reset", "exercise", [&] { return reset(course, *named); })->required();
+        add("ask", "chapter", [&] { return ask(course, named, answer); });
+        parser.get_subcommand("ask")->add_option_function<std::string>(
+            "--answer", [this](const std::string& words) { answer = words; });
         add("demo", [&] { return demo(course); });
         add("study", "chapter", [&] { return study(course, named, is_mine); });
         parser.get_subcommand("study")->add_flag("--mine", is_mine);

@@ -48,6 +48,13 @@ State parse(const std::string& text) {
             count(record, "stars"),
             count(record, "open_stars")};
     }
+    if (const Json* const answers = find(json, "answers", Json::Kind::object))
+        for (std::size_t i = 0; i < answers->keys.size(); ++i) {
+            const Json& answer = answers->items[i];
+            state.answers[answers->keys[i]] = {
+                member(answer, "right", Json::Kind::boolean).number != 0, count(answer, "tries"),
+                member(answer, "answer", Json::Kind::text).text};
+        }
     return state;
 }
 
@@ -66,11 +73,22 @@ std::string to_text(const State& state) {
                                   {Json::Kind::number, static_cast<double>(record.open_stars)}},
                                  {"passed", "hash", "hints", "warning", "stars", "open_stars"}});
     }
+    Json answers{Json::Kind::object};
+    for (const auto& [key, answered] : state.answers) {
+        answers.keys.push_back(key);
+        answers.items.push_back({Json::Kind::object,
+                                 0,
+                                 {},
+                                 {{Json::Kind::boolean, answered.right ? 1.0 : 0.0},
+                                  {Json::Kind::number, static_cast<double>(answered.tries)},
+                                  {Json::Kind::text, 0, answered.answer}},
+                                 {"right", "tries", "answer"}});
+    }
     const Json all{Json::Kind::object,
                    0,
                    {},
-                   {{Json::Kind::number, version}, std::move(records)},
-                   {"version", "exercises"}};
+                   {{Json::Kind::number, version}, std::move(records), std::move(answers)},
+                   {"version", "exercises", "answers"}};
     return app::to_text(all) + '\n';
 }
 

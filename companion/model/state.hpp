@@ -18,7 +18,16 @@ struct Record {
     int open_stars = 0;     // those of them that fail
 };
 
-using State = std::map<std::string, Record>;  // by exercise
+// How a question was answered last.
+struct Answered {
+    bool right = false;
+    int tries = 0;
+    std::string answer{};
+};
+
+struct State : std::map<std::string, Record> {  // by exercise
+    std::map<std::string, Answered> answers{};  // by the question's key
+};
 
 // The folder for what the companion keeps. It is made where it is missing.
 fs::path private_folder(const Course& course);

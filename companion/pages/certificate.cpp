@@ -83,7 +83,7 @@ bool Certificate::passed_with_stars() const {
     return passed() && failing(*this, true) == 0;
 }
 
-std::vector<Question> self_assessment() {
+std::vector<Ability> self_assessment() {
     return {
         {"place a camera, a light and a ray, and find the hit", {"02.4", "03.2", "04.2"}},
         {"derive the quadratic equation of a sphere and solve it", {"03.1", "03.2"}},

@@ -25,11 +25,11 @@ std::vector<CertifiedFigure> read_measurements(const std::string& text);
 std::string line_of(const CertifiedFigure& measurement);
 
 // A question of the final self-assessment, and the exercises whose lines prove the answer.
-struct Question {
+struct Ability {
     const char* words;
     std::vector<std::string> exercises;
 };
-std::vector<Question> self_assessment();
+std::vector<Ability> self_assessment();
 
 struct Proof {
     std::string question;

@@ -405,6 +405,51 @@ class Companion(unittest.TestCase):
         self.assertEqual(crashed.returncode, 1)
         self.assertIn("./course check 01", crashed.stderr)
 
+    def put_questions(self):
+        self.put("chapters/01_tiny/questions.json", json.dumps({"questions": [
+            {"kind": "predict", "ask": "What is 1/2 + 1/4?", "answer": 0.75, "tolerance": 0.01,
+             "nudge": "Draw it.", "because": "Three quarters."},
+            {"kind": "find the fault", "ask": "Which one?", "picture": "docs/x.png",
+             "choices": ["01.1 one", "01.2 two"], "answer": "01.2 two", "nudge": "Look again.",
+             "because": "It is two."}]}))
+
+    def test_ask_without_a_terminal(self):
+        self.assertIn("All questions are answered", self.course("ask"))
+        self.put_questions()
+        said = self.course("ask", "01")
+        self.assertIn("Chapter 01, question 1 of 2 (predict)\n  What is 1/2 + 1/4?\n", said)
+        self.assertIn("./course ask 01 --answer ANSWER", said)
+        said = self.course("ask", "01", "--answer", "1", code=1)
+        self.assertIn("Not yet.\n  Draw it.", said)
+        self.assertNotIn("Three quarters", said)
+        self.assertIn("No.\n  Three quarters.", self.course("ask", "01", "--answer", "2", code=1))
+        self.assertIn("a number", self.course("ask", "01", "--answer", "what", code=1))
+        self.assertIn("Right.\n  Three quarters.", self.course("ask", "1", "--answer", "3/4"))
+        said = self.course("ask", "--answer", "a", code=1)
+        self.assertIn("Look at docs/x.png\n    a) 01.1 one\n    b) 01.2 two\n", said)
+        self.course("ask", "--answer", "B")
+        self.assertIn("All questions of chapter 01 are answered", self.course("ask", "01"))
+
+    def test_ask_on_a_terminal(self):
+        self.put_questions()
+        with Terminal([COURSE, "ask", "01"], self.environment) as terminal:
+            terminal.expect("What is 1/2")
+            terminal.press("0.5\n")
+            terminal.expect("Draw it")
+            terminal.press(".75\n")
+            terminal.expect("Right")
+            terminal.expect("question 2 of 2")
+            terminal.press("z\n")
+            terminal.expect("one of the letters")
+            terminal.press("\x04")
+            self.assertEqual(terminal.end(), 0)
+        with Terminal([COURSE, "ask"], self.environment) as terminal:
+            terminal.expect("question 2 of 2")
+            terminal.press("a\na\n")
+            terminal.expect("Look again")
+            terminal.expect("It is two")
+            self.assertEqual(terminal.end(), 0)
+
     def test_study_measures_what_passes(self):
         self.write("one", "right\n")
         said = self.course("study", "01", "--mine")
@@ -426,7 +471,7 @@ class Companion(unittest.TestCase):
 
     def test_help_and_guesses(self):
         for command in ("list", "check", "watch", "hint", "run", "compare", "mine", "certify", "reset",
-                        "demo", "study"):
+                        "demo", "study", "ask"):
             for word in ("--help", "-h"):
                 self.assertTrue(self.course(command, word).startswith(f"usage: course {command}"))
         for word, meant in (("chek", "check"), ("lst", "list"), ("hnit", "hint"), ("wach", "watch")):
