@@ -12,6 +12,7 @@ namespace companion {
 using Named = std::optional<std::string>;
 
 // Each returns the exit code.
+
 // answer: to the first question that is open; without it, answers are read from the standard input.
 int ask(const Course& course, const Named& chapter, const Named& answer);
 // every_star: all open stars are shown, else the first where one exercise is checked.

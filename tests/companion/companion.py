@@ -50,7 +50,7 @@ mkdir -p check
         say '{"event":"failed","exception":"there","missing":"01.1",' \
             '"messages":["Hint: is it the function that was declared?"]}'
         say "$failed"
-    elif grep -q 'endless\|^crash\|, then crash\|chatter' "$file"; then
+    elif grep -q '^endless\|^crash\|, then crash\|chatter' "$file"; then
         :
     else
         say '{"event":"ends","passed":true,"output":""}'
@@ -68,6 +68,11 @@ mkdir -p check
             say 'kill -SEGV $$ ;; esac'
             continue
         fi
+        if grep -q "star $name endless" "$file"; then
+            say EVENTS
+            say 'exec sleep 60 ;; esac'
+            continue
+        fi
         passed=true
         ! grep -q "star $name open$" "$file" || passed=false
         case $id in *.float) ! grep -q "star $name open in float$" "$file" || passed=false ;; esac
@@ -80,7 +85,7 @@ mkdir -p check
     done
     grep -q chatter "$file" && echo 'yes without end'
     grep -q '^crash\|, then crash' "$file" && echo 'kill -SEGV $$'
-    grep -q endless "$file" && echo 'sleep 60'
+    grep -q '^endless' "$file" && echo 'sleep 60'
     grep -q wrong "$file" && echo 'exit 1'
     [ $narrow = no ] || echo 'exit 1'
     echo 'exit 0'
@@ -258,6 +263,14 @@ class Companion(unittest.TestCase):
         self.write("one", "star one crash\nwrong\n")
         self.assertIn("It crashes", self.course("check", "01.1", code=1))
 
+    def test_a_star_may_never_end(self):
+        self.write("one", "star one right\nstar two endless\nstar three open\n")
+        started = time.time()
+        said = self.course("check", "01.1")
+        self.assertLess(time.time() - started, 55)  # in double and in float
+        self.assertRegex(said, r"\* 01.1 .* core passes, 1 star open\n")
+        self.assertIn("Star: 01.1 star two\n    it timed out after 20 s", said)
+
     def test_check_goes_on_in_the_chapter(self):
         self.write("two", "right\n")
         self.assertIn("Next: 01.1", self.course("check", "01.2"))
@@ -423,7 +436,7 @@ class Companion(unittest.TestCase):
         self.assertIn("Not yet.\n  Draw it.", said)
         self.assertNotIn("Three quarters", said)
         self.assertIn("No.\n  Three quarters.", self.course("ask", "01", "--answer", "2", code=1))
-        self.assertIn("a number", self.course("ask", "01", "--answer", "what", code=1))
+        self.assertIn("takes a number", self.course("ask", "01", "--answer", "what", code=2))
         self.assertIn("Right.\n  Three quarters.", self.course("ask", "1", "--answer", "3/4"))
         said = self.course("ask", "--answer", "a", code=1)
         self.assertIn("Look at docs/x.png\n    a) 01.1 one\n    b) 01.2 two\n", said)

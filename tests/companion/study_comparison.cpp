@@ -1,4 +1,5 @@
 #include <companion/pages/study_comparison.hpp>
+#include <limits>
 
 #include "catch.hpp"
 
