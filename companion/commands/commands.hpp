@@ -27,7 +27,7 @@ int list(const Course& course);
 int mine(const Course& course);
 int reset(const Course& course, const std::string& exercise);
 int run(const Course& course, const std::string& chapter, const std::vector<std::string>& options);
-// mine: with the learner's code where it passes, else the solution's.
+// mine: with the learner's code where it passes, beside the solution's.
 int study(const Course& course, const Named& chapter, bool mine);
 int watch(const Course& course, const Named& chapter);
 
