@@ -354,9 +354,8 @@ const first::Printed& printed() {
 
 void expect(const Finding& finding) {
     if (finding.expected.empty()) return;
-    INFO("Hint: " << finding.hint);
-    const std::string &expected = finding.expected, &actual = finding.actual;
-    CHECK(actual == expected);
+    FAIL_CHECK("expected: " << finding.expected << "\nactual: " << finding.actual
+                            << "\nHint: " << finding.hint);
 }
 
 Finding unreadable() {
