@@ -6,6 +6,7 @@
 #include <app/run.hpp>
 #include <array>
 #include <cmath>
+#include <rt/canvas.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/primary_ray.hpp>
 #include <string_view>
@@ -77,7 +78,8 @@ void write_caption(app::Figure& panel, std::string_view caption) {
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    rt::Image image{settings.width, settings.height, rt::from_hex(0xf4f1ea)};
+    rt::Image image =
+        rt::Canvas<rt::Color>{settings.width, settings.height, rt::from_hex(0xf4f1ea)};
     app::Figure figure{image};
     progress.start(rows);
     std::uint64_t rays = 0;

@@ -3,6 +3,7 @@
 
 #include <app/figure.hpp>
 #include <app/run.hpp>
+#include <rt/canvas.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/ppm.hpp>
@@ -44,7 +45,7 @@ Color trace(const std::vector<scene::Body>& bodies, const Ray& ray) {
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const far_spheres::Panels panels{settings.height};
     const int left = panels.left(settings.width);
-    rt::Image image{settings.width, settings.height, far_spheres::paper};
+    rt::Image image = rt::Canvas<rt::Color>{settings.width, settings.height, far_spheres::paper};
     app::Figure figure{image};
 
     const auto bodies = scene::bodies();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <app/figure.hpp>
 #include <app/run.hpp>
+#include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/lambert.hpp>
 #include <rt/make_camera.hpp>
@@ -64,7 +65,7 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
     const CountingWorld<SphereList> world{scene.world, rays};
     const SingleRays<CountingWorld<SphereList>> single{world, scene};
     const Layout layout{settings.width, settings.height};
-    Image image{settings.width, settings.height, paper};
+    Image image = Canvas<Color>{settings.width, settings.height, paper};
     app::Figure figure{image};
     app::Figure normals = figure.part(layout.normals), lit = figure.part(layout.lambert),
                 samples = figure.part(layout.samples), paths = figure.part(layout.paths);

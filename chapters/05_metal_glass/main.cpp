@@ -2,6 +2,7 @@
 
 #include <app/figure.hpp>
 #include <app/run.hpp>
+#include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/render_pixel.hpp>
@@ -21,7 +22,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Quality quality{settings.spp, settings.depth, *settings.seed};
 
     // The strip takes the lower part of the picture, and each panel a third of its width.
-    Image image{settings.width, settings.height};
+    Image image = Canvas<Color>{settings.width, settings.height};
     app::Figure figure{image};
     const int strip_height = settings.height * 5 / 18, view_height = settings.height - strip_height;
     const int panel_width = std::max(1, settings.width / 3);

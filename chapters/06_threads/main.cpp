@@ -4,6 +4,7 @@
 
 #include <app/run.hpp>
 #include <atomic>
+#include <rt/canvas.hpp>
 #include <string>
 #include <thread>
 
@@ -50,7 +51,7 @@ Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Scene scene = make_scene();
-    Image image{settings.width, settings.height, paper};
+    Image image = Canvas<Color>{settings.width, settings.height, paper};
     app::Figure figure{image, figure_width, figure_height};
     const app::Figure view = figure.part(scene_box);
     const TileGrid grid{view.columns(), view.rows(), tile_size};

@@ -6,6 +6,7 @@
 #include <app/limits.hpp>
 #include <app/run.hpp>
 #include <atomic>
+#include <rt/canvas.hpp>
 #include <rt/effects_of.hpp>
 #include <rt/render_tiles.hpp>
 #include <thread>
@@ -67,7 +68,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         effects::make_narrowest(effects_of(scene), scene, chosen.width, chosen.height,
                                 {chosen.samples_per_pixel, chosen.depth, chosen.seed});
 
-    Image image = app::unfinished_image(chosen.width, chosen.height);
+    Image image = Canvas<Color>{chosen.width, chosen.height};
+    app::draw_unfinished(image);
     std::atomic<std::uint64_t> all_rays = 0;
     std::atomic<std::int64_t> pixels_done = 0;
     const app::Interruption interruption;
