@@ -1,7 +1,7 @@
 // A planet with rings of moons; beside it one sphere seen from farther and farther away, by the
 // formula of the textbook and by the stable one.
 
-#include <app/figure.hpp>
+#include <app/fill.hpp>
 #include <app/run.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/nearest_sphere.hpp>
@@ -44,12 +44,12 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         {.from = {0, Real(0.75), 6}, .at = {Real(0.02), 0, 0}, .vertical_fov = rt::radians(33)},
         left, settings.height);
     progress.start(settings.height);
-    figure.part(app::pixel_box(0, 0, left, settings.height))
-        .fill(
-            [&](int x, int y) {
-                return trace(spheres, rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}));
-            },
-            &progress);
+    app::fill(
+        figure.part(app::pixel_box(0, 0, left, settings.height)),
+        [&](int x, int y) {
+            return trace(spheres, rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}));
+        },
+        &progress);
     if (left < settings.width) panels.draw(figure, left);
     const auto pixels =
         static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);
