@@ -2,7 +2,7 @@
 // at and the up vector change.
 
 #include <algorithm>
-#include <app/figure.hpp>
+#include <app/fill.hpp>
 #include <app/run.hpp>
 #include <array>
 #include <cmath>
@@ -90,7 +90,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         app::Figure panel =
             figure.part(app::pixel_box(across.begin, down.begin, across.size, down.size));
         const rt::Camera camera = rt::make_camera(view, panel.columns(), panel.rows());
-        panel.fill([&](int x, int y) {
+        app::fill(panel, [&](int x, int y) {
             const rt::Vec2 middle{Real(0.5), Real(0.5)};
             rays += 3;
             return dome::look({primary_ray(camera, x, y, middle),

@@ -1,6 +1,6 @@
 // Chapter 05: metal, glass, and a strip that compares two formulas for how much glass reflects.
 
-#include <app/figure.hpp>
+#include <app/fill.hpp>
 #include <app/run.hpp>
 #include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
@@ -32,7 +32,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Camera camera =
         make_camera({{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)},
                     view.columns(), view.rows());
-    view.fill(
+    app::fill(
+        view,
         [&](int x, int y) {
             return render_pixel(camera, world, evening.set, scene::EveningSky{}, SkyEnding{},
                                 quality, x, y);
@@ -47,7 +48,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         const int left = i * panel_width, right = i < 2 ? left + panel_width : settings.width;
         app::Figure panel =
             figure.part(app::pixel_box(left, view_height, right - left, strip_height));
-        panel.fill(
+        app::fill(
+            panel,
             [&](int x, int y) {
                 Rng random = pixel_rng(quality.seed, left + x, view_height + y);
                 return pixel_average(

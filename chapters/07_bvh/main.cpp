@@ -1,6 +1,7 @@
 // Chapter 07: ten thousand spheres, the boxes that they are sorted into, and how much work each
 // pixel is for the linear list, for the sorted tree and for the tree by surface area.
 
+#include <app/fill.hpp>
 #include <app/run.hpp>
 #include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
@@ -30,7 +31,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const CountingWorld<SphereTree> world{by_area, rays};
     const Camera camera = camera_of(view);
     const Quality quality{settings.spp, settings.depth, *settings.seed};
-    view.fill(
+    app::fill(
+        view,
         [&](int x, int y) {
             return render_pixel(camera, world, scene.materials, StudioSky{}, SkyEnding{}, quality,
                                 x, y);

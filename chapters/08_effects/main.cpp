@@ -8,6 +8,7 @@
 #include <atomic>
 #include <rt/canvas.hpp>
 #include <rt/effects_of.hpp>
+#include <rt/for_each_pixel.hpp>
 #include <rt/render_tiles.hpp>
 #include <thread>
 
@@ -78,12 +79,12 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
         std::uint64_t rays = 0;
         std::int64_t done = 0;
-        for (int y = tile.top; y < tile.bottom; ++y)
-            for (int x = tile.left; x < tile.right && interruption.signal() == 0; ++x) {
-                image.at(x, y) = shade(x, y, rays);
-                assert(is_finite(image.at(x, y)));
-                ++done;
-            }
+        for_each_pixel(tile, [&](int x, int y) {
+            if (interruption.signal() != 0) return;
+            image.at(x, y) = shade(x, y, rays);
+            assert(is_finite(image.at(x, y)));
+            ++done;
+        });
         all_rays += rays;
         pixels_done += done;
         progress.step();
