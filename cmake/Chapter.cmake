@@ -56,7 +56,31 @@ function(course_program target real)
   target_link_libraries(${target} PRIVATE common_${real})
 endfunction()
 
-# The same with Catch2's main: a program of test cases. The kind is double, float, or unoptimized,
+# course_own_program(target sources... INCLUDE folders...): exercise 00.1 is a program of its own,
+# first.cpp of the first of these folders that has it. Where its checkpoint is among the sources, this
+# compiles it as the learner does by hand, without the course's headers and flags, for the checkpoint
+# to run.
+function(course_own_program target)
+  cmake_parse_arguments(arg "" "" "INCLUDE" ${ARGN})
+  if(NOT arg_UNPARSED_ARGUMENTS MATCHES "/00\\.1_")
+    return()
+  endif()
+  foreach(folder ${arg_INCLUDE})
+    get_source_file_property(is_made ${folder}/first.cpp GENERATED)
+    if(is_made OR EXISTS ${folder}/first.cpp)
+      add_executable(${target}.first EXCLUDE_FROM_ALL ${folder}/first.cpp)
+      target_compile_options(${target}.first PRIVATE -O2 -Wall -Wextra)
+      set_target_properties(${target}.first PROPERTIES
+        RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/check)
+      add_dependencies(${target} ${target}.first)
+      target_compile_definitions(${target} PRIVATE
+        COURSE_FIRST_PROGRAM="$<TARGET_FILE:${target}.first>")
+      return()
+    endif()
+  endforeach()
+endfunction()
+
+# course_program with Catch2's main: a program of test cases. The kind is double, float, or unoptimized,
 # which is double.
 function(course_checkpoint target kind)
   string(REPLACE unoptimized double real ${kind})
@@ -64,6 +88,7 @@ function(course_checkpoint target kind)
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tests/support)
   target_link_libraries(${target} PRIVATE checkpoint_${kind} catch_main)
   target_precompile_headers(${target} REUSE_FROM checkpoint_${kind})
+  course_own_program(${target} ${ARGN})
 endfunction()
 
 # course_checkpoint_kind(out chapter): how its checkpoints are compiled in double. What compiling and
@@ -121,6 +146,7 @@ function(course_learners_checkpoints chapter)
     target_include_directories(${tests} PRIVATE ${arg_INCLUDE} ${CMAKE_SOURCE_DIR}/tests/support)
     target_link_libraries(${tests} PRIVATE checkpoint_${kind})
     target_precompile_headers(${tests} REUSE_FROM checkpoint_${kind})
+    course_own_program(${tests} ${source} INCLUDE ${arg_INCLUDE})
     add_executable(${check} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${tests}> ${learners})
     target_link_libraries(${check} PRIVATE ${libraries})
     set_target_properties(${check} PROPERTIES

@@ -2,8 +2,9 @@
 // with one sample a pixel against many, and with the light followed from bounce to bounce.
 
 #include <algorithm>
-#include <app/figure.hpp>
+#include <app/fill.hpp>
 #include <app/run.hpp>
+#include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/lambert.hpp>
 #include <rt/make_camera.hpp>
@@ -64,7 +65,7 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
     const CountingWorld<SphereList> world{scene.world, rays};
     const SingleRays<CountingWorld<SphereList>> single{world, scene};
     const Layout layout{settings.width, settings.height};
-    Image image{settings.width, settings.height, paper};
+    Image image = Canvas<Color>{settings.width, settings.height, paper};
     app::Figure figure{image};
     app::Figure normals = figure.part(layout.normals), lit = figure.part(layout.lambert),
                 samples = figure.part(layout.samples), paths = figure.part(layout.paths);
@@ -97,10 +98,13 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
     const auto lambert_color = [&](const Ray& ray) { return single.lambert_color(ray); };
     const int smooth = std::min(quality.samples_per_pixel, 16);
 
-    normals.fill([&](int x, int y) { return average(small, x, y, smooth, normal_color); },
-                 &progress);
-    lit.fill([&](int x, int y) { return average(small, x, y, smooth, lambert_color); }, &progress);
-    samples.fill(
+    app::fill(
+        normals, [&](int x, int y) { return average(small, x, y, smooth, normal_color); },
+        &progress);
+    app::fill(
+        lit, [&](int x, int y) { return average(small, x, y, smooth, lambert_color); }, &progress);
+    app::fill(
+        samples,
         [&](int x, int y) {
             const int column = x / block, row = y / block, middle = blocks.width / 2;
             if (column == middle && x % block == 0) return line_color;
@@ -109,7 +113,8 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
             return lambert_color(primary_ray(blocks, column, row, {Real(0.5), Real(0.5)}));
         },
         &progress);
-    paths.fill(
+    app::fill(
+        paths,
         [&](int x, int y) {
             return render_pixel(large, world, scene.materials, scene.sky, ending, quality, x, y);
         },

@@ -69,7 +69,7 @@ struct Picture {
     std::uint64_t rays = 0;
     // More to print below the line about the image. Called only where something is printed.
     std::function<std::string()> words = {};
-    // What stopped the work before all was done; unfinished pixels are as unfinished_image has
+    // What stopped the work before all was done; unfinished pixels are as draw_unfinished has
     // them.
     std::optional<Stopped> stopped = {};
 };
@@ -99,11 +99,12 @@ int run(int argc, const char* const* argv, const Program& program);
 // its default, as a JSON object of texts.
 std::string describe(const Program& program);
 
-// The same image drawn row by row: calls shade(x, y) for each pixel, and steps the progress.
-template <class Shade>
+// The same image drawn row by row: calls shade(x, y) for each pixel, and steps the progress. The
+// pixels lie in what Pixels is, such as a Canvas<Color>.
+template <class Pixels = rt::Image, class Shade>
 rt::Image draw(const Settings& settings, Progress& progress, Shade shade) {
     progress.start(settings.height);
-    return rt::make_image(settings.width, settings.height, [&](int x, int y) {
+    return rt::make_image<Pixels>(settings.width, settings.height, [&](int x, int y) {
         if (x == settings.width - 1) progress.step();
         return shade(x, y);
     });

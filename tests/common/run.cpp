@@ -130,7 +130,8 @@ TEST_CASE("a picture that was stopped is written, and the exit code says so", "[
     app::Program stopped = program();
     stopped.render = [](const app::Settings&, app::Progress&) {
         const app::Interruption interruption;
-        app::Picture picture{app::unfinished_image(9, 9)};
+        app::Picture picture{rt::Image{9, 9}};
+        app::draw_unfinished(picture.image);
         CHECK(app::Interruption::signal() == 0);
         std::raise(SIGINT);
         picture.stopped = {app::Interruption::signal(), 0.5};

@@ -3,6 +3,7 @@
 #include <rt/counting_world.hpp>
 #include <rt/effects.hpp>
 #include <rt/eyes.hpp>
+#include <rt/instance_tree.hpp>
 #include <rt/lit_path.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/moving_spheres.hpp>
@@ -31,7 +32,8 @@ struct Parts {
                                          ImageMatte>>>>;
     using StillEye = Either<effects.lens, LensCamera, Camera>;
     using Eye = Either<effects.motion, ShutterCamera<StillEye>, StillEye>;
-    using World = Either<effects.motion, MovingWorld, WideTree>;
+    using PlainWorld = Either<effects.motion, MovingWorld, WideTree>;
+    using World = Either<effects.instances, TwoWorlds<PlainWorld, InstanceTree>, PlainWorld>;
     using Lights = Either<effects.lights, SphereLights, NoLights>;
     using Medium = Either<effects.fog, FogBall, NoFog>;
 };
@@ -47,10 +49,10 @@ class Renderer {
           quality_{quality} {
         const Prepared prepared = prepare_spheres(scene);
         set_eye(eye_, scene.camera, width, height, !prepared.moving.empty());
-        if constexpr (effects.motion)
-            world_ = {make_wide_tree(prepared.still), make_moving_tree(prepared.moving)};
+        if constexpr (effects.instances)
+            world_ = {plain_world(prepared), make_instance_tree(prepared.instances)};
         else
-            world_ = make_wide_tree(prepared.still);
+            world_ = plain_world(prepared);
         if constexpr (effects.lights)
             lights_ = {prepared.lights, static_cast<int>(scene.materials.size())};
         if constexpr (effects.fog)
@@ -87,6 +89,13 @@ class Renderer {
             return lit_path_radiance(make_ray(eye_, column, row, offset, random), world, materials_,
                                      sky_, lights_, fog_, SkyEnding{}, quality_.depth, random);
         });
+    }
+
+    static auto plain_world(const Prepared& prepared) {
+        if constexpr (effects.motion)
+            return MovingWorld{make_wide_tree(prepared.still), make_moving_tree(prepared.moving)};
+        else
+            return make_wide_tree(prepared.still);
     }
 
     static void set_eye(Camera& eye, const CameraDescription& camera, int width, int height, bool) {
