@@ -83,7 +83,7 @@ class Renderer {
 
     // The same with the loop of this chapter.
     template <class World>
-    Color lit_pixel(const World& world, int column, int row) const {
+    RT_INLINES_ALL Color lit_pixel(const World& world, int column, int row) const {
         Rng random = pixel_rng(quality_.seed, column, row);
         return pixel_average(quality_.samples_per_pixel, random, [&](Vec2 offset) {
             return lit_path_radiance(make_ray(eye_, column, row, offset, random), world, materials_,
