@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <rt/facing.hpp>
 #include <rt/rng.hpp>
 #include <rt/transform.hpp>
 
@@ -16,6 +17,7 @@ using placing::Ball;
 
 constexpr double lake_radius = 40;
 constexpr int pearls = 16'000;
+constexpr Ball sun{150, 4, -300, 21};
 
 // How high the lake stands at this distance from where the drop fell.
 double ripple(double distance) {
@@ -66,7 +68,7 @@ void add_horizon(Composition& picture) {
     for (const Hill& hill : hills)
         picture.add({hill.x, hill.top - hill.radius, hill.z, hill.radius},
                     picture.material(Lambertian{from_hex(hill.color)}));
-    picture.add({150, 4, -300, 21}, picture.material(Emitter{{6, Real(0.45), Real(0.08)}}));
+    picture.add(sun, picture.material(Emitter{{6, Real(0.45), Real(0.08)}}));
 }
 
 // A ball of glass, as a drop that has just fallen, and droplets that it has splashed up, each
@@ -89,6 +91,7 @@ void add_lilies(Composition& picture) {
     struct Lily {
         double x, z, radius, tilt;
     };
+    const Vec3 to_sun = placing::sphere_of(sun).center;
     constexpr Lily lilies[] = {{4.4, 6.2, 1.0, 0.14},  {6.4, 7.0, 0.65, -0.1},
                                {9.0, 3.4, 1.05, 0.12}, {-1.2, 7.4, 0.7, -0.12},
                                {11.4, 0.6, 1.0, 0.12}, {-7.2, 1.6, 0.95, -0.15},
@@ -97,11 +100,15 @@ void add_lilies(Composition& picture) {
         const double y = ripple(std::hypot(lily.x, lily.z)) + 0.34;
         picture.add_stretched({lily.x, y, lily.z, lily.radius}, {1, Real(0.09), 1},
                               {lily.tilt, 0.0, lily.tilt / 2}, leaf);
-        // Petals around the middle, each leaning outward.
-        for (int petal = 0; petal < 6 && lily.radius > 0.9; ++petal)
+        // Petals around the middle, each leaning outward: most of all those that face the sun.
+        for (int petal = 0; petal < 6 && lily.radius > 0.9; ++petal) {
+            const double around = petal * std::numbers::pi / 3;
+            const Vec3 outward{static_cast<Real>(std::cos(around)), 0,
+                               static_cast<Real>(-std::sin(around))};
+            const double lean = facing(outward, to_sun) > 0 ? -0.95 : -0.6;
             picture.add_stretched({lily.x, y + 0.22, lily.z, 0.3},
-                                  {Real(0.35), Real(1), Real(0.35)},
-                                  {0, petal * std::numbers::pi / 3, -0.75}, flower);
+                                  {Real(0.35), Real(1), Real(0.35)}, {0, around, lean}, flower);
+        }
     }
 }
 

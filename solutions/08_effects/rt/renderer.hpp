@@ -9,6 +9,7 @@
 #include <rt/moving_spheres.hpp>
 #include <rt/prepare.hpp>
 #include <rt/render_pixel.hpp>
+#include <rt/sample_rng.hpp>
 #include <rt/scene.hpp>
 #include <rt/wide_builder.hpp>
 #include <type_traits>
@@ -76,18 +77,31 @@ class Renderer {
             return plain_pixel(world, column, row);
     }
 
+    // The average of path(ray, random) over the samples of a pixel. Each has random numbers of its
+    // own (06.4), so that none depends on how many another one draws.
+    template <class Path>
+    Color average(int column, int row, const Path& path) const {
+        Rng places = pixel_rng(quality_.seed, column, row);
+        int sample = 0;
+        return pixel_average(quality_.samples_per_pixel, places, [&](Vec2 offset) {
+            Rng random = sample_rng(quality_.seed, column, row, sample++);
+            return path(make_ray(eye_, column, row, offset, random), random);
+        });
+    }
+
     template <class World>
     RT_INLINES_ALL Color plain_pixel(const World& world, int column, int row) const {
-        return render_pixel(eye_, world, materials_, sky_, SkyEnding{}, quality_, column, row);
+        return average(column, row, [&](const auto& ray, Rng& random) {
+            return path_radiance(ray, world, materials_, sky_, SkyEnding{}, quality_.depth, random);
+        });
     }
 
     // The same with the loop of this chapter.
     template <class World>
-    RT_INLINES_ALL Color lit_pixel(const World& world, int column, int row) const {
-        Rng random = pixel_rng(quality_.seed, column, row);
-        return pixel_average(quality_.samples_per_pixel, random, [&](Vec2 offset) {
-            return lit_path_radiance(make_ray(eye_, column, row, offset, random), world, materials_,
-                                     sky_, lights_, fog_, SkyEnding{}, quality_.depth, random);
+    Color lit_pixel(const World& world, int column, int row) const {
+        return average(column, row, [&](const auto& ray, Rng& random) {
+            return lit_path_radiance(ray, world, materials_, sky_, lights_, fog_, SkyEnding{},
+                                     quality_.depth, random);
         });
     }
 
