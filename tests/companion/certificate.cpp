@@ -1,4 +1,5 @@
-#include <companion/model/exercise.hpp>
+#include <algorithm>
+#include <companion/model/course_file.hpp>
 #include <companion/pages/certificate.hpp>
 #include <companion/system/files.hpp>
 
@@ -44,12 +45,14 @@ TEST_CASE("eight questions are proved by exercises of the course", "[certificate
     const auto questions = companion::self_assessment();
     CHECK(questions.size() == 8);
     const companion::Course here = companion::this_course();
+    const auto all = companion::read_course_file(here).exercises;
     const std::string map = companion::read_file(here.root / "docs/README.md");
     for (const auto& question : questions) {
         std::string ids;
         for (const std::string& id : question.exercises) {
             INFO(question.words << ": " << id);
-            CHECK_NOTHROW(companion::find_exercise(here, id));
+            CHECK(
+                std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.id == id; }));
             ids += (ids.empty() ? "" : ", ") + id;
         }
         INFO(question.words);
