@@ -20,8 +20,8 @@ struct Lambertian {
 // in it already. The direction has length 1 within 2 epsilon, and its cosine with the normal on
 // that side is greater than 0, whatever is drawn. Nothing is absorbed: there is always a Scatter.
 template <class Random>
-std::optional<Scatter> scatter(const Lambertian& material, Vec3 incoming, const Hit& hit,
-                               Random& random) {
+std::optional<Scatter> scatter(const Lambertian& material, [[maybe_unused]] Vec3 incoming,
+                               const Hit& hit, Random& random) {
     return rt::todo("04.4", material, incoming, hit, random);
 }
 

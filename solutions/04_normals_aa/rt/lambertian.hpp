@@ -17,8 +17,8 @@ struct Lambertian {
 // direction of length 1 with the density cos / pi about the normal there. As directions are chosen
 // as likely as the cosine of Lambert's law, the attenuation is the albedo alone.
 template <class Random>
-std::optional<Scatter> scatter(const Lambertian& material, Vec3 /*incoming*/, const Hit& hit,
-                               Random& random) {
+std::optional<Scatter> scatter(const Lambertian& material, [[maybe_unused]] Vec3 incoming,
+                               const Hit& hit, Random& random) {
     return Scatter{material.albedo, cosine_direction(facing_normal(hit), random_place(random))};
 }
 
