@@ -17,11 +17,6 @@ namespace {
 using Materials = rt::MaterialSet<rt::Lambertian, rt::Mirror, rt::Metal, rt::Dielectric,
                                   rt::CheckeredMatte, rt::ImageMatte>;
 
-// Lights that nobody looks for: the path has to meet them.
-struct FoundByChance : rt::SphereLights {
-    bool empty() const { return true; }
-};
-
 // A mean that right code misses in one of 10000 runs: 3.89 standard errors.
 constexpr double limit = 3.89;
 
@@ -77,7 +72,6 @@ void check_same(const Mean& a, const Mean& b) {
 const rt::Lambertian white{{1, 1, 1}}, gray_matte{{Real(0.5), Real(0.5), Real(0.5)}};
 // A floor: it is convex, so that no light comes to it from itself.
 const rt::Sphere floor_ball{{0, -10, 0}, 10};
-const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
 
 }  // namespace
 
