@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <rt/todo.hpp>
 
 #include "catch.hpp"
@@ -10,6 +11,8 @@
 using first::Picture;
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // What the text's scene has in a pixel: eye at the origin, the picture two wide units away and two
 // high, the ball and the ground of the text, the light's direction of the text.
@@ -33,7 +36,7 @@ double distance(const Ray& ray, double y, double radius) {
     const double a = dot(ray.direction, ray.direction), b = dot(ray.direction, to_center);
     const double rest = b * b - a * (dot(to_center, to_center) - radius * radius);
     const double t = rest < 0 ? -1 : (b - std::sqrt(rest)) / a;
-    return t > 0 ? t : INFINITY;
+    return t > 0 ? t : infinity;
 }
 
 Place place(int width, int height, int column, int row) {
@@ -43,7 +46,7 @@ Place place(int width, int height, int column, int row) {
     const double ball = distance(ray, 0, 1), ground = distance(ray, -1001, 1000);
     Place place;
     const double t = std::min(ball, ground);
-    if (t == INFINITY) return place;
+    if (t == infinity) return place;
     place.kind = t == ball ? Place::ball : Place::ground;
     const double radius = t == ball ? 1 : 1000, center[3]{0, t == ball ? 0.0 : -1001.0, -4};
     Ray to_the_light{{}, {-2, 2, 1}};
@@ -52,7 +55,7 @@ Place place(int width, int height, int column, int row) {
         place.normal[i] = (to_the_light.origin[i] - center[i]) / radius;
     }
     place.shadow = dot(place.normal, to_light) < 0 ||
-                   (place.kind == Place::ground && distance(to_the_light, 0, 1) < INFINITY);
+                   (place.kind == Place::ground && distance(to_the_light, 0, 1) < infinity);
     return place;
 }
 
