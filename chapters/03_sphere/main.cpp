@@ -41,9 +41,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     app::Figure figure{image};
 
     const auto spheres = scene::spheres();
-    const auto camera = rt::make_camera(
-        {.from = {0, Real(0.75), 6}, .at = {Real(0.02), 0, 0}, .vertical_fov = rt::radians(33)},
-        left, settings.height);
+    const auto camera = rt::make_camera(*settings.view, left, settings.height);
     progress.start(settings.height);
     app::fill(
         figure.part(app::pixel_box(0, 0, left, settings.height)),
@@ -70,7 +68,12 @@ int main(int argc, char** argv) {
         argc, argv,
         {.name = "03_sphere",
          .about = "A planet with rings of moons, and one sphere seen from ever farther away.",
-         .defaults = {.width = 1280, .height = 720, .seed = {}},
+         .defaults = {.width = 1280,
+                      .height = 720,
+                      .seed = {},
+                      .view = rt::View{.from = {0, Real(0.75), 6},
+                                       .at = {Real(0.02), 0, 0},
+                                       .vertical_fov = rt::radians(33)}},
          .render = render,
          .study = spheres::run_study,
          .encode_ppm = encode_ppm});

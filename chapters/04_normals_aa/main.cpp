@@ -70,14 +70,11 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
     app::Figure normals = figure.part(layout.normals), lit = figure.part(layout.lambert),
                 samples = figure.part(layout.samples), paths = figure.part(layout.paths);
     progress.start(normals.rows() + lit.rows() + samples.rows() + paths.rows());
-    const auto camera_of = [](const app::Figure& panel, Real wide_view) {
-        // Narrow panels see less at the sides, never a part of the group's height less.
-        View view = group_view();
-        view.vertical_fov = wide_view;
-        return make_camera(view, panel.columns(), panel.rows());
-    };
-    const Camera small = camera_of(normals, radians(28));
-    const Camera large = camera_of(paths, radians(33));
+    // Narrow panels see less at the sides, never a part of the group's height less.
+    View small_view = *settings.view;
+    if (settings.given.count("fov") == 0) small_view.vertical_fov = radians(28);
+    const Camera small = make_camera(small_view, normals.columns(), normals.rows());
+    const Camera large = make_camera(*settings.view, paths.columns(), paths.rows());
 
     // The third panel shows pixels as large blocks.
     const int block = std::max(1, samples.rows() / 24);
@@ -138,6 +135,8 @@ int main(int argc, char** argv) {
     defaults.spp = 100;
     defaults.depth = 16;
     defaults.seed = 1;
+    defaults.view = group_view();
+    defaults.view->vertical_fov = radians(33);
     return app::run(argc, argv,
                     {.name = "04_normals_aa",
                      .about = "normals as colors, one light, one sample against many, and paths",

@@ -29,9 +29,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     progress.start(view_height + 3 * strip_height);
 
     app::Figure view = figure.part(app::pixel_box(0, 0, settings.width, view_height));
-    const Camera camera =
-        make_camera({{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)},
-                    view.columns(), view.rows());
+    const Camera camera = make_camera(*settings.view, view.columns(), view.rows());
     app::fill(
         view,
         [&](int x, int y) {
@@ -74,6 +72,7 @@ int main(int argc, char** argv) {
     defaults.spp = 64;
     defaults.depth = 12;
     defaults.seed = 5;
+    defaults.view = View{{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)};
     return app::run(
         argc, argv,
         {.name = "05_metal_glass",

@@ -56,7 +56,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     app::Figure figure{image, figure_width, figure_height};
     const app::Figure view = figure.part(scene_box);
     const TileGrid grid{view.columns(), view.rows(), tile_size};
-    const SceneShader shader{scene, make_camera(scene_view(), grid.width, grid.height),
+    const SceneShader shader{scene, make_camera(*settings.view, grid.width, grid.height),
                              settings.spp, settings.depth, *settings.seed};
 
     // Each worker writes to the pixels of its own tiles alone.
@@ -93,6 +93,7 @@ int main(int argc, char** argv) {
     defaults.depth = 12;
     defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     defaults.seed = 1;
+    defaults.view = scene_view();
     return app::run(
         argc, argv,
         {.name = "06_threads",

@@ -29,7 +29,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
 
     std::uint64_t rays = 0;
     const CountingWorld<SphereTree> world{by_area, rays};
-    const Camera camera = camera_of(view);
+    const Camera camera = camera_of(view, *settings.view);
     const Quality quality{settings.spp, settings.depth, *settings.seed};
     app::fill(
         view,
@@ -49,7 +49,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     }
 
     const auto draw_map = [&](std::size_t i, const char* name, auto tests) {
-        draw_heat_map(figure, maps[i], name, tests);
+        draw_heat_map(figure, maps[i], name, tests, *settings.view);
         progress.step();
     };
     const auto tests_in = [&](const SphereTree& tree, const Ray& ray) {
@@ -75,6 +75,7 @@ int main(int argc, char** argv) {
     defaults.spp = 25;
     defaults.depth = 6;
     defaults.seed = 1;
+    defaults.view = scene_view();
     return app::run(argc, argv,
                     {.name = "07_bvh",
                      .about = "10,000 spheres, the boxes of their tree, and the work of each pixel",

@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <rt/image.hpp>
+#include <rt/view.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct Settings {
     int depth = 0;     // the most bounces of a path
     int threads = 0;
     std::optional<std::uint64_t> seed = {};  // of everything random
+    // Where the camera stands, what it looks at, and how much it sees. None: it cannot be moved.
+    std::optional<rt::View> view = {};
     // The word that was picked of each of the program's choices, in their order.
     std::vector<std::string> picked = {};
     // The file that the program was given to read; empty if none.
