@@ -288,11 +288,7 @@ function(course_chapter chapter)
   list(FILTER parts EXCLUDE REGEX "/(main|study|narrowest_renderer)\\.cpp$")
   if(given)
     foreach(real double float)
-      set(kind ${real})
-      if(real STREQUAL "double")
-        course_checkpoint_kind(kind ${chapter})
-      endif()
-      course_checkpoint(${chapter}_given_${real} ${kind} ${given} ${parts}
+      course_checkpoint(${chapter}_given_${real} ${real} ${given} ${parts}
                         INCLUDE ${course_solutions} ${root}/chapters/${chapter})
       target_compile_definitions(${chapter}_given_${real} PRIVATE COURSE_ROOT="${root}")
       if(real STREQUAL "float")
