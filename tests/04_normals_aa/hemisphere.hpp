@@ -3,6 +3,7 @@
 // the sphere a small square of random numbers becomes.
 
 #include <rt/vec2.hpp>
+#include <rt/vec3.hpp>
 
 #include "checkpoint.hpp"
 #include "statistics.hpp"
