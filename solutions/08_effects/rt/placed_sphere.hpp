@@ -1,12 +1,14 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <rt/dot.hpp>
 #include <rt/inverse.hpp>
 #include <rt/length.hpp>
 #include <rt/slab_ray.hpp>
 #include <rt/sphere.hpp>
 #include <rt/transform.hpp>
+#include <type_traits>
 
 namespace rt {
 
@@ -14,7 +16,10 @@ namespace rt {
 // wherever and however it lies. Such a copy of a shape is called an instance.
 struct Instance {
     Mat4 object_to_world, world_to_object;  // each undoes the other
-    int material = 0;
+    // As long as a Real, so that no padding follows: with -ftrivial-auto-var-init, which
+    // checkpoints are compiled with, g++ 12 loses a number of the first matrix when such an object
+    // is returned.
+    std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> material = 0;
 };
 
 // Throws std::domain_error where the matrix is singular.
