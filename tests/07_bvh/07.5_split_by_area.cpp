@@ -375,6 +375,6 @@ TEST_CASE("07.5 many spheres do not take long", "[07.5][hard]") {
                                          "areas; the sorting is the longest part then");
     CHECK(ratio < 15);
     INFO("yours puts " << left << " of 4000 to the left");
-    CHECK(left > 1300);
-    CHECK(left < 2700);
+    CHECK(left > 1325);
+    CHECK(left < 2675);
 }

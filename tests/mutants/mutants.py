@@ -735,8 +735,8 @@ def main():
 
     failed, totals = False, [0, 0, 0, 0, 0]
     record = HERE / "verified.json"
-    known = json.loads(record.read_text()) if record.exists() else {}
-    verified = {}
+    recorded = lambda: json.loads(record.read_text()) if record.exists() else {}
+    known, verified = recorded(), {}
     lines = lambda text: print(text, flush=True)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         running = []
@@ -758,8 +758,7 @@ def main():
                 failed = True
             lines("\n".join(said))
     # Another run may have written meanwhile.
-    verified = (json.loads(record.read_text()) if record.exists() else {}) | verified
-    record.write_text(json.dumps(verified, indent=1, sort_keys=True) + "\n")
+    record.write_text(json.dumps(recorded() | verified, indent=1, sort_keys=True) + "\n")
     lines(f"all  made {totals[0]}  stopped {totals[1]}  allowed {totals[2]}  survived {totals[3]}")
     sys.exit(1 if failed or totals[3] or totals[4] else 0)
 
