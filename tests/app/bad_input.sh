@@ -66,7 +66,7 @@ done
 refuses 2 pixels --width 60000 --height 60000 --out old.png
 
 if "$program" --help | grep -q -- --fov; then
-    for value in 0 '' a 1,2 1,2,3,4 1,2,x '1 2 3' 1,,3 ,1,2,3 1,2,3, nan,0,0 inf,0,0 1e10,0,0 0x1,2,3; do
+    for value in 0 '' a 1,2 1,2,3,4 1,2,x '1 2 3' 1,,3 ,1,2,3 "1,2,3," nan,0,0 inf,0,0 1e10,0,0 0x1,2,3; do
         refuses 2 'three numbers from -1e9 to 1e9' --from "$value" --out old.png
         refuses 2 'three numbers from -1e9 to 1e9' --at "$value" --out new.png
     done
