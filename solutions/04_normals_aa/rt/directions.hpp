@@ -2,6 +2,7 @@
 #include <cmath>
 #include <rt/length.hpp>
 #include <rt/orthonormal_basis.hpp>
+#include <rt/sine_cosine.hpp>
 #include <rt/vec2.hpp>
 
 namespace rt {
@@ -15,8 +16,8 @@ inline Vec3 uniform_direction(Vec2 place) {
     const Real z = 1 - 2 * place.x;
     // sqrt(1 - z^2), without the cancellation near the poles.
     const Real radius = 2 * std::sqrt(place.x * (1 - place.x));
-    const Real angle = 2 * pi * place.y;
-    return {radius * std::cos(angle), radius * std::sin(angle), z};
+    const auto [sine, cosine] = sine_cosine_of_turn(place.y);
+    return {radius * cosine, radius * sine, z};
 }
 
 // A direction on the normal's side, as likely as its cosine with the normal: density cos / pi. The
@@ -24,10 +25,10 @@ inline Vec3 uniform_direction(Vec2 place) {
 // Source: Malley's method: places spread evenly over a disk, lifted up to the hemisphere.
 inline Vec3 cosine_direction(Vec3 normal, Vec2 place) {
     const Real radius = std::sqrt(place.x);
-    const Real angle = 2 * pi * place.y;
+    const auto [sine, cosine] = sine_cosine_of_turn(place.y);
     const Real height = std::sqrt(1 - place.x);  // at least sqrt(epsilon / 2), since x < 1
     return normalize(orthonormal_basis(normal).to_world(
-        {radius * std::cos(angle), radius * std::sin(angle), height}));
+        {radius * cosine, radius * sine, height}));
 }
 
 // A random place of the unit square (given).

@@ -4,6 +4,7 @@
 #include <rt/lens.hpp>
 #include <rt/pixel.hpp>
 #include <rt/ray.hpp>
+#include <rt/sine_cosine.hpp>
 
 namespace rt {
 
@@ -16,8 +17,9 @@ inline Ray lens_ray(const Camera& camera, const Lens& lens, int column, int row,
                     Vec2 place) {
     const Vec2 p = pixel_to_viewport(camera, column, row, offset);
     // The root spreads the places evenly over the disk.
-    const Real radius = lens.aperture / 2 * std::sqrt(place.x), angle = 2 * pi * place.y;
-    const Real right = radius * std::cos(angle), up = radius * std::sin(angle);
+    const Real radius = lens.aperture / 2 * std::sqrt(place.x);
+    const auto [sine, cosine] = sine_cosine_of_turn(place.y);
+    const Real right = radius * cosine, up = radius * sine;
     // From the lens to the point of the plane of focus, divided by the distance of focus.
     const Vec3 direction = camera.basis.to_world(
         {p.x - right / lens.focus_distance, p.y - up / lens.focus_distance, -1});

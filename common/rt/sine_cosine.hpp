@@ -1,0 +1,54 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <rt/real.hpp>
+
+namespace rt {
+
+template <class Number>
+struct SineCosine {
+    Number sine{}, cosine{};
+};
+
+// The Taylor series of sine and cosine of 2 pi x, in x: (2 pi)^n / n! with alternating signs.
+// Enough terms that what is left out is less than a rounding for |x| <= 1/8.
+inline constexpr std::size_t sine_terms = std::numeric_limits<Real>::digits <= 24 ? 6 : 10;
+inline constexpr std::array sine_series{6.28318530717958647693,  -41.3417022403997602340,
+                                        81.6052492760750542034,  -76.7058597530613858416,
+                                        42.0586939448976531450,  -15.0946425768229903918,
+                                        3.81995258484828212773,  -0.718122301778500512232,
+                                        0.104229162208139841173, -0.0120315859421206272332};
+inline constexpr std::array cosine_series{1.0,
+                                          -19.7392088021787172377,
+                                          64.9393940226682914910,
+                                          -85.4568172066937277360,
+                                          60.2446413718766603627,
+                                          -26.4262567833743974529,
+                                          7.90353637131846880421,
+                                          -1.71439071108867206542,
+                                          0.282005968455791215070,
+                                          -0.0363828411425456707718};
+
+// The sine and the cosine of 2 pi * turn, for a turn in [0, 1): within epsilon. It
+// is made of sums and products alone. So it gives the same bits with every compiler and
+// library, and, with Number a Pack of chapter 10, for many turns at once.
+template <class Number>
+constexpr SineCosine<Number> sine_cosine_of_turn(Number turn) {
+    // Added and taken away again, this number rounds to whole ones: the nearest quarter of a turn.
+    constexpr Real shift = Real(1.5) / epsilon;
+    const Number quarter = (4 * turn + shift) - shift;
+    const Number rest = turn - Real(0.25) * quarter, square = rest * rest;
+    Number sine{}, cosine{};
+    for (std::size_t i = sine_terms; i-- > 0;) {
+        sine = sine * square + static_cast<Real>(sine_series[i]);
+        cosine = cosine * square + static_cast<Real>(cosine_series[i]);
+    }
+    sine = sine * rest;
+    // A quarter of a turn further the cosine is the sine; the sine is the cosine, turned around.
+    const auto one = quarter == Real(1), two = quarter == Real(2), three = quarter == Real(3);
+    return {one ? cosine : (two ? -sine : (three ? -cosine : sine)),
+            one ? -sine : (two ? -cosine : (three ? sine : cosine))};
+}
+
+}  // namespace rt

@@ -1,0 +1,184 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <rt/descend.hpp>
+#include <rt/hit_pack.hpp>
+#include <rt/path_record.hpp>
+#include <rt/sort_by_kind.hpp>
+#include <rt/wide_tree.hpp>
+#include <vector>
+
+namespace rt {
+
+// Which spheres of a tree the rays of a batch meet first (given): the hits of WideTree, bit for
+// bit, found by taking lists of rays down the tree.
+class BatchSearch {
+  public:
+    // The tree must outlive the search.
+    explicit BatchSearch(const WideTree& tree) : tree_{tree}, orders_(tree.nodes.size()) {
+        for (std::size_t node = 0; node < orders_.size(); ++node)
+            for (unsigned octant = 0; octant < octants; ++octant)
+                orders_[node][octant] = nearest_first(tree.nodes[node], octant);
+    }
+
+    // Sets t and sphere of these paths, within [0, t].
+    void find_nearest(std::span<PathRecord> paths) {
+        if (tree_.nodes.empty()) return;
+        paths_ = paths.data();
+        make_room(paths.size());
+        for (std::size_t i = 0; i < paths.size(); i += pack_size)
+            make_ready(i, std::min(pack_size, paths.size() - i));
+        // Rays of one octant meet the planes of all boxes in the same order.
+        const auto first = sort_by_kind<octants>(std::span{octants_}.first(paths.size()),
+                                                 std::span{lists_}.first(paths.size()));
+        for (octant_ = 0; octant_ < octants; ++octant_) {
+            const std::size_t count = first[octant_ + 1] - first[octant_];
+            if (count > 0)
+                descend(*this, 0, PathList{lists_.data() + first[octant_], count},
+                        {lists_.data() + paths.size(), masks_.data()});
+        }
+    }
+
+    // What descend() asks.
+    unsigned test(std::int32_t node, PathList list, std::uint8_t* masks) const;
+    const auto& order(std::int32_t node) const {
+        return orders_[static_cast<std::size_t>(node)][octant_];
+    }
+    std::int32_t child(std::int32_t node, unsigned place) const {
+        return tree_.nodes[static_cast<std::size_t>(node)].child[place];
+    }
+    void leaf(std::int32_t child, PathList list) {
+        const WideLeaf& spheres = tree_.leaves[static_cast<std::size_t>(~child)];
+        for (std::size_t i = 0; i < list.size(); i += pack_size)
+            test_leaf(spheres, list.subspan(i, std::min(pack_size, list.size() - i)));
+    }
+
+  private:
+    static constexpr unsigned octants = 8;
+    // Each node on the way down stands for one level of the binary tree or more; a leaf's list
+    // comes on top.
+    static constexpr std::size_t most_levels_waiting =
+        most_levels + halvings(most_spheres, leaf_size) + 1;
+    using Order = std::array<std::uint8_t, lanes>;
+
+    // WideRay of chapter 07, in one line of memory, and where the nearest hit so far ends it.
+    struct alignas(64) BoxRay {
+        std::array<float, 3> near_origin, far_origin, inverse;
+        float max, scale;
+    };
+
+    static Order nearest_first(const WideNode<float>& node, unsigned octant) {
+        std::array<float, lanes> along{};
+        for (std::size_t i = 0; i < lanes; ++i)
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const float middle = node.planes[0][axis][i] + node.planes[1][axis][i];
+                along[i] += octant >> axis & 1 ? -middle : middle;
+            }
+        Order order;
+        std::iota(order.begin(), order.end(), std::uint8_t{0});
+        // Empty boxes have no middle: they come last.
+        const auto key = [&](std::uint8_t i) {
+            return along[i] == along[i] ? along[i] : std::numeric_limits<float>::infinity();
+        };
+        std::sort(order.begin(), order.end(),
+                  [&](std::uint8_t a, std::uint8_t b) { return key(a) < key(b); });
+        return order;
+    }
+
+    void make_room(std::size_t paths) {
+        if (rays_.size() >= paths) return;
+        rays_.resize(paths);
+        octants_.resize(paths);
+        lists_.resize((most_levels_waiting + 1) * paths);
+        masks_.resize(most_levels_waiting * paths);
+    }
+    void make_ready(std::size_t from, std::size_t size);
+    void test_leaf(const WideLeaf& spheres, PathList list);
+
+    const WideTree& tree_;
+    std::vector<std::array<Order, octants>> orders_;
+    PathRecord* paths_ = nullptr;
+    std::vector<BoxRay> rays_;
+    std::vector<std::uint8_t> octants_;
+    std::vector<std::uint32_t> lists_;
+    std::vector<std::uint8_t> masks_;
+    unsigned octant_ = 0;
+};
+
+// Makes the rays of some paths ready for box tests, as WideRay does.
+inline void BatchSearch::make_ready(std::size_t from, std::size_t size) {
+    const auto packs = load_eight(size, [&](std::size_t i) { return &paths_[from + i]; });
+    const Vec3Pack origin{packs[0], packs[1], packs[2]}, direction{packs[3], packs[4], packs[5]};
+    const Pack scale = max_component(direction);
+    const Pack margin = wide_margin<float> * max_component(origin);
+    std::array<std::array<Pack, 3>, 3> all;  // near, far, inverse
+    PackMask octant{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Pack ahead = copysign(margin, packs[3 + k]);
+        all[0][k] = packs[k] + ahead;
+        all[1][k] = packs[k] - ahead;
+        all[2][k] = scale / packs[3 + k];
+        octant |= (std::bit_cast<PackMask>(packs[3 + k]) < 0) & (1 << k);
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+        BoxRay& ray = rays_[from + i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            ray.near_origin[k] = static_cast<float>(all[0][k][i]);
+            ray.far_origin[k] = static_cast<float>(all[1][k][i]);
+            ray.inverse[k] = static_cast<float>(all[2][k][i]);
+        }
+        ray.scale = static_cast<float>(scale[i]);
+        ray.max = static_cast<float>(packs[6][i] * scale[i]);
+        octants_[from + i] = static_cast<std::uint8_t>(octant[i]);
+    }
+}
+
+// One ray against eight boxes at a time, as hit_boxes of chapter 07, for each ray of the list.
+inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8_t* masks) const {
+    const WideNode<float>& node = tree_.nodes[static_cast<std::size_t>(number)];
+    const auto plane = [&](bool near, unsigned axis) {
+        return node.planes[near == (octant_ >> axis & 1)][axis].data();
+    };
+    const float *const first_x = plane(true, 0), *const first_y = plane(true, 1),
+                       *const first_z = plane(true, 2), *const second_x = plane(false, 0),
+                       *const second_y = plane(false, 1), *const second_z = plane(false, 2);
+    // A t that is not a number fails the comparison, and its plane does not count.
+    const auto later = [](float t, float than) { return t > than ? t : than; };
+    const auto earlier = [](float t, float than) { return t < than ? t : than; };
+    unsigned any = 0;
+    for (std::size_t n = 0; n < list.size(); ++n) {
+        const BoxRay& ray = rays_[list[n]];
+        const auto &near = ray.near_origin, &far = ray.far_origin, &inverse = ray.inverse;
+        std::uint32_t met = 0;
+#pragma omp simd reduction(| : met)
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const float in_x = later((first_x[i] - near[0]) * inverse[0], 0);
+            const float in_y = later((first_y[i] - near[1]) * inverse[1], in_x);
+            const float in = later((first_z[i] - near[2]) * inverse[2], in_y);
+            const float out_x = earlier((second_x[i] - far[0]) * inverse[0], ray.max);
+            const float out_y = earlier((second_y[i] - far[1]) * inverse[1], out_x);
+            const float out = earlier((second_z[i] - far[2]) * inverse[2], out_y);
+            met |= in <= out ? 1u << i : 0;
+        }
+        masks[n] = static_cast<std::uint8_t>(met);
+        any |= met;
+    }
+    return any;
+}
+
+inline void BatchSearch::test_leaf(const WideLeaf& spheres, PathList list) {
+    RayPack rays = load_rays(paths_, list);
+    PackMask hit{};
+    for (std::size_t i = 0; i < lanes && spheres.is_used(i); ++i)
+        hit |= hit_pack(spheres.sphere(i), spheres.tag[i] / static_cast<int>(lanes), rays);
+    for_each_bit(bits_of(hit) & first_bits(list.size()), [&](std::size_t i) {
+        PathRecord& path = paths_[list[i]];
+        path.t = rays.t[i];
+        path.sphere = rays.sphere[i];
+        BoxRay& ray = rays_[list[i]];
+        ray.max = static_cast<float>(path.t * static_cast<Real>(ray.scale));
+    });
+}
+
+}  // namespace rt

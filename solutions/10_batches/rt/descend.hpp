@@ -1,0 +1,35 @@
+#pragma once
+#include <rt/filter_list.hpp>
+#include <span>
+
+namespace rt {
+
+// Room for what descend() writes down. It only grows.
+struct Scratch {
+    std::uint32_t* lists;
+    std::uint8_t* masks;
+};
+
+// Takes the list of rays that meet a node down the tree. For each child, in the order of
+// tree.children(node) that is nearest first for these rays, the list of those that meet its box
+// goes on: to tree.leaf(child, list), or down.
+//   tree.test(node, list, masks)   tells which children's boxes each ray meets, one bit each, and
+//                                  returns the bits that any of them has
+//   tree.order(node)               the children's places, nearest first
+//   tree.child(node, place)        a child: another node, or negative for a leaf
+template <class Tree>
+void descend(Tree& tree, std::int32_t node, PathList list, Scratch scratch) {
+    const unsigned any = tree.test(node, list, scratch.masks);
+    for (const unsigned place : tree.order(node)) {
+        if (!(any >> place & 1)) continue;
+        const std::size_t count = filter_list(list, scratch.masks, place, scratch.lists);
+        const PathList part{scratch.lists, count};
+        const std::int32_t child = tree.child(node, place);
+        if (child < 0)
+            tree.leaf(child, part);
+        else
+            descend(tree, child, part, {scratch.lists + count, scratch.masks + list.size()});
+    }
+}
+
+}  // namespace rt

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <rt/path_record.hpp>
+
+namespace rt {
+
+// Copies the paths of a list whose mask has this bit to `to`, in the same order, and returns how
+// many they are. masks[i] belongs to list[i]. `to` has room for the whole list. Without a branch:
+// whether a ray meets a box, no processor guesses right.
+inline std::size_t filter_list(PathList list, const std::uint8_t* masks, unsigned bit,
+                               std::uint32_t* to) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        to[count] = list[i];
+        count += masks[i] >> bit & 1;
+    }
+    return count;
+}
+
+}  // namespace rt

@@ -1,0 +1,33 @@
+#pragma once
+#include <rt/moving_spheres.hpp>
+#include <rt/two_worlds.hpp>
+#include <rt/wide_tree.hpp>
+
+namespace rt {
+
+// The two parts of a world (given): the tree of spheres that stand still, which lists of rays go
+// down, and what is asked for one ray at a time, if there is anything.
+inline const WideTree& still_part(const WideTree& world) {
+    return world;
+}
+template <class First, class Second>
+const WideTree& still_part(const TwoWorlds<First, Second>& world) {
+    return still_part(world.first);
+}
+
+template <class AnyRay>
+std::optional<Hit> hit_other_part(const WideTree&, const AnyRay&, Interval) {
+    return {};
+}
+template <class First, class Second, class AnyRay>
+std::optional<Hit> hit_other_part(const TwoWorlds<First, Second>& world, const AnyRay& ray,
+                                  Interval within) {
+    const std::optional<Hit> in_first = hit_other_part(world.first, ray, within);
+    if (in_first) within.max = in_first->t;
+    const std::optional<Hit> in_second = world.second.hit(ray, within);
+    return in_second ? in_second : in_first;
+}
+template <class World>
+inline constexpr bool has_other_part = !std::is_same_v<World, WideTree>;
+
+}  // namespace rt

@@ -1,0 +1,91 @@
+#pragma once
+#include <rt/arrival.hpp>
+#include <rt/dielectric.hpp>
+#include <rt/lambertian.hpp>
+#include <rt/material_set.hpp>
+#include <rt/metal.hpp>
+#include <rt/mirror.hpp>
+#include <rt/scene_sphere.hpp>
+#include <rt/textures.hpp>
+#include <tuple>
+#include <vector>
+
+namespace rt {
+
+// The spheres of a scene as the materials' kernels need them (given).
+
+// The types of material in a list or set, and which of them a material is.
+template <class Materials>
+struct MaterialTypes;
+template <class Material>
+struct MaterialTypes<MaterialList<Material>> {
+    using All = std::tuple<Material>;
+    static std::size_t index(const Material&) { return 0; }
+    template <class>
+    static const Material& get(const Material& material) {
+        return material;
+    }
+};
+template <class... Types>
+struct MaterialTypes<MaterialSet<Types...>> {
+    using All = std::tuple<Types...>;
+    static std::size_t index(const std::variant<Types...>& material) { return material.index(); }
+    template <class Material>
+    static const Material& get(const std::variant<Types...>& material) {
+        return std::get<Material>(material);
+    }
+};
+
+// What a Surface says of a material.
+template <class Material>
+void describe(Surface& surface, const Material& material) {
+    if constexpr (requires { material.albedo; }) surface.color = material.albedo;
+    if constexpr (std::is_same_v<Material, Metal>) surface.parameter = material.fuzz;
+    if constexpr (std::is_same_v<Material, Dielectric>) {
+        surface.color = {1, 1, 1};
+        surface.parameter = material.index;
+    }
+}
+
+// The spheres of a world's tree, in the order of their numbers.
+template <class Materials>
+struct Surfaces {
+    using Types = MaterialTypes<Materials>;
+    std::vector<Surface> all;
+    std::vector<std::uint8_t> kinds;    // which type of material each has
+    std::vector<std::int32_t> numbers;  // each one's material
+
+    Surfaces(const WideTree& tree, const Materials& materials) {
+        for (const WideLeaf& leaf : tree.leaves)
+            for (std::size_t i = 0; i < lanes && leaf.is_used(i); ++i) {
+                const auto number = static_cast<std::size_t>(leaf.tag[i]) / lanes;
+                if (number >= all.size()) resize(number + 1);
+                const Sphere sphere = leaf.sphere(i);
+                all[number] = {sphere.center, sphere.radius, 0, {}};
+                numbers[number] = leaf.material[i];
+                set_material(number, materials);
+            }
+    }
+
+    Sphere sphere(std::size_t number) const { return {all[number].center, all[number].radius}; }
+
+  private:
+    void resize(std::size_t size) {
+        all.resize(size);
+        kinds.resize(size);
+        numbers.resize(size);
+    }
+    void set_material(std::size_t number, const Materials& materials) {
+        // A light has none: its number is beyond them.
+        const auto material = static_cast<std::size_t>(numbers[number]);
+        if (material >= materials.materials.size()) return;
+        const auto& element = materials.materials[material];
+        kinds[number] = static_cast<std::uint8_t>(Types::index(element));
+        if constexpr (std::tuple_size_v<typename Types::All> == 1)
+            describe(all[number], element);
+        else
+            std::visit([&](const auto& one) { describe(all[number], one); }, element);
+    }
+};
+
+}  // namespace rt

@@ -1,0 +1,84 @@
+#pragma once
+#include <rt/basis.hpp>
+#include <rt/length.hpp>
+#include <rt/pack.hpp>
+#include <rt/vec3.hpp>
+
+namespace rt {
+
+// pack_size vectors (given), and the functions of chapters 01 and 05 for them: the same operations
+// in the same order, so that each vector comes out as it would alone, bit for bit.
+struct Vec3Pack {
+    Pack x{}, y{}, z{};
+};
+
+inline Vec3Pack pack_of(Vec3 v) {
+    return {pack_of(v.x), pack_of(v.y), pack_of(v.z)};
+}
+inline Vec3 get(const Vec3Pack& v, std::size_t i) {
+    return {v.x[i], v.y[i], v.z[i]};
+}
+inline void set(Vec3Pack& v, std::size_t i, Vec3 to) {
+    v.x[i] = to.x;
+    v.y[i] = to.y;
+    v.z[i] = to.z;
+}
+
+inline Vec3Pack operator-(Vec3Pack v) {
+    return {-v.x, -v.y, -v.z};
+}
+inline Vec3Pack operator+(Vec3Pack a, Vec3Pack b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec3Pack operator-(Vec3Pack a, Vec3Pack b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec3Pack operator*(Pack s, Vec3Pack v) {
+    return {v.x * s, v.y * s, v.z * s};
+}
+inline Vec3Pack operator/(Vec3Pack v, Pack s) {
+    return {v.x / s, v.y / s, v.z / s};
+}
+inline Pack dot(Vec3Pack a, Vec3Pack b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vec3Pack abs(Vec3Pack v) {
+    return {abs(v.x), abs(v.y), abs(v.z)};
+}
+inline Pack max_component(Vec3Pack v) {
+    return max(max(abs(v.x), abs(v.y)), abs(v.z));
+}
+inline PackMask is_zero(Vec3Pack v) {
+    return (v.x == 0) & (v.y == 0) & (v.z == 0);
+}
+inline Vec3Pack pick(PackMask mask, Vec3Pack a, Vec3Pack b) {
+    return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
+}
+inline Vec3Pack to_world(Vec3Pack u, Vec3Pack v, Vec3Pack w, Vec3Pack local) {
+    return local.x * u + local.y * v + local.z * w;
+}
+
+// normalize() for those whose bits are set in `active`; what comes of the others does not matter.
+// Rarely one needs scaling: the function for one vector takes it.
+inline Vec3Pack normalize(Vec3Pack v, PackBits active) {
+    const Pack squared = dot(v, v);
+    const PackBits safe = bits_of((squared >= safe_squares.min) & (squared <= safe_squares.max));
+    Vec3Pack result = v / sqrt(squared);
+    for_each_bit(active & ~safe,
+                 [&](std::size_t i) { set(result, i, normalize_scaled(get(v, i))); });
+    return result;
+}
+
+inline Vec3Pack reflect(Vec3Pack incoming, Vec3Pack normal) {
+    return incoming - 2 * dot(incoming, normal) * normal;
+}
+
+inline Vec3Pack above_horizon(Vec3Pack v, Vec3Pack normal, PackBits active) {
+    const PackMask zero = is_zero(v);
+    const Pack height = dot(v, normal);
+    const Pack least = rounding_bound(16) * (abs(v.x) + abs(v.y) + abs(v.z));
+    const Vec3Pack lifted = v + (max(abs(height), least) - height) * normal;
+    return pick(zero, normal, normalize(lifted, active & ~bits_of(zero)));
+}
+
+}  // namespace rt

@@ -1,0 +1,163 @@
+#include <rt/hit_pack.hpp>
+#include <rt/hit_sphere.hpp>
+
+#include "random_inputs.hpp"
+
+using namespace checkpoint;
+using rt::pack_size;
+using rt::Sphere;
+
+namespace {
+
+bool same_bits(Real a, Real b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+struct OneRay {
+    rt::Ray ray;
+    Real t = rt::infinity;
+    rt::PackInteger sphere = -1;
+};
+
+// What hit_sphere of 03.2 makes of it, one ray at a time.
+bool expected_hit(const Sphere& sphere, rt::PackInteger number, OneRay& one) {
+    const auto t = rt::hit_sphere(sphere, one.ray, {0, one.t});
+    if (!t || (*t == one.t && one.sphere > number)) return false;
+    one.t = *t;
+    one.sphere = number;
+    return true;
+}
+
+void check_pack(const Sphere& sphere, rt::PackInteger number,
+                const std::array<OneRay, pack_size>& rays, const char* hint) {
+    rt::RayPack pack;
+    for (std::size_t i = 0; i < pack_size; ++i) {
+        set(pack.origin, i, rays[i].ray.origin);
+        set(pack.direction, i, rays[i].ray.direction);
+        pack.t[i] = rays[i].t;
+        pack.sphere[i] = rays[i].sphere;
+    }
+    const rt::PackMask hit = rt::hit_pack(sphere, number, pack);
+    for (std::size_t i = 0; i < pack_size; ++i) {
+        OneRay expected = rays[i];
+        const bool hits = expected_hit(sphere, number, expected);
+        const bool same = same_bits(pack.t[i], expected.t) && pack.sphere[i] == expected.sphere &&
+                          hit[i] == (hits ? -1 : 0);
+        if (same) continue;
+        INFO("sphere " << number << " at " << text(sphere.center) << " of radius "
+                       << text(sphere.radius) << "; ray " << i << " from "
+                       << text(rays[i].ray.origin) << " along " << text(rays[i].ray.direction)
+                       << ", so far sphere " << rays[i].sphere << " at t = " << text(rays[i].t));
+        INFO("Hint: " << hint);
+        {
+            INFO("the mask that is returned: -1 where the ray has met this sphere, else 0");
+            REQUIRE(hit[i] == (hits ? -1 : 0));
+        }
+        REQUIRE(text(pack.t[i]) == text(expected.t));
+        REQUIRE(pack.sphere[i] == expected.sphere);
+    }
+}
+
+// A ray towards the sphere or past it, from outside or from inside.
+rt::Ray any_ray(rt::Rng& rng, const Sphere& sphere, Real largest_distance) {
+    const Real r = sphere.radius;
+    const Vec3 from = rng() % 4 == 0 ? Real(0.7) * r * in_cube(rng) / 2
+                                     : r * any_size(rng, 0, largest_distance) * any_direction(rng);
+    const Vec3 aim = Real(1.1) * r * any_direction(rng) * rng.uniform();
+    const Vec3 along = (rng() % 4 == 0 ? Real(-1) : Real(1)) * (aim - from);
+    const Real length = rt::max_component(along);
+    return {sphere.center + from, any_size(rng, -2, 2) / length * along};
+}
+
+}  // namespace
+
+TEST_CASE("10.3 rays from all sides", "[10.3]") {
+    rt::Rng rng{103, 1};
+    for (int round = 0; round < 5000; ++round) {
+        const Real radius = any_size(rng, -3, 3);
+        const Sphere sphere{Real(10) * radius * in_cube(rng), radius};
+        std::array<OneRay, pack_size> rays;
+        for (OneRay& one : rays) one.ray = any_ray(rng, sphere, 2);
+        check_pack(sphere, round, rays,
+                   "hit_sphere's operations in its order, each with all rays at once");
+    }
+}
+
+TEST_CASE("10.3 only what is nearer than before counts", "[10.3]") {
+    rt::Rng rng{103, 2};
+    for (int round = 0; round < 5000; ++round) {
+        const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
+        std::array<OneRay, pack_size> rays;
+        for (OneRay& one : rays) {
+            one.ray = any_ray(rng, sphere, 1);
+            OneRay found = one;
+            const bool hits = expected_hit(sphere, 7, found);
+            one.sphere = static_cast<rt::PackInteger>(rng() % 15);
+            // Nearer than the hit, farther, or somewhere.
+            one.t = hits && rng() % 3 != 0 ? found.t * rng.uniform(Real(0.9), Real(1.1)) : any_size(rng, -2, 3);
+        }
+        check_pack(sphere, 7, rays, "the interval is from 0 to rays.t; what lies beyond does not count");
+    }
+}
+
+TEST_CASE("10.3 of equally near spheres the highest number", "[10.3]") {
+    rt::Rng rng{103, 3};
+    for (int round = 0; round < 3000; ++round) {
+        const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
+        std::array<OneRay, pack_size> rays;
+        for (OneRay& one : rays) {
+            one.ray = any_ray(rng, sphere, 1);
+            OneRay found = one;
+            expected_hit(sphere, 7, found);
+            one.t = found.t;
+            one.sphere = static_cast<rt::PackInteger>(rng() % 15);
+        }
+        check_pack(sphere, 7, rays, "at the very same t the sphere with the higher number stays");
+    }
+}
+
+TEST_CASE("10.3 far small grazing and touching", "[10.3][hard]") {
+    rt::Rng rng{103, 4};
+    for (int round = 0; round < 20'000; ++round) {
+        const Real radius = any_size(rng, -6, 6);
+        Sphere sphere{radius * any_size(rng, -1, 5) * any_direction(rng), radius};
+        std::array<OneRay, pack_size> rays;
+        for (OneRay& one : rays) {
+            one.ray = any_ray(rng, sphere, 6);
+            switch (rng() % 8) {
+                case 0:  // it grazes, as far as numbers can
+                    one.ray = {sphere.center + Vec3{-4 * radius, radius, 0}, {1, 0, 0}};
+                    break;
+                case 1:  // it starts on the surface, and only touches there: q is 0
+                    sphere.center = {};
+                    one.ray = {{0, radius, 0}, {1, 0, 0}};
+                    break;
+                case 2:  // it leads nowhere
+                    one.ray.direction = {};
+                    break;
+                case 3:  // it starts in the middle
+                    one.ray.origin = sphere.center;
+                    break;
+                case 4:  // it starts on the surface: one solution is 0, or nearly
+                    one.ray = {sphere.center + Vec3{0, 0, radius}, any_direction(rng)};
+                    break;
+                default: break;
+            }
+        }
+        check_pack(sphere, 3, rays, "q may be 0: both solutions are 0 then; a direction of length 0 meets nothing");
+    }
+}
+
+TEST_CASE("10.3 what unused places hold does no harm", "[10.3][hard]") {
+    rt::Rng rng{103, 5};
+    const Real nothing = std::numeric_limits<Real>::quiet_NaN();
+    for (int round = 0; round < 2000; ++round) {
+        const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
+        std::array<OneRay, pack_size> rays;
+        for (OneRay& one : rays) {
+            one.ray = any_ray(rng, sphere, 1);
+            if (rng() % 2 == 0) one = {{{nothing, 0, nothing}, {0, nothing, rt::infinity}}, 0, -1};
+        }
+        check_pack(sphere, 3, rays, "a ray of rubbish meets nothing and disturbs no other");
+    }
+}
