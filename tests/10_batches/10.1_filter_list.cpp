@@ -37,7 +37,9 @@ void check_filter(const std::vector<std::uint32_t>& list, const std::vector<std:
     to.resize(count);
     INFO("expected " << text(expected) << ", but yours gives " << text(to));
     {
-        INFO("Hint: the paths, not their places in the list, in the same order; masks[i] belongs to list[i]");
+        INFO(
+            "Hint: the paths, not their places in the list, in the same order; masks[i] belongs to "
+            "list[i]");
         REQUIRE(to == expected);
     }
     REQUIRE(list == list_before);
@@ -74,10 +76,14 @@ TEST_CASE("10.1 lists without a path and lists of which all or none go on", "[10
     check_filter({}, {}, 0);
     for (const std::size_t size : {1, 2, 255, 256, 257, 5000}) {
         std::vector<std::uint32_t> list(size);
-        for (std::size_t i = 0; i < size; ++i) list[i] = static_cast<std::uint32_t>(4'000'000'000 - 7 * i);
+        for (std::size_t i = 0; i < size; ++i)
+            list[i] = static_cast<std::uint32_t>(4'000'000'000 - 7 * i);
         for (unsigned bit = 0; bit < 8; ++bit) {
-            check_filter(list, std::vector<std::uint8_t>(size, static_cast<std::uint8_t>(1u << bit)), bit);
-            check_filter(list, std::vector<std::uint8_t>(size, static_cast<std::uint8_t>(~(1u << bit))), bit);
+            check_filter(
+                list, std::vector<std::uint8_t>(size, static_cast<std::uint8_t>(1u << bit)), bit);
+            check_filter(list,
+                         std::vector<std::uint8_t>(size, static_cast<std::uint8_t>(~(1u << bit))),
+                         bit);
             check_filter(list, std::vector<std::uint8_t>(size, 0xff), bit);
         }
     }

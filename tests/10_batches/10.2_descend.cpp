@@ -21,7 +21,8 @@ struct LoggedTree {
 
     // Whether a ray meets a child's box: anything, but always the same.
     std::uint8_t mask(std::int32_t node, std::uint32_t ray) const {
-        const std::uint64_t random = rt::mix_bits(seed * 1'000'003ull + static_cast<std::uint64_t>(node) * 65'537 + ray);
+        const std::uint64_t random =
+            rt::mix_bits(seed * 1'000'003ull + static_cast<std::uint64_t>(node) * 65'537 + ray);
         return static_cast<std::uint8_t>(random & random >> 8);
     }
     unsigned test(std::int32_t node, rt::PathList list, std::uint8_t* masks) {
@@ -106,7 +107,8 @@ void check_descend(int levels, std::uint64_t seed, std::size_t rays) {
     std::vector<std::uint8_t> masks(room + 1, 0xa5);
     rt::descend(tree, 0, list, {lists.data(), masks.data()});
     check_log("nodes", tree.tests, expected.tests,
-              "each node that a ray meets, once, with the rays that meet it, the children in the tree's order");
+              "each node that a ray meets, once, with the rays that meet it, the children in the "
+              "tree's order");
     check_log("leaves", tree.leaves, expected.leaves,
               "a negative child is a leaf: it gets the rays that meet its box, and no empty list");
     INFO("Hint: it writes beyond the room that it has");
@@ -133,7 +135,8 @@ TEST_CASE("10.2 deep trees and lists of one ray or none that goes on", "[10.2][h
     for (std::uint64_t seed = 0; seed < 6; ++seed) check_descend(4, 4000 + seed, 500);
 }
 
-TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come later", "[10.2][hard]") {
+TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come later",
+          "[10.2][hard]") {
     // A chain of nodes, each with a leaf first. Once a ray was in a leaf it meets no box any more.
     struct Shortened {
         std::vector<char> done = std::vector<char>(8, 0);
@@ -146,7 +149,9 @@ TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come late
             lengths.push_back(list.size());
             unsigned any = 0;
             for (std::size_t i = 0; i < list.size(); ++i)
-                any |= masks[i] = static_cast<std::uint8_t>(done[list[i]] ? 0 : list[i] == 0 ? 3 : 2);
+                any |= masks[i] = static_cast<std::uint8_t>(done[list[i]]  ? 0
+                                                            : list[i] == 0 ? 3
+                                                                           : 2);
             return any;
         }
         const std::array<std::uint8_t, 8>& order(std::int32_t) const { return places; }

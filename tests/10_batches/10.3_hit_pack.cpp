@@ -2,12 +2,18 @@
 #include <rt/hit_sphere.hpp>
 
 #include "random_inputs.hpp"
+#include "statistics.hpp"
 
 using namespace checkpoint;
 using rt::pack_size;
 using rt::Sphere;
 
 namespace {
+
+Vec3 in_cube(rt::Rng& rng) {
+    const Real x = rng.uniform(-1, 1), y = rng.uniform(-1, 1), z = rng.uniform(-1, 1);
+    return {x, y, z};
+}
 
 bool same_bits(Real a, Real b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
@@ -94,9 +100,11 @@ TEST_CASE("10.3 only what is nearer than before counts", "[10.3]") {
             const bool hits = expected_hit(sphere, 7, found);
             one.sphere = static_cast<rt::PackInteger>(rng() % 15);
             // Nearer than the hit, farther, or somewhere.
-            one.t = hits && rng() % 3 != 0 ? found.t * rng.uniform(Real(0.9), Real(1.1)) : any_size(rng, -2, 3);
+            one.t = hits && rng() % 3 != 0 ? found.t * rng.uniform(Real(0.9), Real(1.1))
+                                           : any_size(rng, -2, 3);
         }
-        check_pack(sphere, 7, rays, "the interval is from 0 to rays.t; what lies beyond does not count");
+        check_pack(sphere, 7, rays,
+                   "the interval is from 0 to rays.t; what lies beyond does not count");
     }
 }
 
@@ -141,10 +149,12 @@ TEST_CASE("10.3 far small grazing and touching", "[10.3][hard]") {
                 case 4:  // it starts on the surface: one solution is 0, or nearly
                     one.ray = {sphere.center + Vec3{0, 0, radius}, any_direction(rng)};
                     break;
-                default: break;
+                default:
+                    break;
             }
         }
-        check_pack(sphere, 3, rays, "q may be 0: both solutions are 0 then; a direction of length 0 meets nothing");
+        check_pack(sphere, 3, rays,
+                   "q may be 0: both solutions are 0 then; a direction of length 0 meets nothing");
     }
 }
 

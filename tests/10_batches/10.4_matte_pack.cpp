@@ -2,6 +2,7 @@
 #include <rt/matte_pack.hpp>
 
 #include "random_inputs.hpp"
+#include "statistics.hpp"
 
 using namespace checkpoint;
 using rt::pack_size;
@@ -28,8 +29,9 @@ void check_pack(const std::array<Lot, pack_size>& lots, rt::PackBits active, con
         const Vec3 expected = rt::cosine_direction(lots[i].normal, lots[i].place);
         const Vec3 actual = get(directions, i);
         if (expected == actual) continue;
-        INFO("place " << i << " of the pack: the normal " << text(lots[i].normal) << " and the place ("
-                      << text(lots[i].place.x) << ", " << text(lots[i].place.y) << ")");
+        INFO("place " << i << " of the pack: the normal " << text(lots[i].normal)
+                      << " and the place (" << text(lots[i].place.x) << ", "
+                      << text(lots[i].place.y) << ")");
         INFO("Hint: " << hint);
         REQUIRE(text(actual) == text(expected));
     }
@@ -64,7 +66,7 @@ TEST_CASE("10.4 the circle goes all the way around", "[10.4]") {
 
 TEST_CASE("10.4 normals along the axes and places at the edge", "[10.4][hard]") {
     rt::Rng rng{104, 2};
-    const Vec3 axes[]{{1, 0, 0},  {0, 1, 0},  {0, 0, 1},         {-1, 0, 0},
+    const Vec3 axes[]{{1, 0, 0},  {0, 1, 0},  {0, 0, 1},          {-1, 0, 0},
                       {0, -1, 0}, {0, 0, -1}, {1, 0, real(-0.0)}, {0, 1, real(-0.0)}};
     const Real last = 1 - rt::epsilon / 2;
     for (int round = 0; round < 20'000; ++round) {
@@ -89,9 +91,14 @@ TEST_CASE("10.4 what unused places hold does no harm", "[10.4][hard]") {
         for (std::size_t i = 0; i < pack_size; ++i) {
             lots[i] = any_lot(rng);
             switch (rng() % 4) {
-                case 0: lots[i].normal = {}; break;
-                case 1: lots[i] = {{nothing, nothing, nothing}, {nothing, 2}}; break;
-                default: active |= rt::PackBits{1} << i;
+                case 0:
+                    lots[i].normal = {};
+                    break;
+                case 1:
+                    lots[i] = {{nothing, nothing, nothing}, {nothing, 2}};
+                    break;
+                default:
+                    active |= rt::PackBits{1} << i;
             }
         }
         try {

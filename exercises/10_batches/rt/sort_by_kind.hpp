@@ -7,10 +7,10 @@
 
 namespace rt {
 
-// Exercise 10.5. Sorts the numbers 0, 1, 2 ... by kinds[i], each of which is less than `count`: those
-// of kind k come to stand in `sorted` from the result's [k] on, before its [k + 1], in the order of
-// their numbers. The time grows as the list does, and no slower or faster sort is called: count, add
-// up, put each in its place. `sorted` is as long as `kinds`, which may be empty.
+// Exercise 10.5. Sorts the numbers 0, 1, 2 ... by kinds[i], each of which is less than `count`:
+// those of kind k come to stand in `sorted` from the result's [k] on, before its [k + 1], in the
+// order of their numbers. The time grows as the list does, and no slower or faster sort is called:
+// count, add up, put each in its place. `sorted` is as long as `kinds`, which may be empty.
 template <std::size_t count>
 std::array<std::size_t, count + 1> sort_by_kind(std::span<const std::uint8_t> kinds,
                                                 std::span<std::uint32_t> sorted) {

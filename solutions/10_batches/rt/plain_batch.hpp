@@ -32,9 +32,7 @@ class PlainBatch {
     std::vector<Real> times;        // of samples, where things move
 
     // Makes room for the light of this many new paths.
-    void begin(std::size_t count) {
-        std::fill_n(light.begin(), count, Color{});
-    }
+    void begin(std::size_t count) { std::fill_n(light.begin(), count, Color{}); }
 
     // Takes the first `count` paths on to their next bounce, or to their end; returns how many are
     // left, and adds the rays that were asked for.
