@@ -2,16 +2,13 @@
 //
 //   own SCENE PICTURE.ppm [--threads N] [--seed N] [--list]
 //
-// From the scene file's words to the picture's bytes, in the order of this file: vectors, random
-// numbers, the scene and its reader, one ray and one sphere, a tree of boxes, three materials, a
-// path, a picture on all cores.
+// In the order of the file: vectors, random numbers, the scene and its reader, one ray and one
+// sphere, a tree of boxes, three materials, a path, a picture on all cores.
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -23,61 +20,42 @@
 
 namespace {
 
-// ---- Vectors; colors are vectors too ----------------------------------------------------------
+constexpr double infinity = std::numeric_limits<double>::infinity(), pi = 3.14159265358979323846;
 
+// A point, a direction, or a color in linear light.
 struct Vec3 {
     double x = 0, y = 0, z = 0;
     double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+    friend Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+    friend Vec3 operator*(double s, Vec3 v) { return {s * v.x, s * v.y, s * v.z}; }
+    friend double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    friend double length(Vec3 v) { return std::sqrt(dot(v, v)); }
+    friend Vec3 unit(Vec3 v) { return 1 / length(v) * v; }
+    friend Vec3 cross(Vec3 a, Vec3 b) {
+        return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    }
 };
-Vec3 operator+(Vec3 a, Vec3 b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Vec3 operator-(Vec3 a, Vec3 b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Vec3 operator*(Vec3 a, Vec3 b) {
-    return {a.x * b.x, a.y * b.y, a.z * b.z};
-}
-Vec3 operator*(double s, Vec3 v) {
-    return {s * v.x, s * v.y, s * v.z};
-}
-double dot(Vec3 a, Vec3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-Vec3 cross(Vec3 a, Vec3 b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double length(Vec3 v) {
-    return std::hypot(v.x, v.y, v.z);
-}
-Vec3 unit(Vec3 v) {
-    return 1 / length(v) * v;
-}
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), pi = 3.14159265358979323846;
-
-// ---- Random numbers ---------------------------------------------------------------------------
-
-// A stream of its own for every sample of every pixel: the picture does not depend on which thread
-// draws what.
+// A stream of random numbers of its own for every sample of every pixel: the picture does not
+// depend on which thread draws what.
 class Random {
   public:
     Random(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample)
         : state_{mix(mix(mix(seed) + pixel) + sample)} {}
-    // In [0, 1).
-    double uniform() {
+    double uniform() {  // in [0, 1)
         state_ += 0x9e3779b97f4a7c15;
         return static_cast<double>(mix(state_) >> 11) * 0x1p-53;
     }
-    // Any direction of length 1, all alike.
-    Vec3 direction() {
+    Vec3 direction() {  // of length 1, all alike
         const double z = 1 - 2 * uniform(), angle = 2 * pi * uniform();
         const double r = std::sqrt(std::max(0.0, 1 - z * z));
         return {r * std::cos(angle), r * std::sin(angle), z};
     }
 
   private:
-    // The finalizer of SplitMix64 (Steele, Lea, Flood 2014): every bit depends on every other.
+    // The finalizer of SplitMix64 (Steele, Lea and Flood, 2014): each bit depends on every other.
     static std::uint64_t mix(std::uint64_t x) {
         x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9;
         x = (x ^ x >> 27) * 0x94d049bb133111eb;
@@ -86,7 +64,7 @@ class Random {
     std::uint64_t state_;
 };
 
-// ---- The scene, and its file ------------------------------------------------------------------
+// ---- The scene and its file
 
 enum class Kind { matte, metal, glass };
 struct Material {
@@ -107,7 +85,10 @@ struct Scene {
     std::vector<Sphere> spheres;
 };
 
-// What follows the first word of a line.
+void expect(bool holds, const std::string& what) {
+    if (!holds) throw std::invalid_argument("expected " + what);
+}
+
 class Words {
   public:
     explicit Words(const std::string& text) : words_{text} {}
@@ -118,11 +99,9 @@ class Words {
     }
     double number(double least = -1e30, double most = 1e30) {
         double value = 0;
-        if (!(words_ >> value)) throw std::invalid_argument("expected a number here");
-        if (value < least || value > most)
-            throw std::invalid_argument("expected a number from " + std::to_string(least) + " to " +
-                                        std::to_string(most) +
-                                        ", actual: " + std::to_string(value));
+        words_ >> value;
+        expect(!words_.fail() && least <= value && value <= most,
+               "a number from " + std::to_string(least) + " to " + std::to_string(most));
         return value;
     }
     int whole(int most) { return static_cast<int>(number(1, most)); }
@@ -146,11 +125,11 @@ void read_line(Words& words, Scene& scene, Material& material) {
         scene.from = words.vector();
         scene.at = words.vector();
         scene.up = words.vector();
-        scene.fov_deg = words.number(0.001, 179);
+        scene.fov_deg = words.number(1e-6, 179);
         scene.aperture = words.number(0);
         scene.focus = words.number(0);
-        if (!(length(cross(scene.at - scene.from, scene.up)) > 0 && scene.focus > 0))
-            throw std::invalid_argument("expected a direction that is not up, and a focus above 0");
+        expect(length(cross(scene.at - scene.from, scene.up)) > 0, "an up beside the view");
+        expect(scene.focus > 0, "a focus above 0");
     } else if (word == "sky") {
         scene.below = words.vector(0, 1);
         scene.above = words.vector(0, 1);
@@ -162,24 +141,23 @@ void read_line(Words& words, Scene& scene, Material& material) {
     } else if (word == "glass") {
         material = {Kind::glass, {1, 1, 1}, 0, words.number(0.1, 10)};
     } else if (word == "sphere") {
-        scene.spheres.push_back({words.vector(), words.number(0), material});
-        if (scene.spheres.back().radius == 0)
-            throw std::invalid_argument("expected a radius above 0");
-    } else if (!word.empty()) {
-        throw std::invalid_argument(
-            "expected picture, camera, sky, matte, metal, glass or sphere, actual: " + word);
+        const Vec3 center = words.vector();
+        scene.spheres.push_back({center, words.number(0), material});
+        expect(scene.spheres.back().radius > 0, "a radius above 0");
+    } else {
+        expect(word.empty(), "camera, glass, matte, metal, picture, sky or sphere, not " + word);
     }
-    if (const std::string more = words.word(); !more.empty())
-        throw std::invalid_argument("expected the end of the line, actual: " + more);
+    expect(words.word().empty(), "fewer words");
 }
 
 Scene read_scene(const std::string& path) {
     std::ifstream file{path};
-    if (!file) throw std::invalid_argument(path + ": cannot be read");
+    expect(file.is_open(), "a scene file, but cannot read " + path);
     Scene scene;
     Material material;
-    std::string line;
-    for (int number = 1; std::getline(file, line); ++number) try {
+    int number = 0;
+    for (std::string line; std::getline(file, line);) try {
+            ++number;
             Words words{line.substr(0, line.find('#'))};
             read_line(words, scene, material);
         } catch (const std::invalid_argument& error) {
@@ -188,7 +166,7 @@ Scene read_scene(const std::string& path) {
     return scene;
 }
 
-// ---- One ray and one sphere -------------------------------------------------------------------
+// ---- One ray and one sphere
 
 // A ray that leaves a surface knows which: its own sphere it meets at t = 0, exactly, and in at
 // most one other place. So no tolerance is needed to leave it, near or far, large or small.
@@ -207,39 +185,35 @@ void try_sphere(const std::vector<Sphere>& spheres, int number, const Ray& ray, 
     const double middle = dot(to_center, ray.direction);
     double t = 2 * middle;  // where it leaves the sphere that it starts on, if it goes inside
     if (number != ray.leaves) {
-        // The distance from the line to the center first: its error does not grow with the
-        // distance.
+        // From the line to the center: this error does not grow with the distance.
         const Vec3 offset = to_center - middle * ray.direction;
-        const double r = sphere.radius, squared = dot(offset, offset);
-        if (squared > r * r) return;
+        const double r = sphere.radius, under_root = r * r - dot(offset, offset);
+        if (under_root < 0) return;
         const double distance = length(to_center);
-        const double far_root = middle + std::copysign(std::sqrt(r * r - squared), middle);
-        const double other = (distance - r) * (distance + r) / far_root;
-        t = std::min(far_root, other) > 0 ? std::min(far_root, other) : std::max(far_root, other);
+        const double a = middle + std::copysign(std::sqrt(under_root), middle);
+        const double b = (distance - r) * (distance + r) / a;
+        t = std::min(a, b) > 0 ? std::min(a, b) : std::max(a, b);
     }
-    if (!(t > 0)) return;
     // Of equally near ones the highest number, in whatever order they come.
-    if (t < nearest.t || (t == nearest.t && number > nearest.sphere)) nearest = {t, number};
+    if (t > 0 && (t < nearest.t || (t == nearest.t && number > nearest.sphere)))
+        nearest = {t, number};
 }
 
-// ---- A tree of boxes --------------------------------------------------------------------------
+// ---- A tree of boxes
 
 struct Box {
     Vec3 low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
-    void add(const Box& box) {
-        low = {std::min(low.x, box.low.x), std::min(low.y, box.low.y), std::min(low.z, box.low.z)};
-        high = {std::max(high.x, box.high.x), std::max(high.y, box.high.y),
-                std::max(high.z, box.high.z)};
+    void add(const Box& b) {
+        low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+        high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
     }
-    // Where the ray enters; infinity if it does not, or only behind `end`. The bounds are widened
-    // by what rounding may have done to them, so that a sphere that just touches its box is not
-    // lost.
-    double enter(Vec3 origin, const std::array<double, 3>& inverse, double end) const {
+    // Where the ray enters; infinity if it does not before `end`. fmax and fmin pass over the
+    // not-a-number of a ray that runs in a side of the box.
+    double enter(const Ray& ray, Vec3 inverse, double end) const {
         double first = 0, last = end;
         for (int axis = 0; axis < 3; ++axis) {
-            const double a = (low[axis] - origin[axis]) * inverse[axis];
-            const double b = (high[axis] - origin[axis]) * inverse[axis];
-            // fmax and fmin pass over the not-a-number of a ray that runs in the box's side.
+            const double a = (low[axis] - ray.origin[axis]) * inverse[axis];
+            const double b = (high[axis] - ray.origin[axis]) * inverse[axis];
             first = std::fmax(first, std::fmin(a, b));
             last = std::fmin(last, std::fmax(a, b));
         }
@@ -247,75 +221,69 @@ struct Box {
     }
 };
 
+// Wider by what rounding may do, so that no sphere that touches its box is lost.
 Box box_of(const Sphere& sphere) {
     const Vec3 c = sphere.center;
-    const double reach = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
-    const double r = sphere.radius * (1 + 1e-14) + reach * 1e-15;
+    const double r = sphere.radius * (1 + 1e-14) + 1e-15 * length(c);
     return {c - Vec3{r, r, r}, c + Vec3{r, r, r}};
 }
 
 class Tree {
   public:
     explicit Tree(const std::vector<Sphere>& spheres) : spheres_{spheres} {
-        for (int i = 0; i < static_cast<int>(spheres.size()); ++i) order_.push_back(i);
-        if (!order_.empty()) build(0, order_.size());
+        for (std::size_t i = 0; i < spheres.size(); ++i) order_.push_back(static_cast<int>(i));
+        if (!order_.empty()) build(0, static_cast<int>(order_.size()));
     }
-
-    Hit nearest(const Ray& ray) const {
-        Hit hit;
-        if (nodes_.empty()) return hit;
-        const Vec3 d = ray.direction;
-        const std::array<double, 3> inverse{1 / d.x, 1 / d.y, 1 / d.z};
-        search(0, ray, inverse, hit);
-        return hit;
+    void search(const Ray& ray, Hit& hit) const {
+        const Vec3 d = ray.direction, inverse{1 / d.x, 1 / d.y, 1 / d.z};
+        if (!nodes_.empty()) search(0, ray, inverse, hit);
     }
 
   private:
     struct Node {
         Box box;
-        int first = 0, count = 0;  // of a leaf: places in order_
-        int right = 0;             // of others: the left child is the next node
+        int first, count;  // of a leaf: places in order_
+        int right;         // of others, where count is 0; the left child is the next node
     };
 
-    // Sorts along the longest axis of the middles, and cuts in half.
+    // Cuts in half along the axis along which the centers lie farthest apart.
     int build(int first, int count) {
-        const int index = nodes_.size();
-        nodes_.push_back({{}, first, count, 0});
-        Box box, middles;
+        const int index = static_cast<int>(nodes_.size());
+        Box box, centers;
         for (int i = first; i < first + count; ++i) {
-            box.add(box_of(spheres_[order_[i]]));
-            middles.add({spheres_[order_[i]].center, spheres_[order_[i]].center});
+            const Sphere& sphere = spheres_[order_[i]];
+            box.add(box_of(sphere));
+            centers.add({sphere.center, sphere.center});
         }
-        nodes_[index].box = box;
+        nodes_.push_back({box, first, count, 0});
         if (count <= 2) return index;
-        const Vec3 size = middles.high - middles.low;
+        const Vec3 size = centers.high - centers.low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const auto begin = order_.begin() + first;
         std::nth_element(begin, begin + count / 2, begin + count, [&](int a, int b) {
             return spheres_[a].center[axis] < spheres_[b].center[axis];
         });
-        nodes_[index].count = 0;
         build(first, count / 2);
-        nodes_[index].right = build(first + count / 2, count - count / 2);
+        const int right = build(first + count / 2, count - count / 2);
+        nodes_[index].count = 0;
+        nodes_[index].right = right;
         return index;
     }
 
-    void search(int index, const Ray& ray, const std::array<double, 3>& inverse, Hit& hit) const {
+    void search(int index, const Ray& ray, Vec3 inverse, Hit& hit) const {
         const Node& node = nodes_[index];
         for (int i = node.first; i < node.first + node.count; ++i)
             try_sphere(spheres_, order_[i], ray, hit);
         if (node.count > 0) return;
-        const int children[]{index + 1, node.right};
-        const double enters[]{enter(children[0], ray, inverse, hit.t),
-                              enter(children[1], ray, inverse, hit.t)};
-        const int near = enters[1] < enters[0] ? 1 : 0;
-        if (enters[near] < infinity) search(children[near], ray, inverse, hit);
-        if (enters[1 - near] <= hit.t && enters[1 - near] < infinity)
-            search(children[1 - near], ray, inverse, hit);
-    }
-    double enter(int index, const Ray& ray, const std::array<double, 3>& inverse,
-                 double end) const {
-        return nodes_[index].box.enter(ray.origin, inverse, end);
+        int near = index + 1, far = node.right;
+        double to_near = nodes_[near].box.enter(ray, inverse, hit.t);
+        double to_far = nodes_[far].box.enter(ray, inverse, hit.t);
+        if (to_far < to_near) {
+            std::swap(near, far);
+            std::swap(to_near, to_far);
+        }
+        if (to_near < infinity) search(near, ray, inverse, hit);
+        if (to_far < infinity && to_far <= hit.t) search(far, ray, inverse, hit);
     }
 
     const std::vector<Sphere>& spheres_;
@@ -323,24 +291,17 @@ class Tree {
     std::vector<Node> nodes_;
 };
 
-Hit nearest_of_all(const std::vector<Sphere>& spheres, const Ray& ray) {
-    Hit hit;
-    for (std::size_t i = 0; i < spheres.size(); ++i)
-        try_sphere(spheres, static_cast<int>(i), ray, hit);
-    return hit;
-}
-
-// ---- Three materials --------------------------------------------------------------------------
+// ---- Three materials
 
 Vec3 reflect(Vec3 d, Vec3 normal) {
     return d - 2 * dot(d, normal) * normal;
 }
 
-// The share of light that glass reflects (Fresnel, both polarizations), by the cosines on both
-// sides; eta is the index on this side divided by that on the other.
-double reflectance(double cosine, double inner_cosine, double eta) {
-    const double s = (eta * cosine - inner_cosine) / (eta * cosine + inner_cosine);
-    const double p = (eta * inner_cosine - cosine) / (eta * inner_cosine + cosine);
+// The share of light that glass reflects (Fresnel, the mean of both polarizations). The cosines are
+// those on both sides; eta is the index on this side divided by that on the other.
+double reflectance(double cosine, double inner, double eta) {
+    const double s = (eta * cosine - inner) / (eta * cosine + inner);
+    const double p = (eta * inner - cosine) / (eta * inner + cosine);
     return (s * s + p * p) / 2;
 }
 
@@ -348,32 +309,28 @@ double reflectance(double cosine, double inner_cosine, double eta) {
 Vec3 scatter(const Material& material, Vec3 d, Vec3 outward, Random& random) {
     const bool outside = dot(d, outward) < 0;
     const Vec3 normal = outside ? outward : -1 * outward;
-    if (material.kind == Kind::matte) {
-        // The unit sphere that touches the surface: cosine-weighted. Nearly never, but sometimes,
-        // both cancel.
-        const Vec3 sum = normal + random.direction();
-        return length(sum) > 1e-8 ? unit(sum) : normal;
+    if (material.kind == Kind::glass) {
+        const double eta = outside ? 1 / material.index : material.index;
+        const double cosine = std::min(1.0, -dot(d, normal));
+        const double under_root = 1 - eta * eta * (1 - cosine * cosine);
+        const double inner = std::sqrt(std::max(0.0, under_root));
+        if (under_root <= 0 || random.uniform() < reflectance(cosine, inner, eta))
+            return unit(reflect(d, normal));
+        return unit(eta * d + (eta * cosine - inner) * normal);
     }
-    if (material.kind == Kind::metal) {
-        const Vec3 strayed = reflect(d, normal) + material.fuzz * random.direction();
-        const double below = std::min(0.0, dot(strayed, normal));
-        const Vec3 folded = strayed - 2 * below * normal;  // no light is lost below the surface
-        return length(folded) > 1e-8 ? unit(folded) : normal;
-    }
-    const double eta = outside ? 1 / material.index : material.index;
-    const double cosine = std::min(1.0, -dot(d, normal));
-    const double squared = 1 - eta * eta * (1 - cosine * cosine);
-    if (squared <= 0) return unit(reflect(d, normal));  // total reflection
-    const double inner = std::sqrt(squared);
-    if (random.uniform() < reflectance(cosine, inner, eta)) return unit(reflect(d, normal));
-    return unit(eta * d + (eta * cosine - inner) * normal);
+    const bool matte = material.kind == Kind::matte;
+    Vec3 next = matte ? normal + random.direction()
+                      : reflect(d, normal) + material.fuzz * random.direction();
+    // What strays below the surface is folded up: no light is lost.
+    next = next - 2 * std::min(0.0, dot(next, normal)) * normal;
+    return length(next) > 1e-8 ? unit(next) : normal;
 }
 
-// ---- A path, a pixel, a picture ---------------------------------------------------------------
+// ---- A path, a pixel, a picture
 
 class Renderer {
   public:
-    Renderer(const Scene& scene, std::uint64_t seed, bool list)
+    Renderer(const Scene& scene, int seed, bool list)
         : scene_{scene}, tree_{scene.spheres}, seed_{seed}, list_{list} {
         const Vec3 w = unit(scene.from - scene.at);
         u_ = unit(cross(scene.up, w));
@@ -385,11 +342,8 @@ class Renderer {
 
     Vec3 pixel(int x, int y) const {
         Vec3 sum;
-        const auto number =
-            static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(scene_.width) +
-            static_cast<std::uint64_t>(x);
         for (int sample = 0; sample < scene_.samples; ++sample) {
-            Random random{seed_, number, static_cast<std::uint64_t>(sample)};
+            Random random(seed_, y * std::uint64_t{8192} + x, sample);
             const double across = (x + random.uniform()) * pixel_;
             const double down = (y + random.uniform()) * pixel_;
             const double r = scene_.aperture / 2 * std::sqrt(random.uniform());
@@ -402,82 +356,87 @@ class Renderer {
     }
 
   private:
+    Hit nearest(const Ray& ray) const {
+        Hit hit;
+        if (!list_) tree_.search(ray, hit);
+        for (std::size_t i = 0; list_ && i < scene_.spheres.size(); ++i)
+            try_sphere(scene_.spheres, static_cast<int>(i), ray, hit);
+        return hit;
+    }
+
     // The light that comes back along a ray. A path that has bounced `depth` times brings none.
     Vec3 light(Ray ray, Random& random) const {
         Vec3 throughput{1, 1, 1};
         for (int bounce = 0; bounce <= scene_.depth; ++bounce) {
-            const Hit hit = list_ ? nearest_of_all(scene_.spheres, ray) : tree_.nearest(ray);
+            const Hit hit = nearest(ray);
             if (hit.sphere < 0) {
                 const double up = (ray.direction.y + 1) / 2;
                 return throughput * ((1 - up) * scene_.below + up * scene_.above);
             }
             const Sphere& sphere = scene_.spheres[hit.sphere];
             const Vec3 normal = unit(ray.origin + hit.t * ray.direction - sphere.center);
-            const Vec3 direction = scatter(sphere.material, ray.direction, normal, random);
+            const Vec3 next = scatter(sphere.material, ray.direction, normal, random);
             throughput = throughput * sphere.material.color;
-            ray = {sphere.center + sphere.radius * normal, direction, hit.sphere};
+            ray = {sphere.center + sphere.radius * normal, next, hit.sphere};
         }
         return {};
     }
 
     const Scene& scene_;
     Tree tree_;
-    std::uint64_t seed_;
+    int seed_;
     bool list_;
     Vec3 u_, v_, corner_;
     double pixel_ = 0;
 };
 
-// All rows, by as many threads; whoever is free takes the next one.
+// All rows, on as many threads; whichever is free takes the next one.
 std::vector<Vec3> render(const Scene& scene, const Renderer& renderer, int threads) {
-    const auto width = scene.width;
-    std::vector<Vec3> picture(width * scene.height);
+    const int width = scene.width, height = scene.height;
+    std::vector<Vec3> picture(static_cast<std::size_t>(width) * height);
     std::atomic<int> next = 0;
     const auto work = [&] {
-        for (int y; (y = next++) < scene.height;)
-            for (int x = 0; x < scene.width; ++x) picture[y * width + x] = renderer.pixel(x, y);
+        for (int y = next++; y < height; y = next++)
+            for (int x = 0; x < width; ++x) picture[y * width + x] = renderer.pixel(x, y);
     };
-    std::vector<std::jthread> workers;
-    for (int i = 1; i < threads; ++i) workers.emplace_back(work);
+    std::vector<std::jthread> others;
+    for (int i = 1; i < threads; ++i) others.emplace_back(work);
     work();
-    workers.clear();  // waits for them
+    others.clear();  // waits for them
     return picture;
 }
 
-unsigned char to_byte(double light) {
+char to_byte(double light) {
     const double c = std::clamp(light, 0.0, 1.0);
     const double srgb = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
-    return static_cast<unsigned char>(255 * srgb + 0.5);
+    return static_cast<char>(static_cast<unsigned char>(255 * srgb + 0.5));
 }
 
 void write_ppm(const std::string& path, const Scene& scene, const std::vector<Vec3>& picture) {
     std::ofstream file{path, std::ios::binary};
     file << "P6\n" << scene.width << ' ' << scene.height << "\n255\n";
     for (const Vec3& color : picture)
-        for (int channel = 0; channel < 3; ++channel)
-            file.put(static_cast<char>(to_byte(color[channel])));
-    if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
+        file.put(to_byte(color.x)).put(to_byte(color.y)).put(to_byte(color.z));
+    if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
 void run(const std::vector<std::string>& words) {
     std::vector<std::string> files;
-    int threads = std::max(1u, std::thread::hardware_concurrency()), seed = 1;
+    int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency())), seed = 1;
     bool list = false;
-    for (std::size_t i = 0; i < words.size(); ++i)
+    for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] == "--list")
             list = true;
-        else if (words[i] == "--threads" && i + 1 < words.size())
-            threads = Words{words[++i]}.whole(1024);
-        else if (words[i] == "--seed" && i + 1 < words.size())
-            seed = Words{words[++i]}.whole(1'000'000'000);
+        else if (words[i] == "--threads")
+            threads = Words{words.at(++i)}.whole(1024);
+        else if (words[i] == "--seed")
+            seed = Words{words.at(++i)}.whole(1'000'000'000);
         else
             files.push_back(words[i]);
-    if (files.size() != 2 || files[0].starts_with("--") || files[1].starts_with("--"))
-        throw std::invalid_argument(
-            "usage: own SCENE PICTURE.ppm [--threads N] [--seed N] [--list]");
+    }
+    expect(files.size() == 2, "SCENE PICTURE.ppm [--threads N] [--seed N] [--list]");
     const Scene scene = read_scene(files[0]);
-    const Renderer renderer{scene, static_cast<std::uint64_t>(seed), list};
-    write_ppm(files[1], scene, render(scene, renderer, threads));
+    write_ppm(files[1], scene, render(scene, {scene, seed, list}, threads));
 }
 
 }  // namespace
@@ -487,6 +446,6 @@ int main(int argc, char** argv) {
         run({argv + 1, argv + argc});
     } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';
-        return dynamic_cast<const std::invalid_argument*>(&error) ? 2 : 1;
+        return dynamic_cast<const std::logic_error*>(&error) ? 2 : 1;
     }
 }
