@@ -219,8 +219,9 @@ function(course_chapter chapter)
                     INCLUDE ${course_solutions})
 
   course_program(${chapter}_mine double ${program} INCLUDE ${COURSE_YOURS} ${course_solutions})
-  course_of_learner(${chapter}_mine)
-  set_target_properties(${chapter}_mine PROPERTIES EXCLUDE_FROM_ALL ON)
+  course_program(${chapter}_mine_float float ${program} INCLUDE ${COURSE_YOURS} ${course_solutions})
+  course_of_learner(${chapter}_mine ${chapter}_mine_float)
+  set_target_properties(${chapter}_mine ${chapter}_mine_float PROPERTIES EXCLUDE_FROM_ALL ON)
 
   if(missing)
     foreach(target ${chapter} ${chapter}_mine)

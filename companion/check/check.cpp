@@ -92,34 +92,61 @@ bool is_failing(const TestCase& test) {
     return !test.passed && missing_exercise(test).empty();
 }
 
-void run_tests(const Course& course, Checked& checked) {
-    const std::string target = target_of(checked.exercise, checked.in_float);
+// One run of an exercise's program of test cases.
+struct Tested {
+    Result result;
+    std::vector<TestCase> tests;
+
+    // The test case in which the program ended, null where it came to its end.
+    const TestCase* ended_in() const {
+        const auto found = std::find_if(tests.begin(), tests.end(), [](const TestCase& test) {
+            return !test.crash.empty() || !test.ended;
+        });
+        return found == tests.end() ? nullptr : &*found;
+    }
+    bool was_stopped() const { return result.timed_out || result.too_much; }
+    bool crashed() const { return ended_in() || result.signal != 0; }
+    // What ended it.
+    std::string trouble() const {
+        return was_stopped() ? how_it_ended(result) : cause_of(result, ended_in());
+    }
+};
+
+// Which test cases is said as Catch2 wants it, "[hard]~[x]"; all where it is empty.
+Tested run_cases(const Course& course, const Checked& checked, const std::string& which = "") {
     // Sanitizers take address space by the terabyte.
     const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
-    const Result result =
-        run_process({.command = {(course.build / "check" / target).string(), "-r", "events"},
-                     .folder = course.build,
-                     .output = Output::errors_hidden,
-                     .timeout = most_seconds,
-                     .most_memory = is_sanitized ? 0 : most_memory,
-                     .most_output = most_bytes});
-    checked.tests = read_report(result.output);
-    const auto& tests = checked.tests;
-    const auto crashed = std::find_if(tests.begin(), tests.end(), [](const TestCase& test) {
-        return !test.crash.empty() || !test.ended;
-    });
+    const std::string target = target_of(checked.exercise, checked.in_float);
+    Run run{.command = {(course.build / "check" / target).string(), "-r", "events"},
+            .folder = course.build,
+            .output = Output::errors_hidden,
+            .timeout = most_seconds,
+            .most_memory = is_sanitized ? 0 : most_memory,
+            .most_output = most_bytes};
+    if (!which.empty()) run.command.push_back(which);
+    Tested tested{run_process(run), {}};
+    tested.tests = read_report(tested.result.output);
+    return tested;
+}
+
+// The verdict on a run, which speaks of the core alone.
+void judge(const Course& course, Checked& checked, const Tested& tested) {
+    const auto& tests = tested.tests;
+    checked.tests = tests;
+    const auto fails = [&](bool hard) {
+        return std::any_of(tests.begin(), tests.end(), [&](const TestCase& test) {
+            return test.hard == hard && is_failing(test);
+        });
+    };
     const auto find_missing = [&] {
         for (const TestCase& test : tests)
             if (!missing_exercise(test).empty()) return missing_exercise(test);
         return std::string{};
     };
-    if (result.timed_out || result.too_much) {
-        checked.verdict = Verdict::endless;
-        checked.trouble = how_it_ended(result);
-    } else if (crashed != tests.end() || result.signal != 0) {
-        checked.verdict = Verdict::crashed;
-        checked.trouble = cause_of(result, crashed != tests.end() ? &*crashed : nullptr);
-    } else if (std::any_of(tests.begin(), tests.end(), is_failing)) {
+    if (tested.was_stopped() || tested.crashed()) {
+        checked.verdict = tested.was_stopped() ? Verdict::endless : Verdict::crashed;
+        checked.trouble = tested.trouble();
+    } else if (fails(false)) {
         checked.verdict = Verdict::failing;
     } else if (const std::string missing = find_missing(); !missing.empty()) {
         const bool is_own = missing == checked.exercise.id;
@@ -137,10 +164,50 @@ void run_tests(const Course& course, Checked& checked) {
                     "those that were declared, down to each const and &.";
         }
     } else if (tests.empty()) {
-        throw app::Failure(target + " ran no test case: " + how_it_ended(result));
+        throw app::Failure(target_of(checked.exercise, checked.in_float) +
+                           " ran no test case: " + how_it_ended(tested.result));
     } else {
-        checked.verdict = result.ok() ? Verdict::passed : Verdict::crashed;
-        if (!result.ok()) checked.trouble = how_it_ended(result);
+        checked.verdict = tested.result.ok() || fails(true) ? Verdict::passed : Verdict::crashed;
+        if (checked.verdict != Verdict::passed) checked.trouble = how_it_ended(tested.result);
+    }
+}
+
+// Notes the stars of a run.
+void note_stars(Checked& checked, const Tested& tested) {
+    for (const TestCase& test : tested.tests) {
+        if (!test.hard) continue;
+        ++checked.stars;
+        if (test.passed) continue;
+        checked.open_stars.push_back({test});
+        if (&test == tested.ended_in()) checked.open_stars.back().trouble = tested.trouble();
+    }
+}
+
+void run_tests(const Course& course, Checked& checked) {
+    Tested tested = run_cases(course, checked);
+    judge(course, checked, tested);
+    if (const TestCase* const last = tested.ended_in(); last && last->hard) {
+        // The core alone; then each hard case gets its turn, although one before it ends the
+        // program.
+        Checked core = checked;
+        core.trouble.clear();
+        judge(course, core, run_cases(course, checked, "~[hard]"));
+        if (core.verdict != Verdict::passed) {
+            if (core.verdict == Verdict::to_write || core.verdict == Verdict::waiting)
+                checked = core;
+            return;
+        }
+        core.tests = checked.tests;
+        checked = core;
+        std::string others = "[hard]";
+        for (tested = run_cases(course, checked, others); !tested.tests.empty();
+             tested = run_cases(course, checked, others)) {
+            note_stars(checked, tested);
+            if (tested.was_stopped()) break;  // to be stopped once is enough to wait for
+            for (const TestCase& test : tested.tests) others += "~\"" + test.name + '"';
+        }
+    } else if (checked.verdict == Verdict::passed) {
+        note_stars(checked, tested);
     }
 }
 
@@ -176,8 +243,8 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
         run_tests(course, checked);
         if (checked.verdict == Verdict::to_write)
             checked.left = functions_left(course, checked.exercise);
-        if (checked.verdict == Verdict::passed || checked.verdict == Verdict::to_write ||
-            checked.verdict == Verdict::waiting)
+        if ((checked.verdict == Verdict::passed && checked.open_stars.empty()) ||
+            checked.verdict == Verdict::to_write || checked.verdict == Verdict::waiting)
             continue;
         const Chapter& chapter = checked.exercise.chapter;
         if (!signatures.count(chapter.name))
@@ -193,34 +260,58 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
             // What waits for another exercise says nothing yet of its own answer.
             record.hash = verdict == Verdict::waiting ? "" : hashes[i];
             record.warning = all[i].warning;
+            record.stars = all[i].stars;
+            record.open_stars = static_cast<int>(all[i].open_stars.size());
         }
     });
     return all;
 }
 
 int check_in_float(const Course& course, std::vector<Checked>& all) {
-    std::vector<Checked*> passed;
+    struct Try {
+        Checked* in_double;
+        Checked in_float;
+    };
+    std::vector<Try> tries;
     for (Checked& checked : all)
         if (checked.verdict == Verdict::passed && checked.exercise.chapter.uses_real) {
-            checked.in_float = true;
-            passed.push_back(&checked);
+            Checked& in_float = tries.emplace_back(Try{&checked, {}}).in_float;
+            in_float.exercise = checked.exercise;
+            in_float.warning = checked.warning;
+            in_float.in_float = true;
         }
-    const auto errors = build_all(course, passed);
-    for (Checked* checked : passed) {
-        const auto error = errors.find(checked->exercise.id);
+    std::vector<Checked*> targets;
+    for (Try& one : tries) targets.push_back(&one.in_float);
+    const auto errors = build_all(course, targets);
+    for (auto& [in_double, in_float] : tries) {
+        const auto error = errors.find(in_float.exercise.id);
         if (error == errors.end()) {
-            run_tests(course, *checked);
+            run_tests(course, in_float);
         } else {
-            checked->verdict = Verdict::not_compiled;
-            checked->trouble = error->second;
+            in_float.verdict = Verdict::not_compiled;
+            in_float.trouble = error->second;
         }
-        checked->in_float = checked->verdict != Verdict::passed;
+        if (in_float.verdict != Verdict::passed) {
+            *in_double = std::move(in_float);
+            continue;
+        }
+        auto& open = in_double->open_stars;
+        for (OpenStar& star : in_float.open_stars) {
+            star.in_float = true;
+            if (std::none_of(open.begin(), open.end(), [&](const OpenStar& other) {
+                    return other.test.name == star.test.name;
+                }))
+                open.push_back(std::move(star));
+        }
     }
     change_state(course, [&](State& state) {
-        for (const Checked* checked : passed)
-            if (checked->in_float) state[checked->exercise.id].passed = false;
+        for (const Try& one : tries) {
+            Record& record = state[one.in_double->exercise.id];
+            if (one.in_double->in_float) record.passed = false;
+            record.open_stars = static_cast<int>(one.in_double->open_stars.size());
+        }
     });
-    return static_cast<int>(passed.size());
+    return static_cast<int>(tries.size());
 }
 
 int passed_cases(const Checked& checked) {

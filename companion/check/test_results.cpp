@@ -30,6 +30,11 @@ std::string text_of(const Json& event, const std::string& key) {
     return found ? found->text : "";
 }
 
+bool is_true(const Json& event, const std::string& key) {
+    const Json* const found = app::find(event, key, Json::Kind::boolean);
+    return found && found->number != 0;
+}
+
 FailedAssertion read_failure(const Json& event) {
     FailedAssertion failure;
     failure.exception = trimmed(text_of(event, "exception"));
@@ -47,7 +52,10 @@ FailedAssertion read_failure(const Json& event) {
 
 void read_event(const Json& event, std::vector<TestCase>& tests) {
     const std::string what = text_of(event, "event");
-    if (what == "begins") tests.emplace_back().name = text_of(event, "name");
+    if (what == "begins") {
+        tests.emplace_back().name = text_of(event, "name");
+        tests.back().hard = is_true(event, "hard");
+    }
     if (tests.empty()) return;
     TestCase& test = tests.back();
     if (what == "failed") {
@@ -57,8 +65,7 @@ void read_event(const Json& event, std::vector<TestCase>& tests) {
         test.memory = text_of(event, "memory");
     } else if (what == "ends") {
         test.ended = true;
-        const Json* const passed = app::find(event, "passed", Json::Kind::boolean);
-        test.passed = passed && passed->number != 0;
+        test.passed = is_true(event, "passed");
         test.output = trimmed(text_of(event, "output"));
     }
 }

@@ -16,7 +16,8 @@ struct FailedAssertion {
 };
 
 struct TestCase {
-    std::string name;  // "01.3 the length follows from Pythagoras"
+    std::string name;   // "01.3 the length follows from Pythagoras"
+    bool hard = false;  // a star, not a part of the core
     bool passed = false;
     bool ended = false;  // false: it was running when the program ended
     std::string crash;   // what the program died of within it, "SIGSEGV - Segmentation ..."

@@ -50,7 +50,9 @@ std::string verdict_text(const Checked& checked) {
     const int failing = all - passed - missing;
     switch (checked.verdict) {
         case Verdict::passed:
-            return green("done");
+            if (checked.open_stars.empty()) return green("done");
+            return green("core passes") + ", " +
+                   yellow(stars_open(static_cast<int>(checked.open_stars.size())));
         case Verdict::failing:
             if (failing == 0) return red("failing: no test case reaches it");
             return red((checked.in_float ? "failing in float: " : "failing: ") +
@@ -75,10 +77,10 @@ std::string verdict_text(const Checked& checked) {
     return "";
 }
 
-std::string symbol_of(Verdict verdict) {
-    switch (verdict) {
+std::string symbol_of(const Checked& checked) {
+    switch (checked.verdict) {
         case Verdict::passed:
-            return green("+");
+            return green(checked.open_stars.empty() ? "+" : "*");
         case Verdict::to_write:
             return dim(".");
         case Verdict::waiting:
@@ -199,10 +201,14 @@ std::string before_that(const std::string& failing) {
     return failing.empty() ? "" : "\nBefore that:\n" + failing;
 }
 
-// The test cases that fail: the first with all that is known, the others by name.
+// The test cases that fail, those of the core before the stars: the first with all that is known,
+// the others by name.
 std::string failing_cases(const Checked& checked) {
     std::string text, others;
-    for (const TestCase& test : checked.tests) {
+    std::vector<TestCase> tests = checked.tests;
+    std::stable_partition(tests.begin(), tests.end(),
+                          [](const TestCase& test) { return !test.hard; });
+    for (const TestCase& test : tests) {
         if (test.passed || !missing_exercise(test).empty()) continue;
         const bool crashed = !test.ended || !test.crash.empty();
         if (crashed && describe_all(test).empty()) continue;  // the crash is told elsewhere
@@ -249,8 +255,20 @@ std::string what_it_looks_like(const Course& course, const Checked& checked) {
 }  // namespace
 
 std::string summary_line(const Checked& checked) {
-    return "  " + symbol_of(checked.verdict) + ' ' + checked.exercise.id + "  " +
+    return "  " + symbol_of(checked) + ' ' + checked.exercise.id + "  " +
            padded(checked.exercise.title, 36) + ' ' + verdict_text(checked) + '\n';
+}
+
+std::string float_lines(const Course& course, std::vector<Checked>& all) {
+    if (check_in_float(course, all) == 0) return "";
+    std::string lines;
+    for (const Checked& checked : all) {
+        const auto& open = checked.open_stars;
+        if (checked.in_float || std::any_of(open.begin(), open.end(),
+                                            [](const OpenStar& star) { return star.in_float; }))
+            lines += summary_line(checked);
+    }
+    return lines.empty() ? dim("  + also with Real as float\n") : lines;
 }
 
 std::string details(const Course& course, const Checked& checked) {
@@ -305,17 +323,45 @@ std::string details(const Course& course, const Checked& checked) {
     return text;
 }
 
-std::string next_step(const Course& course, const Exercise* next) {
-    if (!next) return "All exercises are done. The last step: ./course certify\n";
-    return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
-           std::to_string(next->minutes) + " minutes\n  read   " + next->section() + "\n  write  " +
-           files_of(*next) + "\n  check  ./course check " + next->id + '\n' +
-           missing_files(course, *next);
+std::string open_stars(const Course& course, const Checked& checked, bool all) {
+    std::string text;
+    for (const OpenStar& star : checked.open_stars) {
+        text += (text.empty() ? "" : "\n") + yellow("Star: ") + bold(star.test.name) +
+                (star.in_float ? ", with Real as float" : "") + '\n';
+        if (!star.trouble.empty()) text += wrapped(star.trouble + '.', "    ");
+        text += describe_all(star.test);
+        if (!all) break;
+    }
+    if (text.empty()) return "";
+    text += what_it_looks_like(course, checked);
+    const std::string& id = checked.exercise.id;
+    const auto left = static_cast<int>(checked.open_stars.size()) - 1;
+    if (!all && left > 0)
+        text += "\n  " + std::to_string(left) + " more: ./course check " + id + " --stars\n";
+    return text + "\n  Now or later: read " + checked.exercise.section() +
+           ". Stuck? ./course hint " + id + '\n';
 }
 
-std::string chapter_done(const Chapter& chapter) {
+std::string stars_open(int count) {
+    return std::to_string(count) + (count == 1 ? " star open" : " stars open");
+}
+
+std::string next_step(const Course& course, const Exercise* next) {
+    if (!next) return "Every exercise passes. The last step: ./course certify\n";
+    return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
+           std::to_string(next->minutes) + " minutes" +
+           (next->star_minutes > 0 ? " (its stars: " + std::to_string(next->star_minutes) + " more)"
+                                   : "") +
+           "\n  read   " + next->section() + "\n  write  " + files_of(*next) +
+           "\n  check  ./course check " + next->id + '\n' + missing_files(course, *next);
+}
+
+std::string chapter_done(const Chapter& chapter, int open_stars) {
     const std::string number = chapter.number();
-    return green("Chapter " + number + " is done: every checkpoint passes.") +
+    return (open_stars == 0
+                ? green("Chapter " + number + " is done: every checkpoint passes.")
+                : green("Chapter " + number + " is done: its core passes.") + ' ' +
+                      yellow(stars_open(open_stars) + ": ./course check " + number + " --stars")) +
            "\n  Look at your picture:          ./course run " + number +
            "\n  Compare it with the solution:  ./course compare " + number + '\n';
 }

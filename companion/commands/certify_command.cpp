@@ -1,7 +1,8 @@
 #include <sys/utsname.h>
-#include <app/files.hpp>
 
+#include <algorithm>
 #include <app/errors.hpp>
+#include <app/files.hpp>
 #include <chrono>
 #include <companion/build/build.hpp>
 #include <companion/build/side_build.hpp>
@@ -63,12 +64,12 @@ class Examination {
     void note(const CertifiedFigure& one) {
         certificate_.measurements.push_back(one);
         const std::string line = line_of(one);
-        std::puts((one.held == Held::fails ? red(line) : line).c_str());
+        std::puts((one.held != Held::fails ? line : one.star ? yellow(line) : red(line)).c_str());
         std::fflush(stdout);
     }
     void note(bool holds, const std::string& exercise, const std::string& what,
-              const std::string& figure, const std::string& bound) {
-        note({holds ? Held::holds : Held::fails, exercise, what, figure, bound});
+              const std::string& figure, const std::string& bound, bool star = false) {
+        note({holds ? Held::holds : Held::fails, exercise, what, figure, bound, star});
     }
 
     // True when all exercises are written.
@@ -83,8 +84,30 @@ class Examination {
                 if (first.empty() && checked.verdict != Verdict::passed)
                     first = checked.exercise.id;
             note(one.passes(), first, "checkpoints of " + one.chapter.name, one.why(), "all pass");
+            note_stars(one);
         }
         return written;
+    }
+
+    // The eight questions, when all lines are there.
+    void prove(const std::vector<CheckedChapter>& all) {
+        for (const Ability& ability : self_assessment()) {
+            Proof proof{ability.words, {}};
+            for (const CheckedChapter& chapter : all)
+                for (const Checked& checked : chapter.exercises)
+                    if (is_in(checked.exercise.id, ability.exercises))
+                        proof.lines.push_back(
+                            {checked.verdict == Verdict::passed ? Held::holds : Held::fails,
+                             checked.exercise.id, checked.exercise.title,
+                             std::to_string(passed_cases(checked)) + " of " +
+                                 std::to_string(checked.tests.size()) + " test cases",
+                             ""});
+            for (const CertifiedFigure& line : certificate_.measurements)
+                if (is_in(line.exercise, ability.exercises) &&
+                    line.what.rfind("checkpoints of ", 0) != 0)
+                    proof.lines.push_back(line);
+            certificate_.proofs.push_back(proof);
+        }
     }
 
     // Builds everything of the learner's anew with -O3: any warning from exercises/ counts.
@@ -126,14 +149,15 @@ class Examination {
         if (!built.ok) note(false, "", first_error(course_, built.output), "", "compiles");
         for (const Chapter& chapter : all) {
             const std::string what = "memory and undefined behavior, " + chapter.name;
-            const Result result =
-                run_process({.command = {checked.program(chapter.name + "_checkpoint").string()},
-                             .timeout = patience});
-            const std::string found = sanitizer_report(chapter, result.output);
-            if (!found.empty())
-                note(false, "", what, found, "clean");
-            else
-                note(result.ok(), "", what, result.ok() ? "clean" : how_it_ended(result), "clean");
+            for (const bool star : {false, true}) {
+                const Result result =
+                    run_process({.command = {checked.program(chapter.name + "_checkpoint").string(),
+                                             star ? "[hard]" : "~[hard]"},
+                                 .timeout = patience});
+                std::string found = sanitizer_report(chapter, result.output);
+                if (found.empty() && !result.ok()) found = how_it_ended(result);
+                note(found.empty(), "", what, found.empty() ? "clean" : found, "clean", star);
+            }
         }
     }
 
@@ -168,6 +192,19 @@ class Examination {
     }
 
   private:
+    void note_stars(const CheckedChapter& one) {
+        std::size_t stars = 0, open = 0;
+        for (const Checked& checked : one.exercises) {
+            stars += static_cast<std::size_t>(checked.stars);
+            open += checked.open_stars.size();
+        }
+        if (one.passes())
+            note(open == 0, "", "stars of " + one.chapter.name,
+                 std::to_string(stars - open) + " of " + std::to_string(stars), "all", true);
+    }
+    static bool is_in(const std::string& id, const std::vector<std::string>& ids) {
+        return std::count(ids.begin(), ids.end(), id) > 0;
+    }
     bool is_measured(const Chapter& chapter) const {
         return fs::exists(course_.root / "tests/certify" / (chapter.name + ".cpp"));
     }
@@ -191,7 +228,8 @@ int certify(const Course& course) {
     app::make_folder(course.out());
     const std::vector<Chapter> all = chapters(course);
     Examination examination{course};
-    const bool written = examination.check_exercises_of(check_all_chapters(course));
+    const std::vector<CheckedChapter> checked = check_all_chapters(course);
+    const bool written = examination.check_exercises_of(checked);
     if (written) {
         std::puts("All is written. Building it anew takes a few minutes.");
         std::fflush(stdout);
@@ -200,15 +238,20 @@ int certify(const Course& course) {
         examination.check_memory(all);
         examination.draw(all);
     }
+    examination.prove(checked);
     const Certificate certificate = examination.certificate();
     app::replace_file(course.out() / "certificate.html", certificate_html(certificate));
     if (certificate.passed()) {
-        std::puts("Everything holds. Your certificate is out/certificate.html.");
+        std::puts(certificate.passed_with_stars()
+                      ? "Everything holds, core and stars. Your certificate is "
+                        "out/certificate.html."
+                      : "The core holds. Your certificate is out/certificate.html; it names the "
+                        "stars that are open.");
         return app::done;
     }
     std::set<std::string> ids;
     for (const CertifiedFigure& one : certificate.measurements)
-        if (one.held == Held::fails && !one.exercise.empty()) ids.insert(one.exercise);
+        if (one.held == Held::fails && !one.star && !one.exercise.empty()) ids.insert(one.exercise);
     std::puts("Not there yet; out/certificate.html says how far it is.");
     if (!ids.empty()) std::printf("Next: ./course check %s\n", ids.begin()->c_str());
     return written ? app::could_not : app::still_to_write;

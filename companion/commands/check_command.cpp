@@ -30,12 +30,12 @@ bool is_wrong(const Checked& checked) {
 }
 
 // What comes after these: in the chapter of the last one what comes after it, then what is left of
-// the chapter, then of the course. Nothing where all is done.
+// the chapter, then of the course. Nothing where every core passes.
 std::vector<Exercise> left_after(const Course& course, const std::vector<Checked>& all) {
     const State state = read_state(course);
     std::vector<Exercise> later, same_chapter, others;
     for (Exercise& exercise : exercises(course)) {
-        if (progress_of(course, state, exercise) == Progress::done) continue;
+        if (passes(progress_of(course, state, exercise))) continue;
         const bool is_same =
             !all.empty() && exercise.chapter.name == all.back().exercise.chapter.name;
         auto& kind = !is_same                               ? others
@@ -48,7 +48,7 @@ std::vector<Exercise> left_after(const Course& course, const std::vector<Checked
     return {};
 }
 
-// The chapters among these whose exercises are all done.
+// The chapters among these whose exercises all pass.
 std::vector<Chapter> chapters_done(const Course& course, const std::vector<Checked>& all) {
     const State state = read_state(course);
     std::vector<Chapter> done;
@@ -57,17 +57,29 @@ std::vector<Chapter> chapters_done(const Course& course, const std::vector<Check
         const Chapter& chapter = checked.exercise.chapter;
         if (chapter.name == last) continue;
         last = chapter.name;
-        if (!first_not_done(course, state, exercises(course, chapter))) done.push_back(chapter);
+        if (!first_open(course, state, exercises(course, chapter))) done.push_back(chapter);
     }
     return done;
 }
 
-void print_chapters_done(const std::vector<Chapter>& done) {
-    if (done.size() == 1) print('\n' + chapter_done(done[0]));
+void print_chapters_done(const Course& course, const std::vector<Chapter>& done) {
+    if (done.size() == 1) print('\n' + chapter_done(done[0], open_stars_of(course, done[0])));
     if (done.size() < 2) return;
     std::string numbers;
-    for (const Chapter& chapter : done) numbers += ' ' + chapter.number();
-    print("\n" + green("Done, every checkpoint passes:" + numbers) + '\n');
+    int open = 0;
+    for (const Chapter& chapter : done) {
+        numbers += ' ' + chapter.number();
+        open += open_stars_of(course, chapter);
+    }
+    print("\n" + green("Done:" + numbers) + (open ? ", " + yellow(stars_open(open)) : "") + '\n');
+}
+
+// The open stars of these exercises: of one alone the first, else those that were asked for.
+void print_stars(const Course& course, const std::vector<Checked>& all, bool every_star) {
+    for (const Checked& checked : all)
+        if (checked.verdict == Verdict::passed && (every_star || all.size() == 1))
+            if (const std::string text = open_stars(course, checked, every_star); !text.empty())
+                print('\n' + text);
 }
 
 }  // namespace
@@ -82,7 +94,7 @@ int check_sanitized(const Course& course, const std::string& name, const std::st
     return app::done;
 }
 
-int check(const Course& course, const Named& name) {
+int check(const Course& course, const Named& name, bool every_star) {
     const std::vector<Exercise> some = chosen(course, name);
     std::vector<Checked> all = check_exercises(course, some);
     std::string chapter;
@@ -94,12 +106,7 @@ int check(const Course& course, const Named& name) {
         print(summary_line(checked));
     }
     if (all.empty()) print("Nothing is written yet.\n");
-    const int in_float = check_in_float(course, all);
-    const auto fails_in_float = std::count_if(
-        all.begin(), all.end(), [](const Checked& checked) { return checked.in_float; });
-    for (const Checked& checked : all)
-        if (checked.in_float) print(summary_line(checked));
-    if (in_float > 0 && fails_in_float == 0) print(dim("  + also with Real as float\n"));
+    print(float_lines(course, all));
 
     // What helps most: the first that is wrong, else the first that waits or is to be written.
     auto shown = std::find_if(all.begin(), all.end(), is_wrong);
@@ -112,7 +119,8 @@ int check(const Course& course, const Named& name) {
         print('\n' + details(course, *shown));
         return wrong ? app::could_not : app::still_to_write;
     }
-    print_chapters_done(chapters_done(course, all));
+    print_stars(course, all, every_star);
+    print_chapters_done(course, chapters_done(course, all));
     if (shown != all.end()) {
         print('\n' + next_step(course, &shown->exercise));
         return app::still_to_write;

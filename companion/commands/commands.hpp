@@ -12,7 +12,10 @@ namespace companion {
 using Named = std::optional<std::string>;
 
 // Each returns the exit code.
-int check(const Course& course, const Named& chapter_or_exercise);
+// answer: to the first question that is open; without it, answers are read from the standard input.
+int ask(const Course& course, const Named& chapter, const Named& answer);
+// every_star: all open stars are shown, else the first where one exercise is checked.
+int check(const Course& course, const Named& chapter_or_exercise, bool every_star);
 // The checkpoints of one exercise under the sanitizer that is named: "thread", or else the others.
 int check_sanitized(const Course& course, const std::string& exercise,
                     const std::string& sanitizer);
@@ -24,7 +27,8 @@ int list(const Course& course);
 int mine(const Course& course);
 int reset(const Course& course, const std::string& exercise);
 int run(const Course& course, const std::string& chapter, const std::vector<std::string>& options);
-int study(const Course& course, const Named& chapter);
+// mine: with the learner's code where it passes, else the solution's.
+int study(const Course& course, const Named& chapter, bool mine);
 int watch(const Course& course, const Named& chapter);
 
 }  // namespace companion

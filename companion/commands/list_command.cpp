@@ -9,13 +9,15 @@ namespace companion {
 namespace {
 
 struct Work {
-    int done = 0, exercises = 0;
-    double minutes = 0, minutes_left = 0;
+    int done = 0, exercises = 0, stars = 0, open_stars = 0;
+    double minutes = 0, minutes_left = 0;  // of the core
+    double star_minutes = 0;
 };
 
 std::string marked(Progress progress) {
     const std::string text = std::string{symbol(progress)} + ' ';
     switch (progress) {
+        case Progress::core:
         case Progress::done:
             return green(text);
         case Progress::failing:
@@ -27,6 +29,22 @@ std::string marked(Progress progress) {
     }
 }
 
+// "2.5 hours"
+std::string hours(double minutes) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f hours", minutes / 60);
+    return text;
+}
+
+// "stars: 5 of 7, 1.5 hours". Stars are counted where the core passes.
+std::string stars_of(const Work& work) {
+    std::string text = "stars: ";
+    if (work.stars > 0)
+        text += std::to_string(work.stars - work.open_stars) + " of " + std::to_string(work.stars) +
+                ", ";
+    return text + hours(work.star_minutes);
+}
+
 std::string duration(double minutes) {
     const int whole = static_cast<int>(minutes + 0.5);
     char text[32];
@@ -34,20 +52,24 @@ std::string duration(double minutes) {
     return text;
 }
 
-// A chapter's hours are more than its exercises' minutes: reading takes the rest. What is left of
-// them is the share of the exercises that are not done.
+// Of the reading the share of the exercises that do not pass is left.
 Work work_of(const Course& course, const State& state, const Chapter& chapter,
              const std::vector<Exercise>& all) {
     Work result;
     double of_exercises = 0, left = 0;
     for (const Exercise& exercise : all) {
-        const bool done = progress_of(course, state, exercise) == Progress::done;
+        const bool done = passes(progress_of(course, state, exercise));
         result.done += done;
+        if (done) {
+            result.stars += state.at(exercise.id).stars;
+            result.open_stars += state.at(exercise.id).open_stars;
+        }
         ++result.exercises;
         of_exercises += exercise.minutes;
         if (!done) left += exercise.minutes;
     }
-    result.minutes = 60 * chapter.hours;
+    result.minutes = chapter.minutes;
+    result.star_minutes = chapter.star_minutes;
     result.minutes_left = result.minutes * left / of_exercises;
     return result;
 }
@@ -61,26 +83,34 @@ int list(const Course& course) {
     for (const Chapter& chapter : chapters(course)) {
         const std::vector<Exercise> all = exercises(course, chapter);
         const Work part = work_of(course, state, chapter, all);
-        std::printf("%s %s %d of %d\n",
+        std::printf("%s %s %d of %d, %s; %s\n",
                     bold(chapter.name +
                          std::string(16 - std::min<std::size_t>(16, chapter.name.size()), ' '))
                         .c_str(),
-                    bar(part.done, part.exercises, 10).c_str(), part.done, part.exercises);
+                    bar(part.done, part.exercises, 10).c_str(), part.done, part.exercises,
+                    hours(part.minutes).c_str(), stars_of(part).c_str());
         for (const Exercise& exercise : all) {
             const Progress now = progress_of(course, state, exercise);
-            std::printf("  %s%s  %-38s %s\n", marked(now).c_str(), exercise.id.c_str(),
-                        exercise.title.c_str(), text(now));
+            std::printf("  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
+                        exercise.title.c_str(), text(now),
+                        now == Progress::core
+                            ? (", " + stars_open(state.at(exercise.id).open_stars)).c_str()
+                            : "");
             every.push_back(exercise);
         }
         total.done += part.done;
         total.exercises += part.exercises;
         total.minutes += part.minutes;
+        total.star_minutes += part.star_minutes;
+        total.stars += part.stars;
+        total.open_stars += part.open_stars;
         total.minutes_left += part.minutes_left;
     }
-    std::printf("\n%s %d of %d exercises, %s of %.0f hours left\n\n%s",
+    std::printf("\n%s %d of %d exercises, %s of %s left; %s\n\n%s",
                 bar(total.done, total.exercises, 30).c_str(), total.done, total.exercises,
-                duration(total.minutes_left).c_str(), total.minutes / 60,
-                next_step(course, first_not_done(course, state, every)).c_str());
+                duration(total.minutes_left).c_str(), hours(total.minutes).c_str(),
+                stars_of(total).c_str(),
+                next_step(course, first_open(course, state, every)).c_str());
     return app::done;
 }
 

@@ -38,6 +38,9 @@ struct CommandLine {
     Words names;
     companion::Named named;
     companion::Named sanitizer;  // of check --sanitize
+    companion::Named answer;     // of ask --answer
+    bool every_star = false;     // of check --stars
+    bool is_mine = false;        // of study --mine
     int exit_code = app::done;
 
     CLI::App* add(const char* name, std::function<int()> run) {
@@ -58,7 +61,7 @@ struct CommandLine {
         using namespace companion;
         add("list", [&] { return list(course); });
         add("check", "chapter-or-exercise", [&] {
-            if (!sanitizer) return check(course, named);
+            if (!sanitizer) return check(course, named, every_star);
             if (!named && !sanitizer->empty()) named = std::exchange(*sanitizer, "");
             if (!named) throw app::UsageError("check --sanitize: needs an exercise, such as 01.3");
             return check_sanitized(course, *named, *sanitizer);
@@ -68,6 +71,7 @@ struct CommandLine {
                 "--sanitize", [this](const std::string& name) { sanitizer = name; })
             ->expected(0, 1)
             ->trigger_on_parse();
+        parser.get_subcommand("check")->add_flag("--stars", every_star);
         add("watch", "chapter", [&] { return watch(course, named); });
         add("hint", "exercise", [&] { return hint(course, *named); })->required();
         add("run", "chapter", [&] {
@@ -78,8 +82,12 @@ struct CommandLine {
         add("mine", [&] { return mine(course); });
         add("certify", [&] { return certify(course); });
         add("reset", "exercise", [&] { return reset(course, *named); })->required();
+        add("ask", "chapter", [&] { return ask(course, named, answer); });
+        parser.get_subcommand("ask")->add_option_function<std::string>(
+            "--answer", [this](const std::string& words) { answer = words; });
         add("demo", [&] { return demo(course); });
-        add("study", "chapter", [&] { return study(course, named); });
+        add("study", "chapter", [&] { return study(course, named, is_mine); });
+        parser.get_subcommand("study")->add_flag("--mine", is_mine);
     }
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;

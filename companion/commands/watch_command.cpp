@@ -35,51 +35,52 @@ Written written(const Course& course, const std::vector<Exercise>& all) {
 
 class Watch {
   public:
-    Watch(const Course& course, std::vector<Exercise> all, bool whole_course)
+    // From the exercise at this place on.
+    Watch(const Course& course, std::vector<Exercise> all, std::size_t first)
         : course_{course},
           all_{std::move(all)},
-          whole_course_{whole_course},
+          current_{first},
           on_terminal_{::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO)},
           keyboard_{on_terminal_} {}
 
     int run() {
         seen_ = written(course_, all_);
-        if (!go_on()) return app::done;
+        go_on();
         for (;;) {
             while (!has_changed()) {
                 const auto key = keyboard_.key(pause_ms);
                 if (key && !obey(*key)) return app::done;
                 if (keyboard_.at_end()) return end_of_input();
             }
-            if (check_current() && !go_on()) return app::done;
+            if (check_current()) go_on();
         }
     }
 
   private:
-    // Finds the next exercise that is not done, from the current one on, and says what to do. What
-    // is written already is checked first, and passed over where it is right. False where all are
-    // done.
-    bool go_on() {
+    // Finds the next exercise that does not pass, from the current one on, and says what to do.
+    // What is written already is checked first, and passed over where it is right. Where all pass
+    // it stays, for the stars.
+    void go_on() {
         for (;;) {
             const State state = read_state(course_);
             const auto is_open = [&](const Exercise& exercise) {
-                return progress_of(course_, state, exercise) != Progress::done;
+                return !passes(progress_of(course_, state, exercise));
             };
             auto next =
                 std::find_if(all_.begin() + static_cast<long>(current_), all_.end(), is_open);
             if (next == all_.end()) next = std::find_if(all_.begin(), all_.end(), is_open);
             if (next == all_.end()) {
-                print('\n' + (whole_course_ ? next_step(course_, nullptr)
-                                            : chapter_done(all_.front().chapter)));
-                return false;
+                print('\n' + next_step(course_, nullptr));
+                print_keys();
+                return;
             }
             current_ = static_cast<std::size_t>(next - all_.begin());
             if (progress_of(course_, state, *next) == Progress::to_write) {
                 print('\n' + next_step(course_, &*next));
                 print_keys();
-                return true;
+                return;
             }
-            if (!check_current()) return true;
+            if (!check_current()) return;
         }
     }
 
@@ -127,10 +128,10 @@ class Watch {
             return false;
         }
         print(summary_line(checked[0]));
-        if (check_in_float(course_, checked) > 0)
-            print(checked[0].in_float ? summary_line(checked[0])
-                                      : dim("  + also with Real as float\n"));
+        print(float_lines(course_, checked));
         if (checked[0].verdict == Verdict::passed) {
+            if (const std::string star = open_stars(course_, checked[0], false); !star.empty())
+                print('\n' + star);
             print_chapter_end();
             return true;
         }
@@ -141,9 +142,8 @@ class Watch {
 
     void print_chapter_end() const {
         const Chapter& chapter = all_[current_].chapter;
-        if (whole_course_ &&
-            !first_not_done(course_, read_state(course_), exercises(course_, chapter)))
-            print('\n' + chapter_done(chapter));
+        if (!first_open(course_, read_state(course_), exercises(course_, chapter)))
+            print('\n' + chapter_done(chapter, open_stars_of(course_, chapter)));
     }
 
     // False where it is the end.
@@ -186,7 +186,7 @@ class Watch {
         const State state = read_state(course_);
         for (std::size_t step = 1; step <= all_.size(); ++step) {
             const std::size_t i = (current_ + step) % all_.size();
-            if (progress_of(course_, state, all_[i]) == Progress::done) continue;
+            if (passes(progress_of(course_, state, all_[i]))) continue;
             current_ = i;
             break;
         }
@@ -200,24 +200,27 @@ class Watch {
     }
 
     int end_of_input() const {
-        return first_not_done(course_, read_state(course_), all_) ? app::still_to_write : app::done;
+        return first_open(course_, read_state(course_), all_) ? app::still_to_write : app::done;
     }
 
     const Course& course_;
     std::vector<Exercise> all_;
-    bool whole_course_;
+    std::size_t current_;
     bool on_terminal_;
     Keyboard keyboard_;
     Written seen_;
-    std::size_t current_ = 0;
 };
 
 }  // namespace
 
 int watch(const Course& course, const Named& name) {
-    if (!name) return Watch{course, exercises(course), true}.run();
-    const Chapter chapter = find_chapter(chapters(course), *name);
-    return Watch{course, exercises(course, chapter), false}.run();
+    std::vector<Exercise> all = exercises(course);
+    std::size_t first = 0;
+    if (name) {
+        const Chapter chapter = find_chapter(chapters(course), *name);
+        while (first < all.size() && all[first].chapter.name != chapter.name) ++first;
+    }
+    return Watch{course, std::move(all), first}.run();
 }
 
 }  // namespace companion

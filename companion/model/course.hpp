@@ -26,7 +26,9 @@ struct Chapter {
     std::string name = {};   // "03_sphere"
     std::string title = {};  // "The sphere"
     bool core = true;        // else it is an elective
-    int hours = 0;           // of study, with reading
+    int reading = 0;         // minutes for the text
+    int minutes = 0;         // for the core, with reading
+    int star_minutes = 0;    // beyond that
     fs::path text = {}, hints = {};
     std::string caption = {};  // what its picture shows
     bool uses_real = true;     // rt::Real, so that its exercises are checked in float, too

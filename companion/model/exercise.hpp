@@ -8,9 +8,10 @@
 namespace companion {
 
 struct Exercise {
-    std::string id;     // "01.3"
-    std::string title;  // "Length and unit vectors"
-    int minutes = 0;
+    std::string id;        // "01.3"
+    std::string title;     // "Length and unit vectors"
+    int minutes = 0;       // for the core
+    int star_minutes = 0;  // beyond that
     Chapter chapter;
     std::vector<fs::path>
         files;                   // that the learner writes, such as exercises/01_vectors/rt/dot.hpp

@@ -6,9 +6,14 @@ Progress progress_of(const Course& course, const State& state, const Exercise& e
     if (!is_begun(course, exercise)) return Progress::to_write;
     const auto found = state.find(exercise.id);
     const bool known = found != state.end() && found->second.hash == hash_of(course, exercise);
-    if (known && found->second.passed) return Progress::done;
+    if (known && found->second.passed)
+        return found->second.open_stars > 0 ? Progress::core : Progress::done;
     if (todos_left(course, exercise) > 0) return Progress::begun;
     return known ? Progress::failing : Progress::unchecked;
+}
+
+bool passes(Progress progress) {
+    return progress == Progress::core || progress == Progress::done;
 }
 
 const char* text(Progress progress) {
@@ -21,6 +26,8 @@ const char* text(Progress progress) {
             return "not checked since it changed";
         case Progress::failing:
             return "failing";
+        case Progress::core:
+            return "core passes";
         case Progress::done:
             return "done";
     }
@@ -37,17 +44,28 @@ char symbol(Progress progress) {
             return '?';
         case Progress::failing:
             return 'x';
+        case Progress::core:
+            return '*';
         case Progress::done:
             return '+';
     }
     return ' ';
 }
 
-const Exercise* first_not_done(const Course& course, const State& state,
-                               const std::vector<Exercise>& exercises) {
+const Exercise* first_open(const Course& course, const State& state,
+                           const std::vector<Exercise>& exercises) {
     for (const Exercise& exercise : exercises)
-        if (progress_of(course, state, exercise) != Progress::done) return &exercise;
+        if (!passes(progress_of(course, state, exercise))) return &exercise;
     return nullptr;
+}
+
+int open_stars_of(const Course& course, const Chapter& chapter) {
+    const State state = read_state(course);
+    int open = 0;
+    for (const Exercise& exercise : exercises(course, chapter))
+        if (progress_of(course, state, exercise) == Progress::core)
+            open += state.at(exercise.id).open_stars;
+    return open;
 }
 
 }  // namespace companion

@@ -11,19 +11,26 @@ enum class Progress {
     begun,      // some of it written, some still rt::todo
     unchecked,  // written, and changed since the last check
     failing,
+    core,  // the core passes, and stars are open
     done
 };
 
+// Whether the core passes: then the learner goes on, and the learner's code runs.
+bool passes(Progress progress);
+
 Progress progress_of(const Course& course, const State& state, const Exercise& exercise);
 
-// "done", "failing", "not checked since it changed", "begun", "to be written"
+// "done", "core passes", "failing", "not checked since it changed", "begun", "to be written"
 const char* text(Progress progress);
 
 // A character that says the same where there are no colors.
 char symbol(Progress progress);
 
-// Of these exercises, the first that is not done; null where all are.
-const Exercise* first_not_done(const Course& course, const State& state,
-                               const std::vector<Exercise>& exercises);
+// Of these exercises, the first whose core does not pass; null where all do.
+const Exercise* first_open(const Course& course, const State& state,
+                           const std::vector<Exercise>& exercises);
+
+// How many stars are open in a chapter's exercises whose core passes.
+int open_stars_of(const Course& course, const Chapter& chapter);
 
 }  // namespace companion

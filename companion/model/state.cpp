@@ -23,6 +23,12 @@ const Json& member(const Json& object, const std::string& key, Json::Kind kind) 
     throw app::Failure("it is no state of the course");
 }
 
+// A number that older states do not have.
+int count(const Json& record, const std::string& key) {
+    const Json* const found = find(record, key, Json::Kind::number);
+    return found ? static_cast<int>(found->number) : 0;
+}
+
 State parse(const std::string& text) {
     const Json json = app::parse_json(text, "state.json");
     const double written_as = member(json, "version", Json::Kind::number).number;
@@ -38,8 +44,17 @@ State parse(const std::string& text) {
             member(record, "passed", Json::Kind::boolean).number != 0,
             member(record, "hash", Json::Kind::text).text,
             static_cast<int>(member(record, "hints", Json::Kind::number).number),
-            warning ? warning->text : ""};
+            warning ? warning->text : "",
+            count(record, "stars"),
+            count(record, "open_stars")};
     }
+    if (const Json* const answers = find(json, "answers", Json::Kind::object))
+        for (std::size_t i = 0; i < answers->keys.size(); ++i) {
+            const Json& answer = answers->items[i];
+            state.answers[answers->keys[i]] = {
+                member(answer, "right", Json::Kind::boolean).number != 0, count(answer, "tries"),
+                member(answer, "answer", Json::Kind::text).text};
+        }
     return state;
 }
 
@@ -53,14 +68,27 @@ std::string to_text(const State& state) {
                                  {{Json::Kind::boolean, record.passed ? 1.0 : 0.0},
                                   {Json::Kind::text, 0, record.hash},
                                   {Json::Kind::number, static_cast<double>(record.hints)},
-                                  {Json::Kind::text, 0, record.warning}},
-                                 {"passed", "hash", "hints", "warning"}});
+                                  {Json::Kind::text, 0, record.warning},
+                                  {Json::Kind::number, static_cast<double>(record.stars)},
+                                  {Json::Kind::number, static_cast<double>(record.open_stars)}},
+                                 {"passed", "hash", "hints", "warning", "stars", "open_stars"}});
+    }
+    Json answers{Json::Kind::object};
+    for (const auto& [key, answered] : state.answers) {
+        answers.keys.push_back(key);
+        answers.items.push_back({Json::Kind::object,
+                                 0,
+                                 {},
+                                 {{Json::Kind::boolean, answered.right ? 1.0 : 0.0},
+                                  {Json::Kind::number, static_cast<double>(answered.tries)},
+                                  {Json::Kind::text, 0, answered.answer}},
+                                 {"right", "tries", "answer"}});
     }
     const Json all{Json::Kind::object,
                    0,
                    {},
-                   {{Json::Kind::number, version}, std::move(records)},
-                   {"version", "exercises"}};
+                   {{Json::Kind::number, version}, std::move(records), std::move(answers)},
+                   {"version", "exercises", "answers"}};
     return app::to_text(all) + '\n';
 }
 

@@ -10,13 +10,24 @@ namespace companion {
 
 // The verdict on the files with this hash; on any others nothing is known.
 struct Record {
-    bool passed = false;
+    bool passed = false;    // its core
     std::string hash;       // empty: never checked
     int hints = 0;          // that were shown
     std::string warning{};  // the compiler's on these files; it comes only when it compiles them
+    int stars = 0;          // its hard test cases, where it passed
+    int open_stars = 0;     // those of them that fail
 };
 
-using State = std::map<std::string, Record>;  // by exercise
+// How a question was answered last.
+struct Answered {
+    bool right = false;
+    int tries = 0;
+    std::string answer{};
+};
+
+struct State : std::map<std::string, Record> {  // by exercise
+    std::map<std::string, Answered> answers{};  // by the question's key
+};
 
 // The folder for what the companion keeps. It is made where it is missing.
 fs::path private_folder(const Course& course);

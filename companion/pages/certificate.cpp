@@ -25,15 +25,47 @@ constexpr const char* head = R"(<!doctype html>
   td.figure { white-space: nowrap; font-variant-numeric: tabular-nums; }
   tr { break-inside: avoid; }
   .fails td { font-weight: bold; }
-  .shows td { color: #5c6068; }
+  .shows td, .open td { color: #5c6068; }
+  h2 { font-size: 1.2rem; font-weight: normal; margin: 0 0 .6em; }
   figure { margin: 0 0 1.2em; break-inside: avoid; }
   img { display: block; max-width: 100%; height: auto; }
   .small { display: grid; grid-template-columns: 1fr 1fr; gap: 12px; }
 </style>
 )";
 
-const char* word(Held held) {
-    return held == Held::holds ? "holds" : held == Held::fails ? "fails" : "";
+const char* word(const CertifiedFigure& one) {
+    return one.held == Held::holds   ? "holds"
+           : one.held == Held::shows ? ""
+           : one.star                ? "open"
+                                     : "fails";
+}
+
+std::string number_of(const CertifiedFigure& one) {
+    return one.exercise + (one.star ? "*" : "");
+}
+
+// How many lines of a grade fail.
+long failing(const Certificate& certificate, bool star) {
+    return std::count_if(
+        certificate.measurements.begin(), certificate.measurements.end(),
+        [&](const CertifiedFigure& one) { return one.held == Held::fails && one.star == star; });
+}
+
+void add_proofs(std::ostream& out, const std::vector<Proof>& proofs) {
+    if (proofs.empty()) return;
+    out << "<h2>Eight questions, and what proves the answers</h2>\n<table>\n"
+           "<tr><th>you can<th>because this was tested<th></tr>\n";
+    for (const Proof& proof : proofs) {
+        std::string question = escape_html(proof.question);
+        for (const CertifiedFigure& one : proof.lines) {
+            out << "<tr class=\"" << word(one) << "\"><td>" << question << "<td>"
+                << escape_html(number_of(one) + ' ' + one.what +
+                               (one.figure.empty() ? "" : ": " + one.figure))
+                << "<td>" << word(one) << "</tr>\n";
+            question.clear();
+        }
+    }
+    out << "</table>\n";
 }
 
 std::string image(const std::string& file) {
@@ -44,9 +76,23 @@ std::string image(const std::string& file) {
 }  // namespace
 
 bool Certificate::passed() const {
-    return !measurements.empty() &&
-           std::none_of(measurements.begin(), measurements.end(),
-                        [](const CertifiedFigure& one) { return one.held == Held::fails; });
+    return !measurements.empty() && failing(*this, false) == 0;
+}
+
+bool Certificate::passed_with_stars() const {
+    return passed() && failing(*this, true) == 0;
+}
+
+std::vector<Ability> self_assessment() {
+    return {
+        {"place a camera, a light and a ray, and find the hit", {"02.4", "03.2", "04.2"}},
+        {"derive the quadratic equation of a sphere and solve it", {"03.1", "03.2"}},
+        {"build u, v and w from a direction", {"01.8", "02.3"}},
+        {"reflect, refract, and share light by Schlick's formula", {"05.1", "05.3", "05.4"}},
+        {"end a path at the depth limit", {"04.7"}},
+        {"average the samples of a pixel", {"04.5"}},
+        {"write a parallel loop without a race, and say how it scales", {"06.2", "06.3", "06.4"}},
+        {"build a tree, and say what it gains", {"07.3", "07.4", "07.5"}}};
 }
 
 std::vector<CertifiedFigure> read_measurements(const std::string& text) {
@@ -66,16 +112,21 @@ std::vector<CertifiedFigure> read_measurements(const std::string& text) {
                        : held == "FAILS" ? Held::fails
                                          : Held::shows,
                        fields[1], fields[2], fields[3], fields[4]});
+        CertifiedFigure& one = all.back();
+        one.star = !one.exercise.empty() && one.exercise.back() == '*';
+        if (one.star) one.exercise.pop_back();
     }
     return all;
 }
 
 std::string line_of(const CertifiedFigure& one) {
     const char* const symbol = one.held == Held::holds   ? "holds"
-                               : one.held == Held::fails ? "FAILS"
-                                                         : "     ";
-    std::string text = std::string(symbol) + "  " + (one.exercise.empty() ? "    " : one.exercise) +
-                       "  " + one.what;
+                               : one.held == Held::shows ? "     "
+                               : one.star                ? "open "
+                                                         : "FAILS";
+    std::string number = number_of(one);
+    number.resize(5, ' ');
+    std::string text = std::string(symbol) + "  " + number + ' ' + one.what;
     if (!one.figure.empty()) text += ": " + one.figure;
     if (!one.bound.empty()) text += " (" + one.bound + ")";
     return text;
@@ -84,27 +135,30 @@ std::string line_of(const CertifiedFigure& one) {
 std::string certificate_html(const Certificate& certificate) {
     std::ostringstream out;
     out << head << "<h1>A ray tracer, by hand</h1>\n<p class=\"verdict\">";
-    const auto failing =
-        std::count_if(certificate.measurements.begin(), certificate.measurements.end(),
-                      [](const CertifiedFigure& one) { return one.held == Held::fails; });
+    const long fails = failing(certificate, false), open = failing(certificate, true);
     if (certificate.passed())
         out << "Every part of this ray tracer was written by its author, and holds what was "
-               "measured.";
+               "measured. <b>Grade: core"
+            << (open == 0 ? " and stars.</b>"
+                          : ".</b> The hard cases still have " + std::to_string(open) +
+                                (open == 1 ? " open line." : " open lines."));
     else
-        out << "Not there yet: " << failing << (failing == 1 ? " line" : " lines")
-            << " of this table " << (failing == 1 ? "fails." : "fail.");
+        out << "Not there yet: " << fails << (fails == 1 ? " line" : " lines") << " of this table "
+            << (fails == 1 ? "fails." : "fail.");
     out << "</p>\n<p class=\"made\">" << escape_html(certificate.date) << ", "
         << escape_html(certificate.machine) << ", " << escape_html(certificate.compiler)
         << ", -O3</p>\n";
     if (certificate.passed() && !certificate.pictures.empty())
         out << image(certificate.pictures.back());
+    add_proofs(out, certificate.proofs);
     out << "<table>\n<tr><th>exercise<th>what was measured<th>figure<th>bound<th></tr>\n";
     for (const CertifiedFigure& one : certificate.measurements)
-        out << "<tr class=\"" << (one.held == Held::shows ? "shows" : word(one.held)) << "\"><td>"
-            << escape_html(one.exercise) << "<td>" << escape_html(one.what)
+        out << "<tr class=\"" << (one.held == Held::shows ? "shows" : word(one)) << "\"><td>"
+            << escape_html(number_of(one)) << "<td>" << escape_html(one.what)
             << "<td class=\"figure\">" << escape_html(one.figure) << "<td class=\"figure\">"
-            << escape_html(one.bound) << "<td>" << word(one.held) << "</tr>\n";
-    out << "</table>\n<div class=\"small\">\n";
+            << escape_html(one.bound) << "<td>" << word(one) << "</tr>\n";
+    out << "</table>\n<p class=\"made\">* a hard case, for the grade of core and stars</p>\n<div "
+           "class=\"small\">\n";
     for (const std::string& picture : certificate.pictures) out << image(picture);
     out << "</div>\n</html>\n";
     return out.str();

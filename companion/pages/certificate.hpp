@@ -14,20 +14,36 @@ struct CertifiedFigure {
     Held held = Held::holds;
     std::string exercise;  // "05.3"; empty where it is of the whole
     std::string what, figure, bound;
+    bool star = false;  // asked for by the second grade alone
 };
 
-// The lines that the programs of tests/certify print; others are left out.
+// The lines that the programs of tests/certify print; others are left out. An exercise with a star,
+// "01.4*", is one of the second grade.
 std::vector<CertifiedFigure> read_measurements(const std::string& text);
 
 // "holds  05.3  what: figure (at most bound)"
 std::string line_of(const CertifiedFigure& measurement);
 
+// A question of the final self-assessment, and the exercises whose lines prove the answer.
+struct Ability {
+    const char* words;
+    std::vector<std::string> exercises;
+};
+std::vector<Ability> self_assessment();
+
+struct Proof {
+    std::string question;
+    std::vector<CertifiedFigure> lines;
+};
+
 struct Certificate {
     std::string date, machine, compiler;
     std::vector<CertifiedFigure> measurements;
     std::vector<std::string> pictures;  // relative to the page; the last is the final scene
+    std::vector<Proof> proofs;          // of the self-assessment
 
-    bool passed() const;
+    bool passed() const;             // the first grade: the core
+    bool passed_with_stars() const;  // the second
 };
 
 std::string certificate_html(const Certificate& certificate);

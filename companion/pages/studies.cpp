@@ -16,18 +16,22 @@ std::string plot_file(const Chapter& chapter, const std::string& study) {
 
 }  // namespace
 
-fs::path study_folder(const Course& course) {
-    return course.out() / "study";
+fs::path study_folder(const Course& course, Whose whose) {
+    return course.out() / (whose == Whose::mine ? "study-mine" : "study");
 }
 
-void measure(const Course& course, const Chapter& chapter, bool show_tables) {
-    app::make_folder(study_folder(course));
-    fs::remove(study_folder(course) / chapter.table());  // an older one must not pass for this one
-    for (const char* const suffix : {"_solution", "_solution_float"}) {
-        const std::string program = chapter.name + suffix;
-        Run run{
-            .command = {course.program(program).string(), "--study", study_folder(course).string()},
-            .output = show_tables ? Output::shown : Output::errors_shown};
+std::vector<std::string> study_programs(const Chapter& chapter, Whose whose) {
+    const std::string program = chapter.name + (whose == Whose::mine ? "_mine" : "_solution");
+    return {program, program + "_float"};
+}
+
+void measure(const Course& course, const Chapter& chapter, bool show_tables, Whose whose) {
+    const fs::path folder = study_folder(course, whose);
+    app::make_folder(folder);
+    fs::remove(folder / chapter.table());  // an older one must not pass for this one
+    for (const std::string& program : study_programs(chapter, whose)) {
+        Run run{.command = {course.program(program).string(), "--study", folder.string()},
+                .output = show_tables ? Output::shown : Output::errors_shown};
         if (!show_tables) run.command.push_back("--quiet");
         const Result result = run_process(run);
         if (!result.ok())
@@ -35,8 +39,8 @@ void measure(const Course& course, const Chapter& chapter, bool show_tables) {
     }
 }
 
-int draw_plots(const Course& course, const Chapter& chapter) {
-    const fs::path folder = study_folder(course);
+int draw_plots(const Course& course, const Chapter& chapter, Whose whose) {
+    const fs::path folder = study_folder(course, whose);
     int count = 0;
     for (const auto& rows : by_study(read_measurements(folder / chapter.table()))) {
         const std::string file = plot_file(chapter, rows.front().study);

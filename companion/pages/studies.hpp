@@ -5,19 +5,26 @@
 
 namespace companion {
 
-// Runs the studies of a chapter's solution in both precisions, into out/study/NN_topic.csv. Where
-// show_tables, what they print is shown. Throws app::Failure where a program fails.
-void measure(const Course& course, const Chapter& chapter, bool show_tables);
+// Whose code is measured: the solution's, into out/study, or the learner's, into out/study-mine.
+enum class Whose { solution, mine };
 
-// Draws out/study/NN_topic-STUDY.svg for each study of the chapter's table; returns how many.
-// Throws app::Failure where gnuplot fails.
-int draw_plots(const Course& course, const Chapter& chapter);
+// The programs that measure a chapter, in both precisions.
+std::vector<std::string> study_programs(const Chapter& chapter, Whose whose);
+
+// Runs the studies of a chapter in both precisions, into NN_topic.csv. Where show_tables, what they
+// print is shown. Throws app::Failure where a program fails.
+void measure(const Course& course, const Chapter& chapter, bool show_tables,
+             Whose whose = Whose::solution);
+
+// Draws NN_topic-STUDY.svg for each study of the chapter's table; returns how many. Throws
+// app::Failure where gnuplot fails.
+int draw_plots(const Course& course, const Chapter& chapter, Whose whose = Whose::solution);
 
 // The plots of a chapter, as paths from out/: those that were drawn here, in the order of its
 // table, or where it was never measured here those of docs/plots.
 std::vector<std::string> plots(const Course& course, const Chapter& chapter);
 
 // Where the tables and plots are.
-fs::path study_folder(const Course& course);
+fs::path study_folder(const Course& course, Whose whose = Whose::solution);
 
 }  // namespace companion

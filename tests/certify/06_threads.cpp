@@ -1,10 +1,12 @@
 // Threads: the same picture as one thread draws, and faster. With --no-timing only the first.
 #include <chrono>
 #include <cstring>
+#include <fstream>
 #include <rt/image.hpp>
 #include <rt/render_slices.hpp>
 #include <rt/render_tiles.hpp>
 #include <rt/sample_rng.hpp>
+#include <set>
 #include <thread>
 
 #include "certificate.hpp"
@@ -77,8 +79,23 @@ void streams(Certificate& certificate) {
                         6 / std::sqrt(double(count)), "");
 }
 
+// Cores that are real: two threads of one core share what computes.
+int physical_cores() {
+    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    std::set<std::string> cores;
+    for (int i = 0;; ++i) {
+        std::ifstream in{"/sys/devices/system/cpu/cpu" + std::to_string(i) +
+                         "/topology/thread_siblings_list"};
+        std::string siblings;
+        if (!std::getline(in, siblings)) break;
+        cores.insert(siblings);
+    }
+    return cores.empty() ? threads : std::min(threads, static_cast<int>(cores.size()));
+}
+
 void speed_up(Certificate& certificate) {
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int cores = physical_cores();
     const auto seconds = [](int workers) {
         const auto start = std::chrono::steady_clock::now();
         image_by(rt::render_tiles, workers);
@@ -88,10 +105,11 @@ void speed_up(Certificate& certificate) {
     double best = 0;
     for (int i = 0; i < 9; ++i) {
         const double alone = seconds(1);
-        best = std::max(best, alone / seconds(cores));
+        best = std::max(best, alone / seconds(threads));
     }
-    const std::string what = "speed-up of " + std::to_string(cores) + " threads";
-    certificate.at_least("06.3", what.c_str(), best, cores == 1 ? 0.8 : 0.5 * cores + 0.2, "");
+    const std::string what = "speed-up of " + std::to_string(threads) + " threads on " +
+                             std::to_string(cores) + (cores == 1 ? " core" : " cores");
+    certificate.at_least("06.3", what.c_str(), best, 0.8 * cores, "");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 //
 //   holds or FAILS, exercise, what was measured, the figure, the bound
 //
+// The exercise of a line that is held to a hard case ends in a star, "01.4*".
 // A line that only informs starts with "shows" and has an empty bound. Exit code 0 when all hold, 1
 // when not, 3 when an exercise is still to be written.
 

@@ -1,3 +1,4 @@
+#include <companion/model/exercise.hpp>
 #include <companion/pages/certificate.hpp>
 
 #include "catch.hpp"
@@ -14,6 +15,43 @@ TEST_CASE("measurements are read line by line", "[certificate]") {
     CHECK(all[1].exercise == "05.2");
     CHECK(all[2].bound.empty());
     CHECK(companion::line_of(all[1]) == "FAILS  05.2  furnace: 4 % (at most 0 %)");
+    const auto star = companion::read_measurements("FAILS\t01.4*\tlength\t9 epsilon\tat most 4\n");
+    REQUIRE(star.size() == 1);
+    CHECK(star[0].star);
+    CHECK(star[0].exercise == "01.4");
+    CHECK(companion::line_of(star[0]) == "open   01.4* length: 9 epsilon (at most 4)");
+}
+
+TEST_CASE("a certificate has two grades", "[certificate]") {
+    companion::Certificate certificate;
+    certificate.measurements = companion::read_measurements(
+        "holds\t01.2\tdot\t1\tat most 2\nholds\t01.4*\tlength\t3\tat most 4\n");
+    CHECK(certificate.passed_with_stars());
+    CHECK(companion::certificate_html(certificate).find("Grade: core and stars.") !=
+          std::string::npos);
+    certificate.measurements.back().held = Held::fails;
+    CHECK(certificate.passed());
+    CHECK_FALSE(certificate.passed_with_stars());
+    const std::string page = companion::certificate_html(certificate);
+    CHECK(page.find("Grade: core.") != std::string::npos);
+    CHECK(page.find("1 open line.") != std::string::npos);
+    certificate.measurements.front().held = Held::fails;
+    CHECK_FALSE(certificate.passed());
+}
+
+TEST_CASE("eight questions are proved by exercises of the course", "[certificate]") {
+    const auto questions = companion::self_assessment();
+    CHECK(questions.size() == 8);
+    for (const auto& question : questions)
+        for (const std::string& id : question.exercises) {
+            INFO(question.words << ": " << id);
+            CHECK_NOTHROW(companion::find_exercise(companion::this_course(), id));
+        }
+    companion::Certificate certificate;
+    certificate.measurements = companion::read_measurements("holds\t04.5\tjitter\t1\tat most 2\n");
+    certificate.proofs = {{"average <samples>", certificate.measurements}};
+    const std::string page = companion::certificate_html(certificate);
+    CHECK(page.find("<td>average &lt;samples&gt;<td>04.5 jitter: 1<td>holds") != std::string::npos);
 }
 
 TEST_CASE("a certificate is passed only when all that was measured holds", "[certificate]") {

@@ -34,7 +34,7 @@ fi
 mkdir -p check
 {
     echo '#!/bin/sh'
-    echo "cat <<'EVENTS'"
+    say 'case $3 in "[hard]"*) ;; *)' "cat <<'EVENTS'"
     say '{"event":"begins","name":"'"$id"' the answer is right"}'
     failed='{"event":"ends","passed":false,"output":""}'
     narrow=no
@@ -50,14 +50,36 @@ mkdir -p check
         say '{"event":"failed","exception":"there","missing":"01.1",' \
             '"messages":["Hint: is it the function that was declared?"]}'
         say "$failed"
-    elif grep -q 'endless\|crash\|chatter' "$file"; then
+    elif grep -q 'endless\|^crash\|, then crash\|chatter' "$file"; then
         :
     else
         say '{"event":"ends","passed":true,"output":""}'
     fi
-    echo EVENTS
+    say EVENTS
+    say ';; esac'
+    # The hard cases, where the file speaks of stars: "star one open", "star two open in float", "star
+    # one crash". $3 may ask for the core alone, or for these but for those that it names.
+    say '[ "$3" != "~[hard]" ] || exit 0'
+    for name in $(sed -n 's/^star \([a-z]*\) .*/\1/p' "$file"); do
+        say 'case $3 in *"star '"$name"'"*) ;; *)' "cat <<'EVENTS'"
+        say '{"event":"begins","name":"'"${id%.float} star $name"'","hard":true}'
+        if grep -q "star $name crash" "$file"; then
+            say EVENTS
+            say 'kill -SEGV $$ ;; esac'
+            continue
+        fi
+        passed=true
+        ! grep -q "star $name open$" "$file" || passed=false
+        case $id in *.float) ! grep -q "star $name open in float$" "$file" || passed=false ;; esac
+        [ $passed = true ] ||
+            say '{"event":"failed","macro":"CHECK","expression":"c == d","expanded":"8 == 7",' \
+                '"messages":["expected 7, but yours gives 8"]}'
+        say '{"event":"ends","passed":'$passed',"output":""}'
+        say EVENTS
+        say ';; esac'
+    done
     grep -q chatter "$file" && echo 'yes without end'
-    grep -q crash "$file" && echo 'kill -SEGV $$'
+    grep -q '^crash\|, then crash' "$file" && echo 'kill -SEGV $$'
     grep -q endless "$file" && echo 'sleep 60'
     grep -q wrong "$file" && echo 'exit 1'
     [ $narrow = no ] || echo 'exit 1'
@@ -73,14 +95,13 @@ class Companion(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory(prefix="course test ")
         self.root = Path(self.folder.name)
-        exercises = [(1, "one"), (2, "two")]
-        facts = []
+        self.facts = []
         hints = "# Hints\n"
         stubs = ""
         cmake = "cmake_minimum_required(VERSION 3.22)\nproject(tiny NONE)\n"
-        for number, name in exercises:
-            facts.append({"id": f"01.{number}", "title": f"Number {name}", "minutes": 10 * number,
-                          "files": [f"rt/{name}.hpp"]})
+        for number, name in ((1, "one"), (2, "two")):
+            self.facts.append({"id": f"01.{number}", "title": f"Number {name}", "minutes": 10 * number, "star_minutes": 5,
+                               "files": [f"rt/{name}.hpp"]})
             hints += f"\n## 01.{number}\n\n1. idea\n2. formula √x in `code`\n3. shape\n"
             stubs += f"==> rt/{name}.hpp\n" + STUB % (number, number)
             self.write(name, STUB % (number, number))
@@ -88,16 +109,20 @@ class Companion(unittest.TestCase):
             for target in (f"01.{number}", f"01.{number}.float"):
                 cmake += (f"add_custom_target(check.{target} COMMAND sh ${{CMAKE_SOURCE_DIR}}/check.sh "
                           f"{target} ${{CMAKE_SOURCE_DIR}}/exercises/01_tiny/rt/{name}.hpp VERBATIM)\n")
-        cmake += ("add_custom_target(01_tiny_mine COMMAND ${CMAKE_COMMAND} -E make_directory bin "
-                  "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/program.sh bin/01_tiny_mine)\n")
-        self.put("course.json", json.dumps({"chapters": [
-            {"name": "01_tiny", "core": True, "uses_real": True, "title": "Tiny", "hours": 1, "text": "docs/01-tiny.md",
-             "hints": "docs/hints/01-tiny.md", "caption": "Nothing", "exercises": facts}]}))
+        for program in ("01_tiny_mine", "01_tiny_mine_float"):
+            cmake += (f"add_custom_target({program} COMMAND ${{CMAKE_COMMAND}} -E make_directory bin "
+                      f"COMMAND ${{CMAKE_COMMAND}} -E copy ${{CMAKE_SOURCE_DIR}}/program.sh bin/{program})\n")
+        for target in ("02.1", "02.1.float"):
+            cmake += (f"add_custom_target(check.{target} COMMAND sh ${{CMAKE_SOURCE_DIR}}/check.sh "
+                      f"{target} ${{CMAKE_SOURCE_DIR}}/exercises/02_more/rt/three.hpp VERBATIM)\n")
+        self.put_course(self.chapter("01_tiny", self.facts))
         self.put("docs/hints/01-tiny.md", hints)
         self.put("companion/shipped_stubs/01_tiny.txt", stubs)
         self.put("CMakeLists.txt", cmake)
         self.put("check.sh", CHECK)
-        self.put("program.sh", '#!/bin/sh\necho "program $*"\n[ "$3" != --fail ] || exit 3\n'
+        self.put("program.sh", '#!/bin/sh\necho "program $*"\n'
+                 '[ "$1" != --study ] || echo study,variant,precision,x,x_name,error,error_name,cost,cost_name '
+                 '>"$2/01_tiny.csv"\n[ "$3" != --fail ] || exit 3\n'
                  '[ "$3" != --crash ] || kill -SEGV $$\n')
         os.chmod(self.root / "program.sh", 0o755)
         subprocess.run(["cmake", "-S", self.root, "-B", self.root / "build"], check=True,
@@ -106,6 +131,21 @@ class Companion(unittest.TestCase):
         os.chmod(self.root / "build/bin/course", 0o755)
         self.environment = {**os.environ, "COURSE_TEST_FOLDER": str(self.root), "TERM": "xterm"}
         self.environment.pop("NO_COLOR", None)
+
+    def chapter(self, name, facts):
+        return {"name": name, "core": True, "uses_real": True, "title": "Tiny", "reading": 30,
+                "text": f"docs/{name.replace('_', '-')}.md",
+                "hints": f"docs/hints/{name.replace('_', '-')}.md", "caption": "Nothing", "exercises": facts}
+
+    def put_course(self, *chapters):
+        self.put("course.json", json.dumps({"chapters": chapters}))
+
+    def add_second_chapter(self):
+        stub = (STUB % (1, 1)).replace("01.1", "02.1")
+        self.put("companion/shipped_stubs/02_more.txt", "==> rt/three.hpp\n" + stub)
+        self.put("exercises/02_more/rt/three.hpp", stub)
+        self.put_course(self.chapter("01_tiny", self.facts), self.chapter("02_more", [
+            {"id": "02.1", "title": "Number three", "minutes": 10, "files": ["rt/three.hpp"]}]))
 
     def tearDown(self):
         self.folder.cleanup()
@@ -132,15 +172,15 @@ class Companion(unittest.TestCase):
 
     def test_list_says_where_things_stand(self):
         said = self.course()
-        self.assertIn("0 of 2 exercises, 1 h 00 min of 1 hours left", said)
-        self.assertIn("Next: 01.1 Number one, about 10 minutes", said)
+        self.assertIn("0 of 2 exercises, 1 h 00 min of 1.0 hours left; stars: 0.2 hours", said)
+        self.assertIn("Next: 01.1 Number one, about 10 minutes (its stars: 5 more)", said)
         self.assertFalse((self.root / ".course").exists())
         self.write("one", "right\n")
         self.assertRegex(self.course("list"), r"\? 01.1 .* not checked since it changed")
         self.course("check", "01.1")
         said = self.course("list")
         self.assertRegex(said, r"\+ 01.1 .* done")
-        self.assertIn("1 of 2 exercises, 0 h 40 min of 1 hours left", said)
+        self.assertIn("1 of 2 exercises, 0 h 40 min of 1.0 hours left", said)
         self.assertIn("Next: 01.2", said)
         self.write("one", "right, but touched\n")
         self.assertRegex(self.course("list"), r"\? 01.1 .* not checked since it changed")
@@ -170,6 +210,53 @@ class Companion(unittest.TestCase):
         self.assertRegex(self.course("list"), r"x 01.1 .* failing")
         self.write("one", "right\n")
         self.assertIn("also with Real as float", self.course("check", "01.1"))
+
+    def test_core_and_stars(self):
+        self.write("one", "star one open\nstar two right\nstar three open\n")
+        said = self.course("check", "01.1")
+        self.assertRegex(said, r"\* 01.1 .* core passes, 2 stars open\n")
+        self.assertIn("Star: 01.1 star one\n    expected 7, but yours gives 8\n", said)
+        self.assertNotIn("star three\n", said)
+        self.assertIn("1 more: ./course check 01.1 --stars", said)
+        self.assertIn("Next: 01.2", said)
+        self.assertIn("Star: 01.1 star three\n", self.course("check", "01.1", "--stars"))
+        said = self.course("list")
+        self.assertIn("01_tiny          [#####.....] 1 of 2, 1.0 hours; stars: 1 of 3, 0.2 hours\n", said)
+        self.assertRegex(said, r"\* 01.1 .* core passes, 2 stars open\n")
+        self.assertIn("Next: 01.2", said)
+        self.write("two", "right\n")
+        said = self.course("check", "1")
+        self.assertNotIn("Star: ", said)
+        self.assertIn("Chapter 01 is done: its core passes. 2 stars open: ./course check 01 --stars",
+                      said)
+        self.assertEqual(self.course("check", "01", "--stars").count("Star: "), 2)
+        self.write("one", "star one right\nstar two right\n")
+        said = self.course("check", "1")
+        self.assertIn("every checkpoint passes", said)
+        self.assertIn("2 of 2, 1.0 hours; stars: 2 of 2, 0.2 hours\n", self.course("list"))
+
+    def test_the_core_comes_before_the_stars(self):
+        self.write("one", "wrong\nstar one open\n")
+        said = self.course("check", "01.1", code=1)
+        self.assertRegex(said, r"x 01.1 .* failing")
+        self.assertIn("expected 2, but yours gives 3.", said)
+
+    def test_a_star_may_fail_in_float_alone(self):
+        self.write("one", "star one open in float\nstar two right\n")
+        said = self.course("check", "01.1")
+        self.assertRegex(said, r"\+ 01.1 .* done\n.*\* 01.1 .* core passes, 1 star open\n")
+        self.assertIn("Star: 01.1 star one, with Real as float\n", said)
+        self.assertRegex(self.course("list"), r"\* 01.1 .* core passes, 1 star open")
+
+    def test_a_star_may_crash(self):
+        self.write("one", "star one crash\nstar two open\nstar three right\n")
+        said = self.course("check", "01.1", "--stars")
+        self.assertRegex(said, r"\* 01.1 .* core passes, 2 stars open\n")
+        self.assertRegex(said, "Star: 01.1 star one\n +it used memory that is not its own")
+        self.assertIn("Star: 01.1 star two\n    expected 7", said)
+        self.assertIn("stars: 1 of 3", self.course("list"))
+        self.write("one", "star one crash\nwrong\n")
+        self.assertIn("It crashes", self.course("check", "01.1", code=1))
 
     def test_check_goes_on_in_the_chapter(self):
         self.write("two", "right\n")
@@ -318,6 +405,59 @@ class Companion(unittest.TestCase):
         self.assertEqual(crashed.returncode, 1)
         self.assertIn("./course check 01", crashed.stderr)
 
+    def put_questions(self):
+        self.put("chapters/01_tiny/questions.json", json.dumps({"questions": [
+            {"kind": "predict", "ask": "What is 1/2 + 1/4?", "answer": 0.75, "tolerance": 0.01,
+             "nudge": "Draw it.", "because": "Three quarters."},
+            {"kind": "find the fault", "ask": "Which one?", "picture": "docs/x.png",
+             "choices": ["01.1 one", "01.2 two"], "answer": "01.2 two", "nudge": "Look again.",
+             "because": "It is two."}]}))
+
+    def test_ask_without_a_terminal(self):
+        self.assertIn("All questions are answered", self.course("ask"))
+        self.put_questions()
+        said = self.course("ask", "01")
+        self.assertIn("Chapter 01, question 1 of 2 (predict)\n  What is 1/2 + 1/4?\n", said)
+        self.assertIn("./course ask 01 --answer ANSWER", said)
+        said = self.course("ask", "01", "--answer", "1", code=1)
+        self.assertIn("Not yet.\n  Draw it.", said)
+        self.assertNotIn("Three quarters", said)
+        self.assertIn("No.\n  Three quarters.", self.course("ask", "01", "--answer", "2", code=1))
+        self.assertIn("a number", self.course("ask", "01", "--answer", "what", code=1))
+        self.assertIn("Right.\n  Three quarters.", self.course("ask", "1", "--answer", "3/4"))
+        said = self.course("ask", "--answer", "a", code=1)
+        self.assertIn("Look at docs/x.png\n    a) 01.1 one\n    b) 01.2 two\n", said)
+        self.course("ask", "--answer", "B")
+        self.assertIn("All questions of chapter 01 are answered", self.course("ask", "01"))
+
+    def test_ask_on_a_terminal(self):
+        self.put_questions()
+        with Terminal([COURSE, "ask", "01"], self.environment) as terminal:
+            terminal.expect("What is 1/2")
+            terminal.press("0.5\n")
+            terminal.expect("Draw it")
+            terminal.press(".75\n")
+            terminal.expect("Right")
+            terminal.expect("question 2 of 2")
+            terminal.press("z\n")
+            terminal.expect("one of the letters")
+            terminal.press("\x04")
+            self.assertEqual(terminal.end(), 0)
+        with Terminal([COURSE, "ask"], self.environment) as terminal:
+            terminal.expect("question 2 of 2")
+            terminal.press("a\na\n")
+            terminal.expect("Look again")
+            terminal.expect("It is two")
+            self.assertEqual(terminal.end(), 0)
+
+    def test_study_measures_what_passes(self):
+        self.write("one", "right\n")
+        said = self.course("study", "01", "--mine")
+        self.assertIn("Yours: 01.1. The solution's: 01.2. Tables are in ", said)
+        self.assertEqual(said.count(f"program --study {self.root}/out/study-mine"), 2)
+        self.assertTrue((self.root / "out/study-mine/01_tiny.csv").exists())
+        self.assertFalse((self.root / "out/study").exists())
+
     # ---- bad input ---------------------------------------------------------------------------
 
     def test_bad_input_gets_one_line(self):
@@ -331,7 +471,7 @@ class Companion(unittest.TestCase):
 
     def test_help_and_guesses(self):
         for command in ("list", "check", "watch", "hint", "run", "compare", "mine", "certify", "reset",
-                        "demo", "study"):
+                        "demo", "study", "ask"):
             for word in ("--help", "-h"):
                 self.assertTrue(self.course(command, word).startswith(f"usage: course {command}"))
         for word, meant in (("chek", "check"), ("lst", "list"), ("hnit", "hint"), ("wach", "watch")):
@@ -385,12 +525,15 @@ class Companion(unittest.TestCase):
         self.assertNotIn("\033", said)
         self.write("one", "right\n")
         self.write("two", "right\n")
-        self.assertIn("Chapter 01 is done", self.course("watch", "01"))
+        said = self.course("watch", "01")
+        self.assertIn("Chapter 01 is done", said)
+        self.assertIn("Every exercise passes", said)
 
     def watched(self, *words):
         return Terminal([COURSE, "watch", *words], self.environment)
 
     def test_watch_checks_on_save_and_moves_on(self):
+        self.add_second_chapter()
         with self.watched("01") as terminal:
             terminal.expect("Next: .*01.1 Number one")
             self.assertFalse(terminal.echoes())
@@ -404,12 +547,23 @@ class Companion(unittest.TestCase):
             terminal.press("h")
             terminal.expect("idea")
             terminal.press("l")
-            terminal.expect("1 of 2 exercises")
+            terminal.expect("1 of 3 exercises")
             terminal.press("r")
             terminal.expect("program --out")
             terminal.press("x")
             self.write("two", "right\n")
             terminal.expect("Chapter 01 is done")
+            terminal.expect("Next: .*02.1 Number three")
+            self.write("one", "right\nstar one open\n")
+            terminal.expect("core passes.*, .*1 star open")
+            terminal.expect("Star: .*01.1 star one")
+            terminal.expect("Next: .*02.1 Number three")
+            self.put("exercises/02_more/rt/three.hpp", "right\n")
+            terminal.expect("Chapter 02 is done")
+            terminal.expect("Every exercise passes")
+            self.write("one", "right\n")
+            terminal.expect("01.1 .*done")
+            terminal.press("q")
             self.assertEqual(terminal.end(), 0)
             self.assertTrue(terminal.echoes())
 

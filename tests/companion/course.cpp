@@ -18,10 +18,10 @@ TEST_CASE("a chapter's name tells where its parts are", "[course]") {
 namespace {
 
 const std::string exercise =
-    R"({"id": "01.1", "title": "Dot", "minutes": 10, "files": ["rt/dot.hpp", "rt/b.cpp"]})";
+    R"({"id": "01.1", "title": "Dot", "minutes": 10, "star_minutes": 3, "files": ["rt/dot.hpp", "rt/b.cpp"]})";
 
 std::string chapter_with(const std::string& exercises) {
-    return R"({"chapters": [{"name": "01_vectors", "core": true, "uses_real": true, "title": "Vectors", "hours": 5,
+    return R"({"chapters": [{"name": "01_vectors", "core": true, "uses_real": true, "title": "Vectors", "reading": 5,
         "text": "docs/01-vectors.md", "hints": "docs/hints/01.md", "caption": "Balls.",
         "exercises": )" +
            exercises + "}]}";
@@ -52,7 +52,7 @@ TEST_CASE("the chapters and exercises are those of course.json", "[course]") {
     CHECK(all[0].title == "Vectors");
     CHECK(all[0].core);
     CHECK(all[0].uses_real);
-    CHECK(all[0].hours == 5);
+    CHECK(all[0].reading == 5);
     CHECK(all[0].hints == "docs/hints/01.md");
     CHECK(all[0].caption == "Balls.");
     const auto exercises = companion::read_course_file(here).exercises;
@@ -60,6 +60,9 @@ TEST_CASE("the chapters and exercises are those of course.json", "[course]") {
     CHECK(exercises[0].id == "01.1");
     CHECK(exercises[0].title == "Dot");
     CHECK(exercises[0].minutes == 10);
+    CHECK(exercises[0].star_minutes == 3);
+    CHECK(exercises[0].chapter.minutes == 15);
+    CHECK(exercises[0].chapter.star_minutes == 3);
     CHECK(exercises[0].section() == "docs/01-vectors.md, section 01.1");
     CHECK(exercises[0].files == std::vector<companion::fs::path>{"exercises/01_vectors/rt/dot.hpp",
                                                                  "exercises/01_vectors/rt/b.cpp"});
@@ -82,6 +85,7 @@ TEST_CASE("a wrong course.json is refused with the place and what would be right
     CHECK(with("01.1", "02.1") == place + "id should begin with 01.");
     CHECK(with("10", "0") == place + "minutes should be a whole number from 1 to 1000");
     CHECK(with("10", "1.5") == place + "minutes should be a whole number from 1 to 1000");
+    CHECK(with(": 3", ": -1") == place + "star_minutes should be a whole number from 0 to 1000");
     CHECK(with("\"Dot\"", "7") == place + "title should be a text in quotes");
     CHECK(with("\"rt/b.cpp\"", "1") == place + "files[1] should be a text in quotes");
 }

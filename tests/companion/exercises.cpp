@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <app/errors.hpp>
+#include <cmath>
 #include <companion/model/exercise.hpp>
 #include <companion/model/stubs.hpp>
+#include <companion/system/files.hpp>
 #include <set>
+#include <sstream>
 
 #include "catch.hpp"
 
@@ -59,6 +62,7 @@ TEST_CASE("every exercise has minutes and stubs that say so", "[exercises]") {
         INFO("exercise " << exercise.id << "; the target shipped_stubs keeps the stubs");
         CHECK(seen.insert(exercise.id).second);
         CHECK(exercise.minutes > 0);
+        CHECK(exercise.star_minutes > 0);
         CHECK_FALSE(exercise.title.empty());
         CHECK_FALSE(exercise.files.empty());
         CHECK(exercise.shipped_todos >= 1);
@@ -68,11 +72,85 @@ TEST_CASE("every exercise has minutes and stubs that say so", "[exercises]") {
             if (count_todos(source, exercise.id) > 0)
                 files.push_back(fs::path{"exercises"} / exercise.chapter.name / file);
         CHECK((exercise.files == files));
-        CHECK(exercise.chapter.hours > 0);
     }
-    CHECK(find_exercise(here, "1.1").id == "01.1");
+    CHECK(find_exercise(here, "1.2").id == "01.2");
     for (const char* const name : {"", "1", "01", "01.99", "99.1", "x", ".", "01.1 "})
         CHECK_THROWS_AS(find_exercise(here, name), app::UsageError);
+}
+
+namespace {
+
+// Formulas on lines of their own, or within a line where they say that things are equal or how they
+// compare; a symbol within a line is read like a word.
+struct Reading {
+    int words = 0, formulas = 0;
+
+    double minutes() const { return words / 130.0 + formulas / 2.0; }
+};
+
+Reading reading_of(const std::string& markdown) {
+    Reading found;
+    std::istringstream lines{markdown};
+    bool in_formula = false;
+    for (std::string line; std::getline(lines, line);) {
+        const bool is_mark = line.rfind("$$", 0) == 0;
+        if (is_mark && line.find("$$", 2) != std::string::npos) {  // all of it on this line
+            ++found.formulas;
+            continue;
+        }
+        if (is_mark || (in_formula && line.find("$$") != std::string::npos)) {
+            found.formulas += !in_formula;
+            in_formula = !in_formula;
+            continue;
+        }
+        if (in_formula) continue;
+        for (auto open = line.find('$'); open != std::string::npos;
+             open = line.find('$', open + 1)) {
+            const auto close = line.find('$', open + 1);
+            if (close == std::string::npos) break;
+            const std::string inner = line.substr(open + 1, close - open - 1);
+            for (const char* const relation : {"=", "<", ">", "\\le", "\\ge", "\\approx"})
+                if (inner.find(relation) != std::string::npos) {
+                    ++found.formulas;
+                    break;
+                }
+            line.replace(open, close + 1 - open, "x");
+        }
+        std::istringstream words{line};
+        for (std::string word; words >> word;) ++found.words;
+    }
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("reading is counted in words and formulas", "[exercises]") {
+    const Reading some = reading_of("Two words, $x$ and $a = b$.\n$$c$$\n\n$$\nd\n+ e\n$$\nend $5");
+    CHECK(some.words == 7);
+    CHECK(some.formulas == 3);
+}
+
+TEST_CASE("the minutes for reading are those of the text", "[exercises]") {
+    const Course here = this_course();
+    for (const Chapter& chapter : chapters(here)) {
+        const double counted = reading_of(read_file(here.root / chapter.text)).minutes();
+        INFO(chapter.name << ": reading should be " << 5 * std::lround(counted / 5)
+                          << " minutes in course.json");
+        // Rounding to 5 minutes, and 10 percent.
+        CHECK(std::abs(chapter.reading - counted) <= 2.5 + 0.1 * counted);
+    }
+}
+
+TEST_CASE("the core of the course takes at most 35 hours", "[exercises]") {
+    int minutes = 0;
+    bool has_own = false;
+    for (const Chapter& chapter : chapters(this_course())) {
+        if (chapter.core) minutes += chapter.minutes;
+        has_own = has_own || chapter.number() == "09";
+    }
+    if (!has_own) minutes += 4 * 60;  // the whole program from an empty folder
+    INFO(minutes << " minutes");
+    CHECK(minutes <= 35 * 60);
 }
 
 // Only where nobody has written into the exercises.

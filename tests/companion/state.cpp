@@ -25,6 +25,22 @@ TEST_CASE("what is remembered comes back", "[state]") {
     CHECK(state.at("01.1").hints == 2);
 }
 
+TEST_CASE("a state without stars is read, and stars come back", "[state]") {
+    const TemporaryFolder folder;
+    const Course course{folder.path(), folder / "build"};
+    write_file(
+        folder / ".course/state.json",
+        R"({"version": 1, "exercises": {"01.1": {"passed": true, "hash": "a", "hints": 1}}})");
+    CHECK(read_state(course).at("01.1").passed);
+    CHECK(read_state(course).at("01.1").open_stars == 0);
+    change_state(course, [](State& state) {
+        state["01.1"].stars = 3;
+        state["01.1"].open_stars = 2;
+    });
+    CHECK(read_state(course).at("01.1").stars == 3);
+    CHECK(read_state(course).at("01.1").open_stars == 2);
+}
+
 TEST_CASE("a state that is broken or of another version is set aside", "[state]") {
     for (const char* const text :
          {"", "{", "[]", "null", "{\"version\": 0, \"exercises\": {}}",

@@ -192,3 +192,15 @@ TEST_CASE("a crash says which memory was used", "[test_results]") {
     }
 }
 #endif
+
+TEST_CASE("a hard test case is a star", "[test_results]") {
+    const auto tests = read_report(R"({"event":"begins","name":"01.4 easy","hard":false}
+{"event":"ends","passed":true,"output":""}
+{"event":"begins","name":"01.4 star","hard":true}
+{"event":"ends","passed":true,"output":""}
+{"event":"begins","name":"01.4 of an older program"})");
+    REQUIRE(tests.size() == 3);
+    CHECK_FALSE(tests[0].hard);
+    CHECK(tests[1].hard);
+    CHECK_FALSE(tests[2].hard);
+}

@@ -100,3 +100,27 @@ TEST_CASE("what is still to be written does not count as failing", "[verdict_tex
     CHECK_FALSE(has(line({passing, wrong, wrong}), "written"));
     CHECK(has(line({missing, missing}), "failing: no test case reaches it"));
 }
+
+TEST_CASE("the core is told before the stars", "[verdict_text]") {
+    TestCase star = failing("the star", "8 == 7"), core = failing("the core", "3 == 2");
+    star.hard = true;
+    const std::string text = told(Verdict::failing, {star, core});
+    CHECK(text.find("the core") < text.find("Also failing:\n    the star"));
+
+    Checked checked;
+    checked.exercise = {.id = "01.1", .title = "One", .chapter = {"01_x"}};
+    checked.verdict = Verdict::passed;
+    CHECK(open_stars({"/c", "/c/build"}, checked, true).empty());
+    checked.open_stars = {{star}, {failing("another", "1 == 2"), true}, {failing("third", "")}};
+    checked.open_stars.back().trouble = "it divided by 0";
+    CHECK(has(summary_line(checked), "* 01.1"));
+    CHECK(has(summary_line(checked), "core passes, 3 stars open"));
+    const std::string first = open_stars({"/c", "/c/build"}, checked, false);
+    CHECK(has(first, "the star\n"));
+    CHECK_FALSE(has(first, "another"));
+    CHECK(has(first, "2 more: ./course check 01.1 --stars"));
+    const std::string all = open_stars({"/c", "/c/build"}, checked, true);
+    CHECK(has(all, "another, with Real as float\n"));
+    CHECK(has(all, "it divided by 0.\n"));
+    CHECK_FALSE(has(all, "more:"));
+}

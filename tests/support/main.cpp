@@ -134,7 +134,9 @@ class EventReporter : public Catch::StreamingReporterBase {
 
     void testCaseStarting(const Catch::TestCaseInfo& test) override {
         StreamingReporterBase::testCaseStarting(test);
-        write({{"event", "begins"}, {"name", test.name}});
+        write({{"event", "begins"},
+               {"name", test.name},
+               {"hard", test.tagsAsString().find("[hard]") != std::string::npos}});
     }
     void testCaseEnded(const Catch::TestCaseStats& stats) override {
         StreamingReporterBase::testCaseEnded(stats);

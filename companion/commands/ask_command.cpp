@@ -1,0 +1,120 @@
+#include <unistd.h>
+
+#include <app/errors.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/model/questions.hpp>
+#include <companion/model/state.hpp>
+#include <companion/system/terminal.hpp>
+#include <iostream>
+
+namespace companion {
+namespace {
+
+// A question that is not answered yet, and where it stands in its chapter.
+struct Open {
+    Chapter chapter;
+    Question question;
+    std::size_t number = 0, of = 0;
+};
+
+std::vector<Open> open_questions(const Course& course, const std::vector<Chapter>& chapters) {
+    const State state = read_state(course);
+    std::vector<Open> open;
+    for (const Chapter& chapter : chapters) {
+        const std::vector<Question> all = questions(course, chapter);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const auto known = state.answers.find(all[i].key());
+            if (known == state.answers.end() || !known->second.right)
+                open.push_back({chapter, all[i], i + 1, all.size()});
+        }
+    }
+    return open;
+}
+
+std::string letter(std::size_t choice) {
+    return std::string(1, static_cast<char>('a' + static_cast<int>(choice))) + ") ";
+}
+
+void print_question(const Open& open) {
+    const Question& question = open.question;
+    print('\n' +
+          bold("Chapter " + open.chapter.number() + ", question " + std::to_string(open.number) +
+               " of " + std::to_string(open.of)) +
+          " (" + question.kind + ")\n" + wrapped(question.ask, "  "));
+    if (!question.picture.empty()) print("  Look at " + question.picture.string() + '\n');
+    for (std::size_t i = 0; i < question.choices.size(); ++i)
+        print("    " + letter(i) + question.choices[i] + '\n');
+}
+
+// Judges and remembers an answer, and says what it is worth: after the first wrong one something to
+// think of, after the second the reason. Such a question comes again another day.
+Reply take(const Course& course, const Question& question, const std::string& answer, bool again) {
+    const Reply reply = reply_to(question, answer);
+    if (reply == Reply::not_understood) {
+        print(question.choices.empty() ? "  The answer is a number, such as 0.75 or 3/4.\n"
+                                       : "  The answer is one of the letters.\n");
+        return reply;
+    }
+    change_state(course, [&](State& state) {
+        Answered& answered = state.answers[question.key()];
+        answered.right = reply == Reply::right;
+        answered.answer = answer;
+        ++answered.tries;
+    });
+    if (reply == Reply::right)
+        print("  " + green("Right.") + '\n' + wrapped(question.because, "  "));
+    else if (!again)
+        print("  " + yellow("Not yet.") + '\n' + wrapped(question.nudge, "  "));
+    else
+        print("  " + red("No.") + '\n' + wrapped(question.because, "  "));
+    return reply;
+}
+
+// One answer that was given with the command.
+int answer_one(const Course& course, const Open& open, const std::string& answer) {
+    print_question(open);
+    const State state = read_state(course);
+    const auto known = state.answers.find(open.question.key());
+    const bool again = known != state.answers.end() && known->second.tries % 2 == 1;
+    return take(course, open.question, answer, again) == Reply::right ? app::done : app::could_not;
+}
+
+// False where no more is read.
+bool ask_until_told(const Course& course, const Open& open) {
+    print_question(open);
+    for (int wrong = 0; wrong < 2;) {
+        print("> ");
+        std::string line;
+        if (!std::getline(std::cin, line)) return false;
+        if (line.empty()) return true;  // the next one
+        const Reply reply = take(course, open.question, line, wrong == 1);
+        if (reply == Reply::right) return true;
+        wrong += reply == Reply::wrong;
+    }
+    return true;
+}
+
+}  // namespace
+
+int ask(const Course& course, const Named& name, const Named& answer) {
+    std::vector<Chapter> chosen = chapters(course);
+    if (name) chosen = {find_chapter(chosen, *name)};
+    const std::vector<Open> open = open_questions(course, chosen);
+    if (open.empty()) {
+        print("All questions" + (name ? " of chapter " + chosen[0].number() : "") +
+              " are answered.\n");
+        return app::done;
+    }
+    if (answer) return answer_one(course, open.front(), *answer);
+    print(dim("Enter alone goes on to the next question, Ctrl-D ends.\n"));
+    for (const Open& one : open)
+        if (!ask_until_told(course, one)) {
+            print("\n");
+            if (!::isatty(STDIN_FILENO))
+                print("To answer: ./course ask " + one.chapter.number() + " --answer ANSWER\n");
+            return app::done;
+        }
+    return app::done;
+}
+
+}  // namespace companion

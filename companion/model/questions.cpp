@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <companion/model/fact.hpp>
+#include <companion/model/questions.hpp>
+#include <companion/system/files.hpp>
+#include <cstdlib>
+
+namespace companion {
+namespace {
+
+Question read_question(const Fact& fact) {
+    Question question{.kind = fact["kind"].text(),
+                      .ask = fact["ask"].text(),
+                      .nudge = fact["nudge"].text(),
+                      .because = fact["because"].text()};
+    if (question.kind != "predict" && question.kind != "find the fault")
+        fact["kind"].fail("should be \"predict\" or \"find the fault\"");
+    if (fact.has("picture")) question.picture = fact["picture"].text();
+    if (!fact.has("choices")) {
+        question.number = fact["answer"].number();
+        question.tolerance = fact["tolerance"].number();
+        return question;
+    }
+    for (const Fact& choice : fact["choices"].list()) question.choices.push_back(choice.text());
+    const auto right =
+        std::find(question.choices.begin(), question.choices.end(), fact["answer"].text());
+    if (right == question.choices.end()) fact["answer"].fail("should be one of the choices");
+    question.right_choice = static_cast<std::size_t>(right - question.choices.begin());
+    return question;
+}
+
+std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t\r\n");
+    return first == std::string::npos
+               ? ""
+               : text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first);
+}
+
+bool same_word(const std::string& a, const std::string& b) {
+    const auto same = [](unsigned char x, unsigned char y) {
+        return std::tolower(x) == std::tolower(y);
+    };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+}  // namespace
+
+std::string Question::key() const {
+    return hash_of(ask);
+}
+
+std::vector<Question> questions(const Course& course, const Chapter& chapter) {
+    const fs::path file = fs::path{"chapters"} / chapter.name / "questions.json";
+    if (!fs::exists(course.root / file)) return {};
+    const app::Json json = app::parse_json(read_file(course.root / file), file.string());
+    std::vector<Question> all;
+    for (const Fact& fact : Fact{json, file.string()}["questions"].list())
+        all.push_back(read_question(fact));
+    return all;
+}
+
+Reply reply_to(const Question& question, const std::string& answer) {
+    const std::string word = trimmed(answer);
+    if (question.choices.empty()) {
+        char* end = nullptr;
+        double number = std::strtod(word.c_str(), &end);
+        if (end == word.c_str()) return Reply::not_understood;
+        if (*end == '/') {
+            char* const below = end + 1;
+            number /= std::strtod(below, &end);
+            if (end == below) return Reply::not_understood;
+        }
+        if (!std::isfinite(number)) return Reply::not_understood;
+        return std::abs(number - question.number) <= question.tolerance ? Reply::right
+                                                                        : Reply::wrong;
+    }
+    for (std::size_t i = 0; i < question.choices.size(); ++i) {
+        const std::string letter(1, static_cast<char>('a' + static_cast<int>(i)));
+        if (same_word(word, letter) || same_word(word, question.choices[i]))
+            return i == question.right_choice ? Reply::right : Reply::wrong;
+    }
+    return Reply::not_understood;
+}
+
+}  // namespace companion

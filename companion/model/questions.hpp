@@ -1,0 +1,40 @@
+#pragma once
+// The questions of a chapter, chapters/NN_topic/questions.json, and what an answer is worth.
+//
+//   {"questions": [
+//     {"kind": "predict",            or "find the fault"
+//      "ask": "...",
+//      "picture": "docs/images/...", optional
+//      "choices": ["...", "..."],    optional: then the answer is one of them
+//      "answer": 0.75,               a number, or the right choice
+//      "tolerance": 0.01,            of a number: how far off still counts as right
+//      "nudge": "...",               after a wrong answer, without giving it away
+//      "because": "..."}]}           after a right one, or the second wrong one
+
+#include <companion/model/course.hpp>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+struct Question {
+    std::string kind, ask, nudge, because;
+    fs::path picture{};                  // within the course; empty: none
+    std::vector<std::string> choices{};  // empty: the answer is a number
+    double number = 0, tolerance = 0;
+    std::size_t right_choice = 0;
+
+    std::string key() const;  // by which its answer is remembered: another one where it changes
+};
+
+// The questions of a chapter; none where it has no file of them. Throws app::UsageError, with the
+// place in the file, where that is not as above.
+std::vector<Question> questions(const Course& course, const Chapter& chapter);
+
+enum class Reply { right, wrong, not_understood };
+
+// To what a person writes: a number such as 0.75, .75, 3/4 or 75 %, where what follows the number
+// is ignored; or a choice, by its letter or its text.
+Reply reply_to(const Question& question, const std::string& answer);
+
+}  // namespace companion
