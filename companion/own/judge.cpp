@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <app/errors.hpp>
+#include <cmath>
 #include <companion/compare/comparison.hpp>
 #include <companion/compare/difference_text.hpp>
 #include <companion/own/judge.hpp>
 #include <companion/own/scenes.hpp>
+#include <companion/system/files.hpp>
 #include <cstdio>
-#include <map>
+#include <cstdlib>
+#include <sstream>
 
 namespace companion {
 namespace {
@@ -157,7 +160,7 @@ void judge_tree(const JudgeRequest& request, const OwnProgram& own, const Report
          "Is the near child searched first, and the far one left out when the hit is nearer?"},
         [&](JudgedLine& line) {
             const std::string large =
-                long_enough(own, request.seed, {"--list", "--threads", "1"}, 3);
+                long_enough(own, request.seed, {"--list", "--threads", "1"}, 5);
             const double list = fastest(own, large, {"--list", "--threads", "1"}, 1);
             const double tree = fastest(own, large, {"--threads", "1"});
             line.passed = list >= 10 * tree;
@@ -212,7 +215,81 @@ void judge_broken(const OwnProgram& own, const Report& report) {
                        }));
 }
 
+// Root mean square difference, in linear light, of what both draw on average with the same seeds.
+double difference(const OwnProgram& a, const OwnProgram& b, const std::string& scene) {
+    std::vector<Picture> of_a, of_b;
+    for (int seed = 1; seed <= 8; ++seed) {
+        const Options options{"--seed", std::to_string(seed)};
+        of_a.push_back(picture_of(a, scene, options));
+        of_b.push_back(picture_of(b, scene, options));
+    }
+    const rt::Image mean_a = mean_of(of_a), mean_b = mean_of(of_b);
+    double sum = 0;
+    for (std::size_t i = 0; i < mean_a.pixels().size(); ++i) {
+        const rt::Color d = mean_a.pixels()[i] - mean_b.pixels()[i];
+        sum += d.r * d.r + d.g * d.g + d.b * d.b;
+    }
+    return std::sqrt(sum / (3 * static_cast<double>(mean_a.pixels().size())));
+}
+
+// The time with the option against the time without it, from runs in turns.
+double time_ratio(const OwnProgram& with, const OwnProgram& without, const std::string& scene) {
+    std::vector<double> ratios;
+    for (int turn = 0; turn < 5; ++turn)
+        ratios.push_back(fastest(with, scene, {"--threads", "1"}, 1) /
+                         fastest(without, scene, {"--threads", "1"}, 1));
+    std::sort(ratios.begin(), ratios.end());
+    return ratios[ratios.size() / 2];
+}
+
+void judge_accuracy(const JudgeRequest& request, const OwnProgram& own, const Report& report) {
+    const fs::path page = request.folder / "accuracy.md";
+    const auto choices =
+        fs::exists(page) ? accuracy_choices(read_file(page)) : std::vector<AccuracyChoice>{};
+    if (choices.size() < 2)
+        report({false, "accuracy.md", std::to_string(choices.size()) + " choices with an option",
+                "two choices", "Write behind `option:` what build.sh passes to the compiler."});
+    const std::string scene = own_rungs(request.seed)[5].scenes[1].text;
+    for (const AccuracyChoice& choice : choices)
+        report(guarded(
+            {false, "accuracy.md: " + choice.option, "",
+             "its time within 25 % of what is measured, its error within a factor of 1.5",
+             "Write these figures behind `time:` and `error:`."},
+            [&](JudgedLine& line) {
+                const OwnProgram with{request.folder, {choice.option}};
+                const std::string large = long_enough(own, request.seed, {"--threads", "1"}, 1);
+                const double time = time_ratio(with, own, large);
+                const double error = difference(with, own, scene);
+                line.actual = "measured: time " + number(time) + ", error " + number(error, "%.1e");
+                if (!choice.time || !choice.error) return;
+                line.actual += "; written: time " + number(*choice.time) + ", error " +
+                               number(*choice.error, "%.1e");
+                const bool error_fits =
+                    error == 0 ? *choice.error == 0
+                               : *choice.error <= 1.5 * error && error <= 1.5 * *choice.error;
+                line.passed = std::abs(*choice.time - time) <= 0.25 * time && error_fits;
+            }));
+}
+
 }  // namespace
+
+std::vector<AccuracyChoice> accuracy_choices(const std::string& page) {
+    std::vector<AccuracyChoice> choices;
+    std::istringstream lines{page};
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words{line};
+        std::string name, value;
+        if (!(words >> name >> value)) continue;
+        if (name == "option:") choices.push_back({value, {}, {}});
+        if (choices.empty() || (name != "time:" && name != "error:")) continue;
+        std::optional<double>& figure =
+            name == "time:" ? choices.back().time : choices.back().error;
+        char* end = nullptr;
+        const double number = std::strtod(value.c_str(), &end);
+        if (end != value.c_str()) figure = number;
+    }
+    return choices;
+}
 
 bool judge(const JudgeRequest& request, const Report& report) {
     bool all = true;
@@ -234,6 +311,7 @@ bool judge(const JudgeRequest& request, const Report& report) {
     judge_list_speed(request, own, reference, say);
     judge_sanitized(request, say);
     judge_broken(own, say);
+    judge_accuracy(request, own, say);
     return all;
 }
 

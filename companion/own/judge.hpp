@@ -5,6 +5,8 @@
 #include <companion/own/own_program.hpp>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <vector>
 
 namespace companion {
 
@@ -23,6 +25,14 @@ struct JudgeRequest {
     int rung = 0;                // only this one; 0: everything
     int cores = 2;               // physical ones
 };
+
+// What accuracy.md says of a choice: an option for the compiler, and the figures that the learner
+// wrote.
+struct AccuracyChoice {
+    std::string option;
+    std::optional<double> time, error;
+};
+std::vector<AccuracyChoice> accuracy_choices(const std::string& page);
 
 // Judges, and hands out each line as soon as it is known. Throws app::Failure where the program
 // cannot be built. True if all lines passed.

@@ -1,9 +1,5 @@
 // A path tracer in one file: spheres of matte, metal and glass under a sky, seen through a lens.
-//
-//   own SCENE PICTURE.ppm [--threads N] [--seed N] [--list]
-//
-// In the order of the file: vectors, random numbers, the scene and its reader, one ray and one
-// sphere, a tree of boxes, three materials, a path, a picture on all cores.
+// own SCENE PICTURE.ppm [--threads N] [--seed N] [--list]
 
 #include <algorithm>
 #include <atomic>
@@ -40,28 +36,25 @@ struct Vec3 {
 
 // A stream of random numbers of its own for every sample of every pixel: the picture does not
 // depend on which thread draws what.
-class Random {
-  public:
+struct Random {
+    std::uint64_t state;
     Random(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample)
-        : state_{mix(mix(mix(seed) + pixel) + sample)} {}
+        : state{mix(mix(mix(seed) + pixel) + sample)} {}
     double uniform() {  // in [0, 1)
-        state_ += 0x9e3779b97f4a7c15;
-        return static_cast<double>(mix(state_) >> 11) * 0x1p-53;
+        state += 0x9e3779b97f4a7c15;
+        return static_cast<double>(mix(state) >> 11) * 0x1p-53;
     }
     Vec3 direction() {  // of length 1, all alike
         const double z = 1 - 2 * uniform(), angle = 2 * pi * uniform();
         const double r = std::sqrt(std::max(0.0, 1 - z * z));
         return {r * std::cos(angle), r * std::sin(angle), z};
     }
-
-  private:
     // The finalizer of SplitMix64 (Steele, Lea and Flood, 2014): each bit depends on every other.
     static std::uint64_t mix(std::uint64_t x) {
         x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9;
         x = (x ^ x >> 27) * 0x94d049bb133111eb;
         return x ^ x >> 31;
     }
-    std::uint64_t state_;
 };
 
 // ---- The scene and its file
@@ -74,13 +67,16 @@ struct Material {
 };
 struct Sphere {
     Vec3 center;
-    double radius = 1;
+    double radius;
     Material material;
+};
+struct Camera {
+    Vec3 from, at, up;
+    double fov_deg, aperture, focus;
 };
 struct Scene {
     int width = 400, height = 225, samples = 16, depth = 50;
-    Vec3 from{0, 0, 5}, at, up{0, 1, 0};
-    double fov_deg = 40, aperture = 0, focus = 1;
+    Camera camera{{0, 0, 5}, {}, {0, 1, 0}, 40, 0, 1};
     Vec3 below{1, 1, 1}, above{0.5, 0.7, 1};
     std::vector<Sphere> spheres;
 };
@@ -89,29 +85,26 @@ void expect(bool holds, const std::string& what) {
     if (!holds) throw std::invalid_argument("expected " + what);
 }
 
-class Words {
-  public:
-    explicit Words(const std::string& text) : words_{text} {}
+// The words of a text, one after the other.
+struct Words {
+    std::istringstream text;
     std::string word() {
         std::string word;
-        words_ >> word;
+        text >> word;
         return word;
     }
     double number(double least = -1e30, double most = 1e30) {
         double value = 0;
-        words_ >> value;
-        expect(!words_.fail() && least <= value && value <= most,
-               "a number from " + std::to_string(least) + " to " + std::to_string(most));
+        text >> value;
+        std::ostringstream range;
+        range << "a number from " << least << " to " << most;
+        expect(!text.fail() && least <= value && value <= most, range.str());
         return value;
     }
     int whole(int most) { return static_cast<int>(number(1, most)); }
-    Vec3 vector(double least = -1e30, double most = 1e30) {
-        const double x = number(least, most), y = number(least, most);
-        return {x, y, number(least, most)};
-    }
-
-  private:
-    std::istringstream words_;
+    // Braces read from left to right.
+    Vec3 point() { return {number(), number(), number()}; }
+    Vec3 color() { return {number(0, 1), number(0, 1), number(0, 1)}; }
 };
 
 void read_line(Words& words, Scene& scene, Material& material) {
@@ -122,28 +115,21 @@ void read_line(Words& words, Scene& scene, Material& material) {
         scene.samples = words.whole(1'000'000);
         scene.depth = words.whole(10'000);
     } else if (word == "camera") {
-        scene.from = words.vector();
-        scene.at = words.vector();
-        scene.up = words.vector();
-        scene.fov_deg = words.number(1e-6, 179);
-        scene.aperture = words.number(0);
-        scene.focus = words.number(0);
-        expect(length(cross(scene.at - scene.from, scene.up)) > 0, "an up beside the view");
-        expect(scene.focus > 0, "a focus above 0");
+        const Camera camera{words.point(),           words.point(),   words.point(),
+                            words.number(1e-6, 179), words.number(0), words.number(1e-30)};
+        expect(length(cross(camera.at - camera.from, camera.up)) > 0, "an up beside the view");
+        scene.camera = camera;
     } else if (word == "sky") {
-        scene.below = words.vector(0, 1);
-        scene.above = words.vector(0, 1);
+        scene.below = words.color();
+        scene.above = words.color();
     } else if (word == "matte") {
-        material = {Kind::matte, words.vector(0, 1)};
+        material = {Kind::matte, words.color(), 0, 1};
     } else if (word == "metal") {
-        material = {Kind::metal, words.vector(0, 1)};
-        material.fuzz = words.number(0, 1);
+        material = {Kind::metal, words.color(), words.number(0, 1), 1};
     } else if (word == "glass") {
         material = {Kind::glass, {1, 1, 1}, 0, words.number(0.1, 10)};
     } else if (word == "sphere") {
-        const Vec3 center = words.vector();
-        scene.spheres.push_back({center, words.number(0), material});
-        expect(scene.spheres.back().radius > 0, "a radius above 0");
+        scene.spheres.push_back({words.point(), words.number(1e-30), material});
     } else {
         expect(word.empty(), "camera, glass, matte, metal, picture, sky or sphere, not " + word);
     }
@@ -155,14 +141,15 @@ Scene read_scene(const std::string& path) {
     expect(file.is_open(), "a scene file, but cannot read " + path);
     Scene scene;
     Material material;
-    int number = 0;
-    for (std::string line; std::getline(file, line);) try {
-            ++number;
-            Words words{line.substr(0, line.find('#'))};
+    int number = 1;
+    try {
+        for (std::string line; std::getline(file, line); ++number) {
+            Words words{std::istringstream{line.substr(0, line.find('#'))}};
             read_line(words, scene, material);
-        } catch (const std::invalid_argument& error) {
-            throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
         }
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
+    }
     return scene;
 }
 
@@ -332,12 +319,12 @@ class Renderer {
   public:
     Renderer(const Scene& scene, int seed, bool list)
         : scene_{scene}, tree_{scene.spheres}, seed_{seed}, list_{list} {
-        const Vec3 w = unit(scene.from - scene.at);
-        u_ = unit(cross(scene.up, w));
+        const Camera& camera = scene.camera;
+        const Vec3 w = unit(camera.from - camera.at);
+        u_ = unit(cross(camera.up, w));
         v_ = cross(w, u_);
-        const double height = 2 * std::tan(scene.fov_deg * pi / 360) * scene.focus;
-        pixel_ = height / scene.height;
-        corner_ = -scene.focus * w - scene.width * pixel_ / 2 * u_ + height / 2 * v_;
+        pixel_ = 2 * std::tan(camera.fov_deg * pi / 360) * camera.focus / scene.height;
+        corner_ = pixel_ / 2 * (scene.height * v_ - scene.width * u_) - camera.focus * w;
     }
 
     Vec3 pixel(int x, int y) const {
@@ -346,29 +333,24 @@ class Renderer {
             Random random(seed_, y * std::uint64_t{8192} + x, sample);
             const double across = (x + random.uniform()) * pixel_;
             const double down = (y + random.uniform()) * pixel_;
-            const double r = scene_.aperture / 2 * std::sqrt(random.uniform());
+            const double r = scene_.camera.aperture / 2 * std::sqrt(random.uniform());
             const double angle = 2 * pi * random.uniform();
             const Vec3 lens = r * std::cos(angle) * u_ + r * std::sin(angle) * v_;
             const Vec3 target = corner_ + across * u_ - down * v_;
-            sum = sum + light({scene_.from + lens, unit(target - lens)}, random);
+            sum = sum + light({scene_.camera.from + lens, unit(target - lens)}, random);
         }
         return 1.0 / scene_.samples * sum;
     }
 
   private:
-    Hit nearest(const Ray& ray) const {
-        Hit hit;
-        if (!list_) tree_.search(ray, hit);
-        for (std::size_t i = 0; list_ && i < scene_.spheres.size(); ++i)
-            try_sphere(scene_.spheres, static_cast<int>(i), ray, hit);
-        return hit;
-    }
-
     // The light that comes back along a ray. A path that has bounced `depth` times brings none.
     Vec3 light(Ray ray, Random& random) const {
         Vec3 throughput{1, 1, 1};
         for (int bounce = 0; bounce <= scene_.depth; ++bounce) {
-            const Hit hit = nearest(ray);
+            Hit hit;
+            if (!list_) tree_.search(ray, hit);
+            for (std::size_t i = 0; list_ && i < scene_.spheres.size(); ++i)
+                try_sphere(scene_.spheres, static_cast<int>(i), ray, hit);
             if (hit.sphere < 0) {
                 const double up = (ray.direction.y + 1) / 2;
                 return throughput * ((1 - up) * scene_.below + up * scene_.above);
@@ -406,10 +388,9 @@ std::vector<Vec3> render(const Scene& scene, const Renderer& renderer, int threa
     return picture;
 }
 
-char to_byte(double light) {
-    const double c = std::clamp(light, 0.0, 1.0);
+char to_byte(double c) {
     const double srgb = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
-    return static_cast<char>(static_cast<unsigned char>(255 * srgb + 0.5));
+    return static_cast<char>(static_cast<unsigned char>(255 * std::min(1.0, srgb) + 0.5));
 }
 
 void write_ppm(const std::string& path, const Scene& scene, const std::vector<Vec3>& picture) {
@@ -425,13 +406,16 @@ void run(const std::vector<std::string>& words) {
     int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency())), seed = 1;
     bool list = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (words[i] == "--list")
-            list = true;
-        else if (words[i] == "--threads")
-            threads = Words{words.at(++i)}.whole(1024);
+        const auto number = [&](int most) {
+            expect(i + 1 < words.size(), "a number behind " + words[i]);
+            return Words{std::istringstream{words[++i]}}.whole(most);
+        };
+        if (words[i] == "--list") list = true;
+        if (words[i] == "--threads")
+            threads = number(1024);
         else if (words[i] == "--seed")
-            seed = Words{words.at(++i)}.whole(1'000'000'000);
-        else
+            seed = number(1'000'000'000);
+        else if (words[i] != "--list")
             files.push_back(words[i]);
     }
     expect(files.size() == 2, "SCENE PICTURE.ppm [--threads N] [--seed N] [--list]");
