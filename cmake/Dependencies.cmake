@@ -17,6 +17,18 @@ else()
     message(STATUS "TBB is not installed: chapter 06 goes without std::execution::par")
   endif()
 endif()
+add_library(course_parallel INTERFACE)
+set(course_parallel_options "")      # for the sources that use them, and no others
+set(course_parallel_definitions "")
+if(OpenMP_CXX_FOUND)
+  separate_arguments(course_parallel_options UNIX_COMMAND "${OpenMP_CXX_FLAGS}")
+  list(APPEND course_parallel_definitions RT_HAS_OPENMP)
+  target_link_libraries(course_parallel INTERFACE ${OpenMP_CXX_LIBRARIES})
+endif()
+if(TBB_FOUND)
+  list(APPEND course_parallel_definitions RT_HAS_TBB)
+  target_link_libraries(course_parallel INTERFACE TBB::tbb)
+endif()
 
 # Catch2: version 3, or version 2 as older systems package it. course_catch says where it is;
 # tests/support/catch.hpp hides the difference.

@@ -6,8 +6,8 @@ set(course_sources gradient.cpp)
 course_learners_checkpoints(00_toolchain PREFIX answered. INCLUDE ${course_solutions}
                             SOURCES ${CMAKE_SOURCE_DIR}/tests/00_toolchain/00.2_gradient.cpp)
 set(course_sources "")
-add_test(NAME 00_toolchain.answered.00.1 COMMAND answered.00_toolchain_checkpoint)
-set_tests_properties(00_toolchain.answered.00.1 PROPERTIES LABELS mistakes TIMEOUT 60
+add_test(NAME 00_toolchain.answered.00.2 COMMAND answered.00_toolchain_checkpoint)
+set_tests_properties(00_toolchain.answered.00.2 PROPERTIES LABELS mistakes TIMEOUT 60
   FAIL_REGULAR_EXPRESSION "No tests ran")
 
 # Where the learner's definition is not the one that was declared, it compiles, it links, and the

@@ -33,7 +33,7 @@ Canvas<Color> paint_dusk(int width, int height) {
     return flipped(std::move(canvas));
 }
 
-app::Picture render(const app::Settings& settings, app::Progress& progress) {
+app::Picture render(const app::Settings& settings, app::Progress&) {
     const bool by_machine = settings.picked.front() == "machine";
     const Canvas<Color> canvas = paint_dusk(64, 36);
     std::unique_ptr<RangeNode> root = make_tree<RangeNode>(0, 8);
@@ -57,12 +57,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     };
     const std::string map = draw_map(things);
 
-    const Canvas<Color> sky = paint_dusk(settings.width, settings.height);
-    progress.start(settings.height);
-    Image image = make_image(settings.width, settings.height, [&](int x, int y) {
-        if (x == 0) progress.step();
-        return sky.at(x, y);
-    });
+    Image image = paint_dusk(settings.width, settings.height);
     std::vector<Steps> steps = model_steps();
     Objects objects;
     std::vector<std::string> addresses;

@@ -2,6 +2,7 @@
 
 #include <app/figure.hpp>
 #include <app/run.hpp>
+#include <rt/canvas.hpp>
 
 #include "balls.hpp"
 #include "study.hpp"
@@ -31,7 +32,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     };
     // Each pixel is the average of nine places in it, so that edges are smooth: chapter 04 tells
     // why.
-    return {app::draw(settings, progress, [&](int column, int row) {
+    return {app::draw<Canvas<Color>>(settings, progress, [&](int column, int row) {
         return app::average_of_nine(column, row,
                                     [&](Real x, Real y) { return color_at(x / unit, y / unit); });
     })};

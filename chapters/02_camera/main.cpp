@@ -2,10 +2,11 @@
 // at and the up vector change.
 
 #include <algorithm>
-#include <app/figure.hpp>
+#include <app/fill.hpp>
 #include <app/run.hpp>
 #include <array>
 #include <cmath>
+#include <rt/canvas.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/primary_ray.hpp>
 #include <string_view>
@@ -77,7 +78,8 @@ void write_caption(app::Figure& panel, std::string_view caption) {
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    rt::Image image{settings.width, settings.height, rt::from_hex(0xf4f1ea)};
+    rt::Image image =
+        rt::Canvas<rt::Color>{settings.width, settings.height, rt::from_hex(0xf4f1ea)};
     app::Figure figure{image};
     progress.start(rows);
     std::uint64_t rays = 0;
@@ -88,7 +90,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         app::Figure panel =
             figure.part(app::pixel_box(across.begin, down.begin, across.size, down.size));
         const rt::Camera camera = rt::make_camera(view, panel.columns(), panel.rows());
-        panel.fill([&](int x, int y) {
+        app::fill(panel, [&](int x, int y) {
             const rt::Vec2 middle{Real(0.5), Real(0.5)};
             rays += 3;
             return dome::look({primary_ray(camera, x, y, middle),

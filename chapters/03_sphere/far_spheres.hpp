@@ -2,7 +2,7 @@
 // The small pictures beside the planet: one sphere from farther and farther away, by the formula of
 // the textbook and by the stable one.
 
-#include <app/figure.hpp>
+#include <app/fill.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/primary_ray.hpp>
@@ -25,7 +25,7 @@ inline void draw_far_sphere(app::Figure panel, Real distance, variants::HitFunct
         rt::make_camera({.at = sphere.center, .vertical_fov = 2 * std::atan(Real(1.3) / distance)},
                         panel.columns(), panel.rows());
     const Vec3 to_lamp = camera.basis.to_world({Real(-0.48), Real(0.48), Real(0.73)});
-    panel.fill([&](int x, int y) {
+    app::fill(panel, [&](int x, int y) {
         const Ray ray = rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)});
         const auto t = hit(sphere, ray, {0, rt::infinity});
         if (!t) return rt::from_hex(0x0b0e1f);

@@ -1,10 +1,11 @@
 // A planet with rings of moons; beside it one sphere seen from farther and farther away, by the
 // formula of the textbook and by the stable one.
 
-#include <app/figure.hpp>
+#include <app/fill.hpp>
 #include <app/run.hpp>
-#include <rt/hit_sphere.hpp>
+#include <rt/canvas.hpp>
 #include <rt/make_camera.hpp>
+#include <rt/nearest_sphere.hpp>
 #include <rt/ppm.hpp>
 #include <rt/primary_ray.hpp>
 #include <sstream>
@@ -16,48 +17,38 @@
 
 namespace {
 
-using rt::Color, rt::Interval, rt::Ray, rt::Real, rt::Sphere, rt::Vec3;
+using rt::Color, rt::Ray, rt::Real, rt::Vec3;
 
-// The nearest of all bodies along the ray. Each hit shortens the interval, so that only what lies
-// in front of it can still be found.
-Color trace(const std::vector<scene::Body>& bodies, const Ray& ray) {
-    static const Sphere sky{{0, 0, 0}, 1000};  // the camera is inside of it
-    Interval within{0, rt::infinity};
-    Color color{0, 0, 0};
-    if (const auto t = rt::hit_sphere(sky, ray, within)) {
-        color = scene::sky(ray.at(*t));
-        within.max = *t;
-    }
+// The color of the nearest sphere along the ray.
+Color trace(const std::vector<rt::SceneSphere>& spheres, const Ray& ray) {
+    const auto nearest = rt::nearest_sphere(spheres, ray, {0, rt::infinity});
+    if (!nearest) return {};
+    const Vec3 point = ray.at(nearest->t);
+    if (nearest->number == scene::sky_number) return scene::sky(point);
+
     const Vec3 to_lamp = rt::normalize({Real(-0.62), Real(0.62), Real(0.48)});
-    for (const scene::Body& body : bodies)
-        if (const auto t = rt::hit_sphere(body.sphere, ray, within)) {
-            const Real distance = scene::lamp_distance(body.sphere, ray.at(*t), to_lamp);
-            const bool planet = &body == bodies.data();
-            color = planet ? rt::mix(scene::ramp(distance), scene::ramp(scene::bands(distance, 14)),
-                                     Real(0.6))
-                           : scene::lit(body.color, distance);
-            within.max = *t;
-        }
-    return color;
+    const rt::SceneSphere& sphere = spheres[nearest->number];
+    const Real distance = scene::lamp_distance(sphere.shape, point, to_lamp);
+    if (nearest->number == scene::planet_number)
+        return rt::mix(scene::ramp(distance), scene::ramp(scene::bands(distance, 14)), Real(0.6));
+    return scene::lit(scene::moon_color(sphere.material), distance);
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const far_spheres::Panels panels{settings.height};
     const int left = panels.left(settings.width);
-    rt::Image image{settings.width, settings.height, far_spheres::paper};
+    rt::Image image = rt::Canvas<rt::Color>{settings.width, settings.height, far_spheres::paper};
     app::Figure figure{image};
 
-    const auto bodies = scene::bodies();
-    const auto camera = rt::make_camera(
-        {.from = {0, Real(0.75), 6}, .at = {Real(0.02), 0, 0}, .vertical_fov = rt::radians(33)},
-        left, settings.height);
+    const auto spheres = scene::spheres();
+    const auto camera = rt::make_camera(*settings.view, left, settings.height);
     progress.start(settings.height);
-    figure.part(app::pixel_box(0, 0, left, settings.height))
-        .fill(
-            [&](int x, int y) {
-                return trace(bodies, rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}));
-            },
-            &progress);
+    app::fill(
+        figure.part(app::pixel_box(0, 0, left, settings.height)),
+        [&](int x, int y) {
+            return trace(spheres, rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}));
+        },
+        &progress);
     if (left < settings.width) panels.draw(figure, left);
     const auto pixels =
         static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);
@@ -77,7 +68,12 @@ int main(int argc, char** argv) {
         argc, argv,
         {.name = "03_sphere",
          .about = "A planet with rings of moons, and one sphere seen from ever farther away.",
-         .defaults = {.width = 1280, .height = 720, .seed = {}},
+         .defaults = {.width = 1280,
+                      .height = 720,
+                      .seed = {},
+                      .view = rt::View{.from = {0, Real(0.75), 6},
+                                       .at = {Real(0.02), 0, 0},
+                                       .vertical_fov = rt::radians(33)}},
          .render = render,
          .study = spheres::run_study,
          .encode_ppm = encode_ppm});

@@ -1,23 +1,29 @@
 #pragma once
 // A planet with rings of small moons, under a sky that is itself a sphere seen from inside.
 
+#include <cstddef>
 #include <rt/camera.hpp>
 #include <rt/color.hpp>
 #include <rt/length.hpp>
 #include <rt/orthonormal_basis.hpp>
 #include <rt/ray.hpp>
 #include <rt/rng.hpp>
-#include <rt/sphere.hpp>
+#include <rt/scene_sphere.hpp>
 #include <vector>
 
 namespace scene {
 
-using rt::Color, rt::Real, rt::Sphere, rt::Vec3;
+using rt::Color, rt::Real, rt::SceneSphere, rt::Sphere, rt::Vec3;
 
-struct Body {
-    Sphere sphere;
-    Color color;
-};
+// The spheres in their order: the sky, seen from inside, then the planet, then its moons.
+inline constexpr std::size_t sky_number = 0, planet_number = 1;
+
+// The materials are the colors of the moons.
+inline Color moon_color(int material) {
+    static const Color colors[] = {rt::from_hex(0xffd9a0), rt::from_hex(0x7fd4e6),
+                                   rt::from_hex(0xb9a2f2), rt::from_hex(0x9be7a0)};
+    return colors[material];
+}
 
 // The color from the side of a sphere that is nearest to a lamp, 0, to the side farthest away, 1.
 // No angles and no normals yet: the distance to the lamp is all that shading needs here.
@@ -73,30 +79,28 @@ inline Color lit(Color color, Real distance) {
     return (Real(0.02) + near * near) * color;
 }
 
-// The planet first, then its moons.
-inline std::vector<Body> bodies() {
-    std::vector<Body> all{{{{0, 0, 0}, 1}, {1, 1, 1}}};
+inline std::vector<SceneSphere> spheres() {
+    std::vector<SceneSphere> all{{{{0, 0, 0}, 1000}}, {{{0, 0, 0}, 1}}};
     const rt::Basis plane = rt::orthonormal_basis(rt::normalize({Real(-0.34), 1, Real(0.24)}));
     rt::Rng rng{3, 1};
     struct Ring {
         int count;
         Real distance, radius;
-        std::uint32_t color;
+        int material;
     };
     for (const Ring& ring :
-         {Ring{52, Real(1.42), Real(0.035), 0xffd9a0}, Ring{64, Real(1.66), Real(0.062), 0x7fd4e6},
-          Ring{48, Real(1.98), Real(0.045), 0xb9a2f2}})
+         {Ring{52, Real(1.42), Real(0.035), 0}, Ring{64, Real(1.66), Real(0.062), 1},
+          Ring{48, Real(1.98), Real(0.045), 2}})
         for (int i = 0; i < ring.count; ++i) {
             const Real turn = 2 * rt::pi *
                               (static_cast<Real>(i) + rng.uniform(Real(-0.15), Real(0.15))) /
                               static_cast<Real>(ring.count);
             const Real away = ring.distance + rng.uniform(Real(-0.03), Real(0.03));
             const Vec3 center = plane.to_world({away * std::cos(turn), away * std::sin(turn), 0});
-            all.push_back(
-                {{center, ring.radius * rng.uniform(Real(0.6), 1)}, rt::from_hex(ring.color)});
+            all.push_back({{center, ring.radius * rng.uniform(Real(0.6), 1)}, ring.material});
         }
     // Behind the camera, where nobody shall see it.
-    all.push_back({{{Real(-1.3), Real(2.2), Real(9.5)}, Real(0.7)}, rt::from_hex(0x9be7a0)});
+    all.push_back({{{Real(-1.3), Real(2.2), Real(9.5)}, Real(0.7)}, 3});
     return all;
 }
 

@@ -2,8 +2,9 @@
 // with one sample a pixel against many, and with the light followed from bounce to bounce.
 
 #include <algorithm>
-#include <app/figure.hpp>
+#include <app/fill.hpp>
 #include <app/run.hpp>
+#include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/lambert.hpp>
 #include <rt/make_camera.hpp>
@@ -64,19 +65,16 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
     const CountingWorld<SphereList> world{scene.world, rays};
     const SingleRays<CountingWorld<SphereList>> single{world, scene};
     const Layout layout{settings.width, settings.height};
-    Image image{settings.width, settings.height, paper};
+    Image image = Canvas<Color>{settings.width, settings.height, paper};
     app::Figure figure{image};
     app::Figure normals = figure.part(layout.normals), lit = figure.part(layout.lambert),
                 samples = figure.part(layout.samples), paths = figure.part(layout.paths);
     progress.start(normals.rows() + lit.rows() + samples.rows() + paths.rows());
-    const auto camera_of = [](const app::Figure& panel, Real wide_view) {
-        // Narrow panels see less at the sides, never a part of the group's height less.
-        View view = group_view();
-        view.vertical_fov = wide_view;
-        return make_camera(view, panel.columns(), panel.rows());
-    };
-    const Camera small = camera_of(normals, radians(28));
-    const Camera large = camera_of(paths, radians(33));
+    // Narrow panels see less at the sides, never a part of the group's height less.
+    View small_view = *settings.view;
+    if (settings.given.count("fov") == 0) small_view.vertical_fov = radians(28);
+    const Camera small = make_camera(small_view, normals.columns(), normals.rows());
+    const Camera large = make_camera(*settings.view, paths.columns(), paths.rows());
 
     // The third panel shows pixels as large blocks.
     const int block = std::max(1, samples.rows() / 24);
@@ -97,10 +95,13 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
     const auto lambert_color = [&](const Ray& ray) { return single.lambert_color(ray); };
     const int smooth = std::min(quality.samples_per_pixel, 16);
 
-    normals.fill([&](int x, int y) { return average(small, x, y, smooth, normal_color); },
-                 &progress);
-    lit.fill([&](int x, int y) { return average(small, x, y, smooth, lambert_color); }, &progress);
-    samples.fill(
+    app::fill(
+        normals, [&](int x, int y) { return average(small, x, y, smooth, normal_color); },
+        &progress);
+    app::fill(
+        lit, [&](int x, int y) { return average(small, x, y, smooth, lambert_color); }, &progress);
+    app::fill(
+        samples,
         [&](int x, int y) {
             const int column = x / block, row = y / block, middle = blocks.width / 2;
             if (column == middle && x % block == 0) return line_color;
@@ -109,7 +110,8 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
             return lambert_color(primary_ray(blocks, column, row, {Real(0.5), Real(0.5)}));
         },
         &progress);
-    paths.fill(
+    app::fill(
+        paths,
         [&](int x, int y) {
             return render_pixel(large, world, scene.materials, scene.sky, ending, quality, x, y);
         },
@@ -133,6 +135,8 @@ int main(int argc, char** argv) {
     defaults.spp = 100;
     defaults.depth = 16;
     defaults.seed = 1;
+    defaults.view = group_view();
+    defaults.view->vertical_fov = radians(33);
     return app::run(argc, argv,
                     {.name = "04_normals_aa",
                      .about = "normals as colors, one light, one sample against many, and paths",

@@ -1,7 +1,8 @@
 // Chapter 05: metal, glass, and a strip that compares two formulas for how much glass reflects.
 
-#include <app/figure.hpp>
+#include <app/fill.hpp>
 #include <app/run.hpp>
+#include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/render_pixel.hpp>
@@ -21,17 +22,16 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Quality quality{settings.spp, settings.depth, *settings.seed};
 
     // The strip takes the lower part of the picture, and each panel a third of its width.
-    Image image{settings.width, settings.height};
+    Image image = Canvas<Color>{settings.width, settings.height};
     app::Figure figure{image};
     const int strip_height = settings.height * 5 / 18, view_height = settings.height - strip_height;
     const int panel_width = std::max(1, settings.width / 3);
     progress.start(view_height + 3 * strip_height);
 
     app::Figure view = figure.part(app::pixel_box(0, 0, settings.width, view_height));
-    const Camera camera =
-        make_camera({{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)},
-                    view.columns(), view.rows());
-    view.fill(
+    const Camera camera = make_camera(*settings.view, view.columns(), view.rows());
+    app::fill(
+        view,
         [&](int x, int y) {
             return render_pixel(camera, world, evening.set, scene::EveningSky{}, SkyEnding{},
                                 quality, x, y);
@@ -46,7 +46,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         const int left = i * panel_width, right = i < 2 ? left + panel_width : settings.width;
         app::Figure panel =
             figure.part(app::pixel_box(left, view_height, right - left, strip_height));
-        panel.fill(
+        app::fill(
+            panel,
             [&](int x, int y) {
                 Rng random = pixel_rng(quality.seed, left + x, view_height + y);
                 return pixel_average(
@@ -71,6 +72,7 @@ int main(int argc, char** argv) {
     defaults.spp = 64;
     defaults.depth = 12;
     defaults.seed = 5;
+    defaults.view = View{{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)};
     return app::run(
         argc, argv,
         {.name = "05_metal_glass",

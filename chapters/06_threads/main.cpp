@@ -4,6 +4,8 @@
 
 #include <app/run.hpp>
 #include <atomic>
+#include <rt/canvas.hpp>
+#include <rt/for_each_pixel.hpp>
 #include <string>
 #include <thread>
 
@@ -50,11 +52,11 @@ Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Scene scene = make_scene();
-    Image image{settings.width, settings.height, paper};
+    Image image = Canvas<Color>{settings.width, settings.height, paper};
     app::Figure figure{image, figure_width, figure_height};
     const app::Figure view = figure.part(scene_box);
     const TileGrid grid{view.columns(), view.rows(), tile_size};
-    const SceneShader shader{scene, make_camera(scene_view(), grid.width, grid.height),
+    const SceneShader shader{scene, make_camera(*settings.view, grid.width, grid.height),
                              settings.spp, settings.depth, *settings.seed};
 
     // Each worker writes to the pixels of its own tiles alone.
@@ -64,14 +66,13 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     progress.start(tile_count(grid));
     render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
         std::uint64_t tile_rays = 0;
-        for (int y = tile.top; y < tile.bottom; ++y)
-            for (int x = tile.left; x < tile.right; ++x) {
-                const ScenePixel pixel = shader(x, y);
-                picture.at(x, y) = pixel.color;
-                rays[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width) +
-                     static_cast<std::size_t>(x)] = static_cast<std::uint32_t>(pixel.rays);
-                tile_rays += pixel.rays;
-            }
+        for_each_pixel(tile, [&](int x, int y) {
+            const ScenePixel pixel = shader(x, y);
+            picture.at(x, y) = pixel.color;
+            rays[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width) +
+                 static_cast<std::size_t>(x)] = static_cast<std::uint32_t>(pixel.rays);
+            tile_rays += pixel.rays;
+        });
         all_rays += tile_rays;  // once a tile, not once a ray: an atomic is not free
         progress.step();
     });
@@ -92,6 +93,7 @@ int main(int argc, char** argv) {
     defaults.depth = 12;
     defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     defaults.seed = 1;
+    defaults.view = scene_view();
     return app::run(
         argc, argv,
         {.name = "06_threads",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <rt/for_each_pixel.hpp>
 #include <rt/slice_rows.hpp>
 #include <rt/strategies.hpp>
 #include <vector>
@@ -108,8 +109,7 @@ Schedule by_seconds(Strategy strategy, const TileGrid& grid, int workers, const 
     const auto now = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
     strategy(grid, workers, [&](const Tile& tile, int worker) {
         const double begin = now();
-        for (int y = tile.top; y < tile.bottom; ++y)
-            for (int x = tile.left; x < tile.right; ++x) shade(x, y);
+        for_each_pixel(tile, [&](int x, int y) { shade(x, y); });
         const double end = now();
         const std::lock_guard lock{mutex};
         schedule.spans.push_back({tile, worker, begin, end});

@@ -47,8 +47,7 @@ inline void draw_map(Figure map, const Image& scene, const Schedule& schedule) {
                static_cast<std::size_t>(x);
     };
     for (const Span& span : schedule.spans)
-        for (int y = span.tile.top; y < span.tile.bottom; ++y)
-            for (int x = span.tile.left; x < span.tile.right; ++x) owner[index(x, y)] = span.worker;
+        for_each_pixel(span.tile, [&](int x, int y) { owner[index(x, y)] = span.worker; });
     const auto place = [](Real t, int part, int all) {
         return std::clamp(static_cast<int>(t / static_cast<Real>(part) * static_cast<Real>(all)), 0,
                           all - 1);

@@ -1,7 +1,9 @@
 // Chapter 07: ten thousand spheres, the boxes that they are sorted into, and how much work each
 // pixel is for the linear list, for the sorted tree and for the tree by surface area.
 
+#include <app/fill.hpp>
 #include <app/run.hpp>
+#include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/split_by_area.hpp>
@@ -20,16 +22,17 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SphereTree sorted = make_tree(scene.spheres, split_in_half);
     const SphereTree by_area = make_tree(scene.spheres, split_by_area);
 
-    Image image{settings.width, settings.height, paper};
+    Image image = Canvas<Color>{settings.width, settings.height, paper};
     Figure figure{image, figure_width, figure_height};
     Figure view = figure.part(picture);
     progress.start(view.rows() + static_cast<int>(levels.size() + maps.size()));
 
     std::uint64_t rays = 0;
     const CountingWorld<SphereTree> world{by_area, rays};
-    const Camera camera = camera_of(view);
+    const Camera camera = camera_of(view, *settings.view);
     const Quality quality{settings.spp, settings.depth, *settings.seed};
-    view.fill(
+    app::fill(
+        view,
         [&](int x, int y) {
             return render_pixel(camera, world, scene.materials, StudioSky{}, SkyEnding{}, quality,
                                 x, y);
@@ -46,7 +49,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     }
 
     const auto draw_map = [&](std::size_t i, const char* name, auto tests) {
-        draw_heat_map(figure, maps[i], name, tests);
+        draw_heat_map(figure, maps[i], name, tests, *settings.view);
         progress.step();
     };
     const auto tests_in = [&](const SphereTree& tree, const Ray& ray) {
@@ -72,6 +75,7 @@ int main(int argc, char** argv) {
     defaults.spp = 25;
     defaults.depth = 6;
     defaults.seed = 1;
+    defaults.view = scene_view();
     return app::run(argc, argv,
                     {.name = "07_bvh",
                      .about = "10,000 spheres, the boxes of their tree, and the work of each pixel",

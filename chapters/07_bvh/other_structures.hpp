@@ -75,17 +75,10 @@ struct SplitLeaf {
     }
 };
 
-// The split of the wide tree, for a tree of two children.
-struct SplitBinned {
-    int operator()(std::span<int> order, std::span<const Box> boxes) const {
-        if (static_cast<int>(order.size()) <= 2) return 0;
-        std::vector<BuildItem> items;
-        for (const int i : order) items.push_back({boxes[static_cast<std::size_t>(i)], i});
-        const auto left = binned_split(std::span{items}, false);
-        for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].number;
-        return static_cast<int>(left);
-    }
-};
+// binned_split with leaves of up to two spheres.
+inline int split_binned(std::span<int> order, std::span<const Box> boxes) {
+    return order.size() <= 2 ? 0 : binned_split(order, boxes);
+}
 
 // Boxes and spheres tested for a ray of the picture, on the average.
 inline double tests_per_ray(const SphereTree& tree) {

@@ -25,7 +25,7 @@ constexpr std::array<app::Box, 4> levels{
 constexpr std::array<app::Box, 3> maps{
     {{7, 417, 317, 235}, {331, 417, 317, 235}, {655, 417, 317, 235}}};
 
-inline Camera camera_of(const Figure& panel, View view = scene_view()) {
+inline Camera camera_of(const Figure& panel, View view) {
     // Narrow panels see as much from side to side as wide ones.
     const Real aspect = static_cast<Real>(panel.columns()) / static_cast<Real>(panel.rows());
     if (aspect < Real(1.5))
@@ -116,9 +116,9 @@ inline Real heat(Real tests) {
 // plate, to be read on any ground.
 template <class Tests>
 void draw_heat_map(const Figure& figure, const app::Box& where, const std::string& name,
-                   Tests tests) {
+                   Tests tests, const View& view) {
     Figure panel = figure.part(where);
-    const Camera camera = camera_of(panel);
+    const Camera camera = camera_of(panel, view);
     double sum = 0;
     panel.fill([&](int x, int y) {
         const Real count = tests(ray_through(camera, x, y));

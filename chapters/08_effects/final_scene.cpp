@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <rt/facing.hpp>
 #include <rt/rng.hpp>
+#include <rt/transform.hpp>
 
 #include "placing.hpp"
 
@@ -15,6 +17,7 @@ using placing::Ball;
 
 constexpr double lake_radius = 40;
 constexpr int pearls = 16'000;
+constexpr Ball sun{150, 4, -300, 21};
 
 // How high the lake stands at this distance from where the drop fell.
 double ripple(double distance) {
@@ -22,6 +25,10 @@ double ripple(double distance) {
     return 1.5 * std::cos(2 * std::numbers::pi * distance / wave_length) *
            std::exp(-distance / reach) * std::min(1.0, distance / 2.5);
 }
+
+struct Angles {
+    double x, y, z;
+};
 
 class Composition {
   public:
@@ -33,6 +40,18 @@ class Composition {
     }
     void add(const Ball& ball, int of) {
         scene.spheres.push_back({placing::sphere_of(ball), of, {}});
+    }
+    // A ball that is stretched, then turned around z, y and x, by angles in radians.
+    void add_stretched(const Ball& ball, Vec3 scale, Angles by, int of) {
+        add(ball, of);
+        SphereDescription& sphere = scene.spheres.back();
+        const auto angle = [](double radians) { return static_cast<Real>(radians); };
+        const Mat4 turned = multiply(rotation_x(angle(by.x)),
+                                     multiply(rotation_y(angle(by.y)), rotation_z(angle(by.z))));
+        sphere.map = static_cast<int>(scene.maps.size());
+        scene.maps.push_back(multiply(translation(sphere.shape.center),
+                                      multiply(turned, scaling(sphere.shape.radius * scale))));
+        sphere.shape.radius *= max_component(scale);
     }
 };
 
@@ -49,17 +68,47 @@ void add_horizon(Composition& picture) {
     for (const Hill& hill : hills)
         picture.add({hill.x, hill.top - hill.radius, hill.z, hill.radius},
                     picture.material(Lambertian{from_hex(hill.color)}));
-    picture.add({150, 4, -300, 21}, picture.material(Emitter{{6, Real(0.45), Real(0.08)}}));
+    picture.add(sun, picture.material(Emitter{{6, Real(0.45), Real(0.08)}}));
 }
 
-// A ball of glass, as a drop that has just fallen, and droplets that it has splashed up.
+// A ball of glass, as a drop that has just fallen, and droplets that it has splashed up, each
+// stretched along its way up and outward.
 void add_drop(Composition& picture, int glass) {
     picture.add({0, 2.9, 0, 2.3}, glass);
     for (int i = 0; i < 18; ++i) {
         const double angle = 2.39996 * i, distance = 3.1 + 0.9 * std::sin(1.7 * i);
-        picture.add({distance * std::cos(angle), 3.1 + 1.1 * std::sin(2.9 * i),
-                     distance * std::sin(angle), 0.185 + 0.065 * std::cos(4.1 * i)},
-                    glass);
+        const double size = 0.185 + 0.065 * std::cos(4.1 * i);
+        picture.add_stretched({distance * std::cos(angle), 3.1 + 1.1 * std::sin(2.9 * i),
+                               distance * std::sin(angle), size},
+                              {Real(0.8), Real(1.9), Real(0.8)}, {0, -angle, -0.5}, glass);
+    }
+}
+
+// Leaves of water lilies that drift on the ripples, flat, each tilted a little by its wave.
+void add_lilies(Composition& picture) {
+    const int leaf = picture.material(Lambertian{from_hex(0x8fce6a)});
+    const int flower = picture.material(Lambertian{from_hex(0xffe3ea)});
+    struct Lily {
+        double x, z, radius, tilt;
+    };
+    const Vec3 to_sun = placing::sphere_of(sun).center;
+    constexpr Lily lilies[] = {{4.4, 6.2, 1.0, 0.14},  {6.4, 7.0, 0.65, -0.1},
+                               {9.0, 3.4, 1.05, 0.12}, {-1.2, 7.4, 0.7, -0.12},
+                               {11.4, 0.6, 1.0, 0.12}, {-7.2, 1.6, 0.95, -0.15},
+                               {2.0, 8.0, 0.95, 0.1},  {14.0, -5.0, 1.1, -0.1}};
+    for (const Lily& lily : lilies) {
+        const double y = ripple(std::hypot(lily.x, lily.z)) + 0.34;
+        picture.add_stretched({lily.x, y, lily.z, lily.radius}, {1, Real(0.09), 1},
+                              {lily.tilt, 0.0, lily.tilt / 2}, leaf);
+        // Petals around the middle, each leaning outward: most of all those that face the sun.
+        for (int petal = 0; petal < 6 && lily.radius > 0.9; ++petal) {
+            const double around = petal * std::numbers::pi / 3;
+            const Vec3 outward{static_cast<Real>(std::cos(around)), 0,
+                               static_cast<Real>(-std::sin(around))};
+            const double lean = facing(outward, to_sun) > 0 ? -0.95 : -0.6;
+            picture.add_stretched({lily.x, y + 0.22, lily.z, 0.3},
+                                  {Real(0.35), Real(1), Real(0.35)}, {0, around, lean}, flower);
+        }
     }
 }
 
@@ -112,6 +161,7 @@ SceneDescription final_scene() {
     add_horizon(picture);
     add_drop(picture, glass);
     add_lake(picture, glass);
+    add_lilies(picture);
     add_lanterns(picture);
     return scene;
 }

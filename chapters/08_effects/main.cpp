@@ -6,7 +6,9 @@
 #include <app/limits.hpp>
 #include <app/run.hpp>
 #include <atomic>
+#include <rt/canvas.hpp>
 #include <rt/effects_of.hpp>
+#include <rt/for_each_pixel.hpp>
 #include <rt/render_tiles.hpp>
 #include <thread>
 
@@ -67,7 +69,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         effects::make_narrowest(effects_of(scene), scene, chosen.width, chosen.height,
                                 {chosen.samples_per_pixel, chosen.depth, chosen.seed});
 
-    Image image = app::unfinished_image(chosen.width, chosen.height);
+    Image image = Canvas<Color>{chosen.width, chosen.height};
+    app::draw_unfinished(image);
     std::atomic<std::uint64_t> all_rays = 0;
     std::atomic<std::int64_t> pixels_done = 0;
     const app::Interruption interruption;
@@ -76,12 +79,12 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
         std::uint64_t rays = 0;
         std::int64_t done = 0;
-        for (int y = tile.top; y < tile.bottom; ++y)
-            for (int x = tile.left; x < tile.right && interruption.signal() == 0; ++x) {
-                image.at(x, y) = shade(x, y, rays);
-                assert(is_finite(image.at(x, y)));
-                ++done;
-            }
+        for_each_pixel(tile, [&](int x, int y) {
+            if (interruption.signal() != 0) return;
+            image.at(x, y) = shade(x, y, rays);
+            assert(is_finite(image.at(x, y)));
+            ++done;
+        });
         all_rays += rays;
         pixels_done += done;
         progress.step();

@@ -1,8 +1,10 @@
 #include "scene_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <rt/image_file.hpp>
+#include <rt/inverse.hpp>
 #include <stdexcept>
 #include <system_error>
 
@@ -15,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace rt;
 
-constexpr Range angles{0.001, 179};
+constexpr Range angles{0.001, 179}, turns{-360, 360}, stretches{0.001, 1000};
 constexpr std::uint64_t max_seed = std::uint64_t{1} << 53;  // beyond, a double has gaps
 
 struct Texture {
@@ -233,15 +235,92 @@ class Reader {
             given->fail("must be [0, 0, 0] or absent: a light does not move");
     }
 
+    // A sphere that is stretched, then turned around x, y and z.
+    static Mat4 read_stretched(const Value& sphere, const Sphere& plain) {
+        Vec3 scale{1, 1, 1}, turn;
+        if (const auto given = sphere.find("scale"))
+            scale = given->vec3_within("three numbers [x, y, z]", stretches);
+        if (const auto given = sphere.find("rotate_deg"))
+            turn = given->vec3_within("three angles [x, y, z]", turns);
+        const Mat4 turned =
+            multiply(rotation_z(radians(turn.z)),
+                     multiply(rotation_y(radians(turn.y)), rotation_x(radians(turn.x))));
+        return multiply(translation(plain.center), multiply(turned, scaling(plain.radius * scale)));
+    }
+
+    // Three rows of four numbers; the fourth row of the matrix is always 0 0 0 1.
+    static Mat4 read_matrix(const Value& matrix) {
+        const std::vector<Value> rows = matrix.list("three rows of four numbers");
+        if (rows.size() != 3)
+            matrix.fail("must be a list of three rows, not of " + std::to_string(rows.size()));
+        Mat4 map;
+        for (int row = 0; row < 3; ++row) {
+            const Value& given = rows[static_cast<std::size_t>(row)];
+            const std::vector<Value> numbers = given.list("four numbers");
+            if (numbers.size() != 4)
+                given.fail("must be a list of four numbers, not of " +
+                           std::to_string(numbers.size()));
+            for (int column = 0; column < 4; ++column)
+                map(row, column) = numbers[static_cast<std::size_t>(column)].number(coordinates);
+        }
+        return map;
+    }
+
+    // Adds the map of a sphere that becomes an instance, and puts a sphere around it.
+    void add_map(const Value& where, const Mat4& map, SphereDescription& to) {
+        bool flat = false;
+        try {
+            const Mat4 back = inverse(map);
+            for (int i = 0; i < 9; ++i)
+                flat = flat || !(std::abs(back(i / 3, i % 3)) <= static_cast<Real>(lengths.high));
+        } catch (const std::domain_error&) {
+            flat = true;
+        }
+        if (flat)
+            where.fail(
+                "is a singular matrix, or nearly so: it flattens the sphere; its first "
+                "three columns must point in three directions of space");
+        Real squared = 0;
+        for (int i = 0; i < 9; ++i) squared += map(i / 3, i % 3) * map(i / 3, i % 3);
+        to.shape = {{map(0, 3), map(1, 3), map(2, 3)}, std::sqrt(squared)};
+        to.map = static_cast<int>(scene_.maps.size());
+        scene_.maps.push_back(map);
+    }
+
+    void read_shape(const Value& sphere, SphereDescription& to) {
+        if (const auto matrix = sphere.find("matrix")) {
+            for (const char* other : {"center", "radius", "scale", "rotate_deg"})
+                if (sphere.find(other))
+                    sphere.fail("has both matrix and " + std::string{other} +
+                                "; a matrix says all");
+            add_map(*matrix, read_matrix(*matrix), to);
+            return;
+        }
+        to.shape = {sphere.at("center").vec3(), sphere.at("radius").number(lengths)};
+        if (sphere.find("scale") || sphere.find("rotate_deg"))
+            add_map(sphere, read_stretched(sphere, to.shape), to);
+    }
+
     void read_sphere(const Value& sphere) {
-        sphere.with_keys({"center", "radius", "material", "velocity"});
+        sphere.with_keys(
+            {"center", "radius", "scale", "rotate_deg", "matrix", "material", "velocity"});
         if (room() < 1)
             sphere.fail("is one too many; a scene may have " + std::to_string(limits_.spheres) +
                         " spheres");
         SphereDescription to;
-        to.shape = {sphere.at("center").vec3(), sphere.at("radius").number(lengths)};
+        read_shape(sphere, to);
         Material& material = named(materials_, sphere.at("material"), "material");
         read_velocity(sphere, material, to.velocity);
+        if (to.map >= 0 && to.velocity != Vec3{})
+            sphere.at("velocity")
+                .fail(
+                    "must be [0, 0, 0] or absent: what is stretched or turned "
+                    "does not move");
+        if (to.map >= 0 && std::holds_alternative<Emitter>(material.description))
+            sphere.at("material")
+                .fail(
+                    "is a light, and a light is a plain sphere: leave out scale, "
+                    "rotate_deg and matrix");
         to.material = use(material);
         scene_.spheres.push_back(to);
         there_.add(placing::ball_of(to.shape));

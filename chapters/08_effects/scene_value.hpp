@@ -147,10 +147,11 @@ class Value {
         return value ? value->color(range) : otherwise;
     }
 
-    Vec3 vec3() const {
-        const auto [x, y, z] = three("three numbers [x, y, z]", coordinates);
+    Vec3 vec3_within(const std::string& wanted, Range range) const {
+        const auto [x, y, z] = three(wanted, range);
         return {x, y, z};
     }
+    Vec3 vec3() const { return vec3_within("three numbers [x, y, z]", coordinates); }
 
     // "#rrggbb" as a designer writes it, or linear light [r, g, b].
     Color color(Range range) const {

@@ -79,10 +79,7 @@ Figure Figure::part(const Box& box) const {
 
 void Figure::fill(const std::function<Color(int column, int row)>& shade, Progress* progress) {
     for (int row = 0; row < rows_; ++row) {
-        for (int column = 0; column < columns_; ++column) {
-            const int x = left_ + column, y = top_ + row;
-            if (x < image_->width() && y < image_->height()) image_->at(x, y) = shade(column, row);
-        }
+        for (int column = 0; column < columns_; ++column) set(column, row, shade(column, row));
         if (progress) progress->step();
     }
 }

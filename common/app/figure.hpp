@@ -5,6 +5,7 @@
 #include <app/lettering.hpp>
 #include <functional>
 #include <rt/image.hpp>
+#include <rt/tile.hpp>
 #include <string_view>
 
 namespace app {
@@ -53,6 +54,13 @@ class Figure {
     // The pixels whose middles lie within; for a camera's sake at least one, even where none does.
     int columns() const { return std::max(1, columns_); }
     int rows() const { return std::max(1, rows_); }
+
+    // Its pixels, for app::fill; one of them, where the image has it.
+    rt::Tile pixels() const { return {0, 0, columns_, rows_}; }
+    void set(int column, int row, rt::Color color) {
+        const int x = left_ + column, y = top_ + row;
+        if (x < image_->width() && y < image_->height()) image_->at(x, y) = color;
+    }
 
     // Paints every pixel: shade(column, row) gives the color. Steps the progress with each row.
     void fill(const std::function<rt::Color(int column, int row)>& shade,

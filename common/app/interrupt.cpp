@@ -25,11 +25,12 @@ int Interruption::signal() {
     return came.load(std::memory_order_relaxed);
 }
 
-rt::Image unfinished_image(int width, int height) {
+void draw_unfinished(rt::Image& image) {
     constexpr int side = 8;  // pixels
     const rt::Color dark = rt::from_hex(0x1c1c22), light = rt::from_hex(0x2a2a33);
-    return rt::make_image(
-        width, height, [&](int x, int y) { return (x / side + y / side) % 2 == 0 ? dark : light; });
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            image.at(x, y) = (x / side + y / side) % 2 == 0 ? dark : light;
 }
 
 }  // namespace app

@@ -29,7 +29,7 @@ class Interruption {
     OnSignal on_signal_;
 };
 
-// A picture of which nothing is done yet: the dark checkerboard that stands for what is missing.
-rt::Image unfinished_image(int width, int height);
+// Of the picture nothing is done yet: the dark checkerboard that stands for what is missing.
+void draw_unfinished(rt::Image& image);
 
 }  // namespace app

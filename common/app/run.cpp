@@ -13,7 +13,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <locale>
 #include <rt/image_file.hpp>
+#include <sstream>
 #include <study/report.hpp>
 #include <system_error>
 
@@ -42,6 +44,49 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
                        " to " + std::to_string(high);
             },
             "", "whole number"};
+}
+
+// A number that stands alone in a text, with a point as in C++ whatever the language of the
+// machine.
+std::optional<double> number_in(const std::string& text) {
+    std::istringstream in{text};
+    in.imbue(std::locale::classic());
+    double number = 0;
+    if (!(in >> number) || in.peek() != std::istringstream::traits_type::eof()) return {};
+    return number;
+}
+
+constexpr double farthest = 1e9;  // coordinates of the camera
+
+// The point of a text such as "1,-0.5,2".
+std::optional<rt::Vec3> point_in(const std::string& text) {
+    std::vector<rt::Real> numbers;
+    std::istringstream parts{text + ','};
+    for (std::string part; std::getline(parts, part, ',');) {
+        const std::optional<double> number = number_in(part);
+        if (!number || !(std::abs(*number) <= farthest)) return {};
+        numbers.push_back(static_cast<rt::Real>(*number));
+    }
+    if (numbers.size() != 3) return {};
+    return rt::Vec3{numbers[0], numbers[1], numbers[2]};
+}
+
+// The angle in radians of a text such as "33.5", in degrees between 0 and 180.
+std::optional<rt::Real> angle_in(const std::string& text) {
+    const std::optional<double> degrees = number_in(text);
+    if (!degrees) return {};
+    const rt::Real angle = rt::radians(static_cast<rt::Real>(*degrees));
+    if (!(0 < angle && angle < rt::pi)) return {};
+    return angle;
+}
+
+std::string text_of(rt::Real number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", static_cast<double>(number));
+    return text;
+}
+std::string text_of(rt::Vec3 p) {
+    return text_of(p.x) + ',' + text_of(p.y) + ',' + text_of(p.z);
 }
 
 // Checks before the work starts that the image can be written, so that none is lost at its end.
@@ -180,6 +225,37 @@ void add_numbers(CLI::App& options, Settings& settings) {
             ->capture_default_str();
 }
 
+// Where the camera stands and what it sees, for programs whose camera can be moved.
+void add_view(CLI::App& options, rt::View& view) {
+    const auto add_point = [&](const char* name, rt::Vec3& point, const char* what) {
+        options
+            .add_option_function<std::string>(
+                name, [&point](const std::string& text) { point = *point_in(text); }, what)
+            ->check(CLI::Validator{[](const std::string& text) -> std::string {
+                                       if (point_in(text)) return {};
+                                       return '\'' + text +
+                                              "' is not a point, such as 1,-0.5,2: "
+                                              "three numbers from -1e9 to 1e9 with commas between";
+                                   },
+                                   "", "point"})
+            ->type_name("X,Y,Z")
+            ->default_str(text_of(point));
+    };
+    add_point("--from", view.from, "Where the camera stands");
+    add_point("--at", view.at, "The point that it looks at");
+    options
+        .add_option_function<std::string>(
+            "--fov", [&view](const std::string& text) { view.vertical_fov = *angle_in(text); },
+            "Vertical field of view in degrees")
+        ->check(CLI::Validator{[](const std::string& text) -> std::string {
+                                   if (angle_in(text)) return {};
+                                   return '\'' + text + "' is not a number between 0 and 180";
+                               },
+                               "", "degrees"})
+        ->type_name("DEG")
+        ->default_str(text_of(view.vertical_fov * 180 / rt::pi));
+}
+
 // All options, in the order in which --help lists them. The request must stay where it is until
 // they are parsed.
 void add_options(CLI::App& options, Request& request, const Program& program) {
@@ -188,6 +264,7 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
     options.footer(exit_codes(program));
     options.add_option("--out", request.out, "The image file, .png or .ppm")->capture_default_str();
     add_numbers(options, settings);
+    if (settings.view) add_view(options, *settings.view);
     for (const Choice& choice : program.choices) settings.picked.push_back(choice.words.front());
     for (std::size_t i = 0; i < program.choices.size(); ++i)
         options
@@ -210,6 +287,9 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
 void check_together(const Settings& settings) {
     if (settings.given.count("file") > 0 && settings.file.empty())
         throw UsageError("file: needs a name");
+    if (settings.view && settings.view->from == settings.view->at)
+        throw UsageError("--from and --at are both " + text_of(settings.view->at) +
+                         ": the camera needs two different points to know where it looks");
     if (std::int64_t{settings.width} * settings.height > most_pixels)
         throw UsageError("--width " + std::to_string(settings.width) + " times --height " +
                          std::to_string(settings.height) + " is more than " +

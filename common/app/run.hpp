@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <rt/image.hpp>
+#include <rt/view.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct Settings {
     int depth = 0;     // the most bounces of a path
     int threads = 0;
     std::optional<std::uint64_t> seed = {};  // of everything random
+    // Where the camera stands, what it looks at, and how much it sees. None: it cannot be moved.
+    std::optional<rt::View> view = {};
     // The word that was picked of each of the program's choices, in their order.
     std::vector<std::string> picked = {};
     // The file that the program was given to read; empty if none.
@@ -69,7 +72,7 @@ struct Picture {
     std::uint64_t rays = 0;
     // More to print below the line about the image. Called only where something is printed.
     std::function<std::string()> words = {};
-    // What stopped the work before all was done; unfinished pixels are as unfinished_image has
+    // What stopped the work before all was done; unfinished pixels are as draw_unfinished has
     // them.
     std::optional<Stopped> stopped = {};
 };
@@ -99,11 +102,12 @@ int run(int argc, const char* const* argv, const Program& program);
 // its default, as a JSON object of texts.
 std::string describe(const Program& program);
 
-// The same image drawn row by row: calls shade(x, y) for each pixel, and steps the progress.
-template <class Shade>
+// The same image drawn row by row: calls shade(x, y) for each pixel, and steps the progress. The
+// pixels lie in what Pixels is, such as a Canvas<Color>.
+template <class Pixels = rt::Image, class Shade>
 rt::Image draw(const Settings& settings, Progress& progress, Shade shade) {
     progress.start(settings.height);
-    return rt::make_image(settings.width, settings.height, [&](int x, int y) {
+    return rt::make_image<Pixels>(settings.width, settings.height, [&](int x, int y) {
         if (x == settings.width - 1) progress.step();
         return shade(x, y);
     });

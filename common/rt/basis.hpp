@@ -8,7 +8,7 @@ struct Basis {
     Vec3 u, v, w;
 
     // The vector with these coordinates along u, v and w.
-    constexpr Vec3 to_world(Vec3 local) const { return local.x * u + local.y * v + local.z * w; }
+    Vec3 to_world(Vec3 local) const { return local.x * u + local.y * v + local.z * w; }
 };
 
 }  // namespace rt

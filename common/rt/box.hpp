@@ -28,12 +28,12 @@ struct Box {
     constexpr bool contains(const Box& box) const {
         return box.is_empty() || (contains(box.low) && contains(box.high));
     }
-    constexpr Vec3 size() const { return is_empty() ? Vec3{} : high - low; }
-    constexpr Vec3 center() const { return Real(0.5) * low + Real(0.5) * high; }
+    Vec3 size() const { return is_empty() ? Vec3{} : high - low; }
+    Vec3 center() const { return Real(0.5) * low + Real(0.5) * high; }
 };
 
 // The axis along which a box is longest.
-constexpr int longest_axis(const Box& box) {
+inline int longest_axis(const Box& box) {
     const Vec3 size = box.size();
     if (size.x >= size.y && size.x >= size.z) return 0;
     return size.y >= size.z ? 1 : 2;

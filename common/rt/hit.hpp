@@ -14,7 +14,7 @@ struct Hit {
 };
 
 // The normal on the side that the ray came from.
-constexpr Vec3 facing_normal(const Hit& hit) {
+inline Vec3 facing_normal(const Hit& hit) {
     return hit.front ? hit.normal : -hit.normal;
 }
 

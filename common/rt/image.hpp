@@ -1,15 +1,23 @@
 #pragma once
+#include <algorithm>
+#include <any>
 #include <cassert>
+#include <concepts>
 #include <cstddef>
 #include <rt/color.hpp>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rt {
 
 // A picture as a value: width x height colors in linear light. Pixel (0, 0) is the top left one,
 // x grows to the right and y grows downwards. Copying copies all the pixels.
+//
+// The pixels belong to what the image was made of, such as the Canvas<Color> of exercise 00.3: the
+// image keeps it, copies it when it is copied itself, and destroys it at its own end.
 class Image {
   public:
     Image() = default;
@@ -19,8 +27,41 @@ class Image {
         if (width < 1 || height < 1)
             throw std::invalid_argument("an image needs at least 1x1 pixels, not " +
                                         std::to_string(width) + "x" + std::to_string(height));
-        pixels_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill);
+        own(std::vector<Color>(size(), fill));
     }
+
+    // Takes over a canvas of colors: it is moved, and no pixel is copied.
+    template <class Canvas>
+    requires(!std::same_as<Canvas, Image> &&
+             requires(Canvas canvas) {
+                 { canvas.width() } -> std::same_as<int>;
+                 { canvas.begin() } -> std::same_as<Color*>;
+             }) Image(Canvas canvas)
+        : width_{canvas.width()}, height_{canvas.height()} {
+        own(std::move(canvas));
+    }
+
+    Image(const Image& other)
+        : width_{other.width_}, height_{other.height_}, owner_{other.owner_}, find_{other.find_} {
+        if (find_) pixels_ = find_(owner_);
+    }
+    Image(Image&& other) noexcept
+        : width_{std::exchange(other.width_, 0)},
+          height_{std::exchange(other.height_, 0)},
+          owner_{std::move(other.owner_)},
+          find_{std::exchange(other.find_, nullptr)} {
+        other.pixels_ = nullptr;
+        if (find_) pixels_ = find_(owner_);
+    }
+    Image& operator=(Image other) noexcept {
+        width_ = other.width_;
+        height_ = other.height_;
+        owner_.swap(other.owner_);
+        find_ = other.find_;
+        pixels_ = find_ ? find_(owner_) : nullptr;
+        return *this;
+    }
+    ~Image() = default;
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -30,11 +71,25 @@ class Image {
     const Color& at(int x, int y) const { return pixels_[index(x, y)]; }
 
     // All pixels, row by row from the top.
-    const std::vector<Color>& pixels() const { return pixels_; }
+    std::span<const Color> pixels() const { return {pixels_, size()}; }
 
-    friend bool operator==(const Image&, const Image&) = default;
+    friend bool operator==(const Image& a, const Image& b) {
+        const auto one = a.pixels(), other = b.pixels();
+        return a.width_ == b.width_ && a.height_ == b.height_ &&
+               std::equal(one.begin(), one.end(), other.begin());
+    }
 
   private:
+    template <class Owner>
+    void own(Owner owner) {
+        owner_ = std::move(owner);
+        find_ = [](std::any& any) { return &*std::any_cast<Owner&>(any).begin(); };
+        pixels_ = find_(owner_);
+    }
+
+    std::size_t size() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    }
     std::size_t index(int x, int y) const {
         assert(0 <= x && x < width_ && 0 <= y && y < height_);
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
@@ -42,13 +97,16 @@ class Image {
     }
 
     int width_ = 0, height_ = 0;
-    std::vector<Color> pixels_;
+    std::any owner_;                       // of the pixels
+    Color* (*find_)(std::any&) = nullptr;  // where they are in it
+    Color* pixels_ = nullptr;
 };
 
-// Calls shade(x, y) for every pixel and stores the color that it returns.
-template <class Shade>
+// Calls shade(x, y) for every pixel and stores the color that it returns. The pixels lie in what
+// Pixels is, such as a Canvas<Color>.
+template <class Pixels = Image, class Shade>
 Image make_image(int width, int height, Shade shade) {
-    Image image{width, height};
+    Image image = Pixels(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             image.at(x, y) = shade(x, y);

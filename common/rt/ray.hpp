@@ -8,7 +8,7 @@ struct Ray {
     Vec3 origin;
     Vec3 direction;
 
-    constexpr Vec3 at(Real t) const { return origin + t * direction; }
+    Vec3 at(Real t) const { return origin + t * direction; }
 };
 
 }  // namespace rt

@@ -9,7 +9,7 @@ struct Sphere {
 };
 
 // The same sphere in another place.
-constexpr Sphere moved(const Sphere& sphere, Vec3 by) {
+inline Sphere moved(const Sphere& sphere, Vec3 by) {
     return {sphere.center + by, sphere.radius};
 }
 

@@ -1,35 +1,33 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <ostream>
 #include <rt/real.hpp>
+#include <rt/vec3_operators.hpp>
+#include <rt/vec3_type.hpp>
 
 namespace rt {
 
-// A vector or a point in space: right-handed coordinates, y up. All operators work component by
-// component; what has geometry in it (dot, cross, length) is chapter 01.
-struct Vec3 {
-    Real x = 0, y = 0, z = 0;
+// Operators that are made of those of exercise 01.1.
+inline Vec3 operator*(Real s, Vec3 v) {
+    return v * s;
+}
+inline Vec3& operator+=(Vec3& a, Vec3 b) {
+    return a = a + b;
+}
+inline Vec3& operator-=(Vec3& a, Vec3 b) {
+    return a = a - b;
+}
+inline Vec3& operator*=(Vec3& v, Real s) {
+    return v = v * s;
+}
+inline Vec3& operator/=(Vec3& v, Real s) {
+    return v = v / s;
+}
 
-    friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
-
-    friend constexpr Vec3 operator-(Vec3 v) { return {-v.x, -v.y, -v.z}; }
-    friend constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    friend constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-    friend constexpr Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-    friend constexpr Vec3 operator*(Vec3 v, Real s) { return {v.x * s, v.y * s, v.z * s}; }
-    friend constexpr Vec3 operator*(Real s, Vec3 v) { return v * s; }
-    friend constexpr Vec3 operator/(Vec3 v, Real s) { return {v.x / s, v.y / s, v.z / s}; }
-
-    constexpr Vec3& operator+=(Vec3 v) { return *this = *this + v; }
-    constexpr Vec3& operator-=(Vec3 v) { return *this = *this - v; }
-    constexpr Vec3& operator*=(Real s) { return *this = *this * s; }
-    constexpr Vec3& operator/=(Real s) { return *this = *this / s; }
-
-    friend std::ostream& operator<<(std::ostream& out, Vec3 v) {
-        return out << '(' << v.x << ", " << v.y << ", " << v.z << ')';
-    }
-};
+// The products of the components, each with its partner: neither the dot nor the cross product.
+inline Vec3 operator*(Vec3 a, Vec3 b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
 
 // True when no component is infinite or not a number.
 inline bool is_finite(Vec3 v) {

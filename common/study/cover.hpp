@@ -2,8 +2,8 @@
 // A scene like the cover of the classic tutorial, as plain values: 486 spheres of matte, metal and
 // glass, three of them large and one the ground. Studies draw it in several ways and compare.
 
-#include <rt/camera.hpp>
 #include <rt/color.hpp>
+#include <rt/view.hpp>
 #include <vector>
 
 namespace study {

@@ -187,7 +187,7 @@ void run_tests(const Course& course, Checked& checked) {
     Tested tested = run_cases(course, checked);
     judge(course, checked, tested);
     if (const TestCase* const last = tested.ended_in(); last && last->hard) {
-        // The core alone; then each hard case gets its turn, although one before it ends the
+        // The core alone; and each hard case gets its turn, although one before it ends the
         // program.
         Checked core = checked;
         core.trouble.clear();
@@ -200,11 +200,11 @@ void run_tests(const Course& course, Checked& checked) {
         core.tests = checked.tests;
         checked = core;
         std::string others = "[hard]";
-        for (tested = run_cases(course, checked, others); !tested.tests.empty();
-             tested = run_cases(course, checked, others)) {
+        for (; !tested.tests.empty(); tested = run_cases(course, checked, others)) {
             note_stars(checked, tested);
             if (tested.was_stopped()) break;  // to be stopped once is enough to wait for
-            for (const TestCase& test : tested.tests) others += "~\"" + test.name + '"';
+            for (const TestCase& test : tested.tests)
+                if (test.hard) others += "~\"" + test.name + '"';
         }
     } else if (checked.verdict == Verdict::passed) {
         note_stars(checked, tested);

@@ -9,7 +9,7 @@
 
 namespace companion {
 
-SanitizerReport read_sanitizer_report(const Course& course, const std::string& output,
+SanitizerReport read_sanitizer_report(const std::string& output,
                                       const std::vector<fs::path>& files) {
     SanitizerReport report;
     std::istringstream in{output};
@@ -21,7 +21,9 @@ SanitizerReport read_sanitizer_report(const Course& course, const std::string& o
                     report.what = line.substr(at + mark.size());
         if (report.what.empty()) continue;
         for (const fs::path& file : files) {
-            const std::string path = (course.root / file).string() + ':';
+            // Sanitizers name files as the compiler was told them: from the root of the disk, or
+            // from the folder of the build.
+            const std::string path = '/' + file.string() + ':';
             const auto at = line.find(path);
             if (at == std::string::npos) continue;
             const auto number = at + path.size();
@@ -49,7 +51,7 @@ std::string run_sanitized(const Course& course, const Exercise& exercise, bool t
     const Result result = run_process({.command = command, .timeout = 10 * most_seconds});
     const fs::path log = side.build / (exercise.id + ".txt");
     app::replace_file(log, result.output);
-    const SanitizerReport report = read_sanitizer_report(course, result.output, exercise.files);
+    const SanitizerReport report = read_sanitizer_report(result.output, exercise.files);
     if (report.what.empty())
         return "The sanitizers report nothing; the checkpoints ended with " + how_it_ended(result) +
                ".\n";

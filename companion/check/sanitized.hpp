@@ -12,7 +12,7 @@ struct SanitizerReport {
     std::string what;   // "heap-use-after-free ..."
     std::string where;  // "exercises/00_toolchain/rt/canvas.hpp:31", the first within these files
 };
-SanitizerReport read_sanitizer_report(const Course& course, const std::string& output,
+SanitizerReport read_sanitizer_report(const std::string& output,
                                       const std::vector<fs::path>& files);
 
 // Builds and runs the checkpoints with the address and undefined-behavior sanitizers, or with the

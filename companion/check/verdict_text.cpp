@@ -363,7 +363,8 @@ std::string chapter_done(const Chapter& chapter, int open_stars) {
                 : green("Chapter " + number + " is done: its core passes.") + ' ' +
                       yellow(stars_open(open_stars) + ": ./course check " + number + " --stars")) +
            "\n  Look at your picture:          ./course run " + number +
-           "\n  Compare it with the solution:  ./course compare " + number + '\n';
+           "\n  Compare it with the solution:  ./course compare " + number +
+           "\n  Answer what the text asks:     ./course ask " + number + '\n';
 }
 
 }  // namespace companion

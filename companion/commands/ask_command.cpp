@@ -46,13 +46,16 @@ void print_question(const Open& open) {
         print("    " + letter(i) + question.choices[i] + '\n');
 }
 
+std::string what_fits(const Question& question) {
+    return question.choices.empty() ? "a number, such as 0.75 or 3/4" : "one of the letters";
+}
+
 // Judges and remembers an answer, and says what it is worth: after the first wrong one something to
 // think of, after the second the reason. Such a question comes again another day.
 Reply take(const Course& course, const Question& question, const std::string& answer, bool again) {
     const Reply reply = reply_to(question, answer);
     if (reply == Reply::not_understood) {
-        print(question.choices.empty() ? "  The answer is a number, such as 0.75 or 3/4.\n"
-                                       : "  The answer is one of the letters.\n");
+        print("  The answer is " + what_fits(question) + ".\n");
         return reply;
     }
     change_state(course, [&](State& state) {
@@ -72,6 +75,10 @@ Reply take(const Course& course, const Question& question, const std::string& an
 
 // One answer that was given with the command.
 int answer_one(const Course& course, const Open& open, const std::string& answer) {
+    if (reply_to(open.question, answer) == Reply::not_understood)
+        throw app::UsageError("ask --answer: question " + std::to_string(open.number) +
+                              " of chapter " + open.chapter.number() + " takes " +
+                              what_fits(open.question) + ", not '" + answer + '\'');
     print_question(open);
     const State state = read_state(course);
     const auto known = state.answers.find(open.question.key());

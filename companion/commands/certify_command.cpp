@@ -8,6 +8,7 @@
 #include <companion/build/side_build.hpp>
 #include <companion/check/passing_chapters.hpp>
 #include <companion/check/sanitized.hpp>
+#include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/pages/certificate.hpp>
 #include <companion/pages/studies.hpp>
@@ -48,6 +49,15 @@ std::string compiler(const Course& course) {
     const Result result =
         run_process({.command = {cached(course, "CMAKE_CXX_COMPILER"), "--version"}});
     return result.ok() ? result.output.substr(0, result.output.find('\n')) : "unknown compiler";
+}
+
+// "core passes, 2 stars open".
+std::string stand_of(const Checked& checked) {
+    if (checked.tests.empty()) return "not written";
+    const auto open = static_cast<int>(checked.open_stars.size());
+    if (checked.verdict == Verdict::passed && open > 0) return "core passes, " + stars_open(open);
+    return std::to_string(passed_cases(checked)) + " of " + std::to_string(checked.tests.size()) +
+           " test cases pass";
 }
 
 // Fills the certificate and shows each line as soon as it is known.
@@ -98,10 +108,7 @@ class Examination {
                     if (is_in(checked.exercise.id, ability.exercises))
                         proof.lines.push_back(
                             {checked.verdict == Verdict::passed ? Held::holds : Held::fails,
-                             checked.exercise.id, checked.exercise.title,
-                             std::to_string(passed_cases(checked)) + " of " +
-                                 std::to_string(checked.tests.size()) + " test cases",
-                             ""});
+                             checked.exercise.id, checked.exercise.title, stand_of(checked), ""});
             for (const CertifiedFigure& line : certificate_.measurements)
                 if (is_in(line.exercise, ability.exercises) &&
                     line.what.rfind("checkpoints of ", 0) != 0)
@@ -213,7 +220,7 @@ class Examination {
         std::vector<fs::path> files;
         for (const Exercise& exercise : exercises(course_, chapter))
             files.insert(files.end(), exercise.files.begin(), exercise.files.end());
-        const SanitizerReport report = read_sanitizer_report(course_, output, files);
+        const SanitizerReport report = read_sanitizer_report(output, files);
         return report.what + (report.where.empty() ? "" : " at " + report.where);
     }
 

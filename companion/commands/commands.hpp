@@ -13,6 +13,7 @@ namespace companion {
 using Named = std::optional<std::string>;
 
 // Each returns the exit code.
+
 // answer: to the first question that is open; without it, answers are read from the standard input.
 int ask(const Course& course, const Named& chapter, const Named& answer);
 // every_star: all open stars are shown, else the first where one exercise is checked.
@@ -30,7 +31,7 @@ int own_new(const Course& course, const std::string& folder);
 int own_judge(const Course& course, const std::string& folder, int rung, std::uint64_t seed);
 int reset(const Course& course, const std::string& exercise);
 int run(const Course& course, const std::string& chapter, const std::vector<std::string>& options);
-// mine: with the learner's code where it passes, else the solution's.
+// mine: with the learner's code where it passes, beside the solution's.
 int study(const Course& course, const Named& chapter, bool mine);
 int watch(const Course& course, const Named& chapter);
 

@@ -52,7 +52,7 @@ std::string duration(double minutes) {
     return text;
 }
 
-// Of the reading the share of the exercises that do not pass is left.
+// What is left of the reading is the share of the exercises that do not pass.
 Work work_of(const Course& course, const State& state, const Chapter& chapter,
              const std::vector<Exercise>& all) {
     Work result;

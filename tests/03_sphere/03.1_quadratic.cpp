@@ -128,7 +128,7 @@ TEST_CASE("03.1 a discriminant of zero means one solution", "[03.1]") {
                   "t^2 = 0 has the solution 0: here q is 0, and c / q is not a number");
 }
 
-TEST_CASE("03.1 any coefficients", "[03.1]") {
+TEST_CASE("03.1 any coefficients", "[03.1][hard]") {
     rt::Rng rng{31, 1};
     for (int i = 0; i < 1000; ++i) {
         const Vec3 k = any_vector(rng, -2, 2);

@@ -238,7 +238,7 @@ TEST_CASE("03.2 a direction of length zero hits nothing", "[03.2][hard]") {
     check({{0, 0, 0}, 1}, {{0, 0, 1}, {0, 0, 0}}, whole_line, {}, hint);
 }
 
-TEST_CASE("03.2 any sphere and any ray and any interval", "[03.2]") {
+TEST_CASE("03.2 any sphere and any ray and any interval", "[03.2][hard]") {
     rt::Rng rng{32, 1};
     for (int i = 0; i < 400; ++i) {
         const Real radius = rng.uniform(Real(0.5), 2), length = rng.uniform(Real(0.5), 2);

@@ -2,6 +2,7 @@
 // Vectors in twice the precision of double, as references for what the checkpoints measure.
 
 #include <rt/rng.hpp>
+#include <rt/vec3.hpp>
 
 #include "checkpoint.hpp"
 

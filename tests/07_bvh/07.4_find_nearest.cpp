@@ -53,6 +53,17 @@ void check_winner(const rt::Search& search, const Winner& expected, const char* 
     if (!same) CHECK(text(found) == text(expected));
 }
 
+// A search of another type, which meets spheres that have been moved.
+struct MovedSearch : rt::Search {
+    std::span<const Vec3> motions;
+
+    std::optional<Real> meets_sphere(int number) {
+        ++sphere_tests;
+        const auto i = static_cast<std::size_t>(number);
+        return rt::hit_sphere(rt::moved(spheres[i].shape, motions[i]), ray, within);
+    }
+};
+
 // A tree over this part of an order, of a shape that split chooses: how many of so many places go
 // to the left, 0 for a leaf.
 std::unique_ptr<rt::TreeNode> shaped_tree(const std::vector<int>& order,
@@ -179,19 +190,15 @@ TEST_CASE("07.4 near ties are decided by t and ties by number", "[07.4][hard]") 
             motions.push_back(i % 2 ? Vec3{} : any_size(rng, -17, 0) * size * in_cube(rng));
         }
         const Ray ray{middle - (3 + 9 * rng.uniform()) * size * d, any_size(rng, -3, 3) * d};
-        const Real time = rng.uniform();
-        Spheres there = spheres;  // at that time
-        if (i % 4)
-            for (std::size_t k = 0; k < there.size(); ++k)
-                there[k].shape = rt::moved(there[k].shape, time * motions[k]);
+        Spheres there = spheres;
+        for (std::size_t k = 0; k < there.size(); ++k)
+            there[k].shape = rt::moved(there[k].shape, motions[k]);
         Interval within;
         if (i % 8 == 0) within = {-infinity, infinity};
         if (i % 8 == 1)
             if (const auto t = rt::hit_sphere(there[0].shape, ray, {})) within.max = *t;
         const Winner expected = linear(there, ray, within);
-        rt::Search search{spheres, {}, ray, within};
-        if (i % 4) search.motions = motions;
-        search.time = time;
+        MovedSearch search{{spheres, {}, ray, within}, motions};
         for (const int number : shuffled(count, rng)) rt::try_sphere(number, search);
         rt::Search after = search;
         after.nearest = expected.sphere;
@@ -207,6 +214,17 @@ TEST_CASE("07.4 near ties are decided by t and ties by number", "[07.4][hard]") 
             "once, by search.meets_sphere");
         REQUIRE(state(search) == state(after));
     }
+}
+
+TEST_CASE("07.4 a search of another type is asked its own questions", "[07.4]") {
+    const ByHand two{{{0, 0, -5}, 1}, {{0, 0, -9}, 1}};
+    const std::vector<Vec3> motions{{0, 0, -1}, {0, 0, 2}, {}};
+    MovedSearch search{{two.spheres, two.order, {{0, 0, 0}, {0, 0, -1}}, {}}, motions};
+    rt::find_nearest(two.root, search);
+    check_winner(search, {0, 5},
+                 "chapter 08 searches with types of its own, whose meets_sphere finds spheres that "
+                 "move: leave \"template <class AnySearch>\" as it is, and hand the search on as "
+                 "AnySearch&");
 }
 
 TEST_CASE("07.4 the same hits as the linear list", "[07.4]") {

@@ -62,6 +62,17 @@ TEST_CASE("08.1 lens and fog and motion are found", "[08.1]") {
     check(scene, {.motion = true}, "the sphere moves along z");
 }
 
+TEST_CASE("08.1 a sphere with a map is an instance", "[08.1]") {
+    SceneDescription scene = ball_of(rt::Metal{{1, 1, 1}, 0});
+    scene.maps = {rt::scaling({2, 1, 1}), rt::scaling({1, 2, 1})};
+    check(scene, {.mirror = true}, "the sphere has no map: its number is -1");
+    for (const int map : {0, 1}) {
+        scene.spheres[0].map = map;
+        check(scene, {.mirror = true, .instances = true},
+              "the sphere has a map, and a material as others have: maps count from 0");
+    }
+}
+
 TEST_CASE("08.1 all spheres are looked at", "[08.1]") {
     SceneDescription scene = ball_of(rt::Dielectric{});
     scene.materials.push_back(rt::Metal{{1, 1, 1}, 0});
@@ -201,10 +212,16 @@ TEST_CASE("08.1 any scene calls for what can be seen of it", "[08.1][hard]") {
             scene.spheres.push_back(
                 {{any_direction(rng), any_size(rng, -3, 3)}, static_cast<int>(number), velocity});
             const bool moves = velocity.x != 0 || velocity.y != 0 || velocity.z != 0;
+            if (!light && velocity == Vec3{} && one_of(8)) {
+                scene.spheres.back().map = static_cast<int>(scene.maps.size());
+                scene.maps.push_back(rt::scaling({1, 2, 3}));
+                expected.instances = true;
+            }
             if (kinds[number].effect) expected.*kinds[number].effect = true;
             if (moves && scene.camera.shutter > 0) expected.motion = true;
             list += ", a sphere of " + kinds[number].name +
-                    (moves ? " with the velocity " + text(velocity) : "");
+                    (moves ? " with the velocity " + text(velocity) : "") +
+                    (scene.spheres.back().map >= 0 ? " with a map" : "");
         }
         const Effects found = rt::effects_of(scene);
         if (found == expected) continue;

@@ -4,6 +4,7 @@
 #include <rt/effects.hpp>
 #include <rt/rng.hpp>
 #include <rt/scene.hpp>
+#include <rt/transform.hpp>
 
 #include "checkpoint.hpp"
 
@@ -47,11 +48,22 @@ inline rt::SceneDescription scene_with(const rt::Effects& effects) {
         add({2, 4, 2}, Real(0.5), Emitter{{9, 8, 5}});
         add({-2, Real(0.3), 3}, Real(0.2), Emitter{{1, 2, 4}});
     }
+    if (effects.instances) {
+        // Beside each other and into each other, and into a plain sphere.
+        const auto add_map = [&](const Mat4& map) {
+            add({map(0, 3), map(1, 3), map(2, 3)}, 3, red);
+            scene.spheres.back().map = static_cast<int>(scene.maps.size());
+            scene.maps.push_back(map);
+        };
+        add_map(multiply(translation({-1, Real(0.5), 2}), scaling({1, Real(0.3), Real(0.5)})));
+        add_map(multiply(translation({Real(-0.5), Real(0.7), 2}),
+                         multiply(rotation_z(1), scaling({1, Real(0.2), Real(0.4)}))));
+    }
     if (effects.fog) scene.fog = Fog{{{0, 0, 0}, 8}, Real(0.1), {1, Real(0.9), 1}, Real(0.4)};
     return scene;
 }
 
-// The set of effects whose bits are those of a number, 0 ... 255.
+// The set of effects whose bits are those of a number, 0 ... 511.
 inline rt::Effects numbered_effects(unsigned bits) {
     rt::Effects effects;
     for (std::size_t i = 0; i < rt::all_effects.size(); ++i)

@@ -65,6 +65,18 @@ for value in 0 -5 1e9 abc 65537 99999999999999999999 ' 7' 7.5 ''; do
 done
 refuses 2 pixels --width 60000 --height 60000 --out old.png
 
+if "$program" --help | grep -q -- --fov; then
+    for value in 0 '' a 1,2 1,2,3,4 1,2,x '1 2 3' 1,,3 ,1,2,3 "1,2,3," nan,0,0 inf,0,0 1e10,0,0 0x1,2,3; do
+        refuses 2 'three numbers from -1e9 to 1e9' --from "$value" --out old.png
+        refuses 2 'three numbers from -1e9 to 1e9' --at "$value" --out new.png
+    done
+    for value in 0 -5 180 181 1e9 1e-400 abc nan '' 60,60 60deg; do
+        refuses 2 'number between 0 and 180' --fov "$value" --out old.png
+    done
+    refuses 2 'two different points' --from -1,2,3 --at -1,2,3 --out old.png
+    refuses 2 'two different points' --at 0,0.0,-0 --from 0,0,0 --out new.png
+fi
+
 # Where the image shall go.
 refuses 2 'folder' --out folder
 refuses 2 'folder' --out folder.png
@@ -147,6 +159,17 @@ ln -s target.png link.png
 draws $small --out link.png && draws $small --out link.png
 { [ -L link.png ] && [ -f target.png ]; } || complain link.png "was replaced by the image"
 draws --width 1 --height 1 --out tiny.png
+if "$program" --help | grep -q -- --fov; then
+    # From far and near, straight down, and through the narrowest and the widest lens.
+    # shellcheck disable=SC2086
+    for view in '--from -3,2.5,1e1' '--from 0,9,0 --at 0,0,0' '--from 1e9,-1e9,1e9 --fov 1e-6' \
+                '--from 0,0,0 --at 1e-9,0,0 --fov 179.9' '--at=-1,0,-2'; do
+        draws $small $view --out view.png
+    done
+    # shellcheck disable=SC2086
+    draws $small --out usual.ppm && draws $small --fov 60 --out other.ppm
+    ! cmp -s usual.ppm other.ppm || complain --fov 'draws the same picture'
+fi
 for image in 'with spaces.png' old.png target.png tiny.png; do
     head -c 4 "$image" | grep -q PNG || complain "$image" "is no PNG"
 done

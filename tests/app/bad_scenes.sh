@@ -63,6 +63,10 @@ scene material.json ", \"spheres\": [{$sphere, \"radius\": 1, \"material\": \"go
 refuses material.json 'spheres\[0\].material.*"gold"'
 scene radius.json ", \"spheres\": [{$sphere, \"radius\": -1, \"material\": \"gold\"}]"
 refuses radius.json 'spheres\[0\].radius must be'
+scene flat.json ', "spheres": [{"matrix": [[1, 0, 1, 0], [0, 1, 1, 0], [1, 1, 2, 0]], "material": "gold"}]'
+refuses flat.json 'spheres\[0\].matrix is a singular matrix'
+scene zero.json ", \"spheres\": [{$sphere, \"radius\": 1, \"scale\": [1, 0, 1], \"material\": \"gold\"}]"
+refuses zero.json 'spheres\[0\].scale\[1\] must be a number from 0.001 to 1000'
 index=0 scene index.json ''
 refuses index.json 'materials.glass.index must be a number from 0.1 to 10'
 scene many.json ', "groups": [{"rule": "plane", "count": 1000000000, "extent": 9, "radius": 0.1, "materials": ["gold"]}]'

@@ -46,3 +46,55 @@ TEST_CASE("make_image shades every pixel once, row by row from the top", "[image
     CHECK(image.at(1, 0) == Color{1, 0, 0});
     CHECK(image.at(0, 1) == Color{0, 1, 0});
 }
+
+namespace {
+
+// A canvas that counts how often one of its kind was copied, and how many there are.
+struct CountedCanvas {
+    static inline int copies = 0, alive = 0;
+    std::vector<Color> colors;
+
+    CountedCanvas(int width, int height)
+        : colors(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+        ++alive;
+    }
+    CountedCanvas(const CountedCanvas& other) : colors{other.colors} {
+        ++copies;
+        ++alive;
+    }
+    CountedCanvas(CountedCanvas&& other) noexcept : colors{std::move(other.colors)} { ++alive; }
+    ~CountedCanvas() { --alive; }
+    int width() const { return 3; }
+    int height() const { return 2; }
+    Color* begin() { return colors.data(); }
+};
+
+}  // namespace
+
+TEST_CASE("an image takes over a canvas without copying it and gives it up at its end", "[image]") {
+    CountedCanvas::copies = 0;
+    {
+        CountedCanvas canvas{3, 2};
+        const Color* const pixels = canvas.begin();
+        canvas.begin()[4] = {1, 0, 0};
+        Image image = std::move(canvas);
+        CHECK(&image.at(0, 0) == pixels);
+        CHECK(image.at(1, 1) == Color{1, 0, 0});
+        Image moved = std::move(image);
+        CHECK(&moved.at(0, 0) == pixels);
+        CHECK(image.width() == 0);
+        CHECK(image.pixels().empty());
+        CHECK(CountedCanvas::copies == 0);
+        Image copy = moved;
+        CHECK(CountedCanvas::copies == 1);
+        CHECK(copy == moved);
+        CHECK(&copy.at(0, 0) != pixels);
+        copy = std::move(moved);
+        CHECK(&copy.at(0, 0) == pixels);
+        CHECK(CountedCanvas::copies == 1);
+        const Image made = rt::make_image<CountedCanvas>(3, 2, [](int, int) { return Color{}; });
+        CHECK(CountedCanvas::alive >= 2);
+        CHECK(CountedCanvas::copies == 1);
+    }
+    CHECK(CountedCanvas::alive == 0);
+}

@@ -81,6 +81,32 @@ TEST_CASE("a program has no options that do not apply", "[run]") {
     CHECK(folder.count() == 1);
 }
 
+TEST_CASE("a camera is moved by options and stays where it was without them", "[run]") {
+    const TemporaryFolder folder;
+    app::Program camera = program();
+    const rt::View usual{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, rt::radians(33)};
+    camera.defaults.view = usual;
+    const auto view_after = [&](std::vector<std::string> options) {
+        options.insert(options.end(), {"--out", folder / "a.png"});
+        REQUIRE(run(options, camera) == app::done);
+        return *seen.view;
+    };
+    CHECK(view_after({}).from == usual.from);
+    CHECK(view_after({}).at == usual.at);
+    CHECK(view_after({}).vertical_fov == usual.vertical_fov);
+    CHECK(view_after({"--from", "-1,0.5,2e3"}).from == rt::Vec3{-1, rt::Real(0.5), 2000});
+    CHECK(view_after({"--from", "-1,0.5,2e3"}).at == usual.at);
+    CHECK(view_after({"--at=-7,8,-9"}).at == rt::Vec3{-7, 8, -9});
+    CHECK(view_after({"--fov", "60"}).vertical_fov == rt::radians(60));
+    CHECK(view_after({"--fov", "60"}).from == usual.from);
+    for (const char* const option : {"--from", "--at", "--fov"})
+        for (const char* const value : {"", "1,2", "a", "1,2,3,4", "nan,1,2", "0"})
+            CHECK(run({"--out", folder / "b.png", option, value}, camera) == app::bad_input);
+    CHECK(run({"--out", folder / "b.png", "--from", "4,5,6"}, camera) == app::bad_input);
+    // A program whose camera cannot be moved has no such option.
+    CHECK(run({"--out", folder / "b.png", "--fov", "60"}) == app::bad_input);
+}
+
 TEST_CASE("a program describes its options and their defaults", "[run]") {
     app::Program with_more = program();
     with_more.choices = {{"ending", "How a path ends", {"sky", "black"}}};
@@ -130,7 +156,8 @@ TEST_CASE("a picture that was stopped is written, and the exit code says so", "[
     app::Program stopped = program();
     stopped.render = [](const app::Settings&, app::Progress&) {
         const app::Interruption interruption;
-        app::Picture picture{app::unfinished_image(9, 9)};
+        app::Picture picture{rt::Image{9, 9}};
+        app::draw_unfinished(picture.image);
         CHECK(app::Interruption::signal() == 0);
         std::raise(SIGINT);
         picture.stopped = {app::Interruption::signal(), 0.5};

@@ -1,4 +1,5 @@
 #include <app/errors.hpp>
+#include <cmath>
 #include <companion/model/questions.hpp>
 #include <companion/model/state.hpp>
 #include <set>

@@ -167,7 +167,13 @@ TEST_CASE("every exercise has a stub that says which one it is", "[stubs]") {
 }
 
 TEST_CASE("no chapter uses what comes after it, and common uses no chapter", "[structure]") {
-    for (const fs::path& path : files(root / "common", {".hpp", ".cpp"})) check_includes(path, "");
+    // Headers that stand on the learner's; the libraries of common are compiled without them.
+    const std::map<std::string, std::string> by_chapter{{"common/rt/vec3.hpp", "01_vectors"},
+                                                        {"common/app/fill.hpp", "02_camera"}};
+    for (const fs::path& path : files(root / "common", {".hpp", ".cpp"})) {
+        const auto found = by_chapter.find(name(path));
+        check_includes(path, found == by_chapter.end() ? "" : found->second);
+    }
     for (const auto& chapter : chapters()) {
         for (const char* const kind : {"chapters", "solutions", "tests"})
             for (const fs::path& path : files(root / kind / chapter.name, {".hpp", ".cpp"}))
@@ -183,6 +189,8 @@ TEST_CASE("there is no absolute epsilon in the solutions and in common", "[struc
     const std::set<std::pair<std::string, std::string>> allowed{
         {"common/rt/color.hpp", "0.0031308"},  // where the sRGB transfer function turns linear
         {"common/study/cover.hpp", "1e-6"},    // milliseconds in a nanosecond
+        // The first ray tracer has the textbook's faults; chapter 04 says why they fail.
+        {"solutions/00_toolchain/first.cpp", "0.001"},
         // The classic renderer that the studies compare with has its faults, too.
         {"common/study/classic.cpp", "0.001"},
         {"common/study/classic_materials.hpp", "1e-8"},

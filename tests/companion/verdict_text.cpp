@@ -108,7 +108,9 @@ TEST_CASE("the core is told before the stars", "[verdict_text]") {
     CHECK(text.find("the core") < text.find("Also failing:\n    the star"));
 
     Checked checked;
-    checked.exercise = {.id = "01.1", .title = "One", .chapter = {"01_x"}};
+    checked.exercise.id = "01.1";
+    checked.exercise.title = "One";
+    checked.exercise.chapter.name = "01_x";
     checked.verdict = Verdict::passed;
     CHECK(open_stars({"/c", "/c/build"}, checked, true).empty());
     checked.open_stars = {{star}, {failing("another", "1 == 2"), true}, {failing("third", "")}};

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <limits>
 #include <rt/real.hpp>
-#include <rt/vec3.hpp>
+#include <rt/vec3_type.hpp>
 #include <string>
 #include <study/double_double.hpp>
 #include <study/ulp.hpp>

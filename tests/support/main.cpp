@@ -24,7 +24,7 @@ namespace {
 // Which memory a program that died of it has used: of a null pointer, or below a full stack.
 const char* forbidden_memory = "";
 
-#if defined(CATCH_CONFIG_MAIN) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(CATCH_CONFIG_MAIN) && !defined(RT_SANITIZED)  // sanitizers tell more of a crash
 // What Catch2 does at such a signal, and beyond that a look at the address.
 class CrashHandler {
   public:

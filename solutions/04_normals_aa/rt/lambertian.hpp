@@ -8,16 +8,17 @@
 
 namespace rt {
 
-// A matte material (given): it looks equally bright from everywhere. Light comes back in random
-// directions; since those are chosen as likely as the cosine of Lambert's law, the attenuation is
-// the albedo alone.
+// A matte material: it looks equally bright from everywhere.
 struct Lambertian {
     Color albedo;  // the share of light that comes back, each channel in [0, 1]
 };
 
+// How light comes back from a matte surface: on the side that the ray came from, in a random
+// direction of length 1 with the density cos / pi about the normal there. As directions are chosen
+// as likely as the cosine of Lambert's law, the attenuation is the albedo alone.
 template <class Random>
-std::optional<Scatter> scatter(const Lambertian& material, Vec3 /*incoming*/, const Hit& hit,
-                               Random& random) {
+std::optional<Scatter> scatter(const Lambertian& material, [[maybe_unused]] Vec3 incoming,
+                               const Hit& hit, Random& random) {
     return Scatter{material.albedo, cosine_direction(facing_normal(hit), random_place(random))};
 }
 

@@ -1,18 +1,12 @@
 #pragma once
 #include <optional>
 #include <rt/hit.hpp>
-#include <rt/hit_sphere.hpp>
 #include <rt/interval.hpp>
+#include <rt/nearest_sphere.hpp>
 #include <rt/surface_hit.hpp>
 #include <vector>
 
 namespace rt {
-
-// A sphere of a scene, and which of the scene's materials it is made of.
-struct SceneSphere {
-    Sphere shape;
-    int material = 0;
-};
 
 // A world of spheres (given): each ray tries them all.
 struct SphereList {
@@ -22,15 +16,11 @@ struct SphereList {
     template <class AnyRay>
     std::optional<Hit> hit(const AnyRay& any_ray, Interval within) const {
         const Ray ray{any_ray.origin, any_ray.direction};
-        const SceneSphere* nearest = nullptr;
-        for (const SceneSphere& sphere : spheres)
-            if (const auto t = hit_sphere(sphere.shape, ray, within)) {
-                within.max = *t;
-                nearest = &sphere;
-            }
+        const auto nearest = nearest_sphere(spheres, ray, within);
         if (!nearest) return {};
-        Hit hit = surface_hit(nearest->shape, ray, within.max);
-        hit.material = nearest->material;
+        const SceneSphere& sphere = spheres[nearest->number];
+        Hit hit = surface_hit(sphere.shape, ray, nearest->t);
+        hit.material = sphere.material;
         return hit;
     }
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
 #include <rt/parallel_jobs.hpp>
 #include <rt/render_slices.hpp>
@@ -42,8 +43,7 @@ template <class Shade>
 Image render_image(Strategy strategy, const TileGrid& grid, int workers, const Shade& shade) {
     Image image{grid.width, grid.height};
     strategy(grid, workers, [&](const Tile& tile, int worker) {
-        for (int y = tile.top; y < tile.bottom; ++y)
-            for (int x = tile.left; x < tile.right; ++x) image.at(x, y) = shade(x, y, worker);
+        for_each_pixel(tile, [&](int x, int y) { image.at(x, y) = shade(x, y, worker); });
     });
     return image;
 }

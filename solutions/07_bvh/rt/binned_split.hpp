@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <rt/bounds.hpp>
+#include <rt/split_by_area.hpp>
 #include <span>
 
 namespace rt {
@@ -11,19 +12,9 @@ namespace rt {
 // along each axis, and only splits between bins are tried. Linear time.
 // Source: Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007.
 
-// A box, and whose it is.
-struct BuildItem {
-    Box box;
-    std::int32_t number = 0;
-
-    // Twice the middle: halving it would change no split.
-    Vec3 middle() const { return box.low + box.high; }
-};
-
-// Half of the area of a box's six faces; 0 for the empty box.
-inline Real half_area(const Box& box) {
-    const Vec3 size = box.size();
-    return size.x * size.y + size.y * size.z + size.z * size.x;
+// Twice the middle of a box: halving it would change no split.
+inline Vec3 twice_middle(const Box& box) {
+    return box.low + box.high;
 }
 
 inline constexpr std::size_t bins = 16;
@@ -33,9 +24,9 @@ struct BinGrid {
     Box middles;
     Vec3 bins_per_length;  // 0 where all middles are at one place
 
-    explicit BinGrid(std::span<const BuildItem> items) {
-        for (const BuildItem& item : items) {
-            const Vec3 middle = item.middle();
+    BinGrid(std::span<const int> order, std::span<const Box> boxes) {
+        for (const int number : order) {
+            const Vec3 middle = twice_middle(boxes[static_cast<std::size_t>(number)]);
             middles = join(middles, {middle, middle});
         }
         const auto per_length = [](Real length) {
@@ -45,8 +36,8 @@ struct BinGrid {
         const Vec3 size = middles.size();
         bins_per_length = {per_length(size.x), per_length(size.y), per_length(size.z)};
     }
-    std::size_t bin_of(const BuildItem& item, int axis) const {
-        const Real from_first = along(item.middle(), axis) - along(middles.low, axis);
+    std::size_t bin_of(const Box& box, int axis) const {
+        const Real from_first = along(twice_middle(box), axis) - along(middles.low, axis);
         const auto bin = static_cast<unsigned>(from_first * along(bins_per_length, axis));
         return std::min<std::size_t>(bin, bins - 1);
     }
@@ -60,17 +51,19 @@ struct Bin {
         box = join(box, other.box);
         count += other.count;
     }
-    Real cost() const { return half_area(box) * static_cast<Real>(count); }
+    Real cost() const { return surface_area(box) * static_cast<Real>(count); }
 };
 
 // What lies in the bins along each axis.
 using Bins = std::array<std::array<Bin, bins>, 3>;
 
-inline Bins fill_bins(std::span<const BuildItem> items, const BinGrid& grid) {
+inline Bins fill_bins(std::span<const int> order, std::span<const Box> boxes, const BinGrid& grid) {
     Bins all{};
-    for (const BuildItem& item : items)
+    for (const int number : order) {
+        const Box& box = boxes[static_cast<std::size_t>(number)];
         for (int axis = 0; axis < 3; ++axis)
-            all[static_cast<std::size_t>(axis)][grid.bin_of(item, axis)].add({item.box, 1});
+            all[static_cast<std::size_t>(axis)][grid.bin_of(box, axis)].add({box, 1});
+    }
     return all;
 }
 
@@ -105,26 +98,17 @@ inline BinSplit cheapest_split(const Bins& all, const BinGrid& grid) {
     return best;
 }
 
-// Moves the items so that the best split is between the first k and the rest; returns k, at least 1
-// and less than all. There must be two items or more. Where no split is better than another, or
-// `in_half` asks for it, k is half.
-inline std::size_t binned_split(std::span<BuildItem> items, bool in_half) {
-    const BinGrid grid{items};
-    const BinSplit best = in_half ? BinSplit{} : cheapest_split(fill_bins(items, grid), grid);
-    if (best.bin > 0) {
-        const auto cut = std::partition(items.begin(), items.end(), [&](const BuildItem& item) {
-            return grid.bin_of(item, best.axis) < best.bin;
-        });
-        const auto left = static_cast<std::size_t>(cut - items.begin());
-        if (left > 0 && left < items.size()) return left;
-    }
-    const std::size_t half = items.size() / 2;
-    const int axis = longest_axis(grid.middles);
-    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
-                     [&](const BuildItem& a, const BuildItem& b) {
-                         return along(a.middle(), axis) < along(b.middle(), axis);
-                     });
-    return half;
+// A split for build_node, as split_by_area is one: moves the numbers so that the best split between
+// two bins is between the first k of them and the rest, and returns k; 0 where no bins part them.
+inline int binned_split(std::span<int> order, std::span<const Box> boxes) {
+    const BinGrid grid{order, boxes};
+    const BinSplit best = cheapest_split(fill_bins(order, boxes, grid), grid);
+    if (best.bin == 0) return 0;
+    const auto cut = std::partition(order.begin(), order.end(), [&](int number) {
+        return grid.bin_of(boxes[static_cast<std::size_t>(number)], best.axis) < best.bin;
+    });
+    const auto left = static_cast<int>(cut - order.begin());
+    return left < static_cast<int>(order.size()) ? left : 0;
 }
 
 }  // namespace rt

@@ -7,7 +7,8 @@
 
 namespace rt {
 
-// One ray on its way through a tree, and the nearest hit so far (given).
+// One ray on its way through a tree, and the nearest hit so far (given). Chapter 08 has searches of
+// other types, which meet spheres that move or are stretched.
 struct Search {
     std::span<const SceneSphere> spheres;  // of the scene
     std::span<const int> order;            // of the tree: its leaves hold places in it
@@ -17,10 +18,6 @@ struct Search {
     int box_tests = 0;  // how much work it was so far
     int sphere_tests = 0;
     SlabRay slabs = slab_ray(ray);
-    // Where spheres move (chapter 08), how far each is at time 1 from where it is at time 0; none
-    // where they all stand still.
-    std::span<const Vec3> motions = {};
-    Real time = 0;  // of the ray
 
     // Whether the ray meets a box where a hit would still count.
     bool meets(const Box& box) {
@@ -28,10 +25,9 @@ struct Search {
         return hit_box(box, slabs, with_origin(within));
     }
 
-    // The sphere of this number, where it is at the ray's time.
-    Sphere sphere(int number) const {
-        const auto i = static_cast<std::size_t>(number);
-        return motions.empty() ? spheres[i].shape : moved(spheres[i].shape, time * motions[i]);
+    // The sphere of this number.
+    const Sphere& sphere(int number) const {
+        return spheres[static_cast<std::size_t>(number)].shape;
     }
 
     // Where the ray meets the sphere of this number within the interval.

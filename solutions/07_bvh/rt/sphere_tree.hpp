@@ -10,7 +10,8 @@
 namespace rt {
 
 // Builds the hit of what a search has found, as SphereList does.
-inline std::optional<Hit> hit_of(const Search& search) {
+template <class AnySearch>
+std::optional<Hit> hit_of(const AnySearch& search) {
     if (search.nearest < 0) return {};
     Hit hit = surface_hit(search.sphere(search.nearest), search.ray, search.within.max);
     hit.material = search.spheres[static_cast<std::size_t>(search.nearest)].material;

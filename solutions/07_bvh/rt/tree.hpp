@@ -2,7 +2,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <rt/binary_tree.hpp>
 #include <rt/box.hpp>
+#include <utility>
 
 namespace rt {
 
@@ -14,6 +16,14 @@ struct TreeNode {
     int first = 0, count = 0;
 
     bool is_leaf() const { return !left; }
+
+    // The tree below goes node by node, by the take_apart of exercise 00.4. The nodes that it
+    // destroys have no children any more, and end here.
+    ~TreeNode() {
+        if (is_leaf()) return;
+        take_apart(std::move(left));
+        take_apart(std::move(right));
+    }
 };
 
 // Deeper than this, nodes are split in half whatever they hold. The tree of a million spheres then

@@ -1,112 +1,107 @@
 #pragma once
+#include <algorithm>
 #include <rt/binned_split.hpp>
 #include <rt/bounds.hpp>
-#include <rt/tree.hpp>
+#include <rt/sphere_tree.hpp>
+#include <rt/split_by_area.hpp>
 #include <rt/wide_tree.hpp>
-#include <span>
+#include <vector>
 
 namespace rt {
 
-// Builds a WideTreeOf<Number>, top down.
+// Makes a WideTreeOf<Number> (given) of the binary tree of 07.3: each of its nodes takes the place
+// of up to seven binary ones.
+
+// A sphere's box, grown so that it contains the sphere also after its own rounding to Number and
+// that of the slabs, which are computed in Number.
 template <class Number>
-class WideBuilder {
-  public:
-    using Items = std::span<BuildItem>;
+Box wide_bounds_of(const Sphere& sphere) {
+    const Box box = bounds_of(sphere);
+    if (wide_margin<Number> <= hit_margin) return box;  // it is grown by hit_margin already
+    const Real grow =
+        wide_margin<Number> * std::max(max_component(box.low), max_component(box.high));
+    const Vec3 margin{grow, grow, grow};
+    return {box.low - margin, box.high + margin};
+}
 
-    WideBuilder(WideTreeOf<Number>& tree, std::span<const SceneSphere> spheres)
-        : tree_{tree}, spheres_{spheres} {
-        std::vector<BuildItem> items;
-        items.reserve(spheres.size());
-        for (const SceneSphere& sphere : spheres)
-            items.push_back({wide_bounds_of(sphere.shape), static_cast<int>(items.size())});
-        tree.leaves.reserve(items.size() / 5);
-        tree.nodes.reserve(items.size() / 25 + 1);
-        if (!items.empty()) add_node(items, 0);
-        tree.leaves.shrink_to_fit();
-        tree.nodes.shrink_to_fit();
+// Another split, made to fill leaves of eight: eight spheres or fewer stay together, and where
+// `split` finds nothing to gain, more than eight are halved in the order that they are in.
+template <class Split>
+auto with_wide_leaves(const Split& split) {
+    return [&split](std::span<int> order, std::span<const Box> boxes) {
+        if (order.size() <= lanes) return 0;
+        const int left = split(order, boxes);
+        return left > 0 ? left : static_cast<int>(order.size() / 2);
+    };
+}
+
+// The wide leaf of a binary one; ~ tells it from a node.
+template <class Number>
+std::int32_t add_wide_leaf(WideTreeOf<Number>& wide, const SphereTree& tree, const TreeNode& leaf) {
+    WideLeaf spheres;
+    for (int i = 0; i < leaf.count; ++i) {
+        const int number = tree.order[static_cast<std::size_t>(leaf.first + i)];
+        spheres.set(static_cast<std::size_t>(i), tree.spheres[static_cast<std::size_t>(number)],
+                    number);
+    }
+    wide.leaves.push_back(spheres);
+    return ~static_cast<std::int32_t>(wide.leaves.size() - 1);
+}
+
+// Adds the wide node of a binary node, and all below it; returns its number.
+template <class Number>
+std::int32_t add_wide_node(WideTreeOf<Number>& wide, const SphereTree& tree, const TreeNode& top) {
+    // Of the nodes in the list, the inner one with the largest box is met most often: its two
+    // children take its place, until there are eight or all are leaves.
+    std::vector<const TreeNode*> parts{&top};
+    while (parts.size() < lanes) {
+        const TreeNode** largest = nullptr;
+        for (const TreeNode*& part : parts)
+            if (!part->is_leaf() &&
+                (!largest || surface_area(part->box) > surface_area((*largest)->box)))
+                largest = &part;
+        if (!largest) break;
+        const TreeNode& split = **largest;
+        *largest = split.left.get();
+        parts.push_back(split.right.get());
     }
 
-  private:
-    // The sphere's box, grown so that it contains the sphere also after its own rounding to Number
-    // and that of the slabs, which are computed in Number.
-    static Box wide_bounds_of(const Sphere& sphere) {
-        const Box box = bounds_of(sphere);
-        if (wide_margin<Number> <= hit_margin) return box;  // it is grown by hit_margin already
-        const Real grow =
-            wide_margin<Number> * std::max(max_component(box.low), max_component(box.high));
-        const Vec3 margin{grow, grow, grow};
-        return {box.low - margin, box.high + margin};
-    }
+    const std::size_t place = wide.nodes.size();
+    wide.nodes.emplace_back();
+    WideNode<Number> node;  // not a reference: the list moves as it grows
+    // Only a ray that is not finite meets the empty box of an unused lane: it comes to the first
+    // leaf, of which there is always one, and to an end.
+    for (std::size_t i = 0; i < lanes; ++i) node.set(i, Box{}, ~0);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        node.set(i, parts[i]->box,
+                 parts[i]->is_leaf() ? add_wide_leaf(wide, tree, *parts[i])
+                                     : add_wide_node(wide, tree, *parts[i]));
+    wide.nodes[place] = node;
+    return static_cast<std::int32_t>(place);
+}
 
-    static Box box_of(Items items) {
-        Box box;
-        for (const BuildItem& item : items) box = join(box, item.box);
-        return box;
-    }
+// The tree that build_node makes with this split, eight wide.
+template <class Number, class Split>
+WideTreeOf<Number> make_wide_tree(const std::vector<SceneSphere>& spheres, const Split& split) {
+    std::vector<Box> boxes;
+    boxes.reserve(spheres.size());
+    for (const SceneSphere& sphere : spheres) boxes.push_back(wide_bounds_of<Number>(sphere.shape));
+    const SphereTree tree = make_tree(spheres, boxes, with_wide_leaves(split));
+    WideTreeOf<Number> wide;
+    if (tree.root) add_wide_node(wide, tree, *tree.root);
+    wide.leaves.shrink_to_fit();
+    wide.nodes.shrink_to_fit();
+    return wide;
+}
 
-    std::int32_t add_leaf(Items items) {
-        WideLeaf leaf;
-        for (std::size_t i = 0; i < items.size(); ++i)
-            leaf.set(i, spheres_[static_cast<std::size_t>(items[i].number)], items[i].number);
-        tree_.leaves.push_back(leaf);
-        return ~static_cast<std::int32_t>(tree_.leaves.size() - 1);
-    }
+// From this many spheres on, sorting them along three axes at each level takes too long.
+inline constexpr std::size_t many_spheres = 100'000;
 
-    std::int32_t add_node(Items items, int level) {
-        struct Part {
-            Items items;
-            Box box;
-            int level;
-        };
-        std::array<Part, lanes> parts;
-        std::size_t count = 1;
-        parts[0] = {items, box_of(items), level};
-        while (count < lanes) {
-            // The part with the largest box is met most often: it is split next.
-            Part* largest = nullptr;
-            for (std::size_t i = 0; i < count; ++i)
-                if (parts[i].items.size() > lanes &&
-                    (!largest || half_area(parts[i].box) > half_area(largest->box)))
-                    largest = &parts[i];
-            if (!largest) break;
-            const int below = largest->level + 1;
-            const Items all = largest->items;
-            const std::size_t left = binned_split(all, largest->level >= most_levels);
-            *largest = {all.first(left), box_of(all.first(left)), below};
-            parts[count++] = {all.subspan(left), box_of(all.subspan(left)), below};
-        }
-
-        const std::size_t place = tree_.nodes.size();
-        tree_.nodes.emplace_back();
-        WideNode<Number> node;
-        for (std::size_t i = 0; i < lanes; ++i) {
-            const Box box = i < count ? parts[i].box : Box{};
-            for (int axis = 0; axis < 3; ++axis) {
-                const auto k = static_cast<std::size_t>(axis);
-                node.planes[0][k][i] = static_cast<Number>(along(box.low, axis));
-                node.planes[1][k][i] = static_cast<Number>(along(box.high, axis));
-            }
-            // Only a ray that is not finite meets the empty box of an unused lane: it comes to the
-            // first leaf, of which there is always one, and to an end.
-            node.child[i] = ~0;
-            if (i < count)
-                node.child[i] = parts[i].items.size() <= lanes
-                                    ? add_leaf(parts[i].items)
-                                    : add_node(parts[i].items, parts[i].level);
-        }
-        tree_.nodes[place] = node;
-        return static_cast<std::int32_t>(place);
-    }
-
-    WideTreeOf<Number>& tree_;
-    std::span<const SceneSphere> spheres_;
-};
-
+// The same with split_by_area, or with binned_split where there are very many spheres.
 template <class Number = float>
 WideTreeOf<Number> make_wide_tree(const std::vector<SceneSphere>& spheres) {
-    WideTreeOf<Number> tree;
-    WideBuilder<Number>{tree, spheres};
-    return tree;
+    return spheres.size() < many_spheres ? make_wide_tree<Number>(spheres, split_by_area)
+                                         : make_wide_tree<Number>(spheres, binned_split);
 }
 
 }  // namespace rt

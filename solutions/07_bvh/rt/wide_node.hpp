@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <rt/box.hpp>
 #include <rt/compiler.hpp>
 #include <rt/wide.hpp>
 #include <rt/wide_ray.hpp>
@@ -17,6 +18,15 @@ struct alignas(64) WideNode {
     // The low planes of all children along x, y and z, then the high ones.
     std::array<std::array<Lanes<Number>, 3>, 2> planes;
     Lanes<std::int32_t> child;  // a node; or ~leaf, which is negative
+
+    void set(std::size_t i, const Box& box, std::int32_t of) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto k = static_cast<std::size_t>(axis);
+            planes[0][k][i] = static_cast<Number>(along(box.low, axis));
+            planes[1][k][i] = static_cast<Number>(along(box.high, axis));
+        }
+        child[i] = of;
+    }
 };
 
 // Where a ray enters a child's box, and the child's lane, in one whole number: the bits of floating

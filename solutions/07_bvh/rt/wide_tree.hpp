@@ -34,13 +34,12 @@ struct WideTreeOf {
         const Number min = scaled(with_origin(within).min);
         Number max = scaled(with_origin(within).max);
         // What waits, the nearest on top. Of each node on the way down all children but one wait. A
-        // node splits its spheres once or more, and from most_levels splits on each one halves
-        // them.
+        // node stands for one split or more of the binary tree that it was made from.
         struct Waiting {
             Key key;
             std::int32_t child;
         };
-        constexpr std::size_t most_nodes = most_levels + halvings(most_spheres, lanes);
+        constexpr std::size_t most_nodes = most_levels + halvings(most_spheres, leaf_size);
         std::array<Waiting, (lanes - 1) * most_nodes> stack;
         std::size_t waiting = 0;
         for (std::int32_t child = 0;;) {

@@ -7,14 +7,15 @@ namespace rt {
 // What a scene may call for beyond matte spheres, a pinhole and the sky. An effect costs time only
 // in a renderer that has it.
 struct Effects {
-    bool mirror = false;   // metal without fuzz
-    bool fuzz = false;     // metal with fuzz
-    bool glass = false;    // reflects and refracts
-    bool texture = false;  // an albedo that changes over the surface
-    bool lens = false;     // an aperture that is not 0
-    bool motion = false;   // spheres that move while the shutter is open
-    bool lights = false;   // spheres that shine
-    bool fog = false;      // a medium that scatters between the surfaces
+    bool mirror = false;     // metal without fuzz
+    bool fuzz = false;       // metal with fuzz
+    bool glass = false;      // reflects and refracts
+    bool texture = false;    // an albedo that changes over the surface
+    bool lens = false;       // an aperture that is not 0
+    bool motion = false;     // spheres that move while the shutter is open
+    bool lights = false;     // spheres that shine
+    bool fog = false;        // a medium that scatters between the surfaces
+    bool instances = false;  // spheres that a matrix stretches and turns
 
     friend constexpr bool operator==(const Effects&, const Effects&) = default;
 };
@@ -24,14 +25,15 @@ struct NamedEffect {
     bool Effects::*member;
 };
 
-inline constexpr std::array<NamedEffect, 8> all_effects{{{"mirror", &Effects::mirror},
+inline constexpr std::array<NamedEffect, 9> all_effects{{{"mirror", &Effects::mirror},
                                                          {"fuzz", &Effects::fuzz},
                                                          {"glass", &Effects::glass},
                                                          {"texture", &Effects::texture},
                                                          {"lens", &Effects::lens},
                                                          {"motion", &Effects::motion},
                                                          {"lights", &Effects::lights},
-                                                         {"fog", &Effects::fog}}};
+                                                         {"fog", &Effects::fog},
+                                                         {"instances", &Effects::instances}}};
 
 // How many effects there are among these.
 constexpr int count(const Effects& effects) {

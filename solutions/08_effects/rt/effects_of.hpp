@@ -19,6 +19,7 @@ inline Effects effects_of(const SceneDescription& scene) {
             effects.texture = true;
         if (const auto* const emitter = std::get_if<Emitter>(&material))
             if (emitter->radiance != Color{}) effects.lights = true;
+        if (sphere.map >= 0) effects.instances = true;
         if (scene.camera.shutter > 0 && sphere.velocity != Vec3{}) effects.motion = true;
     }
     effects.lens = scene.camera.lens.aperture > 0;

@@ -3,7 +3,9 @@
 #include <rt/bounds.hpp>
 #include <rt/sphere_tree.hpp>
 #include <rt/split_by_area.hpp>
+#include <rt/two_worlds.hpp>
 #include <rt/wide_tree.hpp>
+#include <span>
 #include <vector>
 
 namespace rt {
@@ -30,6 +32,21 @@ inline Box bounds_of(const MovingSphere& sphere) {
                 bounds_of(Sphere{end.center, end.radius + larger}));
 }
 
+// A search among spheres, each where it is at the ray's time.
+struct MovingSearch : Search {
+    std::span<const Vec3> motions;
+    Real time = 0;
+
+    Sphere sphere(int number) const {
+        const auto i = static_cast<std::size_t>(number);
+        return moved(spheres[i].shape, time * motions[i]);
+    }
+    std::optional<Real> meets_sphere(int number) {
+        ++sphere_tests;
+        return hit_sphere(sphere(number), ray, within);
+    }
+};
+
 // A tree of moving spheres: each lies in the box around all places where it will be.
 struct MovingTree {
     SphereTree tree;
@@ -39,9 +56,9 @@ struct MovingTree {
     template <class TimedRay>
     std::optional<Hit> hit(const TimedRay& timed, Interval within) const {
         if (!tree.root) return {};
-        Search search{tree.spheres, tree.order, {timed.origin, timed.direction}, within};
-        search.motions = motions;
-        search.time = timed.time;
+        MovingSearch search{{tree.spheres, tree.order, {timed.origin, timed.direction}, within},
+                            motions,
+                            timed.time};
         find_nearest(*tree.root, search);
         return hit_of(search);
     }
@@ -60,17 +77,6 @@ inline MovingTree make_moving_tree(const std::vector<MovingSphere>& spheres) {
 }
 
 // A world in which some spheres move and most stand still.
-struct MovingWorld {
-    WideTree still;
-    MovingTree moving;
-
-    template <class TimedRay>
-    std::optional<Hit> hit(const TimedRay& ray, Interval within) const {
-        const std::optional<Hit> standing = still.hit(ray, within);
-        if (standing) within.max = standing->t;
-        const std::optional<Hit> passing = moving.hit(ray, within);
-        return passing ? passing : standing;
-    }
-};
+using MovingWorld = TwoWorlds<WideTree, MovingTree>;
 
 }  // namespace rt

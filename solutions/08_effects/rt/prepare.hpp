@@ -4,6 +4,7 @@
 #include <rt/material_set.hpp>
 #include <rt/mirror.hpp>
 #include <rt/moving_spheres.hpp>
+#include <rt/placed_sphere.hpp>
 #include <rt/scene.hpp>
 #include <rt/sphere_list.hpp>
 #include <type_traits>
@@ -16,6 +17,7 @@ namespace rt {
 struct Prepared {
     std::vector<SceneSphere> still;  // lights, too
     std::vector<MovingSphere> moving;
+    std::vector<Instance> instances;
     std::vector<SphereLight> lights;  // light k is the sphere of material materials.size() + k
 };
 
@@ -25,7 +27,10 @@ inline Prepared prepare_spheres(const SceneDescription& scene) {
     for (const SphereDescription& sphere : scene.spheres) {
         const auto& material = scene.materials[static_cast<std::size_t>(sphere.material)];
         const auto* const emitter = std::get_if<Emitter>(&material);
-        if (emitter && emitter->radiance != Color{}) {
+        if (sphere.map >= 0) {
+            const Mat4& map = scene.maps[static_cast<std::size_t>(sphere.map)];
+            prepared.instances.push_back(make_instance(map, sphere.material));
+        } else if (emitter && emitter->radiance != Color{}) {
             const auto number = scene.materials.size() + prepared.lights.size();
             prepared.still.push_back({sphere.shape, static_cast<int>(number)});
             prepared.lights.push_back({sphere.shape, emitter->radiance});

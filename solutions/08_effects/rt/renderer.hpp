@@ -3,11 +3,13 @@
 #include <rt/counting_world.hpp>
 #include <rt/effects.hpp>
 #include <rt/eyes.hpp>
+#include <rt/instance_tree.hpp>
 #include <rt/lit_path.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/moving_spheres.hpp>
 #include <rt/prepare.hpp>
 #include <rt/render_pixel.hpp>
+#include <rt/sample_rng.hpp>
 #include <rt/scene.hpp>
 #include <rt/wide_builder.hpp>
 #include <type_traits>
@@ -31,7 +33,8 @@ struct Parts {
                                          ImageMatte>>>>;
     using StillEye = Either<effects.lens, LensCamera, Camera>;
     using Eye = Either<effects.motion, ShutterCamera<StillEye>, StillEye>;
-    using World = Either<effects.motion, MovingWorld, WideTree>;
+    using PlainWorld = Either<effects.motion, MovingWorld, WideTree>;
+    using World = Either<effects.instances, TwoWorlds<PlainWorld, InstanceTree>, PlainWorld>;
     using Lights = Either<effects.lights, SphereLights, NoLights>;
     using Medium = Either<effects.fog, FogBall, NoFog>;
 };
@@ -47,10 +50,10 @@ class Renderer {
           quality_{quality} {
         const Prepared prepared = prepare_spheres(scene);
         set_eye(eye_, scene.camera, width, height, !prepared.moving.empty());
-        if constexpr (effects.motion)
-            world_ = {make_wide_tree(prepared.still), make_moving_tree(prepared.moving)};
+        if constexpr (effects.instances)
+            world_ = {plain_world(prepared), make_instance_tree(prepared.instances)};
         else
-            world_ = make_wide_tree(prepared.still);
+            world_ = plain_world(prepared);
         if constexpr (effects.lights)
             lights_ = {prepared.lights, static_cast<int>(scene.materials.size())};
         if constexpr (effects.fog)
@@ -74,19 +77,39 @@ class Renderer {
             return plain_pixel(world, column, row);
     }
 
+    // The average of path(ray, random) over the samples of a pixel. Each has random numbers of its
+    // own (06.4), so that none depends on how many another one draws.
+    template <class Path>
+    Color average(int column, int row, const Path& path) const {
+        Rng places = pixel_rng(quality_.seed, column, row);
+        int sample = 0;
+        return pixel_average(quality_.samples_per_pixel, places, [&](Vec2 offset) {
+            Rng random = sample_rng(quality_.seed, column, row, sample++);
+            return path(make_ray(eye_, column, row, offset, random), random);
+        });
+    }
+
     template <class World>
     RT_INLINES_ALL Color plain_pixel(const World& world, int column, int row) const {
-        return render_pixel(eye_, world, materials_, sky_, SkyEnding{}, quality_, column, row);
+        return average(column, row, [&](const auto& ray, Rng& random) {
+            return path_radiance(ray, world, materials_, sky_, SkyEnding{}, quality_.depth, random);
+        });
     }
 
     // The same with the loop of this chapter.
     template <class World>
     Color lit_pixel(const World& world, int column, int row) const {
-        Rng random = pixel_rng(quality_.seed, column, row);
-        return pixel_average(quality_.samples_per_pixel, random, [&](Vec2 offset) {
-            return lit_path_radiance(make_ray(eye_, column, row, offset, random), world, materials_,
-                                     sky_, lights_, fog_, SkyEnding{}, quality_.depth, random);
+        return average(column, row, [&](const auto& ray, Rng& random) {
+            return lit_path_radiance(ray, world, materials_, sky_, lights_, fog_, SkyEnding{},
+                                     quality_.depth, random);
         });
+    }
+
+    static auto plain_world(const Prepared& prepared) {
+        if constexpr (effects.motion)
+            return MovingWorld{make_wide_tree(prepared.still), make_moving_tree(prepared.moving)};
+        else
+            return make_wide_tree(prepared.still);
     }
 
     static void set_eye(Camera& eye, const CameraDescription& camera, int width, int height, bool) {

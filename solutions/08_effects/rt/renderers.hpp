@@ -10,20 +10,21 @@ namespace rt {
 // The color of a pixel; the rays that it took are added to `rays`.
 using PixelShader = std::function<Color(int column, int row, std::uint64_t& rays)>;
 
-// The renderers that are compiled (given), each for one of these sets of effects: 22 of the 256
+// The renderers that are compiled (given), each for one of these sets of effects: 28 of the 512
 // that there could be. Four choices are left free that are worth it, and of their products only
 // those where something is gained:
 //   camera     pinhole or lens
 //   materials  matte alone, with metal, with glass, all: with one material nothing has to be looked
 //              up; an alternative that is not used costs little more than its place in a table
 //   motion, lights, fog   each there or not; all materials with them
-inline constexpr Effects with_all{true, true, true, true, true, true, true, true};
+//   instances  alone, with lights, or with motion, lights and fog; all materials with them
+inline constexpr Effects with_all{true, true, true, true, true, true, true, true, true};
 
 inline constexpr auto renderer_effects = [] {
     const Effects all_materials{.mirror = true, .fuzz = true, .glass = true, .texture = true};
     const std::array<Effects, 4> materials{
         {{}, {.mirror = true, .fuzz = true}, {.glass = true}, all_materials}};
-    std::array<Effects, 22> all{};
+    std::array<Effects, 28> all{};
     std::size_t count = 0;
     for (const bool lens : {false, true}) {
         for (Effects effects : materials) {
@@ -33,6 +34,15 @@ inline constexpr auto renderer_effects = [] {
         for (int beyond = 1; beyond < 8; ++beyond) {
             Effects effects = all_materials;
             effects.lens = lens;
+            effects.motion = beyond & 1;
+            effects.lights = beyond & 2;
+            effects.fog = beyond & 4;
+            all[count++] = effects;
+        }
+        for (const int beyond : {0, 2, 7}) {
+            Effects effects = all_materials;
+            effects.lens = lens;
+            effects.instances = true;
             effects.motion = beyond & 1;
             effects.lights = beyond & 2;
             effects.fog = beyond & 4;

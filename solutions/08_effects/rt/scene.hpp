@@ -8,6 +8,7 @@
 #include <rt/image.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/lens.hpp>
+#include <rt/mat4.hpp>
 #include <rt/metal.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere.hpp>
@@ -35,10 +36,13 @@ struct Emitter {
 using MaterialDescription =
     std::variant<Lambertian, Metal, Dielectric, CheckeredMatte, PictureMatte, Emitter>;
 
+// One with a map is an instance: the unit sphere where that matrix takes it. Its shape is a sphere
+// around that; it stands still and does not shine.
 struct SphereDescription {
     Sphere shape;        // where it is when the shutter opens
     int material = 0;    // an index into the scene's materials
     Vec3 velocity = {};  // what it moves by in a unit of time
+    int map = -1;        // an index into the scene's maps; -1 for a plain sphere
 };
 
 // What a picture is made with, unless the person asks for something else.
@@ -55,6 +59,7 @@ struct SceneDescription {
     std::optional<Fog> fog;
     std::vector<MaterialDescription> materials;
     std::vector<Image> images;  // linear light
+    std::vector<Mat4> maps;     // from the unit sphere to the world, none singular
     std::vector<SphereDescription> spheres;
     RenderSettings settings;
 };

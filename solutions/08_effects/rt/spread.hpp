@@ -1,9 +1,8 @@
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <rt/dielectric.hpp>
-#include <rt/dot.hpp>
 #include <rt/hit.hpp>
+#include <rt/lambert.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/material_set.hpp>
 #include <rt/metal.hpp>
@@ -17,7 +16,7 @@ namespace rt {
 // materials that light cannot be sampled for: mirrors and glass take one direction alone, and the
 // lobe of fuzz is met by the path itself.
 inline Real cosine_density(const Hit& hit, Vec3 direction) {
-    return std::max(Real(0), dot(facing_normal(hit), direction)) / pi;
+    return lambert(facing_normal(hit), direction) / pi;
 }
 inline Real scatter_density(const Lambertian&, const Hit& hit, Vec3 direction) {
     return cosine_density(hit, direction);

@@ -10,6 +10,7 @@
 #include <rt/metal.hpp>
 #include <rt/primary_ray.hpp>
 #include <rt/rng.hpp>
+#include <rt/sample_rng.hpp>
 #include <rt/scene.hpp>
 #include <rt/wide_builder.hpp>
 
@@ -58,8 +59,10 @@ struct Matte {
         return throughput * sky(ray.direction);
     }
     Color operator()(int x, int y) const {
-        Rng random = pixel_rng(picture.seed, x, y);
-        return pixel_average(picture.samples, random, [&](Vec2 offset) {
+        Rng places = pixel_rng(picture.seed, x, y);
+        int sample = 0;
+        return pixel_average(picture.samples, places, [&](Vec2 offset) {
+            Rng random = sample_rng(picture.seed, x, y, sample++);
             return radiance(primary_ray(camera, x, y, offset), random);
         });
     }
@@ -113,8 +116,10 @@ struct MatteAndMetal {
         return throughput * sky(ray.direction);
     }
     Color operator()(int x, int y) const {
-        Rng random = pixel_rng(picture.seed, x, y);
-        return pixel_average(picture.samples, random, [&](Vec2 offset) {
+        Rng places = pixel_rng(picture.seed, x, y);
+        int sample = 0;
+        return pixel_average(picture.samples, places, [&](Vec2 offset) {
+            Rng random = sample_rng(picture.seed, x, y, sample++);
             return radiance(primary_ray(camera, x, y, offset), random);
         });
     }
@@ -167,8 +172,10 @@ struct GlassAndLens {
         return throughput * sky(ray.direction);
     }
     Color operator()(int x, int y) const {
-        Rng random = pixel_rng(picture.seed, x, y);
-        return pixel_average(picture.samples, random, [&](Vec2 offset) {
+        Rng places = pixel_rng(picture.seed, x, y);
+        int sample = 0;
+        return pixel_average(picture.samples, places, [&](Vec2 offset) {
+            Rng random = sample_rng(picture.seed, x, y, sample++);
             return radiance(lens_ray(camera, lens, x, y, offset, random_place(random)), random);
         });
     }

@@ -20,6 +20,7 @@ TEST_CASE("the final scene has more than ten thousand spheres and all its effect
     const auto made_of = [&](const rt::MaterialDescription& material) {
         return spheres[material.index()];
     };
+    CHECK(scene.maps.size() >= 10);
     CHECK(made_of(rt::Lambertian{}) > 5'000);
     CHECK(made_of(rt::Metal{}) > 1'000);
     CHECK(made_of(rt::Dielectric{}) > 100);

@@ -1,9 +1,7 @@
-// Lights and fog: the loop of this chapter against chapter 04's, against what is known exactly, and
-// its two ways to find light against each other.
+// Fog, and hard scenes for the loop of 08.4.
 
 #include <rt/lambertian.hpp>
 #include <rt/lit_path.hpp>
-#include <rt/path.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
 #include <statistics.hpp>
@@ -18,11 +16,6 @@ namespace {
 
 using Materials = rt::MaterialSet<rt::Lambertian, rt::Mirror, rt::Metal, rt::Dielectric,
                                   rt::CheckeredMatte, rt::ImageMatte>;
-
-// Lights that nobody looks for: the path has to meet them.
-struct FoundByChance : rt::SphereLights {
-    bool empty() const { return true; }
-};
 
 // A mean that right code misses in one of 10000 runs: 3.89 standard errors.
 constexpr double limit = 3.89;
@@ -79,41 +72,8 @@ void check_same(const Mean& a, const Mean& b) {
 const rt::Lambertian white{{1, 1, 1}}, gray_matte{{Real(0.5), Real(0.5), Real(0.5)}};
 // A floor: it is convex, so that no light comes to it from itself.
 const rt::Sphere floor_ball{{0, -10, 0}, 10};
-const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
 
 }  // namespace
-
-TEST_CASE("without lights and fog the loop is chapter 04's bit for bit") {
-    Lit lit;
-    lit.add({{0, -100, 0}, 100}, gray_matte);
-    lit.add({{0, 1, 0}, 1}, rt::Metal{{1, Real(0.9), Real(0.8)}, Real(0.2)});
-    lit.add({{2, 1, 0}, 1}, rt::Dielectric{});
-    lit.add({{-2, 1, 0}, 1}, white);
-    lit.lights.first_material = 4;
-    const rt::GradientSky sky{{Real(0.2), Real(0.3), 0}, {1, 1, 1}};
-    const auto check = [&](const auto& ending) {
-        rt::Rng directions{1, 2};
-        for (std::uint64_t i = 0; i < 2000; ++i) {
-            const Ray ray{{0, 2, 5}, any_direction(directions)};
-            rt::Rng first{i, 3}, second{i, 3}, third{i, 3};
-            const Color expected =
-                rt::path_radiance(ray, lit.world, lit.materials, sky, ending, 5, first);
-            const Color without = rt::lit_path_radiance(
-                ray, lit.world, lit.materials, sky, rt::NoLights{}, rt::NoFog{}, ending, 5, second);
-            const Color empty = rt::lit_path_radiance(ray, lit.world, lit.materials, sky,
-                                                      lit.lights, lit.fog, ending, 5, third);
-            REQUIRE((expected == without));
-            REQUIRE((expected == empty));
-            // The same numbers were drawn.
-            const auto next = first();
-            REQUIRE(second() == next);
-            REQUIRE(third() == next);
-        }
-    };
-    check(rt::SkyEnding{});
-    check(rt::BlackEnding{});
-    check(rt::RouletteEnding{});
-}
 
 TEST_CASE("a white furnace with white fog stays white") {
     Lit lit;
@@ -134,85 +94,6 @@ TEST_CASE("a white furnace with white fog stays white") {
             REQUIRE((color == Color{1, 1, 1}));
         }
     }
-}
-
-TEST_CASE("a furnace whose light comes from lights alone stays white") {
-    // The camera is inside a light of radiance 1: whatever it sees is white, fog or no fog.
-    for (const Real density : {Real(0), Real(0.4)}) {
-        Lit lit;
-        lit.add({{0, 0, 0}, 1}, white);
-        lit.add({{2, 1, 0}, 1}, rt::Metal{{1, 1, 1}, Real(0.4)});
-        lit.add({{-2, 1, 0}, 1}, rt::Dielectric{});
-        lit.add_light({{0, 0, 0}, 20}, {1, 1, 1});
-        lit.fog = {{{{0, 0, 0}, 12}, density, {1, 1, 1}, Real(0.3)}};
-        for (const Vec3 direction : {Vec3{0, 0, -1}, Vec3{Real(0.28), 0, Real(-0.96)}})
-            check_mean(
-                lit.mean({{0, 0, 6}, direction}, lit.lights, rt::RouletteEnding{}, 20, 20000, 77),
-                1);
-    }
-}
-
-TEST_CASE("a light of known radiance at a known distance gives the analytic irradiance") {
-    // Facing the light: E = pi L sin^2 a; a white floor sends back E / pi.
-    for (const Real distance : {Real(1.2), Real(3), Real(40)}) {
-        Lit lit;
-        lit.add(floor_ball, white);
-        lit.add_light({{0, distance, 0}, 1}, {2, 2, 2});
-        const Ray ray{{Real(0.1), Real(0.1), 0}, rt::normalize(Vec3{-1, -1, 0})};
-        const auto sine = static_cast<double>(1 / distance);
-        const double expected = 2 * sine * sine;
-        INFO("distance " << text(distance));
-        // The light sample alone, it and the bounce, and the bounce alone.
-        check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 1, 40000, 1), expected);
-        check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 2, 40000, 2), expected);
-        const FoundByChance chance{lit.lights};
-        check_mean(lit.mean(ray, chance, rt::SkyEnding{}, 2, 200000, 3), expected);
-    }
-}
-
-TEST_CASE("a light that is seen directly shows its radiance") {
-    Lit lit;
-    lit.add(floor_ball, white);
-    lit.add_light({{0, 3, 0}, 1}, {2, 2, 2});
-    check_mean(lit.mean({{0, 1, 0}, {0, 1, 0}}, lit.lights, rt::SkyEnding{}, 3, 10, 1), 2);
-}
-
-TEST_CASE("direct sampling and pure path tracing agree within noise") {
-    const auto check = [](const Lit& lit, const Ray& ray, int count) {
-        const FoundByChance chance{lit.lights};
-        const Mean direct = lit.mean(ray, lit.lights, rt::RouletteEnding{}, 4, count, 11);
-        const Mean pure = lit.mean(ray, chance, rt::RouletteEnding{}, 4, 8 * count, 12);
-        INFO("variance a sample: " << direct.variance() << " direct, " << pure.variance()
-                                   << " pure");
-        check_same(direct, pure);
-    };
-    const auto scene = [](bool foggy) {
-        Lit lit;
-        lit.add(floor_ball, gray_matte);
-        lit.add({{Real(1.2), Real(0.7), 0}, Real(0.7)}, rt::Metal{{1, 1, 1}, Real(0.3)});
-        lit.add({{-1, Real(0.5), Real(0.3)}, Real(0.5)}, rt::Dielectric{});
-        lit.add({{0, Real(0.3), -1}, Real(0.3)}, rt::CheckeredMatte{{1, 1, 1}, {0, 0, 0}, 1});
-        lit.add_light({{0, 3, 0}, 1}, {2, 3, 4});
-        lit.add_light({{2, 1, 2}, Real(0.5)}, {1, 1, 0});
-        if (foggy) lit.fog = {{{{0, 0, 0}, 5}, Real(0.2), {1, Real(0.9), 1}, Real(0.5)}};
-        return lit;
-    };
-    const Ray to_floor{{0, 1, 2}, rt::normalize(Vec3{Real(0.1), -1, -2})};
-    const Ray to_glass{{0, 1, 2}, rt::normalize(Vec3{-1, Real(-0.5), Real(-1.7)})};
-    const Ray to_metal{{0, 1, 2}, rt::normalize(Vec3{Real(1.2), Real(-0.3), -2})};
-    const Ray to_nothing{{0, 1, 2}, {0, 0, 1}};
-    for (const Ray& ray : {to_floor, to_glass, to_metal}) check(scene(false), ray, 20000);
-    for (const Ray& ray : {to_floor, to_glass, to_nothing}) check(scene(true), ray, 20000);
-}
-
-TEST_CASE("direct sampling finds small lights that paths hardly meet") {
-    // The light's share of the sky is 1 in 250000.
-    Lit lit;
-    lit.add(floor_ball, white);
-    lit.add_light({{0, 1, 0}, Real(0.004)}, {1, 1, 1});
-    const Mean direct = lit.mean(down, lit.lights, rt::SkyEnding{}, 2, 2000, 4);
-    const double expected = 0.004 * 0.004;
-    CHECK(std::abs(direct.mean() - expected) <= 0.01 * expected);
 }
 
 TEST_CASE("fog lets through what the formula says") {

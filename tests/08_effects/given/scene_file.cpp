@@ -7,6 +7,7 @@
 #include <cmath>
 #include <placing.hpp>
 #include <rt/image_file.hpp>
+#include <rt/transform.hpp>
 
 #include "checkpoint.hpp"
 #include "temporary_folder.hpp"
@@ -113,6 +114,60 @@ TEST_CASE("a scene file becomes the scene that it describes", "[scene_file]") {
     CHECK(scene.settings.width == 30);
     CHECK(scene.settings.samples_per_pixel == 7);
     CHECK(scene.settings.seed == std::uint64_t{1} << 53);
+}
+
+TEST_CASE("a sphere with scale, rotate_deg or matrix gets a map", "[scene_file]") {
+    const auto scene =
+        effects::parse_scene(with_spheres(R"({"center": [0, 0, 0], "radius": 1, "material": "gold"},
+            {"center": [1, 2, 3], "radius": 2, "scale": [1, 0.5, 3], "rotate_deg": [0, 0, 90],
+             "material": "gold"},
+            {"matrix": [[1, 0, 4, 5], [0, 2, 0, 6], [0, 0, 3, 7]], "material": "gold"},
+            {"center": [0, 0, 0], "radius": 1, "rotate_deg": [90, 90, 0], "material": "gold"})"),
+                             "s.json", ".");
+    REQUIRE(scene.spheres.size() == 4);
+    REQUIRE(scene.maps.size() == 3);
+    CHECK(scene.spheres[0].map == -1);
+    for (int i = 0; i < 3; ++i) CHECK(scene.spheres[static_cast<std::size_t>(i) + 1].map == i);
+    const auto is_near = [](Vec3 a, Vec3 b) {
+        return max_component(a - b) <= 32 * rt::epsilon * max_component(b);
+    };
+    // The x axis, twice as long, is turned to the y axis; y, as long as it was, to -x.
+    CHECK(is_near(transform_point(scene.maps[0], {1, 0, 0}), {1, 4, 3}));
+    CHECK(is_near(transform_point(scene.maps[0], {0, 1, 0}), {0, 2, 3}));
+    CHECK(is_near(transform_point(scene.maps[0], {0, 0, 1}), {1, 2, 9}));
+    CHECK(transform_point(scene.maps[1], {0, 0, 1}) == Vec3{9, 6, 10});
+    // Around x first: y goes to z, and then, around y, to x.
+    CHECK(is_near(transform_vector(scene.maps[2], {0, 1, 0}), {1, 0, 0}));
+    // The sphere around it holds it.
+    CHECK(scene.spheres[2].shape.radius >= 5);
+    CHECK(scene.spheres[2].shape.center == Vec3{5, 6, 7});
+}
+
+TEST_CASE("bad maps are refused", "[scene_file]") {
+    const auto placed = [](const std::string& members) {
+        return with_spheres("{" + members + R"(, "material": "gold"})");
+    };
+    const std::string ball = R"("center": [0, 0, 0], "radius": 1, )";
+    REFUSED(placed(R"("matrix": [[1, 0, 0, 0], [0, 0, 0, 0], [0, 0, 1, 0]])"), "spheres[0].matrix",
+            "singular");
+    REFUSED(placed(R"("matrix": [[1, 2, 3, 0], [4, 5, 6, 0], [7, 8, 9, 0]])"), "spheres[0].matrix",
+            "singular");
+    REFUSED(placed(R"("matrix": [[1, 0, 0, 0], [0, 1e-300, 0, 0], [0, 0, 1, 0]])"),
+            "spheres[0].matrix", "singular");
+    REFUSED(placed(R"("matrix": [[1, 0, 0, 0], [0, 1, 0, 0]])"), "spheres[0].matrix",
+            "three rows, not of 2");
+    REFUSED(placed(R"("matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1]])"), "spheres[0].matrix[2]",
+            "four numbers, not of 3");
+    REFUSED(placed(ball + R"("matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])"), "spheres[0]",
+            "has both matrix and center");
+    REFUSED(placed(ball + R"("scale": [1, 0, 1])"), "spheres[0].scale[1]", "0.001 to 1000");
+    REFUSED(placed(ball + R"("rotate_deg": [1, 0, 999])"), "spheres[0].rotate_deg[2]",
+            "-360 to 360");
+    REFUSED(placed(ball + R"("scale": [1, 2, 1], "velocity": [1, 0, 0])"), "spheres[0].velocity",
+            "does not move");
+    REFUSED("{" + camera + R"(, "materials": {"lamp": {"type": "light", "color": [1, 1, 1]}},
+        "spheres": [{"center": [0, 0, 0], "radius": 1, "scale": [1, 2, 1], "material": "lamp"}]})",
+            "spheres[0].material", "a light is a plain sphere");
 }
 
 TEST_CASE("what a scene file leaves out has a good default", "[scene_file]") {

@@ -2,24 +2,13 @@
 #include <exception>
 #include <mutex>
 #include <rt/parallel_jobs.hpp>
-#include <version>
-
-// A standard library may come without the parallel algorithms, also where TBB is installed.
-#if defined RT_HAS_TBB && !defined __cpp_lib_parallel_algorithm
-#undef RT_HAS_TBB
-#endif
-
+#include <rt/parallel_loops.hpp>
 #ifdef RT_HAS_TBB
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
-#include <execution>
 #include <numeric>
 #include <vector>
-#endif
-#ifdef RT_HAS_OPENMP
-#include <omp.h>
 #endif
 
 namespace rt {
@@ -59,7 +48,7 @@ void by_standard_algorithm(int jobs, int workers, const JobWork& work) {
     tbb::task_arena{workers}.execute([&] {
         std::vector<int> numbers(static_cast<std::size_t>(jobs));
         std::iota(numbers.begin(), numbers.end(), 0);
-        std::for_each(std::execution::par, numbers.begin(), numbers.end(), [&](int job) {
+        loop_with_standard_algorithm(numbers, [&](int job) {
             exception.guard([&] { work(job, tbb::this_task_arena::current_thread_index()); });
         });
     });
@@ -70,8 +59,8 @@ void by_standard_algorithm(int jobs, int workers, const JobWork& work) {
 #ifdef RT_HAS_OPENMP
 void by_openmp(int jobs, int workers, const JobWork& work) {
     FirstException exception;
-#pragma omp parallel for schedule(dynamic) num_threads(workers)
-    for (int job = 0; job < jobs; ++job) exception.guard([&] { work(job, omp_get_thread_num()); });
+    loop_with_openmp(jobs, workers,
+                     [&](int job, int worker) { exception.guard([&] { work(job, worker); }); });
     exception.rethrow();
 }
 #endif

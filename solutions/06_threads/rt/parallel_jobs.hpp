@@ -8,9 +8,8 @@ namespace rt {
 using JobWork = std::function<void(int job, int worker)>;
 using JobSpreader = void (*)(int jobs, int workers, const JobWork& work);
 
-// The ways to spread jobs that come with the compiler and its libraries. Each is null where this
-// build does not have it. The first exception of a job reaches the caller; after it no further jobs
-// are begun.
+// The loops of 06.5, as ways to spread jobs (given). Each is null where this build does not have
+// its library. The first exception of a job reaches the caller; after it no further jobs are begun.
 JobSpreader spread_by_standard_algorithm();  // std::for_each(std::execution::par, ...), with TBB
 JobSpreader spread_by_openmp();              // #pragma omp parallel for
 

@@ -1,0 +1,12 @@
+#pragma once
+#include <rt/sphere.hpp>
+
+namespace rt {
+
+// A sphere of a scene, and which of the scene's materials it is made of.
+struct SceneSphere {
+    Sphere shape;
+    int material = 0;
+};
+
+}  // namespace rt

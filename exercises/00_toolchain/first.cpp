@@ -1,0 +1,8 @@
+// Exercise 00.1. Your first ray tracer: one program in this one file. Empty the file and type the
+// program here, in the five steps of docs/00-toolchain.md. Each step draws a picture.
+
+int main() {
+#if 0  // the compiler leaves out all up to #endif; the check reads that nobody has begun
+    rt::todo("00.1");
+#endif
+}

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <rt/hit_sphere.hpp>
+#include <rt/interval.hpp>
+#include <rt/ray.hpp>
+#include <rt/scene_sphere.hpp>
+#include <rt/todo.hpp>
+#include <span>
+
+namespace rt {
+
+// Which sphere of a list a ray meets, and at which t.
+struct NearestSphere {
+    std::size_t number = 0;  // the first sphere of the list has number 0
+    Real t = 0;
+
+    friend bool operator==(const NearestSphere&, const NearestSphere&) = default;
+};
+
+// Exercise 03.3. The sphere that the ray meets at the smallest t within the interval, and this t:
+// of equally near ones the last in the list. Return {} where the ray meets no sphere within the
+// interval, and for an empty list. Each t is the one that hit_sphere (03.2) gives for that sphere
+// alone. The spheres come in any order, and may overlap or lie within each other.
+inline std::optional<NearestSphere> nearest_sphere(std::span<const SceneSphere> spheres,
+                                                   const Ray& ray, Interval within) {
+    return rt::todo("03.3", spheres, ray, within);
+}
+
+}  // namespace rt

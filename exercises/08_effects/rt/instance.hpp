@@ -1,0 +1,40 @@
+#pragma once
+#include <optional>
+#include <rt/bounds.hpp>
+#include <rt/hit_sphere.hpp>
+#include <rt/interval.hpp>
+#include <rt/placed_sphere.hpp>
+#include <rt/surface_hit.hpp>
+#include <rt/todo.hpp>
+
+namespace rt {
+
+// Exercise 08.5. The ray in the space of the object, where the instance is the sphere of radius 1
+// around the origin: its origin is a point, its direction a vector. Do not normalize: with the
+// direction as it comes out, a t of the object's ray is the same t of the world's ray.
+inline Ray object_ray(const Instance& instance, const Ray& ray) {
+    return rt::todo("08.5", instance, ray);
+}
+
+// Exercise 08.5. The smallest t within the interval at which the ray of the world meets the
+// instance, from outside or from inside; none where it passes by.
+inline std::optional<Real> hit_instance(const Instance& instance, const Ray& ray, Interval within) {
+    return rt::todo("08.5", instance, ray, within);
+}
+
+// Exercise 08.5. All about the place where a ray of the world meets an instance at t, which is what
+// hit_instance gave: everything in the world. The point lies on the surface; the normal has length
+// 1, points outward, and is right for stretched spheres as well; front is true where the ray came
+// from outside; point_error is instance_error for this point. material is the instance's.
+inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
+    return rt::todo("08.5", instance, ray, t);
+}
+
+// Exercise 08.5. The smallest box around an instance, grown on all sides by margin_factor(instance)
+// times hit_margin times (the largest coordinate of the middle + the largest reach of the box to
+// its middle, both by absolute value).
+inline Box bounds_of(const Instance& instance) {
+    return rt::todo("08.5", instance);
+}
+
+}  // namespace rt

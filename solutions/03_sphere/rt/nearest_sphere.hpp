@@ -1,0 +1,33 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <rt/hit_sphere.hpp>
+#include <rt/interval.hpp>
+#include <rt/ray.hpp>
+#include <rt/scene_sphere.hpp>
+#include <span>
+
+namespace rt {
+
+// Which sphere of a list a ray meets, and at which t.
+struct NearestSphere {
+    std::size_t number = 0;  // the first sphere of the list has number 0
+    Real t = 0;
+
+    friend bool operator==(const NearestSphere&, const NearestSphere&) = default;
+};
+
+// The sphere that the ray meets at the smallest t within the interval, and this t: of equally near
+// ones the last in the list. None where the ray meets no sphere within the interval.
+inline std::optional<NearestSphere> nearest_sphere(std::span<const SceneSphere> spheres,
+                                                   const Ray& ray, Interval within) {
+    std::optional<NearestSphere> nearest;
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+        if (const auto t = hit_sphere(spheres[i].shape, ray, within)) {
+            nearest = NearestSphere{i, *t};
+            within.max = *t;  // what lies farther away no longer counts
+        }
+    return nearest;
+}
+
+}  // namespace rt

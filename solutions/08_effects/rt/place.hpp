@@ -1,0 +1,59 @@
+#pragma once
+#include <optional>
+#include <rt/color.hpp>
+#include <rt/fog.hpp>
+#include <rt/interval.hpp>
+#include <rt/leave_surface.hpp>
+#include <rt/lights.hpp>
+#include <rt/spread.hpp>
+
+namespace rt {
+
+// Where a ray of a path ends (given): on a surface, at a droplet of fog, or nowhere, in the sky.
+template <class Materials, class Medium>
+struct Place {
+    const Materials& materials;
+    const Medium& fog;
+    std::optional<Hit> hit;
+    std::optional<Real> droplet;  // its t, where there is one before the hit
+    Vec3 point, incoming;         // where, and the direction of the ray that led there
+
+    bool is_sky() const { return !hit && !droplet; }
+
+    // The light that was met; null where it is none.
+    template <class Lights>
+    const SphereLight* light(const Lights& lights) const {
+        return droplet ? nullptr : lights.find(*hit);
+    }
+    // How the path goes on from here; none where it is absorbed.
+    template <class Random>
+    std::optional<Scatter> scatter(Random& random) const {
+        if (droplet) return fog.scatter(incoming, random);
+        return materials(incoming, *hit, random);
+    }
+    // The density, per solid angle, with which scatter() takes a direction; 0 for mirrors, glass
+    // and rough metal, which light cannot be sampled for.
+    Real density(Vec3 direction) const {
+        return droplet ? fog.density(incoming, direction)
+                       : scatter_density(materials, *hit, direction);
+    }
+    // Where a ray that leaves in this direction begins.
+    Vec3 origin(Vec3 direction) const { return droplet ? point : leave_surface(*hit, direction); }
+};
+
+// Follows a ray to its end. Within glass there is no fog.
+template <class AnyRay, class World, class Materials, class Medium, class Random>
+Place<Materials, Medium> next_place(const AnyRay& ray, const World& world,
+                                    const Materials& materials, const Medium& fog, Random& random) {
+    Place<Materials, Medium> place{materials, fog, world.hit(ray, Interval{0, infinity}),
+                                   {},        {},  ray.direction};
+    if (!(place.hit && came_through_glass(materials, *place.hit)))
+        place.droplet = fog.meets(ray, place.hit ? place.hit->t : infinity, random);
+    if (place.droplet)
+        place.point = ray.origin + *place.droplet * ray.direction;
+    else if (place.hit)
+        place.point = place.hit->point;
+    return place;
+}
+
+}  // namespace rt

@@ -1,0 +1,67 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <rt/dot.hpp>
+#include <rt/inverse.hpp>
+#include <rt/length.hpp>
+#include <rt/slab_ray.hpp>
+#include <rt/sphere.hpp>
+#include <rt/transform.hpp>
+#include <type_traits>
+
+namespace rt {
+
+// The sphere of radius 1 around the origin, placed in the world by a matrix (given): an ellipsoid,
+// wherever and however it lies. Such a copy of a shape is called an instance.
+struct Instance {
+    Mat4 object_to_world, world_to_object;  // each undoes the other
+    // As long as a Real, so that no padding follows: with -ftrivial-auto-var-init, which
+    // checkpoints are compiled with, g++ 12 loses a number of the first matrix when such an object
+    // is returned.
+    std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> material = 0;
+};
+
+// Throws std::domain_error where the matrix is singular.
+inline Instance make_instance(const Mat4& object_to_world, int material) {
+    return {object_to_world, inverse(object_to_world), material};
+}
+
+inline constexpr Sphere unit_sphere{{0, 0, 0}, 1};
+
+// What rounding does to the two maps (given).
+
+// How far the point may lie off the instance's surface, along the normal. For leave_surface: a ray
+// that starts this far away from the surface does not meet it again at once.
+inline Real instance_error(const Instance& instance, Vec3 point) {
+    const Mat4& m = instance.world_to_object;
+    // How far off it is in the object's space, where the surface has the distance 1 of the origin.
+    const Vec3 there = transform_point(m, point);
+    const Real off = std::abs(length(there) - 1);
+    // 4 roundings of each coordinate there, now and once more when a ray starts from here.
+    Mat4 sizes = m;
+    for (auto& row : sizes.rows)
+        for (Real& number : row) number = std::abs(number);
+    const Real rounding = rounding_bound(8) * dot(abs(there), transform_point(sizes, abs(point)));
+    // 16 as in surface_hit, and 3 of the length. A step along the normal in the world is so much
+    // longer than the same one there.
+    return (off + rounding + rounding_bound(19)) / length(transform_normal(m, there));
+}
+
+// How many times hit_margin the box of an instance has to be larger. Rounding of the ray in the
+// object's space is as large, compared with the sphere, as the ellipsoid is long: the row sums of
+// |M| |inverse of M| say how much that is in the world. 1 for a sphere, at most 3 for a turned one.
+inline Real margin_factor(const Instance& instance) {
+    Real largest = 1;
+    for (int row = 0; row < 3; ++row) {
+        Real sum = 0;
+        for (int k = 0; k < 3; ++k)
+            for (int column = 0; column < 3; ++column)
+                sum += std::abs(instance.object_to_world(row, k) *
+                                instance.world_to_object(k, column));
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
+}  // namespace rt

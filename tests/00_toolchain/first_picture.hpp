@@ -1,0 +1,145 @@
+#pragma once
+// The learner's first ray tracer is a program of its own: what it prints, and the picture in that.
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace first {
+
+struct Printed {
+    std::string text;
+    std::string trouble;  // why it did not come to its end, or empty
+};
+
+// Runs a program that reads nothing, for ten seconds at most, and takes 64 MiB of what it prints.
+inline Printed run(const char* program) {
+    constexpr unsigned seconds = 10;
+    constexpr std::size_t most = std::size_t{64} << 20;
+    int ends[2];
+    if (pipe(ends) != 0) return {"", "there was no pipe to read its output from"};
+    const pid_t child = fork();
+    if (child == 0) {
+        const int nothing = open("/dev/null", O_RDWR);
+        dup2(nothing, STDIN_FILENO);
+        dup2(nothing, STDERR_FILENO);
+        dup2(ends[1], STDOUT_FILENO);
+        close(ends[0]);
+        close(ends[1]);
+        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM})
+            signal(number, SIG_DFL);
+        alarm(seconds);
+        execl(program, program, static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    close(ends[1]);
+    Printed printed;
+    char buffer[1 << 16];
+    for (ssize_t count; (count = read(ends[0], buffer, sizeof buffer)) > 0;) {
+        printed.text.append(buffer, static_cast<std::size_t>(count));
+        if (printed.text.size() > most) {
+            printed.trouble = "it printed more than 64 MiB and was stopped; does a loop never end?";
+            kill(child, SIGKILL);
+            break;
+        }
+    }
+    close(ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (!printed.trouble.empty()) return printed;
+    if (WIFSIGNALED(status))
+        printed.trouble = WTERMSIG(status) == SIGALRM
+                              ? "it had not ended after 10 seconds; does a loop never end?"
+                              : "it crashed (signal " + std::to_string(WTERMSIG(status)) +
+                                    "); does it use an array past its end?";
+    else if (WEXITSTATUS(status) == 127 && printed.text.empty())
+        printed.trouble = "it could not be started";
+    return printed;
+}
+
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<int> numbers;  // red, green, blue of each pixel, row by row from the top
+
+    bool is_whole() const {
+        return width > 0 && numbers.size() == 3 * static_cast<std::size_t>(width) *
+                                                  static_cast<std::size_t>(height);
+    }
+    // Channel 0, 1 or 2, for red, green, blue.
+    int at(int column, int row, int channel) const {
+        const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(column);
+        return numbers[3 * pixel + static_cast<std::size_t>(channel)];
+    }
+};
+
+// The words of a text, up to a number of them, without what stands behind a #.
+inline std::vector<std::string> words(const std::string& text, std::size_t most) {
+    std::vector<std::string> all;
+    for (std::size_t at = 0; at < text.size() && all.size() < most;) {
+        if (text[at] == '#') {
+            at = std::min(text.find('\n', at), text.size());
+        } else if (std::isspace(static_cast<unsigned char>(text[at]))) {
+            ++at;
+        } else {
+            const std::size_t end = std::min(text.find_first_of(" \t\r\n\v\f#", at), text.size());
+            all.push_back(text.substr(at, end - at));
+            at = end;
+        }
+    }
+    return all;
+}
+
+// A whole number of at most nine digits; -1 where the word is something else.
+inline int whole_number(const std::string& word) {
+    const bool is_one = !word.empty() && word.size() < 10 &&
+                        word.find_first_not_of("0123456789") == std::string::npos;
+    return is_one ? std::stoi(word) : -1;
+}
+
+// Reads a P3 picture. Where the text is none, `trouble` says at which word, and what was expected.
+inline Picture read_p3(const std::string& text, std::string& trouble) {
+    constexpr int widest = 1920;
+    constexpr std::size_t most = 3 * std::size_t{widest} * widest;
+    const std::vector<std::string> all = words(text, most + 5);
+    const auto word = [&](std::size_t i) {
+        return i < all.size() ? '"' + all[i].substr(0, 20) + '"' : std::string{"nothing"};
+    };
+    const auto number = [&](std::size_t i) { return i < all.size() ? whole_number(all[i]) : -1; };
+    Picture picture;
+    if (all.empty() || all[0] != "P3") {
+        trouble = "its first word is " + word(0) + " where P3 was expected";
+    } else if (number(1) < 1 || number(2) < 1 || number(1) > widest || number(2) > widest) {
+        trouble = "behind P3 stand " + word(1) + " and " + word(2) +
+                  " where a width and a height from 1 to 1920 were expected";
+    } else if (number(3) != 255) {
+        trouble = "behind width and height stands " + word(3) +
+                  " where 255 was expected, the number of full brightness";
+    }
+    if (!trouble.empty()) return picture;
+    picture.width = number(1);
+    picture.height = number(2);
+    for (std::size_t i = 4; i < all.size(); ++i) {
+        picture.numbers.push_back(number(i));
+        if (number(i) >= 0 && number(i) <= 255) continue;
+        const std::size_t pixel = (i - 4) / 3, width = static_cast<std::size_t>(picture.width);
+        trouble = "row " + std::to_string(pixel / width) + ", column " +
+                  std::to_string(pixel % width) + " has the color value " + word(i) +
+                  " where a whole number from 0 to 255 was expected";
+        return picture;
+    }
+    if (!picture.is_whole())
+        trouble = "the header promises " + std::to_string(picture.width) + " x " +
+                  std::to_string(picture.height) + " pixels of 3 numbers each, and " +
+                  std::to_string(picture.numbers.size()) + " numbers follow";
+    return picture;
+}
+
+}  // namespace first

@@ -1,0 +1,143 @@
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <rt/parallel_jobs.hpp>
+#include <rt/strategies.hpp>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "checkpoint.hpp"
+
+namespace {
+
+// What a loop did with its jobs.
+struct Done {
+    explicit Done(int jobs, int workers) : calls(jobs), busy(workers) {}
+
+    std::vector<std::atomic<int>> calls;  // of each job
+    std::vector<std::atomic<int>> busy;   // calls of each worker at this moment
+    std::atomic<int> overlaps = 0, strangers = 0;
+
+    void operator()(int job, int worker) {
+        if (job < 0 || job >= static_cast<int>(calls.size())) {
+            ++strangers;
+            return;
+        }
+        ++calls[static_cast<std::size_t>(job)];
+        if (worker < 0 || worker >= static_cast<int>(busy.size())) {
+            ++strangers;
+            return;
+        }
+        std::atomic<int>& mine = busy[static_cast<std::size_t>(worker)];
+        if (++mine > 1) ++overlaps;
+        std::this_thread::yield();
+        --mine;
+    }
+
+    // "" or what is wrong.
+    std::string wrong() const {
+        for (std::size_t job = 0; job < calls.size(); ++job)
+            if (calls[job] != 1)
+                return "job " + std::to_string(job) + " of " + std::to_string(calls.size()) +
+                       ": expected 1 call, actual: " + std::to_string(calls[job]);
+        if (strangers > 0)
+            return std::to_string(strangers) + " calls had a job or a worker that does not exist";
+        if (overlaps > 0)
+            return std::to_string(overlaps) + " times two calls had the same worker at once";
+        return "";
+    }
+};
+
+// Waits until the condition holds; false after ten seconds.
+template <class Condition>
+bool comes(const Condition& condition) {
+    const auto start = std::chrono::steady_clock::now();
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() - start > std::chrono::seconds{10}) return false;
+        std::this_thread::yield();
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("06.5 each job is called once", "[06.5]") {
+    const std::pair<const char*, rt::JobSpreader> loops[]{
+        {"OpenMP", rt::spread_by_openmp()},
+        {"std::execution::par", rt::spread_by_standard_algorithm()}};
+    for (const auto& [name, spread] : loops) {
+        if (!spread) {
+            WARN("this build has no " << name << ": its loop is not asked for");
+            continue;
+        }
+        for (const int jobs : {0, 1, 2, 7, 100, 1000})
+            for (const int workers : {1, 2, 3, 8}) {
+                Done done{jobs, workers};
+                spread(jobs, workers, std::ref(done));
+                INFO(name << ", " << workers << " workers");
+                CHECK(done.wrong() == "");
+            }
+    }
+}
+
+TEST_CASE("06.5 the loops run in several threads", "[06.5]") {
+    // Two jobs, each of which waits for the other to begin.
+    for (const auto& spread : {rt::spread_by_openmp(), rt::spread_by_standard_algorithm()}) {
+        if (!spread || std::thread::hardware_concurrency() < 2) continue;
+        std::atomic<int> begun = 0;
+        std::atomic<bool> together = true;
+        spread(2, 2, [&](int, int) {
+            ++begun;
+            if (!comes([&] { return begun == 2; })) together = false;
+        });
+        INFO((spread == rt::spread_by_openmp() ? "OpenMP" : "std::execution::par"));
+        const std::string actual = together ? "both at once" : "one after the other";
+        CHECK(actual == "both at once");
+    }
+}
+
+TEST_CASE("06.5 both loops draw the picture of 06.3", "[06.5]") {
+    const rt::TileGrid grid{37, 23, 4};
+    const auto shade = [](int x, int y, int) {
+        return rt::Color{static_cast<rt::Real>(x), static_cast<rt::Real>(y), 1};
+    };
+    const rt::Image expected = rt::render_image(rt::render_tiles, grid, 1, shade);
+    for (const auto& [name, strategy] : rt::strategies()) {
+        if (name == "slices" || name == "tiles") continue;
+        INFO(name);
+        const bool same = rt::render_image(strategy, grid, 3, shade) == expected;
+        CHECK(std::string{same ? "the same picture" : "another picture"} == "the same picture");
+    }
+}
+
+TEST_CASE("06.5 with OpenMP whichever thread is free takes the next job", "[06.5][hard]") {
+    if (!rt::spread_by_openmp()) return;
+    // One job lasts until all others are done: a thread that was given its share beforehand would
+    // wait for jobs of its own.
+    constexpr int jobs = 40;
+    for (const int slow : {0, 17, jobs - 1}) {
+        std::atomic<int> done = 0;
+        std::atomic<bool> free = true;
+        rt::spread_by_openmp()(jobs, 2, [&](int job, int) {
+            if (job == slow && !comes([&] { return done == jobs - 1; })) free = false;
+            ++done;
+        });
+        INFO("job " << slow << " is slow");
+        const std::string actual = free ? "the other thread did the rest" : "jobs waited for it";
+        CHECK(actual == "the other thread did the rest");
+        if (!free) break;
+    }
+}
+
+TEST_CASE("06.5 an exception reaches the caller from both loops", "[06.5][hard]") {
+    for (const auto& spread : {rt::spread_by_openmp(), rt::spread_by_standard_algorithm()}) {
+        if (!spread) continue;
+        CHECK_THROWS_AS(spread(100, 3,
+                               [](int job, int) {
+                                   if (job == 41) throw std::length_error("job 41");
+                               }),
+                        std::length_error);
+    }
+}

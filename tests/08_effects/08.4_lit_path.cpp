@@ -1,0 +1,349 @@
+#include <checkpoint.hpp>
+#include <rt/color.hpp>
+#include <rt/lambertian.hpp>
+#include <rt/lit_path.hpp>
+#include <rt/path.hpp>
+#include <rt/sky.hpp>
+#include <rt/sphere_list.hpp>
+#include <rt/timed_ray.hpp>
+#include <statistics.hpp>
+
+using namespace checkpoint;
+using rt::Color;
+using rt::Ray;
+
+namespace {
+
+using Materials = rt::MaterialSet<rt::Lambertian, rt::Mirror, rt::Metal, rt::Dielectric,
+                                  rt::CheckeredMatte, rt::ImageMatte>;
+
+// Lights that nobody looks for: the path has to meet them.
+struct FoundByChance : rt::SphereLights {
+    bool empty() const { return true; }
+};
+
+// A mean that right code misses in one of 10000 runs: 3.89 standard errors.
+constexpr double limit = 3.89;
+
+double gray(Color color) {
+    return static_cast<double>(color.r + color.g + color.b) / 3;
+}
+
+struct Lit {
+    rt::SphereList world;
+    Materials materials;
+    rt::SphereLights lights;
+    rt::FogBall fog;
+    rt::UniformSky sky{{0, 0, 0}};
+
+    void add(const rt::Sphere& sphere, decltype(Materials::materials)::value_type material) {
+        world.spheres.push_back({sphere, static_cast<int>(materials.materials.size())});
+        materials.materials.push_back(material);
+    }
+    // After all materials.
+    void add_light(const rt::Sphere& sphere, Color radiance) {
+        lights.first_material = static_cast<int>(materials.materials.size());
+        world.spheres.push_back(
+            {sphere, lights.first_material + static_cast<int>(lights.lights.size())});
+        lights.lights.push_back({sphere, radiance});
+    }
+    template <class Lights, class Ending>
+    Mean mean(const Ray& ray, const Lights& found, const Ending& ending, int depth, int count,
+              std::uint64_t seed) const {
+        Mean mean;
+        rt::Rng random{seed, 8};
+        for (int i = 0; i < count; ++i)
+            mean.add(gray(rt::lit_path_radiance(ray, world, materials, sky, found, fog, ending,
+                                                depth, random)));
+        return mean;
+    }
+};
+
+void check_mean(const Mean& mean, double expected) {
+    INFO("mean " << mean.mean() << ", expected " << expected << ", standard error "
+                 << mean.standard_error());
+    // Rounding is all that is left where every sample is the same.
+    CHECK(std::abs(mean.mean() - expected) <=
+          limit * mean.standard_error() + 1000 * static_cast<double>(rt::epsilon) * expected);
+}
+
+void check_same(const Mean& a, const Mean& b) {
+    const double error = std::hypot(a.standard_error(), b.standard_error());
+    INFO("means " << a.mean() << " and " << b.mean() << ", standard error of the difference "
+                  << error);
+    CHECK(std::abs(a.mean() - b.mean()) <= limit * error);
+}
+
+const rt::Lambertian white{{1, 1, 1}}, gray_matte{{Real(0.5), Real(0.5), Real(0.5)}};
+// A floor: it is convex, so that no light comes to it from itself.
+const rt::Sphere floor_ball{{0, -10, 0}, 10};
+const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
+
+// Lights that are chosen as a test says; they remember whom they were asked for.
+struct OneSample : rt::SphereLights {
+    std::optional<rt::ChosenLight> sample;
+    mutable Vec3 asked_from{};
+
+    template <class Random>
+    std::optional<rt::ChosenLight> choose(Vec3 from, Random&) const {
+        asked_from = from;
+        return sample;
+    }
+};
+
+// A world that is the same as another one as long as the ray's time is 0.25.
+struct AtThatTime {
+    const rt::SphereList& world;
+    mutable int asked = 0;
+
+    std::optional<rt::Hit> hit(const rt::TimedRay& ray, rt::Interval within) const {
+        ++asked;
+        REQUIRE(ray.time == Real(0.25));
+        return world.hit(ray, within);
+    }
+};
+
+bool is_near(Color a, Color b) {
+    const auto near = [](Real x, Real y) { return std::abs(x - y) <= 64 * rt::epsilon * y; };
+    return near(a.r, b.r) && near(a.g, b.g) && near(a.b, b.b);
+}
+std::string text(Color c) {
+    return checkpoint::text(Vec3{c.r, c.g, c.b});
+}
+
+// What direct_light makes of a sample above the top of the floor.
+struct Direct {
+    Lit lit;
+    OneSample lights;
+    bool goes_on = true;
+    int asked = 0;
+
+    // In this direction, of this density; the light is the sphere of material 7.
+    Direct(Vec3 direction, Real distance, Real density) {
+        lit.add(floor_ball, white);
+        lights.lights = {{{{0, 3, 0}, 1}, {2, 3, 4}}};
+        lights.first_material = 7;
+        lights.sample =
+            rt::ChosenLight{{rt::normalize(direction), distance, density}, {2, 3, 4}, 7};
+        lit.world.spheres.push_back({{distance * rt::normalize(direction), Real(0.01)}, 7});
+    }
+    Color operator()() {
+        const AtThatTime world{lit.world};
+        rt::Rng random{1, 1};
+        const rt::TimedRay ray{{0, Real(0.5), 0}, {0, -1, 0}, Real(0.25)};
+        const auto place = rt::next_place(ray, world, lit.materials, lit.fog, random);
+        rt::Rng before = random;
+        world.asked = 0;
+        const Color color = rt::direct_light(ray, world, lights, place, goes_on, random);
+        INFO("direct_light must draw no random number: lights.choose does");
+        CHECK(random() == before());
+        INFO("lights.choose must be asked from place.point");
+        CHECK(lights.asked_from == place.point);
+        asked = world.asked;
+        return color;
+    }
+};
+
+void check_direct(Color found, Color expected, const char* hint) {
+    if (is_near(found, expected)) return;
+    INFO("Hint: " << hint);
+    CHECK(text(found) == text(expected));
+}
+
+}  // namespace
+
+TEST_CASE("08.4 one sample of direct light counts what the formula says", "[08.4]") {
+    // cos = 0.8, so that a white floor takes this direction with the density 0.8 / pi.
+    const Real toward = Real(0.8) / rt::pi;
+    const Vec3 up{Real(0.6), Real(0.8), 0};
+    const Color radiance{2, 3, 4};
+    for (const Real density : {Real(0.1), Real(0.5), Real(40)}) {
+        Direct direct{up, 5, density};
+        INFO("the place has the density " << text(toward) << ", the sample " << text(density));
+        const Real weight = density * density / (density * density + toward * toward);
+        check_direct(direct(), toward / density * weight * radiance,
+                     "density of the place / density of the sample * weight, and the weight is "
+                     "that of the sample: shared_weight(sample.density, density of the place)");
+        CHECK(direct.asked == 1);
+        direct.goes_on = false;
+        check_direct(direct(), toward / density * radiance,
+                     "where the path does not go on nothing else finds the light: the weight is 1");
+    }
+}
+
+TEST_CASE("08.4 what is in the way or behind the surface gives no light", "[08.4]") {
+    const Color black;
+    Direct direct{{0, 1, 0}, 5, 1};
+    direct.lit.world.spheres.push_back({{{0, 3, 0}, Real(0.5)}, 0});
+    check_direct(direct(), black, "a sphere stands between the place and the light: sees_light");
+    Direct behind{{0, 1, 0}, 5, 1};
+    behind.lit.world.spheres.push_back({{{0, 8, 0}, Real(0.5)}, 0});
+    check_direct(behind(), Color{2, 3, 4} * Real(1 / (1 + 1 / (rt::pi * rt::pi))) / rt::pi,
+                 "what stands behind the light is not in the way");
+    Direct below{{1, Real(-0.5), 0}, 5, 1};
+    check_direct(below(), black, "the light lies below the floor: the place's density is 0 there");
+    CHECK(below.asked == 0);
+    Direct none{{0, 1, 0}, 5, 1};
+    none.lights.sample.reset();
+    check_direct(none(), black, "lights.choose gave none");
+}
+
+TEST_CASE("08.4 direct light comes through the fog", "[08.4][hard]") {
+    Direct direct{{0, 1, 0}, 5, 1};
+    direct.goes_on = false;
+    // 5 units of the way, of which 2 are foggy; the ray to the floor stays outside.
+    direct.lit.fog = {{{{0, 3, 0}, 1}, Real(0.5), {1, 1, 1}, 0}};
+    check_direct(direct(), std::exp(Real(-1)) / rt::pi * Color{2, 3, 4},
+                 "times place.fog.gets_through(ray, sample.distance), along the new ray");
+}
+
+TEST_CASE("08.4 light that was collected is never lost", "[08.4]") {
+    // One bounce on a white floor, far below a light: what it gets is the same for every ending.
+    Lit lit;
+    lit.add(floor_ball, white);
+    lit.add_light({{0, 40, 0}, 1}, {2, 2, 2});
+    const double expected = 2 / 1600.0;
+    const auto check = [&](const auto& ending, int depth, const char* name) {
+        const Mean mean = lit.mean(down, lit.lights, ending, depth, 4000, 5);
+        INFO("the paths end " << name << " after " << depth << " bounces; mean of the light: "
+                              << mean.mean() << ", expected " << expected);
+        CHECK(std::abs(mean.mean() - expected) <= limit * mean.standard_error() + 0.01 * expected);
+    };
+    check(rt::SkyEnding{}, 1, "in the sky");
+    check(rt::BlackEnding{}, 1, "in black");
+    check(rt::RouletteEnding{Real(0.5)}, 1, "by roulette, half of them each time,");
+    check(rt::SkyEnding{}, 3, "in the sky");
+    // A second surface that absorbs everything: what was collected on the way to it stays.
+    lit.add({{0, 0, 0}, 1000}, rt::Lambertian{{0, 0, 0}});
+    lit.lights.first_material = 2;
+    lit.world.spheres[1].material = 2;
+    check(rt::BlackEnding{}, 4, "in black, and most of them meet a black wall before,");
+}
+
+TEST_CASE("08.4 without lights and fog it is the loop of 04.7 bit for bit", "[08.4]") {
+    Lit lit;
+    lit.add({{0, -100, 0}, 100}, gray_matte);
+    lit.add({{0, 1, 0}, 1}, rt::Metal{{1, Real(0.9), Real(0.8)}, Real(0.2)});
+    lit.add({{2, 1, 0}, 1}, rt::Dielectric{});
+    lit.add({{-2, 1, 0}, 1}, white);
+    lit.lights.first_material = 4;
+    const rt::GradientSky sky{{Real(0.2), Real(0.3), 0}, {1, 1, 1}};
+    const auto check = [&](const auto& ending) {
+        rt::Rng directions{1, 2};
+        for (std::uint64_t i = 0; i < 500; ++i) {
+            const Ray ray{{0, 2, 5}, any_direction(directions)};
+            rt::Rng first{i, 3}, second{i, 3}, third{i, 3};
+            const Color expected =
+                rt::path_radiance(ray, lit.world, lit.materials, sky, ending, 5, first);
+            const Color without = rt::lit_path_radiance(
+                ray, lit.world, lit.materials, sky, rt::NoLights{}, rt::NoFog{}, ending, 5, second);
+            const Color empty = rt::lit_path_radiance(ray, lit.world, lit.materials, sky,
+                                                      lit.lights, lit.fog, ending, 5, third);
+            REQUIRE((expected == without));
+            REQUIRE((expected == empty));
+            // The same numbers were drawn.
+            const auto next = first();
+            REQUIRE(second() == next);
+            REQUIRE(third() == next);
+        }
+    };
+    check(rt::SkyEnding{});
+    check(rt::BlackEnding{});
+    check(rt::RouletteEnding{});
+}
+
+TEST_CASE("08.4 a light that is seen directly shows its radiance", "[08.4]") {
+    Lit lit;
+    lit.add(floor_ball, white);
+    lit.add_light({{0, 3, 0}, 1}, {2, 2, 2});
+    check_mean(lit.mean({{0, 1, 0}, {0, 1, 0}}, lit.lights, rt::SkyEnding{}, 3, 10, 1), 2);
+}
+
+TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
+    // Facing the light: E = pi L sin^2 a; a white floor sends back E / pi.
+    for (const Real distance : {Real(1.2), Real(3), Real(40)}) {
+        Lit lit;
+        lit.add(floor_ball, white);
+        lit.add_light({{0, distance, 0}, 1}, {2, 2, 2});
+        const Ray ray{{Real(0.1), Real(0.1), 0}, rt::normalize(Vec3{-1, -1, 0})};
+        const auto sine = static_cast<double>(1 / distance);
+        const double expected = 2 * sine * sine;
+        INFO("distance " << text(distance));
+        // The light sample alone, it and the bounce, and the bounce alone.
+        check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 1, 8000, 1), expected);
+        check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 2, 8000, 2), expected);
+        const FoundByChance chance{lit.lights};
+        check_mean(lit.mean(ray, chance, rt::SkyEnding{}, 2, 40000, 3), expected);
+    }
+}
+
+TEST_CASE("08.4 small lights are found that paths hardly meet", "[08.4]") {
+    // The light's share of the sky is 1 in 250000.
+    Lit lit;
+    lit.add(floor_ball, white);
+    lit.add_light({{0, 1, 0}, Real(0.004)}, {1, 1, 1});
+    const Mean direct = lit.mean(down, lit.lights, rt::SkyEnding{}, 2, 2000, 4);
+    const double expected = 0.004 * 0.004;
+    CHECK(std::abs(direct.mean() - expected) <= 0.01 * expected);
+}
+
+TEST_CASE("08.4 a furnace whose light comes from lights alone stays white", "[08.4][hard]") {
+    // The camera is inside a light of radiance 1: whatever it sees is white, fog or no fog.
+    for (const Real density : {Real(0), Real(0.4)}) {
+        Lit lit;
+        lit.add({{0, 0, 0}, 1}, white);
+        lit.add({{2, 1, 0}, 1}, rt::Metal{{1, 1, 1}, Real(0.4)});
+        lit.add({{-2, 1, 0}, 1}, rt::Dielectric{});
+        lit.add_light({{0, 0, 0}, 20}, {1, 1, 1});
+        lit.fog = {{{{0, 0, 0}, 12}, density, {1, 1, 1}, Real(0.3)}};
+        for (const Vec3 direction : {Vec3{0, 0, -1}, Vec3{Real(0.28), 0, Real(-0.96)}})
+            check_mean(
+                lit.mean({{0, 0, 6}, direction}, lit.lights, rt::RouletteEnding{}, 20, 4000, 77),
+                1);
+    }
+}
+
+TEST_CASE("08.4 looking for lights and finding them by chance agree within noise", "[08.4][hard]") {
+    const auto check = [](const Lit& lit, const Ray& ray, int count) {
+        const FoundByChance chance{lit.lights};
+        const Mean direct = lit.mean(ray, lit.lights, rt::RouletteEnding{}, 4, count, 11);
+        const Mean pure = lit.mean(ray, chance, rt::RouletteEnding{}, 4, 8 * count, 12);
+        INFO("variance a sample: " << direct.variance() << " direct, " << pure.variance()
+                                   << " pure");
+        check_same(direct, pure);
+    };
+    const auto scene = [](bool foggy) {
+        Lit lit;
+        lit.add(floor_ball, gray_matte);
+        lit.add({{Real(1.2), Real(0.7), 0}, Real(0.7)}, rt::Metal{{1, 1, 1}, Real(0.3)});
+        lit.add({{-1, Real(0.5), Real(0.3)}, Real(0.5)}, rt::Dielectric{});
+        lit.add({{0, Real(0.3), -1}, Real(0.3)}, rt::CheckeredMatte{{1, 1, 1}, {0, 0, 0}, 1});
+        lit.add_light({{0, 3, 0}, 1}, {2, 3, 4});
+        lit.add_light({{2, 1, 2}, Real(0.5)}, {1, 1, 0});
+        if (foggy) lit.fog = {{{{0, 0, 0}, 5}, Real(0.2), {1, Real(0.9), 1}, Real(0.5)}};
+        return lit;
+    };
+    const Ray to_floor{{0, 1, 2}, rt::normalize(Vec3{Real(0.1), -1, -2})};
+    const Ray to_glass{{0, 1, 2}, rt::normalize(Vec3{-1, Real(-0.5), Real(-1.7)})};
+    const Ray to_metal{{0, 1, 2}, rt::normalize(Vec3{Real(1.2), Real(-0.3), -2})};
+    const Ray to_nothing{{0, 1, 2}, {0, 0, 1}};
+    for (const Ray& ray : {to_floor, to_glass, to_metal}) check(scene(false), ray, 5000);
+    for (const Ray& ray : {to_floor, to_glass, to_nothing}) check(scene(true), ray, 5000);
+}
+
+TEST_CASE("08.4 what a mirror shows of a light counts in full", "[08.4][hard]") {
+    // Most light comes to the floor by way of the mirror around it: a matte bounce, then a mirror,
+    // for which no light was looked for, then the light.
+    Lit lit;
+    lit.add(floor_ball, gray_matte);
+    lit.add({{0, 0, 0}, 40}, rt::Mirror{{1, 1, 1}});
+    lit.add_light({{0, 9, 0}, 4}, {1, 2, 3});
+    const Ray ray{{0, 1, 2}, rt::normalize(Vec3{Real(0.1), -1, -2})};
+    const FoundByChance chance{lit.lights};
+    const Mean direct = lit.mean(ray, lit.lights, rt::RouletteEnding{}, 6, 6000, 21);
+    const Mean pure = lit.mean(ray, chance, rt::RouletteEnding{}, 6, 20000, 22);
+    INFO(
+        "looked for, and found by chance alone; mirrors give a density of 0: then what the path "
+        "finds is all there is, with weight 1");
+    check_same(direct, pure);
+}

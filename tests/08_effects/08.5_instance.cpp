@@ -1,0 +1,359 @@
+#include <checkpoint.hpp>
+#include <random_inputs.hpp>
+#include <rt/instance.hpp>
+#include <rt/instance_tree.hpp>
+#include <rt/leave_surface.hpp>
+#include <rt/orthonormal_basis.hpp>
+#include <rt/rng.hpp>
+#include <statistics.hpp>
+
+using namespace checkpoint;
+using rt::Box;
+using rt::Hit;
+using rt::Instance;
+using rt::Interval;
+using rt::Mat4;
+using rt::Ray;
+
+namespace {
+
+Vec3 in_cube(rt::Rng& rng) {
+    const Real x = rng.uniform(-1, 1), y = rng.uniform(-1, 1), z = rng.uniform(-1, 1);
+    return {x, y, z};
+}
+
+// Turned, stretched by up to 10^stretch, sheared or mirrored, moved; of any size.
+Mat4 any_map(rt::Rng& rng, Real stretch, Real size) {
+    const Real turn = rng.uniform(0, 6);
+    const auto factor = [&] { return size * any_size(rng, -stretch / 2, stretch / 2); };
+    const Vec3 factors{factor(), factor(), rng() % 4 ? factor() : -factor()};
+    Mat4 map = multiply(rt::rotation_z(turn),
+                        multiply(rt::rotation_x(2 * turn),
+                                 multiply(rt::scaling(factors), rt::rotation_y(3 * turn))));
+    const Vec3 to = 3 * size * in_cube(rng);
+    map(0, 3) = to.x;
+    map(1, 3) = to.y;
+    map(2, 3) = to.z;
+    return map;
+}
+
+// A ray from outside or inside towards some point of the ellipsoid, whose direction has any length.
+Ray ray_at(const Instance& instance, rt::Rng& rng, Real size) {
+    const Vec3 aim = transform_point(instance.object_to_world, Real(0.9) * in_cube(rng));
+    const Vec3 from = rng() % 4 ? aim + 9 * size * any_direction(rng)
+                                : transform_point(instance.object_to_world,
+                                                  rng.uniform(0, Real(0.9)) * any_direction(rng));
+    return {from, any_size(rng, -2, 2) * (aim - from)};
+}
+
+std::string text(const Mat4& m) {
+    std::string rows;
+    for (int row = 0; row < 3; ++row) {
+        rows += "\n  ";
+        for (int column = 0; column < 4; ++column) rows += checkpoint::text(m(row, column)) + "  ";
+    }
+    return rows;
+}
+std::string text(const Ray& ray) {
+    return "a ray from " + checkpoint::text(ray.origin) + " along " +
+           checkpoint::text(ray.direction);
+}
+std::string text(const std::optional<Real>& t) {
+    return t ? "t = " + checkpoint::text(*t) : "no hit";
+}
+
+// |a - b| is at most so many times the rounding of numbers of this size.
+bool is_near(Vec3 a, Vec3 b, Real size, Real times = 64) {
+    return max_component(a - b) <= times * rt::epsilon * size;
+}
+
+// Twice as long along x, half as long along z, around (5, 0, 0).
+const Mat4 egg{{{{2, 0, 0, 5}, {0, 1, 0, 0}, {0, 0, Real(0.5), 0}, {0, 0, 0, 1}}}};
+
+// How large the numbers are that a map and back leads through.
+Real terms(const Mat4& m, Vec3 v) {
+    Real largest = 0;
+    for (int row = 0; row < 3; ++row)
+        largest = std::max(largest, std::abs(m(row, 0) * v.x) + std::abs(m(row, 1) * v.y) +
+                                        std::abs(m(row, 2) * v.z) + std::abs(m(row, 3)));
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("08.5 the ray goes to the object's space", "[08.5]") {
+    const Instance instance = rt::make_instance(egg, 0);
+    const Ray ray = rt::object_ray(instance, {{9, 2, 1}, {-4, 0, 3}});
+    INFO("an ellipsoid around (5, 0, 0) that reaches 2, 1 and 0.5 along x, y and z");
+    {
+        HINT((Vec3{2, 2, 2}), ray.origin,
+             "the origin (9, 2, 1) is a point: transform_point with world_to_object. First -(5, 0, "
+             "0), then divided by 2, 1 and 0.5");
+        CHECK(ray.origin == Vec3{2, 2, 2});
+    }
+    HINT((Vec3{-2, 0, 6}), ray.direction,
+         "the direction (-4, 0, 3) has no place: transform_vector, and its length stays as it "
+         "comes out");
+    CHECK(ray.direction == Vec3{-2, 0, 6});
+}
+
+TEST_CASE("08.5 the hit of an ellipsoid", "[08.5]") {
+    const Instance instance = rt::make_instance(egg, 0);
+    const auto check = [&](const Ray& ray, std::optional<Real> expected, const char* hint,
+                           Interval within = {}) {
+        const auto t = rt::hit_instance(instance, ray, within);
+        if (t.has_value() == expected.has_value() &&
+            (!t || std::abs(*t - *expected) <= 8 * rt::epsilon))
+            return;
+        INFO(text(ray) << ", and an ellipsoid around (5, 0, 0) that reaches 2, 1 and 0.5 along x, "
+                          "y and z\nHint: "
+                       << hint);
+        CHECK(text(t) == text(expected));
+    };
+    check({{0, 0, 0}, {1, 0, 0}}, Real(3), "it begins at x = 3");
+    check({{0, 0, 0}, {2, 0, 0}}, Real(1.5),
+          "twice the direction, half the t: do not normalize the object's direction");
+    check({{5, 0, 9}, {0, 0, -1}}, Real(8.5), "it reaches 0.5 along z");
+    check({{5, 0, 0}, {0, 1, 0}}, Real(1), "from inside it is met as well");
+    check({{5, 2, 0}, {1, 0, 0}}, {}, "it reaches 1 along y, and the ray passes at 2");
+    check({{0, 0, 0}, {1, 0, 0}}, Real(7), "the near side lies before the interval",
+          {4, rt::infinity});
+    check({{0, 0, 0}, {1, 0, 0}}, {}, "both sides lie beyond the interval", {0, 2});
+}
+
+TEST_CASE("08.5 point and normal are the world's", "[08.5]") {
+    const Instance instance = rt::make_instance(egg, 7);
+    // In the object's space the hit is at (0.6, 0.8, 0), which is its normal there.
+    const Ray ray{{Real(6.2), 9, 0}, {0, -2, 0}};
+    const Hit hit = rt::surface_hit(instance, ray, Real(4.1));
+    INFO(text(ray) << ", which meets the ellipsoid around (5, 0, 0) at t = 4.1");
+    {
+        HINT((Vec3{Real(6.2), Real(0.8), 0}), hit.point,
+             "the point of the unit sphere goes to the world by transform_point with "
+             "object_to_world");
+        CHECK(is_near(hit.point, {Real(6.2), Real(0.8), 0}, 7));
+    }
+    {
+        const Vec3 expected = rt::normalize(Vec3{Real(0.3), Real(0.8), 0});
+        HINT(expected, hit.normal,
+             "normals go another way than points: transform_normal with world_to_object, then "
+             "normalize. (0.6, 0.8, 0) becomes (0.6 / 2, 0.8, 0)");
+        CHECK(is_near(hit.normal, expected, 1));
+    }
+    {
+        INFO("t must be the t of the world's ray, as it was given: 4.1, and yours is "
+             << checkpoint::text(hit.t));
+        CHECK(hit.t == Real(4.1));
+    }
+    {
+        INFO("the ray came from outside: front must be true");
+        CHECK(hit.front);
+    }
+    INFO("the material is the instance's, 7");
+    CHECK(hit.material == 7);
+    const Hit inside = rt::surface_hit(instance, {{5, 0, 0}, {0, 1, 0}}, 1);
+    INFO(
+        "a ray from the middle to (5, 1, 0): it comes from inside, so front must be false, and "
+        "the normal points outward");
+    CHECK_FALSE(inside.front);
+    CHECK(is_near(inside.normal, {0, 1, 0}, 1));
+}
+
+TEST_CASE("08.5 a matrix that moves and scales alike gives a sphere", "[08.5]") {
+    rt::Rng rng{85, 1};
+    int hits = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const rt::Sphere sphere{3 * in_cube(rng), rng.uniform(Real(0.3), 2)};
+        const Mat4 map =
+            multiply(rt::translation(sphere.center),
+                     multiply(rt::rotation_y(rng.uniform(0, 6)),
+                              rt::scaling({sphere.radius, sphere.radius, sphere.radius})));
+        const Instance instance = rt::make_instance(map, 3);
+        const Ray ray = ray_at(instance, rng, sphere.radius);
+        const auto t = rt::hit_instance(instance, ray, {}), expected = hit_sphere(sphere, ray, {});
+        if (!expected) continue;
+        ++hits;
+        const Real size = max_component(ray.origin) + max_component(sphere.center) + 9;
+        const Real speed = rt::length(ray.direction);
+        INFO(text(ray) << " and the sphere around " << text(sphere.center) << " of radius "
+                       << text(sphere.radius) << " as an instance");
+        const auto fits = [&] {
+            return t && std::abs(*t - *expected) * speed <= 3000 * rt::epsilon * size;
+        };
+        // Where it is nearly missed both are all rounding.
+        const Hit there = rt::surface_hit(sphere, ray, *expected);
+        if (std::abs(dot(ray.direction, there.normal)) < Real(0.1) * speed) continue;
+        if (!fits()) REQUIRE(text(t) == text(expected));
+        const Hit hit = rt::surface_hit(instance, ray, *t);
+        if (!is_near(hit.point, there.point, size, 3000))
+            REQUIRE(checkpoint::text(hit.point) == checkpoint::text(there.point));
+        if (!is_near(hit.normal, there.normal, size / sphere.radius, 3000))
+            REQUIRE(checkpoint::text(hit.normal) == checkpoint::text(there.normal));
+        REQUIRE(hit.front == there.front);
+    }
+    CHECK(hits > 1000);
+}
+
+TEST_CASE("08.5 hits lie on the surface with the normal across it", "[08.5][hard]") {
+    rt::Rng rng{85, 2};
+    int hits = 0;
+    for (int i = 0; i < 6000; ++i) {
+        const Real size = any_size(rng, -6, 6);
+        const Instance instance = rt::make_instance(any_map(rng, 2, size), i);
+        const Ray ray = ray_at(instance, rng, size);
+        const Interval within = i % 3 ? Interval{} : Interval{-rt::infinity, rt::infinity};
+        const auto t = rt::hit_instance(instance, ray, within);
+        if (!t) continue;
+        ++hits;
+        const Hit hit = rt::surface_hit(instance, ray, *t);
+        INFO("the unit sphere, mapped by" << text(instance.object_to_world) << "\nand " << text(ray)
+                                          << "; " << text(t));
+        const Vec3 there = transform_point(instance.world_to_object, hit.point);
+        const Real rounding = rt::epsilon * (8 + 8 * terms(instance.world_to_object, hit.point));
+        {
+            INFO("taken back to the object, the point "
+                 << text(hit.point) << " is " << text(there) << ", at the distance "
+                 << text(rt::length(there)) << " of the origin; expected 1");
+            REQUIRE(std::abs(rt::length(there) - 1) <= 4 * rounding);
+        }
+        // Along both directions across `there` the surface is flat: the normal is across them.
+        const rt::Basis basis = rt::orthonormal_basis(rt::normalize(there));
+        for (const Vec3 across : {basis.u, basis.v}) {
+            const Vec3 along = transform_vector(instance.object_to_world, across);
+            INFO("the normal " << text(hit.normal) << " and a direction along the surface, "
+                               << text(along) << ", must have the dot product 0");
+            REQUIRE(std::abs(dot(hit.normal, along)) <=
+                    100 * (rounding + rt::epsilon) * rt::length(along));
+        }
+        const Vec3 middle{instance.object_to_world(0, 3), instance.object_to_world(1, 3),
+                          instance.object_to_world(2, 3)};
+        INFO("the normal " << text(hit.normal) << " at the point " << text(hit.point)
+                           << " must have length 1 and point outward, away from the middle "
+                           << text(middle));
+        REQUIRE(std::abs(rt::length(hit.normal) - 1) <= 8 * rt::epsilon);
+        REQUIRE(dot(hit.normal, hit.point - middle) > 0);
+        const Real slope = dot(ray.direction, hit.normal) / rt::length(ray.direction);
+        INFO("front must be true where the ray runs against the normal");
+        if (std::abs(slope) > 100 * rt::epsilon) REQUIRE(hit.front == (slope < 0));
+        REQUIRE(hit.t == *t);
+        REQUIRE(hit.material == i);
+        INFO("point_error must be instance_error of the point in the world");
+        REQUIRE(hit.point_error == rt::instance_error(instance, hit.point));
+    }
+    CHECK(hits > 3000);
+}
+
+TEST_CASE("08.5 a ray that leaves does not meet the same place again", "[08.5][hard]") {
+    rt::Rng rng{85, 3};
+    long again = 0, all = 0;
+    std::string first;
+    for (int i = 0; i < 20'000; ++i) {
+        const Real size = any_size(rng, -6, 6);
+        const Instance instance = rt::make_instance(any_map(rng, 2, size), 0);
+        const Ray ray = ray_at(instance, rng, size);
+        const auto t = rt::hit_instance(instance, ray, {0, rt::infinity});
+        if (!t) continue;
+        const Hit hit = rt::surface_hit(instance, ray, *t);
+        // Outward, at any angle: an ellipsoid has no hollow, so nothing of it lies ahead.
+        Vec3 away = any_direction(rng);
+        if (i % 2) away = away + rng.uniform(0, 100) * (away - dot(away, hit.normal) * hit.normal);
+        if (dot(away, hit.normal) < 0) away = -away;
+        if (dot(away, hit.normal) < Real(1e-3) * rt::length(away)) continue;
+        ++all;
+        const Ray leaving{rt::leave_surface(hit, away), away};
+        if (!rt::hit_instance(instance, leaving, {0, rt::infinity})) continue;
+        if (again++ == 0) first = text(instance.object_to_world) + "\n" + text(leaving);
+    }
+    INFO(again << " of " << all
+               << " rays that leave the surface outward meet it again, the first: " << first
+               << "\nHint: point_error is instance_error(instance, point), with the point in the "
+                  "world");
+    CHECK(all > 5000);
+    CHECK(again == 0);
+}
+
+TEST_CASE("08.5 the box around an ellipsoid", "[08.5]") {
+    const auto check = [](const Mat4& map, Vec3 half, const char* hint) {
+        const Instance instance = rt::make_instance(map, 0);
+        const Vec3 center{map(0, 3), map(1, 3), map(2, 3)};
+        const Real margin = margin_factor(instance) * rt::hit_margin *
+                            (max_component(center) + max_component(half));
+        const Vec3 grown = half + Vec3{margin, margin, margin};
+        const Box box = rt::bounds_of(instance);
+        const Real size = max_component(center) + max_component(half);
+        INFO("the unit sphere, mapped by" << text(map) << "\nreaches " << text(half)
+                                          << " from its middle, and with the margin " << text(grown)
+                                          << ".\nHint: " << hint);
+        if (!is_near(box.low, center - grown, size, 8))
+            CHECK(checkpoint::text(box.low) == checkpoint::text(center - grown));
+        if (!is_near(box.high, center + grown, size, 8))
+            CHECK(checkpoint::text(box.high) == checkpoint::text(center + grown));
+    };
+    check(egg, {2, 1, Real(0.5)}, "the middle is the last column, the reaches stand in the rows");
+    check(multiply(rt::translation({1, 2, 3}),
+                   multiply(rt::rotation_z(rt::pi / 4), rt::scaling({4, 3, 1}))),
+          {Real(std::sqrt(12.5)), Real(std::sqrt(12.5)), 1},
+          "the reach along x is the length of the first row: sqrt(8 + 4.5); columns are not rows");
+    check(rt::translation({-100, 0, 0}), {1, 1, 1},
+          "the largest coordinate is by absolute value, of the middle and of the reach");
+}
+
+TEST_CASE("08.5 boxes are tight and hold their ellipsoids", "[08.5][hard]") {
+    rt::Rng rng{85, 4};
+    for (int i = 0; i < 3000; ++i) {
+        const Real size = any_size(rng, -6, 6);
+        const Instance instance = rt::make_instance(any_map(rng, 3, size), 0);
+        const Mat4& m = instance.object_to_world;
+        const Box box = rt::bounds_of(instance);
+        const Vec3 center{m(0, 3), m(1, 3), m(2, 3)};
+        // The farthest point along x is that whose normal is (1, 0, 0), and so on.
+        Vec3 half;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vec3 row = rt::normalize(Vec3{m(axis, 0), m(axis, 1), m(axis, 2)});
+            const Real reach = along(transform_vector(m, row), axis);
+            (axis == 0 ? half.x : axis == 1 ? half.y : half.z) = reach;
+        }
+        const Real margin = margin_factor(instance) * rt::hit_margin *
+                            (max_component(center) + max_component(half));
+        const Vec3 grown = half + Vec3{margin, margin, margin};
+        const Real largest = max_component(center) + max_component(half);
+        if (is_near(box.low, center - grown, largest, 16) &&
+            is_near(box.high, center + grown, largest, 16))
+            continue;
+        INFO("the unit sphere, mapped by" << text(m));
+        REQUIRE(checkpoint::text(box.low) == checkpoint::text(center - grown));
+        REQUIRE(checkpoint::text(box.high) == checkpoint::text(center + grown));
+    }
+}
+
+TEST_CASE("08.5 a tree of instances finds what trying them all finds", "[08.5][hard]") {
+    rt::Rng rng{85, 5};
+    int hits = 0;
+    for (const int count : {0, 1, 2, 7, 60}) {
+        std::vector<Instance> instances;
+        for (int i = 0; i < count; ++i)
+            instances.push_back(rt::make_instance(any_map(rng, 2, 1), i));
+        const rt::InstanceTree tree = rt::make_instance_tree(instances);
+        for (int i = 0; i < 1500; ++i) {
+            const Ray ray{9 * any_direction(rng), any_size(rng, -3, 3) * any_direction(rng)};
+            Interval within;
+            int nearest = -1;
+            for (const Instance& instance : instances)
+                if (const auto t = rt::hit_instance(instance, ray, within)) {
+                    within.max = *t;
+                    nearest = instance.material;
+                }
+            const auto hit = tree.hit(ray, {});
+            const int found = hit ? hit->material : -1;
+            hits += found >= 0;
+            if (found == nearest && (!hit || hit->t == within.max)) continue;
+            INFO(count << " ellipsoids and " << text(ray) << ": the nearest is number " << nearest
+                       << " at t = " << text(within.max)
+                       << ", but the search in a tree finds number " << found
+                       << " (-1 is none).\nHint: the box must hold the whole ellipsoid");
+            REQUIRE(found == nearest);
+            REQUIRE(hit->t == within.max);
+        }
+    }
+    CHECK(hits > 500);
+}
