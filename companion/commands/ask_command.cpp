@@ -105,7 +105,7 @@ bool ask_until_told(const Course& course, const Open& open) {
 
 int ask(const Course& course, const Named& name, const Named& answer) {
     std::vector<Chapter> chosen = chapters(course);
-    if (name) chosen = {find_chapter(chosen, *name)};
+    if (name) chosen = {find_chapter(course, *name)};
     const std::vector<Open> open = open_questions(course, chosen);
     if (open.empty()) {
         print("All questions" + (name ? " of chapter " + chosen[0].number() : "") +

@@ -15,7 +15,7 @@ namespace {
 // something is written.
 std::vector<Exercise> chosen(const Course& course, const Named& name) {
     if (name && name->find('.') != std::string::npos) return {find_exercise(course, *name)};
-    if (name) return exercises(course, find_chapter(chapters(course), *name));
+    if (name) return exercises(course, find_chapter(course, *name));
     const State state = read_state(course);
     std::vector<Exercise> written;
     for (Exercise& exercise : exercises(course))

@@ -8,15 +8,15 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
-namespace {
-
 constexpr double infinity = std::numeric_limits<double>::infinity(), pi = 3.14159265358979323846;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // A point, a direction, or a color in linear light.
 struct Vec3 {
@@ -42,7 +42,7 @@ struct Random {
         : state{mix(mix(mix(seed) + pixel) + sample)} {}
     double uniform() {  // in [0, 1)
         state += 0x9e3779b97f4a7c15;
-        return static_cast<double>(mix(state) >> 11) * 0x1p-53;
+        return static_cast<double>(mix(state) >> 11) / (1ull << 53);
     }
     Vec3 direction() {  // of length 1, all alike
         const double z = 1 - 2 * uniform(), angle = 2 * pi * uniform();
@@ -70,14 +70,11 @@ struct Sphere {
     double radius;
     Material material;
 };
-struct Camera {
-    Vec3 from, at, up;
-    double fov_deg, aperture, focus;
-};
 struct Scene {
     int width = 400, height = 225, samples = 16, depth = 50;
-    Camera camera{{0, 0, 5}, {}, {0, 1, 0}, 40, 0, 1};
-    Vec3 below{1, 1, 1}, above{0.5, 0.7, 1};
+    Vec3 from{0, 0, 5}, at, up{0, 1, 0};  // the camera
+    double fov_deg = 40, aperture = 0, focus = 1;
+    Vec3 below{1, 1, 1}, above{0.5, 0.7, 1};  // the sky
     std::vector<Sphere> spheres;
 };
 
@@ -85,55 +82,46 @@ void expect(bool holds, const std::string& what) {
     if (!holds) throw std::invalid_argument("expected " + what);
 }
 
-// The words of a text, one after the other.
-struct Words {
-    std::istringstream text;
-    std::string word() {
-        std::string word;
-        text >> word;
-        return word;
-    }
-    double number(double least = -1e30, double most = 1e30) {
-        double value = 0;
-        text >> value;
-        std::ostringstream range;
-        range << "a number from " << least << " to " << most;
-        expect(!text.fail() && least <= value && value <= most, range.str());
-        return value;
-    }
-    int whole(int most) { return static_cast<int>(number(1, most)); }
-    // Braces read from left to right.
-    Vec3 point() { return {number(), number(), number()}; }
-    Vec3 color() { return {number(0, 1), number(0, 1), number(0, 1)}; }
-};
+std::istream& operator>>(std::istream& in, Vec3& v) {
+    return in >> v.x >> v.y >> v.z;
+}
 
-void read_line(Words& words, Scene& scene, Material& material) {
-    const std::string word = words.word();
-    if (word == "picture") {
-        scene.width = words.whole(8192);
-        scene.height = words.whole(8192);
-        scene.samples = words.whole(1'000'000);
-        scene.depth = words.whole(10'000);
-    } else if (word == "camera") {
-        const Camera camera{words.point(),           words.point(),   words.point(),
-                            words.number(1e-6, 179), words.number(0), words.number(1e-30)};
-        expect(length(cross(camera.at - camera.from, camera.up)) > 0, "an up beside the view");
-        scene.camera = camera;
-    } else if (word == "sky") {
-        scene.below = words.color();
-        scene.above = words.color();
-    } else if (word == "matte") {
-        material = {Kind::matte, words.color(), 0, 1};
+void read_line(const std::string& line, Scene& scene, Material& material) {
+    std::istringstream in{line};
+    std::string word, more;
+    if (!(in >> word)) return;
+    Sphere sphere{{}, 1, {}};
+    if (word == "picture")
+        in >> scene.width >> scene.height >> scene.samples >> scene.depth;
+    else if (word == "camera")
+        in >> scene.from >> scene.at >> scene.up >> scene.fov_deg >> scene.aperture >> scene.focus;
+    else if (word == "sky")
+        in >> scene.below >> scene.above;
+    else if (word == "matte") {
+        material = {Kind::matte};
+        in >> material.color;
     } else if (word == "metal") {
-        material = {Kind::metal, words.color(), words.number(0, 1), 1};
+        material = {Kind::metal};
+        in >> material.color >> material.fuzz;
     } else if (word == "glass") {
-        material = {Kind::glass, {1, 1, 1}, 0, words.number(0.1, 10)};
-    } else if (word == "sphere") {
-        scene.spheres.push_back({words.point(), words.number(1e-30), material});
-    } else {
-        expect(word.empty(), "camera, glass, matte, metal, picture, sky or sphere, not " + word);
-    }
-    expect(words.word().empty(), "fewer words");
+        material = {Kind::glass, {1, 1, 1}};
+        in >> material.index;
+    } else if (word == "sphere")
+        in >> sphere.center >> sphere.radius;
+    else
+        expect(false, "camera, glass, matte, metal, picture, sky or sphere, not " + word);
+    expect(!in.fail() && !(in >> more), "other numbers after " + word);
+
+    const auto [least, most] = std::minmax({scene.width, scene.height, scene.samples, scene.depth});
+    expect(least > 0 && most <= 10'000, "numbers of a picture from 1 to 10000");
+    expect(length(cross(scene.at - scene.from, scene.up)) > 0, "an up beside the view");
+    expect(0 < scene.fov_deg && scene.fov_deg < 180, "a field of view between 0 and 180");
+    expect(scene.aperture >= 0 && scene.focus > 0, "a lens of 0 or more, a focus above 0");
+    for (const Vec3 c : {scene.below, scene.above, material.color})
+        expect(std::min({c.x, c.y, c.z}) >= 0 && std::max({c.x, c.y, c.z}) <= 1, "color in [0, 1]");
+    expect(0 <= material.fuzz && material.fuzz <= 1, "a fuzz from 0 to 1");
+    expect(material.index > 0 && sphere.radius > 0, "an index or radius greater than 0");
+    if (word == "sphere") scene.spheres.push_back({sphere.center, sphere.radius, material});
 }
 
 Scene read_scene(const std::string& path) {
@@ -143,17 +131,15 @@ Scene read_scene(const std::string& path) {
     Material material;
     int number = 1;
     try {
-        for (std::string line; std::getline(file, line); ++number) {
-            Words words{std::istringstream{line.substr(0, line.find('#'))}};
-            read_line(words, scene, material);
-        }
+        for (std::string line; std::getline(file, line); ++number)
+            read_line(line.substr(0, line.find('#')), scene, material);
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
     }
     return scene;
 }
 
-// ---- One ray and one sphere
+// ---- What a ray meets
 
 // A ray that leaves a surface knows which: its own sphere it meets at t = 0, exactly, and in at
 // most one other place. So no tolerance is needed to leave it, near or far, large or small.
@@ -186,17 +172,15 @@ void try_sphere(const std::vector<Sphere>& spheres, int number, const Ray& ray, 
         nearest = {t, number};
 }
 
-// ---- A tree of boxes
-
 struct Box {
     Vec3 low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
     void add(const Box& b) {
         low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
         high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
     }
-    // Where the ray enters; infinity if it does not before `end`. fmax and fmin pass over the
-    // not-a-number of a ray that runs in a side of the box.
-    double enter(const Ray& ray, Vec3 inverse, double end) const {
+    // Whether the ray enters before `end`. fmax and fmin pass over the not-a-number of a ray that
+    // runs in a side of the box.
+    bool meets(const Ray& ray, Vec3 inverse, double end) const {
         double first = 0, last = end;
         for (int axis = 0; axis < 3; ++axis) {
             const double a = (low[axis] - ray.origin[axis]) * inverse[axis];
@@ -204,73 +188,69 @@ struct Box {
             first = std::fmax(first, std::fmin(a, b));
             last = std::fmin(last, std::fmax(a, b));
         }
-        return first <= last * (1 + 1e-14) ? first : infinity;
+        return first <= last * (1 + 4 * epsilon);
     }
 };
 
 // Wider by what rounding may do, so that no sphere that touches its box is lost.
 Box box_of(const Sphere& sphere) {
     const Vec3 c = sphere.center;
-    const double r = sphere.radius * (1 + 1e-14) + 1e-15 * length(c);
+    const double r = sphere.radius + 8 * epsilon * (sphere.radius + length(c));
     return {c - Vec3{r, r, r}, c + Vec3{r, r, r}};
 }
 
 class Tree {
   public:
-    explicit Tree(const std::vector<Sphere>& spheres) : spheres_{spheres} {
-        for (std::size_t i = 0; i < spheres.size(); ++i) order_.push_back(static_cast<int>(i));
-        if (!order_.empty()) build(0, static_cast<int>(order_.size()));
+    // A list is a tree of one leaf.
+    Tree(const std::vector<Sphere>& spheres, bool list)
+        : spheres_{spheres}, order_(spheres.size()) {
+        const int count = static_cast<int>(spheres.size());
+        std::iota(order_.begin(), order_.end(), 0);
+        build(0, count, list ? count : 2);
     }
-    void search(const Ray& ray, Hit& hit) const {
-        const Vec3 d = ray.direction, inverse{1 / d.x, 1 / d.y, 1 / d.z};
-        if (!nodes_.empty()) search(0, ray, inverse, hit);
+    Hit nearest(const Ray& ray) const {
+        const Vec3 d = ray.direction;
+        Hit hit;
+        search(0, ray, {1 / d.x, 1 / d.y, 1 / d.z}, hit);
+        return hit;
     }
 
   private:
     struct Node {
         Box box;
-        int first, count;  // of a leaf: places in order_
-        int right;         // of others, where count is 0; the left child is the next node
+        int first, count;  // its spheres: places in order_
+        int axis, right;   // the left child is the next node; right is 0 in a leaf
     };
 
-    // Cuts in half along the axis along which the centers lie farthest apart.
-    int build(int first, int count) {
-        const int index = static_cast<int>(nodes_.size());
-        Box box, centers;
-        for (int i = first; i < first + count; ++i) {
-            const Sphere& sphere = spheres_[order_[i]];
-            box.add(box_of(sphere));
-            centers.add({sphere.center, sphere.center});
-        }
-        nodes_.push_back({box, first, count, 0});
-        if (count <= 2) return index;
-        const Vec3 size = centers.high - centers.low;
+    // Cuts in half along the longest side of the box.
+    void build(int first, int count, int in_leaf) {
+        const std::size_t index = nodes_.size();
+        Box box;
+        for (int i = first; i < first + count; ++i) box.add(box_of(spheres_[order_[i]]));
+        const Vec3 size = box.high - box.low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        nodes_.push_back({box, first, count, axis, 0});
+        if (count <= in_leaf) return;
         const auto begin = order_.begin() + first;
         std::nth_element(begin, begin + count / 2, begin + count, [&](int a, int b) {
             return spheres_[a].center[axis] < spheres_[b].center[axis];
         });
-        build(first, count / 2);
-        const int right = build(first + count / 2, count - count / 2);
-        nodes_[index].count = 0;
-        nodes_[index].right = right;
-        return index;
+        build(first, count / 2, in_leaf);
+        nodes_[index].right = static_cast<int>(nodes_.size());
+        build(first + count / 2, count - count / 2, in_leaf);
     }
 
     void search(int index, const Ray& ray, Vec3 inverse, Hit& hit) const {
         const Node& node = nodes_[index];
-        for (int i = node.first; i < node.first + node.count; ++i)
-            try_sphere(spheres_, order_[i], ray, hit);
-        if (node.count > 0) return;
-        int near = index + 1, far = node.right;
-        double to_near = nodes_[near].box.enter(ray, inverse, hit.t);
-        double to_far = nodes_[far].box.enter(ray, inverse, hit.t);
-        if (to_far < to_near) {
-            std::swap(near, far);
-            std::swap(to_near, to_far);
+        if (!node.box.meets(ray, inverse, hit.t)) return;
+        if (node.right == 0) {
+            for (int i = node.first; i < node.first + node.count; ++i)
+                try_sphere(spheres_, order_[i], ray, hit);
+            return;
         }
-        if (to_near < infinity) search(near, ray, inverse, hit);
-        if (to_far < infinity && to_far <= hit.t) search(far, ray, inverse, hit);
+        const bool left_first = ray.direction[node.axis] > 0;
+        search(left_first ? index + 1 : node.right, ray, inverse, hit);
+        search(left_first ? node.right : index + 1, ray, inverse, hit);
     }
 
     const std::vector<Sphere>& spheres_;
@@ -278,7 +258,7 @@ class Tree {
     std::vector<Node> nodes_;
 };
 
-// ---- Three materials
+// ---- Where light goes
 
 Vec3 reflect(Vec3 d, Vec3 normal) {
     return d - 2 * dot(d, normal) * normal;
@@ -310,34 +290,31 @@ Vec3 scatter(const Material& material, Vec3 d, Vec3 outward, Random& random) {
                       : reflect(d, normal) + material.fuzz * random.direction();
     // What strays below the surface is folded up: no light is lost.
     next = next - 2 * std::min(0.0, dot(next, normal)) * normal;
-    return length(next) > 1e-8 ? unit(next) : normal;
+    return length(next) > 0 ? unit(next) : normal;
 }
-
-// ---- A path, a pixel, a picture
 
 class Renderer {
   public:
     Renderer(const Scene& scene, int seed, bool list)
-        : scene_{scene}, tree_{scene.spheres}, seed_{seed}, list_{list} {
-        const Camera& camera = scene.camera;
-        const Vec3 w = unit(camera.from - camera.at);
-        u_ = unit(cross(camera.up, w));
-        v_ = cross(w, u_);
-        pixel_ = 2 * std::tan(camera.fov_deg * pi / 360) * camera.focus / scene.height;
-        corner_ = pixel_ / 2 * (scene.height * v_ - scene.width * u_) - camera.focus * w;
-    }
+        : scene_{scene},
+          tree_{scene.spheres, list},
+          seed_{seed},
+          w_{unit(scene.from - scene.at)},
+          u_{unit(cross(scene.up, w_))},
+          v_{cross(w_, u_)},
+          pixel_{2 * std::tan(scene.fov_deg * pi / 360) * scene.focus / scene.height} {}
 
     Vec3 pixel(int x, int y) const {
         Vec3 sum;
         for (int sample = 0; sample < scene_.samples; ++sample) {
-            Random random(seed_, y * std::uint64_t{8192} + x, sample);
-            const double across = (x + random.uniform()) * pixel_;
-            const double down = (y + random.uniform()) * pixel_;
-            const double r = scene_.camera.aperture / 2 * std::sqrt(random.uniform());
+            Random random(seed_, y * std::uint64_t{10'000} + x, sample);
+            const double right = (x + random.uniform() - scene_.width / 2.0) * pixel_;
+            const double up = (scene_.height / 2.0 - y - random.uniform()) * pixel_;
+            const double r = scene_.aperture / 2 * std::sqrt(random.uniform());
             const double angle = 2 * pi * random.uniform();
             const Vec3 lens = r * std::cos(angle) * u_ + r * std::sin(angle) * v_;
-            const Vec3 target = corner_ + across * u_ - down * v_;
-            sum = sum + light({scene_.camera.from + lens, unit(target - lens)}, random);
+            const Vec3 target = right * u_ + up * v_ - scene_.focus * w_;
+            sum = sum + light({scene_.from + lens, unit(target - lens)}, random);
         }
         return 1.0 / scene_.samples * sum;
     }
@@ -347,10 +324,7 @@ class Renderer {
     Vec3 light(Ray ray, Random& random) const {
         Vec3 throughput{1, 1, 1};
         for (int bounce = 0; bounce <= scene_.depth; ++bounce) {
-            Hit hit;
-            if (!list_) tree_.search(ray, hit);
-            for (std::size_t i = 0; list_ && i < scene_.spheres.size(); ++i)
-                try_sphere(scene_.spheres, static_cast<int>(i), ray, hit);
+            const Hit hit = tree_.nearest(ray);
             if (hit.sphere < 0) {
                 const double up = (ray.direction.y + 1) / 2;
                 return throughput * ((1 - up) * scene_.below + up * scene_.above);
@@ -367,9 +341,8 @@ class Renderer {
     const Scene& scene_;
     Tree tree_;
     int seed_;
-    bool list_;
-    Vec3 u_, v_, corner_;
-    double pixel_ = 0;
+    Vec3 w_, u_, v_;  // back, to the right, up
+    double pixel_;    // its side, where all is sharp
 };
 
 // All rows, on as many threads; whichever is free takes the next one.
@@ -382,7 +355,7 @@ std::vector<Vec3> render(const Scene& scene, const Renderer& renderer, int threa
             for (int x = 0; x < width; ++x) picture[y * width + x] = renderer.pixel(x, y);
     };
     std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(work);
+    for (int i = 1; i < std::min(threads, height); ++i) others.emplace_back(work);
     work();
     others.clear();  // waits for them
     return picture;
@@ -401,35 +374,27 @@ void write_ppm(const std::string& path, const Scene& scene, const std::vector<Ve
     if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
-void run(const std::vector<std::string>& words) {
+int main(int argc, char** argv) try {
+    const std::vector<std::string> words{argv + 1, argv + argc};
     std::vector<std::string> files;
-    int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency())), seed = 1;
+    int threads = static_cast<int>(std::thread::hardware_concurrency()), seed = 1;
     bool list = false;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto number = [&](int most) {
-            expect(i + 1 < words.size(), "a number behind " + words[i]);
-            return Words{std::istringstream{words[++i]}}.whole(most);
-        };
-        if (words[i] == "--list") list = true;
-        if (words[i] == "--threads")
-            threads = number(1024);
-        else if (words[i] == "--seed")
-            seed = number(1'000'000'000);
-        else if (words[i] != "--list")
-            files.push_back(words[i]);
+    for (auto word = words.begin(); word != words.end(); ++word) {
+        if (*word == "--list") {
+            list = true;
+        } else if (*word == "--threads" || *word == "--seed") {
+            int& option = *word == "--seed" ? seed : threads;
+            expect(word + 1 != words.end(), "a number after " + *word);
+            std::istringstream in{*++word};
+            expect(in >> option && in.eof() && option > 0, "a whole number, not " + *word);
+        } else {
+            files.push_back(*word);
+        }
     }
     expect(files.size() == 2, "SCENE PICTURE.ppm [--threads N] [--seed N] [--list]");
     const Scene scene = read_scene(files[0]);
     write_ppm(files[1], scene, render(scene, {scene, seed, list}, threads));
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-    try {
-        run({argv + 1, argv + argc});
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        return dynamic_cast<const std::logic_error*>(&error) ? 2 : 1;
-    }
+} catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
 }

@@ -21,7 +21,7 @@ SCENE = ["--quiet", "--width", "48", "--height", "27", "--spp", "4", "--depth", 
 
 def exercises(root):
     for chapter in json.loads((root / "course.json").read_text())["chapters"]:
-        for exercise in chapter["exercises"]:
+        for exercise in chapter.get("exercises", []):
             yield chapter["name"], exercise["id"], exercise["files"]
 
 

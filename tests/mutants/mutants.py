@@ -719,7 +719,7 @@ def main():
     build = pathlib.Path(options.build).resolve()
 
     course = json.loads((ROOT / "course.json").read_text())
-    exercises = [Exercise(c["name"], e) for c in course["chapters"] for e in c["exercises"]]
+    exercises = [Exercise(c["name"], e) for c in course["chapters"] for e in c.get("exercises", [])]
     if options.exercises:
         for wanted in options.exercises:
             if not any(e.id == wanted or e.id.startswith(wanted + ".") for e in exercises):
