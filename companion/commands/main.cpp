@@ -43,7 +43,8 @@ struct CommandLine {
     bool is_mine = false;        // of study --mine
     std::string folder;          // of own judge
     int rung = 0;                // likewise; 0: all
-    std::uint64_t seed = 1;
+    companion::Named part;       // likewise
+    std::uint64_t seed = 0;      // likewise; 0: any
     int exit_code = app::done;
 
     CLI::App* add(const char* name, std::function<int()> run) {
@@ -92,8 +93,10 @@ struct CommandLine {
         CLI::App* const judged = own->add_subcommand("judge");
         judged->add_option("folder", folder)->required();
         judged->add_option("--rung", rung);
+        judged->add_option_function<std::string>("--part",
+                                                 [this](const std::string& name) { part = name; });
         judged->add_option("--seed", seed);
-        judged->callback([&] { exit_code = own_judge(course, folder, rung, seed); });
+        judged->callback([&] { exit_code = own_judge(course, folder, rung, part, seed); });
         add("reset", "exercise", [&] { return reset(course, *named); })->required();
         add("ask", "chapter", [&] { return ask(course, named, answer); });
         parser.get_subcommand("ask")->add_option_function<std::string>(

@@ -2,40 +2,40 @@
 // The verdict on a ray tracer of the learner's own, from the pictures that it draws and the time
 // that it takes.
 
-#include <companion/own/own_program.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
-#include <optional>
+#include <string>
 #include <vector>
 
 namespace companion {
+
+namespace fs = std::filesystem;
 
 // One line: what was looked at, what was found, what was asked for.
 struct JudgedLine {
     bool passed = false;
     std::string what;        // "rung 3: one matte ball on the ground"
-    std::string actual;      // "every tile within the noise", "0.8 times"
-    std::string expected;    // "the reference's picture", "at least 10 times"
-    std::string suggestion;  // where it failed
+    std::string actual;      // "the same within the noise", "0.8 times as fast"
+    std::string expected;    // "our picture", "at least 10 times as fast"
+    std::string suggestion;  // where to look when it failed
 };
 
 struct JudgeRequest {
     fs::path folder, reference;  // the learner's folder, and the course's own program
     std::uint64_t seed = 1;      // of the scenes
-    int rung = 0;                // only this one; 0: everything
+    std::string part{};          // only this one; empty: everything
     int cores = 2;               // physical ones
+    // Called as a line begins, which may take long.
+    std::function<void(const std::string& what)> begins = [](const std::string&) {};
 };
 
-// What accuracy.md says of a choice: an option for the compiler, and the figures that the learner
-// wrote.
-struct AccuracyChoice {
-    std::string option;
-    std::optional<double> time, error;
-};
-std::vector<AccuracyChoice> accuracy_choices(const std::string& page);
+// The parts of a verdict, in their order: "rung1" to "rung9", "hard", "list", "sanitizers",
+// "broken", "accuracy". A line's name begins with its part: "rung 1: ...", "hard: ...".
+std::vector<std::string> judge_parts();
 
-// Judges, and hands out each line as soon as it is known. Throws app::Failure where the program
-// cannot be built. True if all lines passed.
-bool judge(const JudgeRequest& request, const std::function<void(const JudgedLine&)>& report);
+// Judges, and hands out each line as soon as it is known. A program that cannot be built is one
+// line that fails, and so is what is not looked at where the program does not end.
+void judge(const JudgeRequest& request, const std::function<void(const JudgedLine&)>& report);
 
 }  // namespace companion

@@ -34,8 +34,7 @@ struct Vec3 {
     }
 };
 
-// A stream of random numbers of its own for every sample of every pixel: the picture does not
-// depend on which thread draws what.
+// Each sample of each pixel has a stream of its own, whichever thread draws it.
 struct Random {
     std::uint64_t state;
     Random(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample)
@@ -111,7 +110,6 @@ void read_line(const std::string& line, Scene& scene, Material& material) {
     else
         expect(false, "camera, glass, matte, metal, picture, sky or sphere, not " + word);
     expect(!in.fail() && !(in >> more), "other numbers after " + word);
-
     const auto [least, most] = std::minmax({scene.width, scene.height, scene.samples, scene.depth});
     expect(least > 0 && most <= 10'000, "numbers of a picture from 1 to 10000");
     expect(length(cross(scene.at - scene.from, scene.up)) > 0, "an up beside the view");
@@ -138,8 +136,6 @@ Scene read_scene(const std::string& path) {
     }
     return scene;
 }
-
-// ---- What a ray meets
 
 // A ray that leaves a surface knows which: its own sphere it meets at t = 0, exactly, and in at
 // most one other place. So no tolerance is needed to leave it, near or far, large or small.
@@ -178,15 +174,15 @@ struct Box {
         low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
         high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
     }
-    // Whether the ray enters before `end`. fmax and fmin pass over the not-a-number of a ray that
-    // runs in a side of the box.
+    // Whether the ray enters before `end`. The not-a-number of a ray that runs in a side of the box
+    // is passed over, since it stands second in max and min.
     bool meets(const Ray& ray, Vec3 inverse, double end) const {
         double first = 0, last = end;
         for (int axis = 0; axis < 3; ++axis) {
             const double a = (low[axis] - ray.origin[axis]) * inverse[axis];
             const double b = (high[axis] - ray.origin[axis]) * inverse[axis];
-            first = std::fmax(first, std::fmin(a, b));
-            last = std::fmin(last, std::fmax(a, b));
+            first = std::max(first, std::min(a, b));
+            last = std::min(last, std::max(a, b));
         }
         return first <= last * (1 + 4 * epsilon);
     }
@@ -258,7 +254,7 @@ class Tree {
     std::vector<Node> nodes_;
 };
 
-// ---- Where light goes
+// ---- Materials, paths, pixels
 
 Vec3 reflect(Vec3 d, Vec3 normal) {
     return d - 2 * dot(d, normal) * normal;
@@ -267,6 +263,10 @@ Vec3 reflect(Vec3 d, Vec3 normal) {
 // The share of light that glass reflects (Fresnel, the mean of both polarizations). The cosines are
 // those on both sides; eta is the index on this side divided by that on the other.
 double reflectance(double cosine, double inner, double eta) {
+#ifdef SCHLICK  // see accuracy.md
+    const double r = (1 - eta) / (1 + eta), beside = 1 - (eta > 1 ? inner : cosine);
+    return r * r + (1 - r * r) * std::pow(beside, 5);
+#endif
     const double s = (eta * cosine - inner) / (eta * cosine + inner);
     const double p = (eta * inner - cosine) / (eta * inner + cosine);
     return (s * s + p * p) / 2;
