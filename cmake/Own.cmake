@@ -4,6 +4,7 @@ set(own_start ${CMAKE_SOURCE_DIR}/chapters/09_own/start)
 set(own_solution ${CMAKE_SOURCE_DIR}/solutions/09_own)
 add_executable(09_own_solution ${own_solution}/main.cpp)
 target_link_libraries(09_own_solution PRIVATE course_flags Threads::Threads)
+add_dependencies(companion_test 09_own_solution)  # which draws what the judge makes up
 
 # It draws the three scenes, small, and the list draws the same bytes.
 add_test(NAME 09_own.small_pictures

@@ -26,6 +26,7 @@ struct JudgeRequest {
     std::uint64_t seed = 1;      // of the scenes
     std::string part{};          // only this one; empty: everything
     int cores = 2;               // physical ones
+    double patience = 60;        // seconds for one picture
     // Called as a line begins, which may take long.
     std::function<void(const std::string& what)> begins = [](const std::string&) {};
 };

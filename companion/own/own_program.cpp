@@ -57,8 +57,8 @@ OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& o
         throw app::Failure("build.sh ran and made no program named own, which was expected");
 }
 
-OwnProgram::OwnProgram(fs::path program, Existing)
-    : work_{new_folder()}, program_{std::move(program)} {}
+OwnProgram::OwnProgram(const fs::path& program, Existing)
+    : work_{new_folder()}, program_{fs::absolute(program)} {}
 
 OwnProgram::~OwnProgram() {
     std::error_code ignored;
@@ -70,25 +70,25 @@ void OwnProgram::fix_addresses() {
         before_ = {"setarch", "-R"};
 }
 
-Result OwnProgram::call(const std::vector<std::string>& words, double timeout) const {
+Result OwnProgram::call(const std::vector<std::string>& words) const {
     std::vector<std::string> command = before_;
     command.push_back(program_);
     command.insert(command.end(), words.begin(), words.end());
     const Result result = run_process(
-        {.command = command, .folder = work_, .timeout = timeout, .most_output = 1 << 20});
+        {.command = command, .folder = work_, .timeout = patience, .most_output = 1 << 20});
     times_out_ += result.timed_out;
     return result;
 }
 
 OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
-                                   const std::vector<std::string>& options, double timeout) const {
+                                   const std::vector<std::string>& options) const {
     static std::atomic<int> count = 0;
     const std::string number = std::to_string(count++);
     const fs::path scene_file = work_ / (number + ".txt"), picture = work_ / (number + ".ppm");
     std::ofstream{scene_file} << scene;
     std::vector<std::string> words{scene_file, picture};
     words.insert(words.end(), options.begin(), options.end());
-    Drawn drawn{call(words, timeout), {}, {}};
+    Drawn drawn{call(words), {}, {}};
     std::error_code ignored;
     fs::remove(scene_file, ignored);
     if (drawn.result.ok()) {
@@ -102,12 +102,11 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
 }
 
 OwnProgram::Drawn OwnProgram::picture(const std::string& scene,
-                                      const std::vector<std::string>& options,
-                                      double timeout) const {
-    Drawn drawn = draw(scene, options, timeout);
+                                      const std::vector<std::string>& options) const {
+    Drawn drawn = draw(scene, options);
     const std::string& said = drawn.result.output;
     if (!drawn.result.ok())
-        throw app::Failure("own: " + how_it_ended(drawn.result) +
+        throw app::Failure(program_.filename().string() + ": " + how_it_ended(drawn.result) +
                            (said.empty() ? "" : ": " + said.substr(0, said.find('\n'))));
     return drawn;
 }

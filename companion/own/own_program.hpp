@@ -30,23 +30,22 @@ class OwnProgram {
     };
     // Draws a scene, given as its text. How it ended stands in the result; throws app::Failure only
     // where it wrote no picture all the same.
-    Drawn draw(const std::string& scene, const std::vector<std::string>& options,
-               double timeout = 60) const;
+    Drawn draw(const std::string& scene, const std::vector<std::string>& options) const;
     // The same for a scene that it must draw: throws app::Failure where it does not.
-    Drawn picture(const std::string& scene, const std::vector<std::string>& options,
-                  double timeout = 60) const;
+    Drawn picture(const std::string& scene, const std::vector<std::string>& options) const;
     // Calls it with any words. The folder that it runs in is empty.
-    Result call(const std::vector<std::string>& words, double timeout) const;
+    Result call(const std::vector<std::string>& words) const;
 
     // From now on it runs at addresses that are not randomized where the system can do so: the
     // thread sanitizer cannot live with all that newer kernels do to randomize them.
     void fix_addresses();
 
+    double patience = 60;                         // seconds that a call may take
     int times_out() const { return times_out_; }  // how often it did not end
 
   private:
     struct Existing {};
-    OwnProgram(fs::path program, Existing);
+    OwnProgram(const fs::path& program, Existing);
     fs::path work_;  // for the copy, scenes and pictures
     fs::path program_;
     std::vector<std::string> before_{};  // the program's name on the command line

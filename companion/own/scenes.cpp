@@ -204,6 +204,17 @@ std::string crowd_with_twins(std::uint64_t seed, int width, int height) {
     return crowd_of(seed, width, height, true);
 }
 
+std::string some_of_all(std::uint64_t seed) {
+    Any any{seed, 92};
+    Writer scene;
+    scene.picture(32, 18, 4, 12).camera({any(-1, 1), 1.5, 5}, {0, 0.7, 0}, 40, 0.2, 5);
+    sky(scene, any);
+    matte(scene, any).sphere({0, -100, 0}, 100).sphere({-2.2, 0.8, any(-1, 1)}, 0.8);
+    scene.word("glass", {1.5}).sphere({0, 1, 0}, 1).word("glass", {1 / 1.5});
+    scene.sphere({0, 1, 0}, 0.8);
+    return metal(scene, any, any(0.5, 1)).sphere({2.2, 0.9, 0}, 0.9).text();
+}
+
 std::string accuracy_scene(std::uint64_t seed) {
     Any any{seed, 91};
     return glass(any, true);
@@ -281,11 +292,11 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
     };
     {
         Any any{seed, 101};
-        Writer scene;  // a million radii away, through a narrow lens
-        scene.picture().camera({0, 0, 1e6}, {0, 0, 0}, 1.5e-4);
+        Writer scene;  // through a narrow lens
+        scene.picture().camera({0, 0, 1e8}, {0, 0, 0}, 1.5e-6);
         sky(scene, any);
         matte(scene, any).sphere({0, 0, 0}, 1);
-        add("a ball seen from a million radii away", scene.text(),
+        add("a ball seen from a hundred million radii away", scene.text(),
             "b * b - 4ac cancels: take the distance of the center from the line first.");
     }
     {

@@ -33,6 +33,9 @@ std::string crowd(std::uint64_t seed, int width, int height);
 // The same with every second sphere in there twice, of two materials: the later one counts.
 std::string crowd_with_twins(std::uint64_t seed, int width, int height);
 
+// A few spheres of all materials through a lens, in a small picture: each part of a program runs.
+std::string some_of_all(std::uint64_t seed);
+
 // On which the page accuracy.md is measured.
 std::string accuracy_scene(std::uint64_t seed);
 

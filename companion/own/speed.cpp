@@ -8,7 +8,7 @@ namespace companion {
 namespace {
 
 double time_of(const Timed& timed, const std::string& scene, Clock clock) {
-    const Result result = timed.program.draw(scene, timed.options, 300).result;
+    const Result result = timed.program.draw(scene, timed.options).result;
     if (!result.ok()) throw app::Failure("own: " + how_it_ended(result));
     return clock == Clock::wall ? result.seconds : result.cpu_seconds;
 }
