@@ -1,4 +1,5 @@
 #include <unistd.h>
+#include <algorithm>
 #include <app/errors.hpp>
 #include <atomic>
 #include <companion/own/own_program.hpp>
@@ -70,25 +71,30 @@ void OwnProgram::fix_addresses() {
         before_ = {"setarch", "-R"};
 }
 
-Result OwnProgram::call(const std::vector<std::string>& words) const {
+Result OwnProgram::call(const std::vector<std::string>& words,
+                        const std::function<void(int)>& watch) const {
     std::vector<std::string> command = before_;
     command.push_back(program_);
     command.insert(command.end(), words.begin(), words.end());
-    const Result result = run_process(
-        {.command = command, .folder = work_, .timeout = patience, .most_output = 1 << 20});
+    const Result result = run_process({.command = command,
+                                       .folder = work_,
+                                       .timeout = patience,
+                                       .most_output = 1 << 20,
+                                       .watch = watch});
     times_out_ += result.timed_out;
     return result;
 }
 
 OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
-                                   const std::vector<std::string>& options) const {
+                                   const std::vector<std::string>& options,
+                                   const std::function<void(int)>& watch) const {
     static std::atomic<int> count = 0;
     const std::string number = std::to_string(count++);
     const fs::path scene_file = work_ / (number + ".txt"), picture = work_ / (number + ".ppm");
     std::ofstream{scene_file} << scene;
     std::vector<std::string> words{scene_file, picture};
     words.insert(words.end(), options.begin(), options.end());
-    Drawn drawn{call(words), {}, {}};
+    Drawn drawn{call(words, watch), {}, {}};
     std::error_code ignored;
     fs::remove(scene_file, ignored);
     if (drawn.result.ok()) {
@@ -99,6 +105,21 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
     }
     fs::remove(picture, ignored);
     return drawn;
+}
+
+OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
+                                   const std::vector<std::string>& options) const {
+    return draw(scene, options, {});
+}
+
+double OwnProgram::busy_threads(const std::string& scene,
+                                const std::vector<std::string>& options) const {
+    double sum = 0, looks = 0;
+    draw(scene, options, [&](int process) {
+        sum += companion::busy_threads(process);
+        ++looks;
+    });
+    return sum / std::max(1.0, looks);
 }
 
 OwnProgram::Drawn OwnProgram::picture(const std::string& scene,

@@ -95,6 +95,16 @@ Writer begin(Any& any, double scale = 1) {
     return scene;
 }
 
+// A dark ground under a bright sky: what metal and glass show of them differs most, and so does
+// what they should not show.
+Writer stage(Any& any, double scale = 1) {
+    Writer scene{scale};
+    scene.picture().camera({any(-1.5, 1.5), any(1, 1.8), any(3.4, 4)}, {0, 0.9, 0}, any(36, 44));
+    scene.word("sky", {any(0.9, 1), any(0.9, 1), any(0.9, 1), any(0.6, 0.9), any(0.6, 0.9), 1});
+    scene.word("matte", {0.03, 0.04, 0.03}).sphere({0, -100, 0}, 100);
+    return scene;
+}
+
 std::string sky_only(Any& any) {
     Writer scene;
     scene.picture().camera({0, 0, 5}, {any(-1, 1), any(-1, 1), 0}, any(40, 100));
@@ -148,14 +158,14 @@ std::string many_mattes(Any& any) {
 }
 
 std::string metals(Any& any, double least_fuzz, double most_fuzz) {
-    Writer scene = begin(any);
+    Writer scene = stage(any);
     metal(scene, any, any(least_fuzz, most_fuzz));
     on_ground(scene, any);
     return matte(scene, any).sphere({any(-2.5, -1.5), 0.5, any(0.5, 1)}, 0.5).text();
 }
 
 std::string glass(Any& any, bool hollow, double least = 1.2, double most = 2.3, double scale = 1) {
-    Writer scene = begin(any, scale);
+    Writer scene = stage(any, scale);
     const double index = any(least, most), x = any(-0.4, 0.4);
     scene.word("glass", {index}).sphere({x, 1, 0}, 1);
     if (hollow) scene.word("glass", {1 / index}).sphere({x, 1, 0}, any(0.7, 0.95));
@@ -262,7 +272,7 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                   scene("a fuzzy metal ball", metals,
                         "Is what strays below the surface folded up, so that no light is lost? Is "
                         "the stray direction on the unit sphere, not in it?",
-                        0.3, 1.0)});
+                        0.4, 0.8)});
     add("glass",
         {scene("a glass ball", glass,
                "Is the ratio of indices the other way round on the way out? Is the reflectance the "
@@ -271,10 +281,10 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
          scene("a hollow glass ball", glass,
                "Inside of the inner ball there is air: its index stands in the file as the ratio.",
                true, 1.3, 1.7, 1.0),
-         scene("glass of a high index", glass,
-               "Schlick's formula is far off here. Fresnel's is meant, the mean of both "
+         scene("glass of an index near 1", glass,
+               "Schlick's formula reflects far too much here. Fresnel's is meant, the mean of both "
                "polarizations.",
-               false, 2.2, 2.6, 1.0)});
+               false, 1.04, 1.1, 1.0)});
     add("a lens",
         {scene("balls in front of and behind the focus", lens,
                "Is the place on the lens uniform over the disc (the square root!), is "
