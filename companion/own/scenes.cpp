@@ -346,9 +346,10 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
     }
     {
         Any any{seed, 106};
-        Writer scene = begin(any);  // the camera stands in it
-        scene.picture(64, 36, 32).camera({0, 1, 0.2}, {any(-0.5, 0.5), 1, -3}, any(60, 90));
-        scene.word("glass", {any(1.3, 1.7)}).sphere({0, 1, 0}, 0.8);
+        Writer scene;
+        scene.picture().camera({0, 1, 0.2}, {any(-0.5, 0.5), 1, -3}, any(60, 90));
+        sky(scene, any).word("glass", {any(1.3, 1.7)}).sphere({0, 1, 0}, 0.8);
+        matte(scene, any).sphere({0, -100, 0}, 100);
         matte(scene, any).sphere({0, 1, -4}, 1);
         add("seen from inside a glass ball", scene.text(),
             "Is a hit behind the camera left out, and the farther one taken?");
