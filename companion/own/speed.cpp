@@ -43,7 +43,7 @@ Turns in_turns(const Timed& first, const Timed& second, const std::string& scene
 }
 
 std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, double wanted) {
-    for (int width = 16;; width *= 2) {
+    for (int width = 16;; width = width * 3 / 2) {
         const std::string scene = crowd(seed, width, width * 9 / 16);
         if (width >= 2048 || time_of(timed, scene, clock) > wanted) return scene;
     }
@@ -114,7 +114,7 @@ void judge_tree(const Trial& trial) {
                    const Timed list{trial.own, {"--list", "--threads", "1"}},
                        tree{trial.own, {"--threads", "1"}};
                    const std::string scene =
-                       long_enough(list, trial.request.seed, Clock::processor, 2);
+                       long_enough(list, trial.request.seed, Clock::processor, 1.5);
                    const Turns turns = in_turns(list, tree, scene, Clock::processor, 3);
                    line.passed = turns.ratio >= 10;
                    line.actual = times_as_fast(turns);
