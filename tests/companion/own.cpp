@@ -100,7 +100,7 @@ TEST_CASE("a program that cannot be built is one line", "[own]") {
                 "main.cpp:3:1: error: what"));
     CHECK(holds(only("true\n"), "made no program named own"));
     // As `own new` leaves it.
-    CHECK(holds(only("g++ -x c++ /dev/null -o own\n"), "there is no main() yet"));
+    CHECK(holds(only("c++ -x c++ /dev/null -o own\n"), "there is no main() yet"));
 }
 
 TEST_CASE("a program that draws nothing fails line by line", "[own]") {
