@@ -18,14 +18,14 @@ struct OwnMaterial {
 // The coat reflects as glass of index 1.5 does and takes nothing away. What it lets through comes
 // back from the ground. The choice between the two already weighs them.
 template <class Random>
-std::optional<Scatter> scatter(const OwnMaterial& lacquer, [[maybe_unused]] Vec3 incoming,
+std::optional<Scatter> scatter(const OwnMaterial& material, [[maybe_unused]] Vec3 incoming,
                                [[maybe_unused]] const Hit& hit, [[maybe_unused]] Random& random) {
     const Vec3 normal = facing_normal(hit);
     const Real reflected =
-        lacquer.amount * fresnel_reflectance(-dot(incoming, normal), 1 / Real(1.5));
+        material.amount * fresnel_reflectance(-dot(incoming, normal), 1 / Real(1.5));
     if (random.uniform() < reflected)
         return Scatter{{1, 1, 1}, above_horizon(reflect(incoming, normal), normal)};
-    return Scatter{lacquer.color, cosine_direction(normal, random_place(random))};
+    return Scatter{material.color, cosine_direction(normal, random_place(random))};
 }
 
 }  // namespace rt
