@@ -269,7 +269,7 @@ std::string float_lines(const Course& course, std::vector<Checked>& all) {
                                             [](const OpenStar& star) { return star.in_float; }))
             lines += summary_line(checked);
     }
-    return lines.empty() ? dim("  + also with Real as float\n") : lines;
+    return lines;
 }
 
 std::string details(const Course& course, const Checked& checked) {
@@ -305,7 +305,7 @@ std::string details(const Course& course, const Checked& checked) {
                     (checked.trouble.empty() ? "" : '\n' + wrapped(checked.trouble, "  "));
             break;
         case Verdict::failing:
-            if (checked.in_float)
+            if (checked.in_float && checked.warning.empty())
                 text +=
                     "\nIt passes in double and fails in float (rt::Real is float): does a number "
                     "or a tolerance\nsuit double only?\n";

@@ -43,15 +43,8 @@ std::string stars_of(const Work& work) {
     std::string text = "stars: ";
     if (work.stars > 0)
         text += std::to_string(work.stars - work.open_stars) + " of " + std::to_string(work.stars) +
-                ", ";
+                " checked, ";
     return text + hours(work.star_minutes);
-}
-
-std::string duration(double minutes) {
-    const int whole = static_cast<int>(minutes + 0.5);
-    char text[32];
-    std::snprintf(text, sizeof text, "%d h %02d min", whole / 60, whole % 60);
-    return text;
 }
 
 // In a column.
@@ -121,7 +114,7 @@ int list(const Course& course) {
     }
     std::printf("\n%s %d of %d exercises, %s of %s left; %s\n\n%s",
                 bar(total.done, total.exercises, 30).c_str(), total.done, total.exercises,
-                duration(total.minutes_left).c_str(), hours(total.minutes).c_str(),
+                hours(total.minutes_left).c_str(), hours(total.minutes).c_str(),
                 stars_of(total).c_str(),
                 next_step(course, first_open(course, state, every)).c_str());
     return app::done;

@@ -91,6 +91,16 @@ struct OneSample : rt::SphereLights {
     }
 };
 
+// A material that absorbs whatever arrives.
+struct Absorbing {};
+template <class Random>
+std::optional<rt::Scatter> scatter(const Absorbing&, Vec3, const rt::Hit&, Random&) {
+    return {};
+}
+[[maybe_unused]] Real scatter_density(const Absorbing&, const rt::Hit&, Vec3) {
+    return 0;
+}
+
 // A world that is the same as another one as long as the ray's time is 0.25.
 struct AtThatTime {
     const rt::SphereList& world;
@@ -220,6 +230,23 @@ TEST_CASE("08.4 light that was collected is never lost", "[08.4]") {
     check(rt::BlackEnding{}, 4, "in black, and most of them meet a black wall before,");
 }
 
+TEST_CASE("08.4 light that was collected stays where a path is absorbed", "[08.4]") {
+    // A white floor under a light; whatever leaves the floor is absorbed by a wall around it.
+    const rt::SphereList world{{{floor_ball, 0}, {{{0, 0, 0}, 1000}, 1}, {{{0, 40, 0}, 1}, 2}}};
+    const rt::MaterialSet<rt::Lambertian, Absorbing> materials{{white, Absorbing{}}};
+    const rt::SphereLights lights{{{{{0, 40, 0}, 1}, {2, 2, 2}}}, 2};
+    Mean mean;
+    rt::Rng random{9, 8};
+    for (int i = 0; i < 4000; ++i)
+        mean.add(gray(rt::lit_path_radiance(down, world, materials, rt::UniformSky{{0, 0, 0}},
+                                            lights, rt::NoFog{}, rt::SkyEnding{}, 5, random)));
+    const double expected = 2 / 1600.0;
+    INFO("mean of the light: " << mean.mean() << ", expected " << expected
+                               << ".\nHint: where the material gives no Scatter, return the light "
+                                  "that was collected so far");
+    CHECK(std::abs(mean.mean() - expected) <= limit * mean.standard_error() + 0.01 * expected);
+}
+
 TEST_CASE("08.4 without lights and fog it is the loop of 04.7 bit for bit", "[08.4]") {
     Lit lit;
     lit.add({{0, -100, 0}, 100}, gray_matte);
@@ -274,6 +301,11 @@ TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
         check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 2, 8000, 2), expected);
         const FoundByChance chance{lit.lights};
         check_mean(lit.mean(ray, chance, rt::SkyEnding{}, 2, 40000, 3), expected);
+        {
+            INFO("paths end by roulette, in black: they too might have met the light, and share");
+            check_mean(lit.mean(ray, lit.lights, rt::RouletteEnding{Real(0.5)}, 1, 40000, 6),
+                       expected);
+        }
     }
 }
 

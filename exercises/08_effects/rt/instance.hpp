@@ -30,9 +30,10 @@ inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
     return rt::todo("08.5", instance, ray, t);
 }
 
-// Exercise 08.5. The smallest box around an instance, grown on all sides by margin_factor(instance)
-// times hit_margin times (the largest coordinate of the middle + the largest reach of the box to
-// its middle, both by absolute value).
+// Exercise 08.5. The smallest box around an instance, grown on all sides by
+//     margin_factor(instance) * hit_margin * (m + r),
+// where m is the largest absolute coordinate of the box's middle, and r the largest of the three
+// distances from the middle to a side.
 inline Box bounds_of(const Instance& instance) {
     return rt::todo("08.5", instance);
 }

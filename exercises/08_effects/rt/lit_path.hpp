@@ -24,10 +24,12 @@ Color direct_light(AnyRay ray, const World& world, const Lights& lights,
 }
 
 // Exercise 08.4. The light that comes back along a ray: your loop of 04.7, in a scene that may have
-// lights and fog. Three things change.
+// lights and fog. Four things change.
 //   - next_place(ray, world, materials, fog, random) takes the place of world.hit, and
 //     place.scatter(random) that of materials(...); place.point, place.origin(direction) and
 //     place.is_sky() do for surfaces and for fog.
+//   - A second color holds the light that was collected so far. Every way out of the loop returns
+//     it, plus what that way brings.
 //   - A path that meets a light, place.light(lights), ends there and brings its radiance. It counts
 //     shared_weight(drawn, lights.density(that light, from)), where `drawn` is the density with
 //     which the bounce before drew its direction, and `from` the place of that bounce. It counts in
@@ -35,9 +37,8 @@ Color direct_light(AnyRay ray, const World& world, const Lights& lights,
 //   - At each bounce, unless lights.empty(): where place.density(the bounce's direction) is greater
 //     than 0, direct_light is added, times the throughput after this bounce's attenuation and
 //     before the ending changes it. It `goes_on` unless the path ends in the sky.
-// Every way out of the loop brings the light that was collected so far. The order counts, as random
-// numbers are drawn: next_place, scatter, the ending (if it is asked), direct_light. Without lights
-// and fog the result is that of path_radiance, to the last bit.
+// The order counts, as random numbers are drawn: next_place, scatter, the ending (if it is asked),
+// direct_light. Without lights and fog the result is that of path_radiance, to the last bit.
 template <class AnyRay, class World, class Materials, class Sky, class Lights, class Medium,
           class Ending, class Random>
 Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materials, const Sky& sky,

@@ -46,7 +46,7 @@ inline Prepared prepare_spheres(const SceneDescription& scene) {
 // A material as a renderer knows it: sorted into those that draw random numbers and those that need
 // not, and its image found.
 using ReadyMaterial =
-    std::variant<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte>;
+    std::variant<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>;
 
 inline ReadyMaterial ready(const MaterialDescription& material, const std::vector<Image>& images) {
     struct Sort {
@@ -63,6 +63,7 @@ inline ReadyMaterial ready(const MaterialDescription& material, const std::vecto
         ReadyMaterial operator()(const Lambertian& matte) const { return matte; }
         ReadyMaterial operator()(const Dielectric& glass) const { return glass; }
         ReadyMaterial operator()(const CheckeredMatte& checker) const { return checker; }
+        ReadyMaterial operator()(const OwnMaterial& own) const { return own; }
     };
     return std::visit(Sort{images}, material);
 }

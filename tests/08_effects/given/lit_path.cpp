@@ -70,8 +70,6 @@ void check_same(const Mean& a, const Mean& b) {
 }
 
 const rt::Lambertian white{{1, 1, 1}}, gray_matte{{Real(0.5), Real(0.5), Real(0.5)}};
-// A floor: it is convex, so that no light comes to it from itself.
-const rt::Sphere floor_ball{{0, -10, 0}, 10};
 
 }  // namespace
 
