@@ -15,10 +15,11 @@ namespace fs = std::filesystem;
 // One line: what was looked at, what was found, what was asked for.
 struct JudgedLine {
     bool passed = false;
-    std::string what;        // "rung 3: one matte ball on the ground"
-    std::string actual;      // "the same within the noise", "0.8 times as fast"
-    std::string expected;    // "our picture", "at least 10 times as fast"
-    std::string suggestion;  // where to look when it failed
+    std::string what;           // "rung 3: one matte ball on the ground"
+    std::string actual;         // "the same within the noise", "0.8 times as fast"
+    std::string expected;       // "our picture", "at least 10 times as fast"
+    std::string suggestion;     // where to look when it failed
+    bool busy_machine = false;  // which has other things to do, so that the time says little
 };
 
 struct JudgeRequest {

@@ -1,5 +1,4 @@
 #include <unistd.h>
-#include <algorithm>
 #include <app/errors.hpp>
 #include <atomic>
 #include <companion/own/own_program.hpp>
@@ -71,30 +70,25 @@ void OwnProgram::fix_addresses() {
         before_ = {"setarch", "-R"};
 }
 
-Result OwnProgram::call(const std::vector<std::string>& words,
-                        const std::function<void(int)>& watch) const {
+Result OwnProgram::call(const std::vector<std::string>& words) const {
     std::vector<std::string> command = before_;
     command.push_back(program_);
     command.insert(command.end(), words.begin(), words.end());
-    const Result result = run_process({.command = command,
-                                       .folder = work_,
-                                       .timeout = patience,
-                                       .most_output = 1 << 20,
-                                       .watch = watch});
+    const Result result = run_process(
+        {.command = command, .folder = work_, .timeout = patience, .most_output = 1 << 20});
     times_out_ += result.timed_out;
     return result;
 }
 
 OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
-                                   const std::vector<std::string>& options,
-                                   const std::function<void(int)>& watch) const {
+                                   const std::vector<std::string>& options) const {
     static std::atomic<int> count = 0;
     const std::string number = std::to_string(count++);
     const fs::path scene_file = work_ / (number + ".txt"), picture = work_ / (number + ".ppm");
     std::ofstream{scene_file} << scene;
     std::vector<std::string> words{scene_file, picture};
     words.insert(words.end(), options.begin(), options.end());
-    Drawn drawn{call(words, watch), {}, {}};
+    Drawn drawn{call(words), {}, {}};
     std::error_code ignored;
     fs::remove(scene_file, ignored);
     if (drawn.result.ok()) {
@@ -105,21 +99,6 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
     }
     fs::remove(picture, ignored);
     return drawn;
-}
-
-OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
-                                   const std::vector<std::string>& options) const {
-    return draw(scene, options, {});
-}
-
-double OwnProgram::busy_threads(const std::string& scene,
-                                const std::vector<std::string>& options) const {
-    double sum = 0, looks = 0;
-    draw(scene, options, [&](int process) {
-        sum += companion::busy_threads(process);
-        ++looks;
-    });
-    return sum / std::max(1.0, looks);
 }
 
 OwnProgram::Drawn OwnProgram::picture(const std::string& scene,

@@ -31,14 +31,10 @@ class OwnProgram {
     // Draws a scene, given as its text. How it ended stands in the result; throws app::Failure only
     // where it wrote no picture all the same.
     Drawn draw(const std::string& scene, const std::vector<std::string>& options) const;
-    // How many of its threads want to compute while it draws, on average; 0 where the system does
-    // not say.
-    double busy_threads(const std::string& scene, const std::vector<std::string>& options) const;
     // The same for a scene that it must draw: throws app::Failure where it does not.
     Drawn picture(const std::string& scene, const std::vector<std::string>& options) const;
     // Calls it with any words. The folder that it runs in is empty.
-    Result call(const std::vector<std::string>& words,
-                const std::function<void(int)>& watch = {}) const;
+    Result call(const std::vector<std::string>& words) const;
 
     // From now on it runs at addresses that are not randomized where the system can do so: the
     // thread sanitizer cannot live with all that newer kernels do to randomize them.
@@ -50,8 +46,6 @@ class OwnProgram {
   private:
     struct Existing {};
     OwnProgram(const fs::path& program, Existing);
-    Drawn draw(const std::string& scene, const std::vector<std::string>& options,
-               const std::function<void(int)>& watch) const;
     fs::path work_;  // for the copy, scenes and pictures
     fs::path program_;
     std::vector<std::string> before_{};  // the program's name on the command line

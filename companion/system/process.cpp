@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <system_error>
 
@@ -83,12 +82,10 @@ class Child {
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
     // Waits until it ends, the time is over or its output is too much, and collects its output.
-    Result wait(const Run& run) {
-        const auto [timeout, most_output] = std::pair{run.timeout, run.most_output};
+    Result wait(double timeout, std::size_t most_output) {
         Result result;
         int status = 0;
         for (int pause = 1; !has_ended(status); pause = std::min(2 * pause, 20)) {
-            if (run.watch) run.watch(id_);
             result.timed_out = timeout > 0 && seconds() > timeout;
             result.too_much = most_output > 0 && result.output.size() > most_output;
             if (result.timed_out && end_politely(status, result.output)) break;
@@ -187,7 +184,7 @@ Result run_process(const Run& run) {
     ::setpgid(id, id);  // here and there, since nobody knows who is first
     const EndedOnInterrupt guard{id};
     into.close();
-    return Child{id, from.value}.wait(run);
+    return Child{id, from.value}.wait(run.timeout, run.most_output);
 }
 
 std::string how_it_ended(const Result& result) {
@@ -203,20 +200,6 @@ std::string how_it_ended(const Result& result) {
     else
         text << "exit code " << result.exit_code;
     return text.str();
-}
-
-int busy_threads(int process) {
-    int busy = 0;
-    std::error_code ended;
-    const std::filesystem::path tasks = "/proc/" + std::to_string(process) + "/task";
-    for (const auto& task : std::filesystem::directory_iterator{tasks, ended}) {
-        std::ifstream in{task.path() / "stat"};
-        std::string line;
-        std::getline(in, line);
-        const auto name_ends = line.rfind(") ");  // after it a letter: R is running or ready
-        busy += name_ends != std::string::npos && line[name_ends + 2] == 'R';
-    }
-    return busy;
 }
 
 bool is_installed(const std::string& program) {

@@ -2,7 +2,6 @@
 // Running other programs. The one place of the companion that knows the operating system.
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,8 +25,6 @@ struct Run {
                          // started; 0 is never
     std::size_t most_memory = 0;  // bytes that it may have, where the system can tell; 0 is any
     std::size_t most_output = 0;  // bytes of captured output after which it is; 0 is never
-    // Called again and again while it runs, with the number that the system has given it.
-    std::function<void(int process)> watch{};
 };
 
 struct Result {
@@ -50,10 +47,6 @@ Result run_process(const Run& run);
 // How a run ended, for a person: "exit code 2", "it timed out after 20 s", "signal 11 (Segmentation
 // fault)".
 std::string how_it_ended(const Result& result);
-
-// How many threads of a process want to compute now, whether or not they get a core. 0 where the
-// system does not say.
-int busy_threads(int process);
 
 // True where a program of this name is in PATH.
 bool is_installed(const std::string& program);
