@@ -251,7 +251,7 @@ class Companion(unittest.TestCase):
         self.course("check", "01.1")
         said = self.course("list")
         self.assertRegex(said, r"\+ 01.1 .* done")
-        self.assertIn("1 of 2 exercises, 0 h 40 min of 1.0 hours left", said)
+        self.assertIn("1 of 2 exercises, 0.7 hours of 1.0 hours left", said)
         self.assertIn("Next: 01.2", said)
         self.write("one", "right, but touched\n")
         self.assertRegex(self.course("list"), r"\? 01.1 .* not checked since it changed")
@@ -485,6 +485,7 @@ class Companion(unittest.TestCase):
         self.assertIn("./course check 01", crashed.stderr)
 
     def put_questions(self):
+        self.put("docs/x.png", "a picture")
         self.put("chapters/01_tiny/questions.json", json.dumps({"questions": [
             {"kind": "predict", "ask": "What is 1/2 + 1/4?", "answer": 0.75, "tolerance": 0.01,
              "nudge": "Draw it.", "because": "Three quarters."},
@@ -501,11 +502,11 @@ class Companion(unittest.TestCase):
         said = self.course("ask", "01", "--answer", "1", code=1)
         self.assertIn("Not yet.\n  Draw it.", said)
         self.assertNotIn("Three quarters", said)
-        self.assertIn("No.\n  Three quarters.", self.course("ask", "01", "--answer", "2", code=1))
+        self.assertIn("No: 0.75\n  Three quarters.", self.course("ask", "01", "--answer", "2", code=1))
         self.assertIn("takes a number", self.course("ask", "01", "--answer", "what", code=2))
         self.assertIn("Right.\n  Three quarters.", self.course("ask", "1", "--answer", "3/4"))
         said = self.course("ask", "--answer", "a", code=1)
-        self.assertIn("Look at docs/x.png\n    a) 01.1 one\n    b) 01.2 two\n", said)
+        self.assertIn("Look at out/question-01.png\n    a) 01.1 one\n    b) 01.2 two\n", said)
         self.course("ask", "--answer", "B")
         self.assertIn("All questions of chapter 01 are answered", self.course("ask", "01"))
 
