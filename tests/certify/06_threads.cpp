@@ -1,4 +1,5 @@
 // Threads: the same picture as one thread draws, and faster. With --no-timing only the first.
+#include <app/cores.hpp>
 #include <chrono>
 #include <cstring>
 #include <fstream>
