@@ -51,8 +51,8 @@ OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& o
     const Result built =
         run_process({.command = command, .folder = work_ / "copy", .timeout = 300});
     if (!built.ok())
-        throw app::Failure("build.sh: " + how_it_ended(built) + ": " +
-                           first_error_of(built.output));
+        throw app::Failure("build.sh: " + how_it_ended(built) +
+                           (built.output.empty() ? "" : ": " + first_error_of(built.output)));
     if (!fs::exists(program_))
         throw app::Failure("build.sh ran and made no program named own, which was expected");
 }
