@@ -79,14 +79,16 @@ const rt::Lambertian white{{1, 1, 1}}, gray_matte{{Real(0.5), Real(0.5), Real(0.
 const rt::Sphere floor_ball{{0, -10, 0}, 10};
 const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
 
-// Lights that are chosen as a test says; they remember whom they were asked for.
+// Lights that are chosen as a test says, with one random number; they remember whom they were asked
+// for.
 struct OneSample : rt::SphereLights {
     std::optional<rt::ChosenLight> sample;
     mutable Vec3 asked_from{};
 
     template <class Random>
-    std::optional<rt::ChosenLight> choose(Vec3 from, Random&) const {
+    std::optional<rt::ChosenLight> choose(Vec3 from, Random& random) const {
         asked_from = from;
+        random();
         return sample;
     }
 };
@@ -145,7 +147,8 @@ struct Direct {
         rt::Rng before = random;
         world.asked = 0;
         const Color color = rt::direct_light(ray, world, lights, place, goes_on, random);
-        INFO("direct_light must draw no random number: lights.choose does");
+        before();
+        INFO("lights.choose draws from `random`; direct_light itself must draw nothing");
         CHECK(random() == before());
         INFO("lights.choose must be asked from place.point");
         CHECK(lights.asked_from == place.point);
@@ -247,6 +250,29 @@ TEST_CASE("08.4 light that was collected stays where a path is absorbed", "[08.4
     CHECK(std::abs(mean.mean() - expected) <= limit * mean.standard_error() + 0.01 * expected);
 }
 
+TEST_CASE("08.4 a bounce draws the numbers for its light and a mirror draws none", "[08.4]") {
+    const auto draws = [](const auto& material, int of_material, bool asks) {
+        Lit lit;
+        lit.add(floor_ball, material);
+        OneSample lights;
+        lights.lights = {{{{0, 40, 0}, 1}, {2, 2, 2}}};
+        lights.first_material = 1;
+        rt::Rng random{4, 4}, expected = random;
+        rt::lit_path_radiance(down, lit.world, lit.materials, lit.sky, lights, rt::NoFog{},
+                              rt::SkyEnding{}, 1, random);
+        for (int i = 0; i < of_material; ++i) expected.uniform();
+        if (asks) expected();
+        INFO(
+            "Hint: the same generator goes to place.scatter and to direct_light, which is asked "
+            "only "
+            "where the density of the bounce is greater than 0");
+        CHECK(random() == expected());
+    };
+    draws(white, 2, true);
+    draws(rt::Mirror{{1, 1, 1}}, 0, false);
+    draws(rt::Metal{{1, 1, 1}, Real(0.3)}, 2, false);
+}
+
 TEST_CASE("08.4 without lights and fog it is the loop of 04.7 bit for bit", "[08.4]") {
     Lit lit;
     lit.add({{0, -100, 0}, 100}, gray_matte);
@@ -289,10 +315,12 @@ TEST_CASE("08.4 a light that is seen directly shows its radiance", "[08.4]") {
 TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
     // Facing the light: E = pi L sin^2 a; a white floor sends back E / pi.
     for (const Real distance : {Real(1.2), Real(3), Real(40)}) {
+        // Not where the scene's origin is.
+        const Vec3 place{5, 2, -3};
         Lit lit;
-        lit.add(floor_ball, white);
-        lit.add_light({{0, distance, 0}, 1}, {2, 2, 2});
-        const Ray ray{{Real(0.1), Real(0.1), 0}, rt::normalize(Vec3{-1, -1, 0})};
+        lit.add({place + floor_ball.center, floor_ball.radius}, white);
+        lit.add_light({place + Vec3{0, distance, 0}, 1}, {2, 2, 2});
+        const Ray ray{place + Vec3{Real(0.1), Real(0.1), 0}, rt::normalize(Vec3{-1, -1, 0})};
         const auto sine = static_cast<double>(1 / distance);
         const double expected = 2 * sine * sine;
         INFO("distance " << text(distance));
