@@ -122,7 +122,7 @@ void judge_list(const Trial& trial) {
                    const std::vector<std::string> list{"--list", "--threads", "1"};
                    const Turns turns =
                        in_turns({trial.own, list}, {trial.reference, list},
-                                crowd(trial.request.seed, 16, 9), Clock::processor, 3);
+                                crowd(trial.request.seed, 96, 54), Clock::processor, 3);
                    line.passed = turns.ratio <= 4;
                    line.actual = number(turns.ratio) + " times (" + number(turns.first, "%.2f s") +
                                  ", " + number(turns.second, "%.2f s") + ")";
