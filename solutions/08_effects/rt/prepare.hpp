@@ -68,24 +68,21 @@ inline ReadyMaterial ready(const MaterialDescription& material, const std::vecto
     return std::visit(Sort{images}, material);
 }
 
-template <class Element, class Material>
-Element as_element(const Material& material) {
-    // A type that the renderer does not have is that of a material that no sphere is made of.
-    if constexpr (std::is_constructible_v<Element, const Material&>)
-        return Element{material};
-    else
-        return Element{Lambertian{}};
-}
-
-// The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet.
+// The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet. Where the
+// renderer does not have a material's type, no sphere is made of it.
 template <class Materials>
 Materials prepare_materials(const SceneDescription& scene) {
     using Element = typename decltype(Materials::materials)::value_type;
     Materials prepared;
     for (const MaterialDescription& material : scene.materials)
-        prepared.materials.push_back(
-            std::visit([](const auto& kind) { return as_element<Element>(kind); },
-                       ready(material, scene.images)));
+        std::visit(
+            [&](const auto& kind) {
+                if constexpr (std::is_constructible_v<Element, decltype(kind)>)
+                    prepared.materials.emplace_back(kind);
+                else
+                    prepared.materials.emplace_back(Lambertian{});
+            },
+            ready(material, scene.images));
     return prepared;
 }
 
