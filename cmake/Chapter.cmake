@@ -21,6 +21,10 @@ set(course_sources "")    # the NAME.cpp that the solution of the chapter at han
 # course_of_learner(targets...): they compile the learner's code, so that they may fail to compile.
 function(course_of_learner)
   set_target_properties(${ARGN} PROPERTIES COURSE_OF_LEARNER ON)
+  # A forgotten return may pass in one precision and crash in the other.
+  foreach(target ${ARGN})
+    target_compile_options(${target} PRIVATE -Werror=return-type)
+  endforeach()
 endfunction()
 
 # course_long_tests(targets...): programs that only the tests with COURSE_ALL_TESTS run.
@@ -370,7 +374,7 @@ function(course_finish)
   list(TRANSFORM programs APPEND _checkpoint_solution_float OUTPUT_VARIABLE float_checkpoints)
   set(mine ${course_chapters})
   list(TRANSFORM mine APPEND _mine)
-  add_custom_target(solution_programs DEPENDS ${solutions})
+  add_custom_target(solution_programs DEPENDS ${solutions} 09_own_solution)
   add_custom_target(study_programs DEPENDS ${solutions} ${float_solutions})
   add_custom_target(solution_checkpoints_double DEPENDS ${checkpoints})
   add_custom_target(solution_checkpoints DEPENDS solution_checkpoints_double ${float_checkpoints})

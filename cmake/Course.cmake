@@ -1,5 +1,6 @@
-# The facts of course.json: course_names, all chapters in their order, and of each chapter
-# course_ids_NN_topic, its exercises, and course_text_NN_topic, the file of its text.
+# The facts of course.json: course_names, the chapters of exercises in their order, and of each
+# course_ids_NN_topic, its exercises, and course_text_NN_topic, the file of its text. The chapter of
+# rungs is in Own.cmake.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/course.json)
 file(READ ${CMAKE_SOURCE_DIR}/course.json course_json)
 
@@ -17,6 +18,10 @@ course_fact(chapters LENGTH chapters)
 math(EXPR last_chapter "${chapters} - 1")
 foreach(chapter RANGE ${last_chapter})
   course_fact(name GET chapters ${chapter} name)
+  string(JSON scene ERROR_VARIABLE has_exercises GET "${course_json}" chapters ${chapter} scene)
+  if(NOT has_exercises)
+    continue()
+  endif()
   course_fact(course_text_${name} GET chapters ${chapter} text)
   course_fact(exercises LENGTH chapters ${chapter} exercises)
   math(EXPR last_exercise "${exercises} - 1")

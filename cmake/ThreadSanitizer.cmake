@@ -9,6 +9,8 @@ set_tests_properties(06_threads.no_data_race PROPERTIES LABELS "solution;tsan" T
   PASS_REGULAR_EXPRESSION "All tests passed" FAIL_REGULAR_EXPRESSION "ThreadSanitizer")
 
 course_mistakes_with(racing 06_threads "data race in")
+set(folder ${CMAKE_SOURCE_DIR}/solutions/06_threads/rt)
+file(GLOB course_sources RELATIVE ${folder} CONFIGURE_DEPENDS ${folder}/*.cpp)
 foreach(name ${racing})
   if(NOT TARGET mistake.${name})  # mistakes may be left out of this build; this one is needed
     course_mistake(${name} 06_threads)
@@ -19,5 +21,6 @@ foreach(name ${racing})
     LABELS "mistakes;tsan" TIMEOUT 300
     PASS_REGULAR_EXPRESSION "WARNING: ThreadSanitizer: data race")
 endforeach()
+set(course_sources "")
 list(TRANSFORM racing PREPEND mistake.)
 add_custom_target(thread_sanitizer DEPENDS 06_threads_checkpoint_solution ${racing})

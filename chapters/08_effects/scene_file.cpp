@@ -164,8 +164,9 @@ class Reader {
 
     Material read_material(const Value& value) {
         if (!value.find("type"))
-            value.with_keys({"type", "color", "texture", "fuzz", "index", "strength"});
-        const std::string& type = value.at("type").word({"matte", "metal", "glass", "light"});
+            value.with_keys({"type", "color", "texture", "fuzz", "index", "strength", "amount"});
+        const std::string& type =
+            value.at("type").word({"matte", "metal", "glass", "light", "own"});
         Material material;
         const auto read_color = [&] {
             const Value color = value.at("color");
@@ -184,6 +185,10 @@ class Reader {
         } else if (type == "glass") {
             value.with_keys({"type", "index"});
             material.description = Dielectric{value.number("index", {0.1, 10}, Real(1.5))};
+        } else if (type == "own") {
+            value.with_keys({"type", "color", "amount"});
+            material.description =
+                OwnMaterial{read_color(), value.number("amount", shares, Real(0.5))};
         } else if (type == "light") {
             value.with_keys({"type", "color", "strength"});
             const Real strength = value.number("strength", light, 1);
@@ -220,6 +225,7 @@ class Reader {
             MaterialDescription& own = scene_.materials.back();
             if (auto* const matte = std::get_if<Lambertian>(&own)) matte->albedo = color;
             if (auto* const metal = std::get_if<Metal>(&own)) metal->albedo = color;
+            if (auto* const yours = std::get_if<OwnMaterial>(&own)) yours->color = color;
         }
         return material.index;
     }

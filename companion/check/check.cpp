@@ -74,8 +74,8 @@ std::string cause_of(const Result& result, const TestCase* test) {
                 return "it used what a null pointer points to: a pointer to nothing, or an empty "
                        "unique_ptr";
             return "it used memory that is not its own (segmentation fault): an index out of "
-                   "range, "
-                   "or a reference to something that is gone, such as v.back() after v.pop_back()";
+                   "range, the value of an empty std::optional, or a reference to something that "
+                   "is gone, such as v.back() after v.pop_back()";
         case SIGFPE:
             return "it divided a whole number by 0";
         case SIGABRT:

@@ -17,9 +17,19 @@ const Meaning meanings[]{
      "The braces do not match: each { needs its own }. Count them from here upwards."},
     {"expected .;.|expected .,. or .;.",
      "A semicolon is missing, at the end of this line or of the one before."},
+    {"result type must be constructible|construct_at",
+     "Something that cannot be copied, such as a unique_ptr, would be copied here: leave the "
+     "vector "
+     "empty, and `push_back(std::move(it))`."},
+    {"push_back.*unique_ptr",
+     "The vector holds plain addresses: `.get()` gives that of what a unique_ptr owns."},
+    {"brace-enclosed.*optional|no matching constructor for initialization of .*optional",
+     "Braces alone do not become the value of a std::optional: write its type before them, such as "
+     "`return Roots{one, other};`."},
     {"optional.*(no match for .operator|invalid operands|cannot convert|no viable conversion|"
      "could not convert)|(no match for .operator|invalid operands|cannot convert|"
-     "no viable conversion|could not convert).*optional",
+     "no viable conversion|could not convert|invalid initialization of reference|no known "
+     "conversion).*optional",
      "One of them is a std::optional, which may be empty. Test it with `if (name)`; `*name` is the "
      "value in it."},
     {"no match for call to|does not provide a call operator|cannot be used as a function",
@@ -50,7 +60,8 @@ const Meaning meanings[]{
     {"too few arguments|too many arguments|no matching function|no matching constructor",
      "No function of this name takes these arguments: compare their number and types with its "
      "declaration."},
-    {"cannot convert|could not convert|no viable conversion|cannot initialize|invalid conversion",
+    {"cannot convert|could not convert|no viable conversion|cannot initialize|invalid conversion|"
+     "invalid initialization of reference",
      "The value has another type than the one that is needed here."},
     {"narrowing|cannot be narrowed",
      "In braces a number may not lose digits: convert it, such as Real(n) or static_cast<int>(x)."},
@@ -72,7 +83,9 @@ const Meaning meanings[]{
 }  // namespace
 
 std::string plain_words(const std::string& error) {
-    const std::string first_line = error.substr(0, error.find('\n'));
+    // In some languages of the system quotes are others than these.
+    const std::string first_line =
+        std::regex_replace(error.substr(0, error.find('\n')), std::regex{"\u2018|\u2019"}, "'");
     for (const Meaning& meaning : meanings)
         if (std::regex_search(first_line, std::regex{meaning.error})) return meaning.words;
     return "";

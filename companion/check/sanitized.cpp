@@ -35,14 +35,17 @@ SanitizerReport read_sanitizer_report(const std::string& output,
     return report;
 }
 
-std::string run_sanitized(const Course& course, const Exercise& exercise, bool threads) {
+SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool threads) {
     const std::string target = "check." + exercise.id;
     const Course side =
         side_build(course, threads ? "sanitized-threads" : "sanitized",
                    {"-DCMAKE_BUILD_TYPE=Debug",
                     std::string{"-DRT_SANITIZE="} + (threads ? "thread" : "address,undefined")});
+    if (!fs::exists(side.build / "check")) print("The first time this builds for a minute.\n");
     must_build(side, target);
-    std::vector<std::string> command{(side.build / "check" / target).string()};
+    // Where the library crashes, the learner's line is further up.
+    std::vector<std::string> command{"env", "UBSAN_OPTIONS=print_stacktrace=1",
+                                     (side.build / "check" / target).string()};
     // The thread sanitizer cannot live with all that newer kernels do to randomize addresses.
     const std::vector<std::string> fixed{"setarch", "-R"};
     if (threads && is_installed("setarch") &&
@@ -53,11 +56,15 @@ std::string run_sanitized(const Course& course, const Exercise& exercise, bool t
     app::replace_file(log, result.output);
     const SanitizerReport report = read_sanitizer_report(result.output, exercise.files);
     if (report.what.empty())
-        return "The sanitizers report nothing; the checkpoints ended with " + how_it_ended(result) +
-               ".\n";
-    return red("The sanitizer reports: ") + report.what + '\n' +
-           (report.where.empty() ? "" : "  at " + bold(report.where) + '\n') +
-           "  The whole report: " + log.lexically_relative(course.root).string() + '\n';
+        return {result.ok(),
+                "The sanitizers report nothing; " +
+                    (result.ok() ? "all checkpoints pass"
+                                 : "the checkpoints ended with " + how_it_ended(result)) +
+                    ".\n"};
+    return {false, red("The sanitizer reports: ") + report.what + '\n' +
+                       (report.where.empty() ? "" : "  at " + bold(report.where) + '\n') +
+                       "  The whole report: " + log.lexically_relative(course.root).string() +
+                       '\n'};
 }
 
 }  // namespace companion

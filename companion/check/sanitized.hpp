@@ -16,7 +16,11 @@ SanitizerReport read_sanitizer_report(const std::string& output,
                                       const std::vector<fs::path>& files);
 
 // Builds and runs the checkpoints with the address and undefined-behavior sanitizers, or with the
-// thread sanitizer, and says what they report. Throws app::Failure where the build fails.
-std::string run_sanitized(const Course& course, const Exercise& exercise, bool threads);
+// thread sanitizer. Throws app::Failure where the build fails.
+struct SanitizedRun {
+    bool passed = false;  // the checkpoints pass, and the sanitizers report nothing
+    std::string words;    // what was reported
+};
+SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool threads);
 
 }  // namespace companion

@@ -2,6 +2,7 @@
 #include <companion/check/compiler_words.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/model/mistakes.hpp>
+#include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
 #include <sstream>
 
@@ -268,7 +269,7 @@ std::string float_lines(const Course& course, std::vector<Checked>& all) {
                                             [](const OpenStar& star) { return star.in_float; }))
             lines += summary_line(checked);
     }
-    return lines.empty() ? dim("  + also with Real as float\n") : lines;
+    return lines;
 }
 
 std::string details(const Course& course, const Checked& checked) {
@@ -304,7 +305,7 @@ std::string details(const Course& course, const Checked& checked) {
                     (checked.trouble.empty() ? "" : '\n' + wrapped(checked.trouble, "  "));
             break;
         case Verdict::failing:
-            if (checked.in_float)
+            if (checked.in_float && checked.warning.empty())
                 text +=
                     "\nIt passes in double and fails in float (rt::Real is float): does a number "
                     "or a tolerance\nsuit double only?\n";
@@ -346,8 +347,20 @@ std::string stars_open(int count) {
     return std::to_string(count) + (count == 1 ? " star open" : " stars open");
 }
 
+// What comes when every exercise passes: the chapter of rungs, then the certificate.
+std::string step_after_the_exercises(const Course& course) {
+    const auto rungs = chapter_of_rungs(course);
+    const OwnRecord own = read_state(course).own;
+    if (!rungs || own_passes(own)) return "The last step: ./course certify\n";
+    const std::string folder = own.folder.empty() ? "FOLDER" : own.folder;
+    return "Next: " + bold(rungs->number() + ' ' + rungs->title) + ", about " +
+           std::to_string(rungs->minutes) + " minutes\n  read   " + rungs->text.string() + '\n' +
+           (own.folder.empty() ? "  begin  ./course own new FOLDER\n" : "") +
+           "  check  ./course own judge " + folder + '\n';
+}
+
 std::string next_step(const Course& course, const Exercise* next) {
-    if (!next) return "Every exercise passes. The last step: ./course certify\n";
+    if (!next) return "Every exercise passes. " + step_after_the_exercises(course);
     return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
            std::to_string(next->minutes) + " minutes" +
            (next->star_minutes > 0 ? " (its stars: " + std::to_string(next->star_minutes) + " more)"

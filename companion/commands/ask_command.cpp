@@ -1,10 +1,13 @@
 #include <unistd.h>
 
 #include <app/errors.hpp>
+#include <app/files.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/model/questions.hpp>
 #include <companion/model/state.hpp>
+#include <companion/system/files.hpp>
 #include <companion/system/terminal.hpp>
+#include <cstdio>
 #include <iostream>
 
 namespace companion {
@@ -35,13 +38,30 @@ std::string letter(std::size_t choice) {
     return std::string(1, static_cast<char>('a' + static_cast<int>(choice))) + ") ";
 }
 
-void print_question(const Open& open) {
+// A copy of a question's picture whose name does not give the answer away.
+fs::path neutral_picture(const Course& course, const Open& open) {
+    const fs::path copy = fs::path{"out"} / ("question-" + open.chapter.number() + ".png");
+    fs::create_directories(course.root / "out");
+    app::replace_file(course.root / copy, read_file(course.root / open.question.picture));
+    return copy;
+}
+
+std::string right_answer(const Question& question) {
+    if (!question.choices.empty())
+        return letter(question.right_choice) + question.choices[question.right_choice];
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", question.number);
+    return text;
+}
+
+void print_question(const Course& course, const Open& open) {
     const Question& question = open.question;
     print('\n' +
           bold("Chapter " + open.chapter.number() + ", question " + std::to_string(open.number) +
                " of " + std::to_string(open.of)) +
           " (" + question.kind + ")\n" + wrapped(question.ask, "  "));
-    if (!question.picture.empty()) print("  Look at " + question.picture.string() + '\n');
+    if (!question.picture.empty())
+        print("  Look at " + neutral_picture(course, open).string() + '\n');
     for (std::size_t i = 0; i < question.choices.size(); ++i)
         print("    " + letter(i) + question.choices[i] + '\n');
 }
@@ -69,7 +89,7 @@ Reply take(const Course& course, const Question& question, const std::string& an
     else if (!again)
         print("  " + yellow("Not yet.") + '\n' + wrapped(question.nudge, "  "));
     else
-        print("  " + red("No.") + '\n' + wrapped(question.because, "  "));
+        print("  " + red("No: ") + right_answer(question) + '\n' + wrapped(question.because, "  "));
     return reply;
 }
 
@@ -79,7 +99,7 @@ int answer_one(const Course& course, const Open& open, const std::string& answer
         throw app::UsageError("ask --answer: question " + std::to_string(open.number) +
                               " of chapter " + open.chapter.number() + " takes " +
                               what_fits(open.question) + ", not '" + answer + '\'');
-    print_question(open);
+    print_question(course, open);
     const State state = read_state(course);
     const auto known = state.answers.find(open.question.key());
     const bool again = known != state.answers.end() && known->second.tries % 2 == 1;
@@ -88,7 +108,7 @@ int answer_one(const Course& course, const Open& open, const std::string& answer
 
 // False where no more is read.
 bool ask_until_told(const Course& course, const Open& open) {
-    print_question(open);
+    print_question(course, open);
     for (int wrong = 0; wrong < 2;) {
         print("> ");
         std::string line;
@@ -105,7 +125,7 @@ bool ask_until_told(const Course& course, const Open& open) {
 
 int ask(const Course& course, const Named& name, const Named& answer) {
     std::vector<Chapter> chosen = chapters(course);
-    if (name) chosen = {find_chapter(chosen, *name)};
+    if (name) chosen = {find_chapter(course, *name)};
     const std::vector<Open> open = open_questions(course, chosen);
     if (open.empty()) {
         print("All questions" + (name ? " of chapter " + chosen[0].number() : "") +

@@ -10,6 +10,7 @@
 #include <companion/check/sanitized.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/own/standing.hpp>
 #include <companion/pages/certificate.hpp>
 #include <companion/pages/studies.hpp>
 #include <companion/system/process.hpp>
@@ -97,6 +98,15 @@ class Examination {
             note_stars(one);
         }
         return written;
+    }
+
+    // The verdict on the learner's own program, as `own judge` left it.
+    void take_own_verdict() {
+        const auto rungs = chapter_of_rungs(course_);
+        if (!rungs) return;
+        const OwnRecord own = read_state(course_).own;
+        note(own_passes(own), rungs->number(), "a ray tracer from an empty folder, judged",
+             standing_of(own), "every line passes");
     }
 
     // The eight questions, when all lines are there.
@@ -237,6 +247,7 @@ int certify(const Course& course) {
     Examination examination{course};
     const std::vector<CheckedChapter> checked = check_all_chapters(course);
     const bool written = examination.check_exercises_of(checked);
+    examination.take_own_verdict();
     if (written) {
         std::puts("All is written. Building it anew takes a few minutes.");
         std::fflush(stdout);
@@ -260,7 +271,9 @@ int certify(const Course& course) {
     for (const CertifiedFigure& one : certificate.measurements)
         if (one.held == Held::fails && !one.star && !one.exercise.empty()) ids.insert(one.exercise);
     std::puts("Not there yet; out/certificate.html says how far it is.");
-    if (!ids.empty()) std::printf("Next: ./course check %s\n", ids.begin()->c_str());
+    const bool is_exercise = !ids.empty() && ids.begin()->find('.') != std::string::npos;
+    if (is_exercise) std::printf("Next: ./course check %s\n", ids.begin()->c_str());
+    if (!ids.empty() && !is_exercise) print(next_step(course, nullptr));
     return written ? app::could_not : app::still_to_write;
 }
 

@@ -15,7 +15,7 @@ namespace {
 // something is written.
 std::vector<Exercise> chosen(const Course& course, const Named& name) {
     if (name && name->find('.') != std::string::npos) return {find_exercise(course, *name)};
-    if (name) return exercises(course, find_chapter(chapters(course), *name));
+    if (name) return exercises(course, find_chapter(course, *name));
     const State state = read_state(course);
     std::vector<Exercise> written;
     for (Exercise& exercise : exercises(course))
@@ -30,20 +30,21 @@ bool is_wrong(const Checked& checked) {
 }
 
 // What comes after these: in the chapter of the last one what comes after it, then what is left of
-// the chapter, then of the course. Nothing where every core passes.
+// the chapter, of later chapters, and of earlier ones. Nothing where every core passes.
 std::vector<Exercise> left_after(const Course& course, const std::vector<Checked>& all) {
     const State state = read_state(course);
-    std::vector<Exercise> later, same_chapter, others;
+    std::vector<Exercise> later, same_chapter, later_chapters, earlier_chapters;
     for (Exercise& exercise : exercises(course)) {
         if (passes(progress_of(course, state, exercise))) continue;
+        const std::string last = all.empty() ? "" : all.back().exercise.id;
+        const bool is_later = exercise.id > last;
         const bool is_same =
             !all.empty() && exercise.chapter.name == all.back().exercise.chapter.name;
-        auto& kind = !is_same                               ? others
-                     : exercise.id > all.back().exercise.id ? later
-                                                            : same_chapter;
+        auto& kind = is_same ? (is_later ? later : same_chapter)
+                             : (is_later ? later_chapters : earlier_chapters);
         kind.push_back(std::move(exercise));
     }
-    for (auto* const kind : {&later, &same_chapter, &others})
+    for (auto* const kind : {&later, &same_chapter, &later_chapters, &earlier_chapters})
         if (!kind->empty()) return *kind;
     return {};
 }
@@ -89,9 +90,9 @@ int check_sanitized(const Course& course, const std::string& name, const std::st
         throw app::UsageError("--sanitize: takes nothing, address or thread, not '" + sanitizer +
                               '\'');
     const Exercise exercise = find_exercise(course, name);
-    print("The first time this builds for a minute.\n");
-    print(run_sanitized(course, exercise, sanitizer == "thread"));
-    return app::done;
+    const SanitizedRun run = run_sanitized(course, exercise, sanitizer == "thread");
+    print(run.words);
+    return run.passed ? app::done : app::could_not;
 }
 
 int check(const Course& course, const Named& name, bool every_star) {

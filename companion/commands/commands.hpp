@@ -2,6 +2,7 @@
 // The commands of the companion, each in a file of its own.
 
 #include <companion/model/course.hpp>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ int demo(const Course& course);
 int hint(const Course& course, const std::string& exercise);
 int list(const Course& course);
 int mine(const Course& course);
+int own_new(const Course& course, const std::string& folder);
+// rung: 0 and no part is everything. seed: 0 is any.
+int own_judge(const Course& course, const std::string& folder, int rung, const Named& part,
+              std::uint64_t seed);
 int reset(const Course& course, const std::string& exercise);
 int run(const Course& course, const std::string& chapter, const std::vector<std::string>& options);
 // mine: with the learner's code where it passes, beside the solution's.

@@ -11,7 +11,7 @@
 namespace companion {
 
 int compare(const Course& course, const std::string& name) {
-    const Chapter chapter = find_chapter(chapters(course), name);
+    const Chapter chapter = find_chapter(course, name);
     const Yours yours = put_yours_in_place(course, chapter);
     must_build(course, chapter.name + "_mine");
     must_build(course, chapter.name + "_solution");

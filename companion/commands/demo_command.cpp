@@ -1,17 +1,38 @@
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/compare/picture.hpp>
 #include <companion/pages/gallery.hpp>
+#include <companion/system/files.hpp>
 #include <companion/system/process.hpp>
 #include <cstdio>
+#include <rt/image_file.hpp>
 
 namespace companion {
 namespace {
+
+// The chapter of rungs has a program that knows nothing of the course's options: it draws a scene
+// file, and writes PPM.
+std::string render_scene(const Course& course, const Chapter& chapter) {
+    const fs::path ppm = course.out() / (chapter.name + ".ppm");
+    const Result result = run_process(
+        {.command = {course.program(chapter.name + "_solution"), course.root / chapter.scene, ppm},
+         .output = Output::errors_shown});
+    if (!result.ok()) throw app::Failure(how_it_ended(result));
+    const Picture picture = parse_ppm(read_file(ppm));
+    fs::remove(ppm);
+    app::replace_file(course.out() / chapter.picture(), rt::encode_png(mean_of({picture})));
+    char said[80];
+    std::snprintf(said, sizeof said, "%dx%d pixels in %.1f s", picture.width, picture.height,
+                  result.seconds);
+    return said;
+}
 
 // Renders a chapter's picture and returns what the program said of it. Throws app::Failure.
 std::string render(const Course& course, const Chapter& chapter) {
     // An older picture must not pass for this one.
     fs::remove(course.out() / chapter.picture());
+    if (!chapter.has_exercises()) return render_scene(course, chapter);
     // In out/, so that the program speaks of the picture by its name alone.
     const Result result =
         run_process({.command = {course.program(chapter.name + "_solution").string(), "--out",
@@ -31,7 +52,7 @@ int demo(const Course& course) {
     app::make_folder(course.out());
     bool ok = true;
     std::vector<Exhibit> exhibits;
-    for (const Chapter& chapter : chapters(course)) {
+    for (const Chapter& chapter : every_chapter(course)) {
         std::string said;
         try {
             said = render(course, chapter);

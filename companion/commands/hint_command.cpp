@@ -31,8 +31,11 @@ int hint(const Course& course, const std::string& id) {
         if (shown < static_cast<int>(all.size())) ++shown;
     });
     if (number < 0 || number >= static_cast<int>(all.size())) {
-        std::printf("There are no more hints to %s. Read %s once more; the solution is in %s.\n",
-                    exercise.id.c_str(), exercise.section().c_str(), solution_of(exercise).c_str());
+        std::printf(
+            "There are no more hints to %s: all three stand in %s. Read %s once more; the solution "
+            "is in %s.\n",
+            exercise.id.c_str(), exercise.chapter.hints.string().c_str(),
+            exercise.section().c_str(), solution_of(exercise).c_str());
         return app::done;
     }
     std::string& words = all[static_cast<std::size_t>(number)];

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/model/progress.hpp>
+#include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
 
@@ -41,15 +43,14 @@ std::string stars_of(const Work& work) {
     std::string text = "stars: ";
     if (work.stars > 0)
         text += std::to_string(work.stars - work.open_stars) + " of " + std::to_string(work.stars) +
-                ", ";
+                " checked, ";
     return text + hours(work.star_minutes);
 }
 
-std::string duration(double minutes) {
-    const int whole = static_cast<int>(minutes + 0.5);
-    char text[32];
-    std::snprintf(text, sizeof text, "%d h %02d min", whole / 60, whole % 60);
-    return text;
+// In a column.
+std::string name_of(const Chapter& chapter) {
+    return bold(chapter.name +
+                std::string(16 - std::min<std::size_t>(16, chapter.name.size()), ' '));
 }
 
 // What is left of the reading is the share of the exercises that do not pass.
@@ -80,13 +81,18 @@ int list(const Course& course) {
     const State state = read_state(course);
     Work total;
     std::vector<Exercise> every;
-    for (const Chapter& chapter : chapters(course)) {
+    for (const Chapter& chapter : every_chapter(course)) {
+        if (!chapter.has_exercises()) {
+            std::printf("%s %s %s, %s\n", name_of(chapter).c_str(),
+                        bar(state.own.passed, std::max(1, state.own.lines), 10).c_str(),
+                        standing_of(state.own).c_str(), hours(chapter.minutes).c_str());
+            total.minutes += chapter.minutes;
+            if (!own_passes(state.own)) total.minutes_left += chapter.minutes;
+            continue;
+        }
         const std::vector<Exercise> all = exercises(course, chapter);
         const Work part = work_of(course, state, chapter, all);
-        std::printf("%s %s %d of %d, %s; %s\n",
-                    bold(chapter.name +
-                         std::string(16 - std::min<std::size_t>(16, chapter.name.size()), ' '))
-                        .c_str(),
+        std::printf("%s %s %d of %d, %s; %s\n", name_of(chapter).c_str(),
                     bar(part.done, part.exercises, 10).c_str(), part.done, part.exercises,
                     hours(part.minutes).c_str(), stars_of(part).c_str());
         for (const Exercise& exercise : all) {
@@ -108,7 +114,7 @@ int list(const Course& course) {
     }
     std::printf("\n%s %d of %d exercises, %s of %s left; %s\n\n%s",
                 bar(total.done, total.exercises, 30).c_str(), total.done, total.exercises,
-                duration(total.minutes_left).c_str(), hours(total.minutes).c_str(),
+                hours(total.minutes_left).c_str(), hours(total.minutes).c_str(),
                 stars_of(total).c_str(),
                 next_step(course, first_open(course, state, every)).c_str());
     return app::done;

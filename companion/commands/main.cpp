@@ -41,6 +41,10 @@ struct CommandLine {
     companion::Named answer;     // of ask --answer
     bool every_star = false;     // of check --stars
     bool is_mine = false;        // of study --mine
+    std::string folder;          // of own judge
+    int rung = 0;                // likewise; 0: all
+    companion::Named part;       // likewise
+    std::uint64_t seed = 0;      // likewise; 0: any
     int exit_code = app::done;
 
     CLI::App* add(const char* name, std::function<int()> run) {
@@ -81,6 +85,18 @@ struct CommandLine {
         add("compare", "chapter", [&] { return compare(course, *named); })->required();
         add("mine", [&] { return mine(course); });
         add("certify", [&] { return certify(course); });
+        CLI::App* const own = add("own", [&] { return exit_code; });
+        own->require_subcommand(1);
+        CLI::App* const created = own->add_subcommand("new");
+        created->add_option("folder", folder)->required();
+        created->callback([&] { exit_code = own_new(course, folder); });
+        CLI::App* const judged = own->add_subcommand("judge");
+        judged->add_option("folder", folder)->required();
+        judged->add_option("--rung", rung);
+        judged->add_option_function<std::string>("--part",
+                                                 [this](const std::string& name) { part = name; });
+        judged->add_option("--seed", seed);
+        judged->callback([&] { exit_code = own_judge(course, folder, rung, part, seed); });
         add("reset", "exercise", [&] { return reset(course, *named); })->required();
         add("ask", "chapter", [&] { return ask(course, named, answer); });
         parser.get_subcommand("ask")->add_option_function<std::string>(

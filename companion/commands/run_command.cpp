@@ -29,7 +29,7 @@ std::string picture_name(const Chapter& chapter, const std::vector<std::string>&
 }  // namespace
 
 int run(const Course& course, const std::string& name, const std::vector<std::string>& options) {
-    const Chapter chapter = find_chapter(chapters(course), name);
+    const Chapter chapter = find_chapter(course, name);
     const Yours yours = put_yours_in_place(course, chapter);
     must_build(course, chapter.name + "_mine");
     std::fprintf(stderr, "%s\n", yours.words().c_str());

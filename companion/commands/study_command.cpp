@@ -18,7 +18,7 @@ std::vector<Measurement> measured(const Course& course, const Chapter& chapter, 
 
 int study(const Course& course, const Named& name, bool mine) {
     std::vector<Chapter> chosen = chapters(course);
-    if (name) chosen = {find_chapter(chosen, *name)};
+    if (name) chosen = {find_chapter(course, *name)};
     std::string words = "The solution's code was measured.";
     std::vector<Whose> codes{Whose::solution};
     if (mine) {

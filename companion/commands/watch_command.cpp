@@ -217,7 +217,7 @@ int watch(const Course& course, const Named& name) {
     std::vector<Exercise> all = exercises(course);
     std::size_t first = 0;
     if (name) {
-        const Chapter chapter = find_chapter(chapters(course), *name);
+        const Chapter chapter = find_chapter(course, *name);
         while (first < all.size() && all[first].chapter.name != chapter.name) ++first;
     }
     return Watch{course, std::move(all), first}.run();

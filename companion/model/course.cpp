@@ -12,17 +12,35 @@ Course this_course() {
     return {COURSE_ROOT, COURSE_BUILD};
 }
 
-std::vector<Chapter> chapters(const Course& course) {
+std::vector<Chapter> every_chapter(const Course& course) {
     return read_course_file(course).chapters;
 }
 
-Chapter find_chapter(const std::vector<Chapter>& chapters, const std::string& name) {
+std::vector<Chapter> chapters(const Course& course) {
+    std::vector<Chapter> all = every_chapter(course);
+    std::erase_if(all, [](const Chapter& chapter) { return !chapter.has_exercises(); });
+    return all;
+}
+
+std::optional<Chapter> chapter_of_rungs(const Course& course) {
+    for (const Chapter& chapter : every_chapter(course))
+        if (!chapter.has_exercises()) return chapter;
+    return {};
+}
+
+Chapter find_chapter(const Course& course, const std::string& name) {
     const std::string number = name.size() == 1 ? '0' + name : name;
     std::string known;
-    for (const Chapter& chapter : chapters) {
+    for (const Chapter& chapter : every_chapter(course)) {
         const std::string topic = chapter.name.substr(chapter.name.find('_') + 1);
-        if (number == chapter.number() || name == chapter.name || name == topic) return chapter;
-        known += (known.empty() ? "" : ", ") + chapter.name;
+        const bool meant = number == chapter.number() || name == chapter.name || name == topic;
+        if (meant && chapter.has_exercises()) return chapter;
+        if (meant)
+            throw app::UsageError("chapter " + chapter.number() +
+                                  " has rungs in place of exercises: ./course own judge looks at "
+                                  "them, and " +
+                                  chapter.text.string() + " says how");
+        if (chapter.has_exercises()) known += (known.empty() ? "" : ", ") + chapter.name;
     }
     throw app::UsageError("there is no chapter '" + name + "'; there are " + known);
 }

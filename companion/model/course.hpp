@@ -2,6 +2,7 @@
 // Where the parts of the course are.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,9 @@ struct Course {
 // The copy of the course that this program was built from.
 Course this_course();
 
-// A chapter as course.json has it. Paths are within the course.
+// A chapter as course.json has it. Paths are within the course. A chapter of exercises has hints;
+// one of rungs has a scene instead: there the learner writes a whole program, in a folder of their
+// own.
 struct Chapter {
     std::string name = {};   // "03_sphere"
     std::string title = {};  // "The sphere"
@@ -32,6 +35,9 @@ struct Chapter {
     fs::path text = {}, hints = {};
     std::string caption = {};  // what its picture shows
     bool uses_real = true;     // rt::Real, so that its exercises are checked in float, too
+    fs::path scene = {};       // that its picture is drawn of
+
+    bool has_exercises() const { return scene.empty(); }
 
     std::string number() const { return name.substr(0, name.find('_')); }  // "03"
     std::string picture() const { return name + ".png"; }
@@ -39,10 +45,16 @@ struct Chapter {
 };
 
 // All chapters in their order.
+std::vector<Chapter> every_chapter(const Course& course);
+
+// Those of exercises.
 std::vector<Chapter> chapters(const Course& course);
 
-// The chapter that a person means by "3", "03", "03_sphere" or "sphere". Throws app::UsageError,
-// which says which there are.
-Chapter find_chapter(const std::vector<Chapter>& chapters, const std::string& name);
+// The one of rungs; null where the course has none.
+std::optional<Chapter> chapter_of_rungs(const Course& course);
+
+// The chapter of exercises that a person means by "3", "03", "03_sphere" or "sphere". Throws
+// app::UsageError, which says which there are.
+Chapter find_chapter(const Course& course, const std::string& name);
 
 }  // namespace companion

@@ -30,9 +30,15 @@ CourseFile read_course_file(const Course& course) {
                         .core = fact["core"].yes(),
                         .reading = fact["reading"].count(),
                         .text = fact["text"].text(),
-                        .hints = fact["hints"].text(),
-                        .caption = fact["caption"].text(),
-                        .uses_real = fact["uses_real"].yes()};
+                        .caption = fact["caption"].text()};
+        if (fact.has("scene")) {
+            chapter.scene = fact["scene"].text();
+            chapter.minutes = fact["minutes"].count();
+            file.chapters.push_back(chapter);
+            continue;
+        }
+        chapter.hints = fact["hints"].text();
+        chapter.uses_real = fact["uses_real"].yes();
         std::vector<Exercise> exercises;
         for (const Fact& exercise : fact["exercises"].list())
             exercises.push_back(read_exercise(exercise, chapter));

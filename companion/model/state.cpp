@@ -55,6 +55,10 @@ State parse(const std::string& text) {
                 member(answer, "right", Json::Kind::boolean).number != 0, count(answer, "tries"),
                 member(answer, "answer", Json::Kind::text).text};
         }
+    if (const Json* const own = find(json, "own", Json::Kind::object))
+        state.own = {member(*own, "folder", Json::Kind::text).text,
+                     member(*own, "hash", Json::Kind::text).text, count(*own, "lines"),
+                     count(*own, "passed")};
     return state;
 }
 
@@ -84,11 +88,19 @@ std::string to_text(const State& state) {
                                   {Json::Kind::text, 0, answered.answer}},
                                  {"right", "tries", "answer"}});
     }
+    const Json own{Json::Kind::object,
+                   0,
+                   {},
+                   {{Json::Kind::text, 0, state.own.folder},
+                    {Json::Kind::text, 0, state.own.hash},
+                    {Json::Kind::number, static_cast<double>(state.own.lines)},
+                    {Json::Kind::number, static_cast<double>(state.own.passed)}},
+                   {"folder", "hash", "lines", "passed"}};
     const Json all{Json::Kind::object,
                    0,
                    {},
-                   {{Json::Kind::number, version}, std::move(records), std::move(answers)},
-                   {"version", "exercises", "answers"}};
+                   {{Json::Kind::number, version}, std::move(records), std::move(answers), own},
+                   {"version", "exercises", "answers", "own"}};
     return app::to_text(all) + '\n';
 }
 

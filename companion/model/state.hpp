@@ -25,8 +25,15 @@ struct Answered {
     std::string answer{};
 };
 
+// How the learner's own program of chapter 09 was judged last.
+struct OwnRecord {
+    std::string folder{}, hash{};  // of the sources in it, as they were judged
+    int lines = 0, passed = 0;     // of the verdict; no lines: never judged
+};
+
 struct State : std::map<std::string, Record> {  // by exercise
     std::map<std::string, Answered> answers{};  // by the question's key
+    OwnRecord own{};
 };
 
 // The folder for what the companion keeps. It is made where it is missing.

@@ -91,13 +91,16 @@ class Child {
             if (result.timed_out && end_politely(status, result.output)) break;
             if (result.timed_out || result.too_much) {
                 ::kill(-id_, SIGKILL);
-                while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+                while (::wait4(id_, &status, 0, &used_) < 0 && errno == EINTR) {
                 }
                 break;
             }
             if (read_for(pause, result.output)) pause = 1;
         }
         result.seconds = seconds();
+        for (const timeval& time : {used_.ru_utime, used_.ru_stime})
+            result.cpu_seconds +=
+                static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
         while (read_for(0, result.output)) {
         }  // what was still in the pipe
         if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
@@ -106,9 +109,9 @@ class Child {
     }
 
   private:
-    bool has_ended(int& status) const {
-        const pid_t ended = ::waitpid(id_, &status, WNOHANG);
-        if (ended < 0 && errno != EINTR) fail("waitpid");
+    bool has_ended(int& status) {
+        const pid_t ended = ::wait4(id_, &status, WNOHANG, &used_);
+        if (ended < 0 && errno != EINTR) fail("wait4");
         return ended == id_;
     }
 
@@ -138,6 +141,7 @@ class Child {
     pid_t id_;
     int pipe_;
     Clock::time_point start_;
+    rusage used_{};
 };
 
 // Closes what it holds.

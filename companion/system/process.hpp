@@ -31,8 +31,9 @@ struct Result {
     int exit_code = 0;  // 127 where the program could not be started
     int signal = 0;     // that ended it, else 0
     bool timed_out = false;
-    bool too_much = false;  // output: the rest is lost
-    double seconds = 0;     // of wall time
+    bool too_much = false;   // output: the rest is lost
+    double seconds = 0;      // of wall time
+    double cpu_seconds = 0;  // of processor time, of all its threads
     std::string output;
 
     bool ok() const { return exit_code == 0 && signal == 0 && !timed_out && !too_much; }

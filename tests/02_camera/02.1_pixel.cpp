@@ -63,6 +63,8 @@ const Camera coarse = camera(4, 2, 8, 3);
 std::string suggestion(Vec2 p, Vec2 expected) {
     if (p.x == expected.x && p.y == -expected.y)
         return "upside down: row 0 is the top row, and y grows upwards";
+    if (std::abs(3 * p.x - 4 * expected.x) < Real(0.01))
+        return "four pixels lie side by side: it is / width, not / (width - 1)";
     if (p.x == expected.x + 4) return "x = 0 is the middle of the viewport, not its left edge";
     if (p.x == 0 || p.x == -4)
         return "does a whole number divide a whole number? In C++ 1 / 4 is 0: make them Real first";
@@ -103,18 +105,18 @@ TEST_CASE("02.1 the offset counts from the top left corner of the pixel", "[02.1
 }
 
 TEST_CASE("02.1 the pixels fill the viewport from edge to edge", "[02.1]") {
-    for (const int width : {1, 2, 8, 1024}) {
-        const Camera c = camera(width, 2 * width, 16, 32);
+    for (const int width : {1, 2, 5, 8, 1024}) {
+        const int height = 2 * width + 1;
+        const Camera c = camera(width, height, 16, 32);
         const Vec2 first = rt::pixel_to_viewport(c, 0, 0, {0, 0});
-        const Vec2 last = rt::pixel_to_viewport(c, width - 1, 2 * width - 1, {1, 1});
-        INFO(
-            width
-            << "x" << 2 * width
-            << " pixels on a viewport of 16x32: the outermost corners are "
-               "(-8, 16) and (8, -16), yours gives "
-            << text(first) << " and " << text(last)
-            << ".\nHint: n pixels have n widths between the outer edges, so it is / width, not / "
-               "(width - 1); and half of an odd width is no whole number: make width a Real first");
+        const Vec2 last = rt::pixel_to_viewport(c, width - 1, height - 1, {1, 1});
+        INFO(width
+             << "x" << height
+             << " pixels on a viewport of 16x32: the outermost corners are "
+                "(-8, 16) and (8, -16), yours gives "
+             << text(first) << " and " << text(last)
+             << ".\nHint: n pixels have n widths between the outer edges, so it is / width, not / "
+                "(width - 1); and half of an odd size is no whole number: make it a Real first");
         CHECK(first == Vec2{-8, 16});
         CHECK(last == Vec2{8, -16});
     }

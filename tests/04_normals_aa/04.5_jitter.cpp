@@ -100,7 +100,7 @@ TEST_CASE("04.5 the average takes each cell once and all samples", "[04.5]") {
             return color;
         });
         INFO(samples << " samples: a grid of " << n << " x " << n << " cells, and "
-                     << samples - n * n << " more samples anywhere");
+                     << samples - n * n << " more anywhere");
         const int empty_cells = static_cast<int>(std::count(counts.begin(), counts.end(), 0));
         REQUIRE(calls == samples);
         REQUIRE(outside == 0);

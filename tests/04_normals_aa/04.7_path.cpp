@@ -363,7 +363,8 @@ TEST_CASE("04.7 any path brings the light that its bounces say", "[04.7]") {
         {
             INFO(
                 "so many rays were followed; expected is one more than there are bounces, unless "
-                "the path has ended before");
+                "the path has ended before. Ask the ending after bounce number `depth` and after "
+                "every further one");
             REQUIRE(story.rays.size() == count + !has_ended);
         }
         {

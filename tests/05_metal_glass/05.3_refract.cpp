@@ -46,7 +46,9 @@ TEST_CASE("05.3 light that enters glass bends towards the normal", "[05.3]") {
         const Vec3 incoming{real(sine_in), -real(std::sqrt(1 - sine_in * sine_in)), 0};
         const Vec3 expected{real(sine_out), -real(std::sqrt(1 - sine_out * sine_out)), 0};
         const Vec3 computed = refract_or_fail(incoming, floor_normal, real(eta));
-        INFO("light at sine " << sine_in << ", eta = " << eta << ": expected sine " << sine_out);
+        INFO("light along " << text(incoming) << " meets a surface with the normal "
+                            << text(floor_normal) << ", eta = " << eta << ": its sine is "
+                            << sine_in << ", and the one behind is " << sine_out);
         const char* hint =
             "sine behind = eta * sine before; the part along the surface is scaled "
             "by eta, and the part along the normal follows from length 1";

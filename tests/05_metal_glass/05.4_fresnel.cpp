@@ -319,7 +319,8 @@ TEST_CASE("05.4 grazing light is reflected as a whole", "[05.4][hard]") {
         for (const Real cosine : {Real(0), std::numeric_limits<Real>::denorm_min(),
                                   rt::epsilon / 1024, rt::epsilon / 64}) {
             INFO("eta " << ratio << ", cosine " << text(cosine)
-                        << ": expected 1, but for rounding, and no more");
+                        << ": expected 1 within rounding, and never more than 1.\nHint: "
+                           "std::min(..., Real(1)) takes away what rounding adds");
             const Real fresnel = rt::fresnel_reflectance(cosine, real(ratio));
             const Real schlick = rt::schlick_reflectance(cosine, real(ratio));
             // At a small cosine it is 1 - 2 c (eta + 1 / eta) / sqrt(1 - eta^2), or 1 - 5 c.

@@ -67,7 +67,9 @@ TEST_CASE("05.5 light enters glass and leaves it by the law of Snell", "[05.5]")
         Fixed random = never_reflect();
         const auto bounce = scatter(glass, incoming, floor_hit(front), random);
         REQUIRE(bounce.has_value());
-        INFO((front ? "from outside, eta = 1 / 1.5" : "from inside, eta = 1.5"));
+        INFO("light along " << text(incoming)
+                            << (front ? " from outside, eta = 1 / 1.5" : " from inside, eta = 1.5")
+                            << ", the facing normal is " << text(Vec3{0, 1, 0}));
         const char* hint =
             "eta is 1 / index where hit.front, else index; the normal that counts is "
             "facing_normal(hit), on the side that the light comes from";

@@ -98,6 +98,27 @@ TEST_CASE("06.5 the loops run in several threads", "[06.5]") {
     }
 }
 
+TEST_CASE("06.5 OpenMP takes as many threads as it is told", "[06.5]") {
+    if (!rt::spread_by_openmp()) return;
+    // More than there are cores, and fewer: each job waits for one of every worker to begin.
+    for (const int workers : {1, 3, static_cast<int>(std::thread::hardware_concurrency()) + 2}) {
+        std::atomic<int> begun = 0;
+        std::atomic<bool> together = true;
+        Done done{workers, workers};
+        rt::spread_by_openmp()(workers, workers, [&](int job, int worker) {
+            done(job, worker);
+            ++begun;
+            if (!comes([&] { return begun == workers; })) together = false;
+        });
+        INFO("Hint: num_threads(workers)");
+        const std::string expected = std::to_string(workers) + " threads at once";
+        const std::string actual = together ? expected : "fewer";
+        CHECK(actual == expected);
+        CHECK(done.wrong() == "");
+        if (!together) break;
+    }
+}
+
 TEST_CASE("06.5 both loops draw the picture of 06.3", "[06.5]") {
     const rt::TileGrid grid{37, 23, 4};
     const auto shade = [](int x, int y, int) {

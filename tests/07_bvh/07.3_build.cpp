@@ -104,9 +104,16 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
         around = rt::join(around, boxes[static_cast<std::size_t>(number)]);
     const int left =
         level < rt::most_levels ? split(order, boxes) : rt::split_in_half(order, boxes);
-    INFO("a node at level " << level << " over " << order.size() << " numbers from place " << first
-                            << " on, " << left << " of which go to the left");
+    const std::string where = "a node at level " + std::to_string(level) + " over " +
+                              std::to_string(order.size()) + " numbers from place " +
+                              std::to_string(first) + " on, " + std::to_string(left) +
+                              " of which go to the left";
     if (!(node.box == around)) {
+        INFO(where);
+        if (level > rt::most_levels)
+            INFO(
+                "Hint: is it the part of the order that you think? From level most_levels on call "
+                "split_in_half, and each call is one level deeper");
         INFO("Hint: join boxes[number] of the numbers in order, and no others");
         REQUIRE(checkpoint::text(node.box) == checkpoint::text(around));
     }
@@ -115,12 +122,14 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
                                : node.left || node.right ? "a node with one child"
                                                          : "a leaf";
     if (std::string{expected} != actual) {
+        INFO(where);
         INFO(
             "Hint: for every part ask split, at level most_levels and deeper split_in_half, and "
             "nothing else; only 0 makes a leaf. Both children are one level deeper");
         REQUIRE(std::string{actual} == expected);
     }
     if (left == 0) {
+        INFO(where);
         INFO(
             "Hint: a leaf's count is order.size(), its first is what build_node was given; the "
             "right part begins where the left one ends, at first + left");

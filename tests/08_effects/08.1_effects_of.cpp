@@ -41,6 +41,8 @@ TEST_CASE("08.1 each material calls for its effect", "[08.1]") {
     check(ball_of(rt::Dielectric{}), {.glass = true}, "a Dielectric is glass");
     check(ball_of(rt::CheckeredMatte{}), {.texture = true}, "a checker is a texture");
     check(ball_of(rt::PictureMatte{}), {.texture = true}, "an image is a texture");
+    check(ball_of(rt::OwnMaterial{{1, 1, 1}, 1}), {.own = true},
+          "OwnMaterial is the material of 05.6: effects.own");
     check(ball_of(rt::Emitter{{0, 2, 0}}), {.lights = true},
           "it shines, if only in one of the three channels");
 }
@@ -91,6 +93,7 @@ TEST_CASE("08.1 a material that no sphere is made of calls for nothing", "[08.1]
     scene.materials.push_back(rt::Dielectric{});
     scene.materials.push_back(rt::Metal{{1, 1, 1}, Real(0.5)});
     scene.materials.push_back(rt::Emitter{});
+    scene.materials.push_back(rt::OwnMaterial{});
     check(scene, {}, "no sphere has a material other than number 0");
     scene.spheres.clear();
     check(scene, {}, "there are no spheres at all");
@@ -168,7 +171,7 @@ TEST_CASE("08.1 any scene calls for what can be seen of it", "[08.1][hard]") {
             scene.materials.push_back(description);
             kinds.push_back({std::move(name), effect});
         };
-        for (unsigned k = 1 + rng() % 6; k > 0; --k) switch (rng() % 7) {
+        for (unsigned k = 1 + rng() % 6; k > 0; --k) switch (rng() % 8) {
                 case 0:
                     material(matte, "matte", nullptr);
                     break;
@@ -190,6 +193,10 @@ TEST_CASE("08.1 any scene calls for what can be seen of it", "[08.1][hard]") {
                     break;
                 case 5:
                     material(rt::PictureMatte{}, "an image", &Effects::texture);
+                    break;
+                case 6:
+                    material(rt::OwnMaterial{{1, 1, 1}, rng.uniform()}, "a material of your own",
+                             &Effects::own);
                     break;
                 default: {
                     const bool shines = one_of(2);

@@ -79,17 +79,29 @@ const rt::Lambertian white{{1, 1, 1}}, gray_matte{{Real(0.5), Real(0.5), Real(0.
 const rt::Sphere floor_ball{{0, -10, 0}, 10};
 const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
 
-// Lights that are chosen as a test says; they remember whom they were asked for.
+// Lights that are chosen as a test says, with one random number; they remember whom they were asked
+// for.
 struct OneSample : rt::SphereLights {
     std::optional<rt::ChosenLight> sample;
     mutable Vec3 asked_from{};
 
     template <class Random>
-    std::optional<rt::ChosenLight> choose(Vec3 from, Random&) const {
+    std::optional<rt::ChosenLight> choose(Vec3 from, Random& random) const {
         asked_from = from;
+        random();
         return sample;
     }
 };
+
+// A material that absorbs whatever arrives.
+struct Absorbing {};
+template <class Random>
+std::optional<rt::Scatter> scatter(const Absorbing&, Vec3, const rt::Hit&, Random&) {
+    return {};
+}
+[[maybe_unused]] Real scatter_density(const Absorbing&, const rt::Hit&, Vec3) {
+    return 0;
+}
 
 // A world that is the same as another one as long as the ray's time is 0.25.
 struct AtThatTime {
@@ -135,7 +147,8 @@ struct Direct {
         rt::Rng before = random;
         world.asked = 0;
         const Color color = rt::direct_light(ray, world, lights, place, goes_on, random);
-        INFO("direct_light must draw no random number: lights.choose does");
+        before();
+        INFO("lights.choose draws from `random`; direct_light itself must draw nothing");
         CHECK(random() == before());
         INFO("lights.choose must be asked from place.point");
         CHECK(lights.asked_from == place.point);
@@ -220,6 +233,46 @@ TEST_CASE("08.4 light that was collected is never lost", "[08.4]") {
     check(rt::BlackEnding{}, 4, "in black, and most of them meet a black wall before,");
 }
 
+TEST_CASE("08.4 light that was collected stays where a path is absorbed", "[08.4]") {
+    // A white floor under a light; whatever leaves the floor is absorbed by a wall around it.
+    const rt::SphereList world{{{floor_ball, 0}, {{{0, 0, 0}, 1000}, 1}, {{{0, 40, 0}, 1}, 2}}};
+    const rt::MaterialSet<rt::Lambertian, Absorbing> materials{{white, Absorbing{}}};
+    const rt::SphereLights lights{{{{{0, 40, 0}, 1}, {2, 2, 2}}}, 2};
+    Mean mean;
+    rt::Rng random{9, 8};
+    for (int i = 0; i < 4000; ++i)
+        mean.add(gray(rt::lit_path_radiance(down, world, materials, rt::UniformSky{{0, 0, 0}},
+                                            lights, rt::NoFog{}, rt::SkyEnding{}, 5, random)));
+    const double expected = 2 / 1600.0;
+    INFO("mean of the light: " << mean.mean() << ", expected " << expected
+                               << ".\nHint: where the material gives no Scatter, return the light "
+                                  "that was collected so far");
+    CHECK(std::abs(mean.mean() - expected) <= limit * mean.standard_error() + 0.01 * expected);
+}
+
+TEST_CASE("08.4 a bounce draws the numbers for its light and a mirror draws none", "[08.4]") {
+    const auto draws = [](const auto& material, int of_material, bool asks) {
+        Lit lit;
+        lit.add(floor_ball, material);
+        OneSample lights;
+        lights.lights = {{{{0, 40, 0}, 1}, {2, 2, 2}}};
+        lights.first_material = 1;
+        rt::Rng random{4, 4}, expected = random;
+        rt::lit_path_radiance(down, lit.world, lit.materials, lit.sky, lights, rt::NoFog{},
+                              rt::SkyEnding{}, 1, random);
+        for (int i = 0; i < of_material; ++i) expected.uniform();
+        if (asks) expected();
+        INFO(
+            "Hint: the same generator goes to place.scatter and to direct_light, which is asked "
+            "only "
+            "where the density of the bounce is greater than 0");
+        CHECK(random() == expected());
+    };
+    draws(white, 2, true);
+    draws(rt::Mirror{{1, 1, 1}}, 0, false);
+    draws(rt::Metal{{1, 1, 1}, Real(0.3)}, 2, false);
+}
+
 TEST_CASE("08.4 without lights and fog it is the loop of 04.7 bit for bit", "[08.4]") {
     Lit lit;
     lit.add({{0, -100, 0}, 100}, gray_matte);
@@ -262,10 +315,12 @@ TEST_CASE("08.4 a light that is seen directly shows its radiance", "[08.4]") {
 TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
     // Facing the light: E = pi L sin^2 a; a white floor sends back E / pi.
     for (const Real distance : {Real(1.2), Real(3), Real(40)}) {
+        // Not where the scene's origin is.
+        const Vec3 place{5, 2, -3};
         Lit lit;
-        lit.add(floor_ball, white);
-        lit.add_light({{0, distance, 0}, 1}, {2, 2, 2});
-        const Ray ray{{Real(0.1), Real(0.1), 0}, rt::normalize(Vec3{-1, -1, 0})};
+        lit.add({place + floor_ball.center, floor_ball.radius}, white);
+        lit.add_light({place + Vec3{0, distance, 0}, 1}, {2, 2, 2});
+        const Ray ray{place + Vec3{Real(0.1), Real(0.1), 0}, rt::normalize(Vec3{-1, -1, 0})};
         const auto sine = static_cast<double>(1 / distance);
         const double expected = 2 * sine * sine;
         INFO("distance " << text(distance));
@@ -274,6 +329,11 @@ TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
         check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 2, 8000, 2), expected);
         const FoundByChance chance{lit.lights};
         check_mean(lit.mean(ray, chance, rt::SkyEnding{}, 2, 40000, 3), expected);
+        {
+            INFO("paths end by roulette, in black: they too might have met the light, and share");
+            check_mean(lit.mean(ray, lit.lights, rt::RouletteEnding{Real(0.5)}, 1, 40000, 6),
+                       expected);
+        }
     }
 }
 

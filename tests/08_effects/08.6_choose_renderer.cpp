@@ -9,7 +9,8 @@ using rt::Effects;
 
 namespace {
 
-const Effects all{true, true, true, true, true, true, true, true, true};
+const Effects all{true, true, true, true, true, true, true, true, true, true};
+const unsigned sets = 1u << rt::all_effects.size();  // of effects
 
 // What narrowest answers: "number 2", or what it throws.
 std::string answer(const Effects& needed, const std::vector<Effects>& renderers) {
@@ -40,7 +41,7 @@ void check(const Effects& needed, const std::vector<Effects>& renderers, std::si
     check(needed, renderers, "number " + std::to_string(expected), hint);
 }
 
-// The set of effects whose bits are those of a number, 0 ... 511.
+// The set of effects whose bits are those of a number below `sets`.
 Effects numbered(unsigned bits) {
     Effects effects;
     for (std::size_t i = 0; i < rt::all_effects.size(); ++i)
@@ -92,17 +93,17 @@ TEST_CASE("08.6 when none has all that is said", "[08.6][hard]") {
     refuses({}, {});
 }
 
-TEST_CASE("08.6 for every one of the 512 sets of effects", "[08.6][hard]") {
+TEST_CASE("08.6 for every set of effects", "[08.6][hard]") {
     rt::Rng rng{84, 1};
-    for (unsigned i = 0; i < 512 * 6; ++i) {
-        const Effects needed = numbered(i % 512);
+    for (unsigned i = 0; i < sets * 3; ++i) {
+        const Effects needed = numbered(i % sets);
         // Up to 40 renderers, some of them twice; most have more than is needed.
         std::vector<Effects> renderers(1 + rng() % (i % 2 ? 4 : 40));
         for (Effects& renderer : renderers)
             renderer = rng() % 4 == 0 ? renderers[rng() % renderers.size()]
-                                      : numbered(((rng() % 3 ? i : 0) | (rng() & rng())) % 512);
+                                      : numbered(((rng() % 3 ? i : 0) | (rng() & rng())) % sets);
         std::string expected = "std::invalid_argument";
-        for (int most = 9; most >= 0; --most)
+        for (int most = count(all); most >= 0; --most)
             for (std::size_t k = renderers.size(); k-- > 0;)
                 if (covers(renderers[k], needed) && count(renderers[k]) == most)
                     expected = "number " + std::to_string(k);

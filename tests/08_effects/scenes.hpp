@@ -20,8 +20,12 @@ inline rt::SceneDescription scene_with(const rt::Effects& effects) {
         return Color{static_cast<Real>(x) / 8, static_cast<Real>(y) / 4, Real(0.5)};
     }));
     // What no sphere is made of must change nothing.
-    scene.materials = {Lambertian{{Real(0.5), Real(0.6), Real(0.4)}}, Dielectric{Real(1.3)},
-                       Metal{{1, 1, 1}, Real(0.5)}, Emitter{{7, 7, 7}}, PictureMatte{0}};
+    scene.materials = {Lambertian{{Real(0.5), Real(0.6), Real(0.4)}},
+                       Dielectric{Real(1.3)},
+                       Metal{{1, 1, 1}, Real(0.5)},
+                       Emitter{{7, 7, 7}},
+                       PictureMatte{0},
+                       OwnMaterial{{1, 1, 1}, 1}};
     const auto add = [&](Vec3 center, Real radius, const MaterialDescription& material,
                          Vec3 velocity = {}) {
         scene.spheres.push_back(
@@ -38,6 +42,9 @@ inline rt::SceneDescription scene_with(const rt::Effects& effects) {
         add({0, Real(1.5), -2}, Real(1.5), CheckeredMatte{{0, 0, 0}, {1, 1, 1}, Real(0.3)});
         add({-2, Real(0.6), 1}, Real(0.6), PictureMatte{0});
     }
+    if (effects.own)
+        add({Real(0.3), 2, Real(0.5)}, Real(0.6),
+            OwnMaterial{{Real(0.2), Real(0.5), Real(0.9)}, 1});
     if (effects.lens) scene.camera.lens = {Real(0.4), 6};
     if (effects.motion) {
         scene.camera.shutter = Real(0.5);
@@ -63,7 +70,9 @@ inline rt::SceneDescription scene_with(const rt::Effects& effects) {
     return scene;
 }
 
-// The set of effects whose bits are those of a number, 0 ... 511.
+inline constexpr unsigned sets_of_effects = 1u << rt::all_effects.size();
+
+// The set of effects whose bits are those of a number below that.
 inline rt::Effects numbered_effects(unsigned bits) {
     rt::Effects effects;
     for (std::size_t i = 0; i < rt::all_effects.size(); ++i)

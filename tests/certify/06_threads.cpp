@@ -1,4 +1,5 @@
 // Threads: the same picture as one thread draws, and faster. With --no-timing only the first.
+#include <app/cores.hpp>
 #include <chrono>
 #include <cstring>
 #include <fstream>
@@ -79,23 +80,9 @@ void streams(Certificate& certificate) {
                         6 / std::sqrt(double(count)), "");
 }
 
-// Cores that are real: two threads of one core share what computes.
-int physical_cores() {
-    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    std::set<std::string> cores;
-    for (int i = 0;; ++i) {
-        std::ifstream in{"/sys/devices/system/cpu/cpu" + std::to_string(i) +
-                         "/topology/thread_siblings_list"};
-        std::string siblings;
-        if (!std::getline(in, siblings)) break;
-        cores.insert(siblings);
-    }
-    return cores.empty() ? threads : std::min(threads, static_cast<int>(cores.size()));
-}
-
 void speed_up(Certificate& certificate) {
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const int cores = physical_cores();
+    const int cores = app::physical_cores();
     const auto seconds = [](int workers) {
         const auto start = std::chrono::steady_clock::now();
         image_by(rt::render_tiles, workers);

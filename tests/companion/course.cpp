@@ -91,10 +91,31 @@ TEST_CASE("a wrong course.json is refused with the place and what would be right
 }
 
 TEST_CASE("a chapter is found by whatever a person calls it", "[course]") {
-    const std::vector<Chapter> all{{"01_vectors"}, {"02_camera"}, {"04_normals_aa"}};
+    const companion::Course here = companion::this_course();
     for (const char* const name : {"2", "02", "02_camera", "camera"})
-        CHECK(companion::find_chapter(all, name).name == "02_camera");
-    CHECK(companion::find_chapter(all, "normals_aa").name == "04_normals_aa");
-    for (const char* const name : {"", "3", "0", "x", "2_camera", "../02_camera"})
-        CHECK_THROWS_AS(companion::find_chapter(all, name), app::UsageError);
+        CHECK(companion::find_chapter(here, name).name == "02_camera");
+    CHECK(companion::find_chapter(here, "normals_aa").name == "04_normals_aa");
+    for (const char* const name : {"", "99", "x", "2_camera", "../02_camera"})
+        CHECK_THROWS_AS(companion::find_chapter(here, name), app::UsageError);
+    // The chapter of rungs has a command of its own.
+    for (const char* const name : {"9", "09", "own"}) {
+        std::string refusal;
+        try {
+            companion::find_chapter(here, name);
+        } catch (const app::UsageError& error) {
+            refusal = error.what();
+        }
+        CHECK(refusal.find("./course own judge") != std::string::npos);
+    }
+}
+
+TEST_CASE("a chapter of rungs has minutes and a scene in place of exercises", "[course]") {
+    const companion::Course here = companion::this_course();
+    const auto rungs = companion::chapter_of_rungs(here);
+    REQUIRE(rungs);
+    CHECK(rungs->name == "09_own");
+    CHECK(rungs->minutes == 240);
+    CHECK(companion::fs::exists(here.root / rungs->scene));
+    CHECK(companion::every_chapter(here).size() == companion::chapters(here).size() + 1);
+    for (const Chapter& chapter : companion::chapters(here)) CHECK(chapter.has_exercises());
 }

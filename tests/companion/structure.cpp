@@ -98,6 +98,17 @@ void check_includes(const fs::path& path, const std::string& chapter) {
     check_includes(name(path), read(path), chapter);
 }
 
+void check_sections(const std::string& text, const std::vector<std::string>& sections) {
+    std::size_t at = 0;
+    for (const std::string& section : sections) {
+        INFO("the text needs a section '" << section << "', in this order");
+        const auto found = text.find("\n## " + section + '\n');
+        CHECK(found != std::string::npos);
+        CHECK((found == std::string::npos || found > at));
+        if (found != std::string::npos) at = found;
+    }
+}
+
 std::vector<companion::Mistake> mistakes(const companion::Chapter& chapter) {
     return companion::read_mistakes(companion::this_course(), chapter);
 }
@@ -106,7 +117,8 @@ std::vector<companion::Mistake> mistakes(const companion::Chapter& chapter) {
 
 TEST_CASE("every folder of a chapter belongs to a chapter that is built", "[structure]") {
     std::set<std::string> known;
-    for (const auto& chapter : chapters()) known.insert(chapter.name);
+    for (const auto& chapter : companion::every_chapter(companion::this_course()))
+        known.insert(chapter.name);
     for (const char* const kind : {"chapters", "exercises", "solutions", "tests/mistakes"})
         for (const fs::path& folder : folders(root / kind)) {
             INFO(name(folder));
@@ -188,7 +200,8 @@ TEST_CASE("there is no absolute epsilon in the solutions and in common", "[struc
     // Numbers this small that are no tolerances: file and literal.
     const std::set<std::pair<std::string, std::string>> allowed{
         {"common/rt/color.hpp", "0.0031308"},  // where the sRGB transfer function turns linear
-        {"common/study/cover.hpp", "1e-6"},    // milliseconds in a nanosecond
+        {"solutions/09_own/main.cpp", "0.0031308"},
+        {"common/study/cover.hpp", "1e-6"},  // milliseconds in a nanosecond
         // The first ray tracer has the textbook's faults; chapter 04 says why they fail.
         {"solutions/00_toolchain/first.cpp", "0.001"},
         // The classic renderer that the studies compare with has its faults, too.
@@ -266,21 +279,34 @@ TEST_CASE("a chapter has all of its parts", "[structure]") {
         CHECK(fs::exists(root / "docs/images" / chapter.picture()));
         CHECK(fs::exists(root / "solutions" / chapter.name / "rt"));
 
-        std::size_t at = 0;
-        for (const char* const section :
-             {"What you will see", "The mathematics", "Build it", "Hard cases",
-              "What accuracy costs", "Only what the scene calls for", "Common mistakes",
-              "Where to read on"}) {
-            INFO("the text needs a section '" << section << "', in this order");
-            const auto found = text.find("\n## " + std::string(section) + '\n');
-            CHECK(found != std::string::npos);
-            CHECK((found == std::string::npos || found > at));
-            if (found != std::string::npos) at = found;
-        }
+        check_sections(text, {"What you will see", "The mathematics", "Build it", "Hard cases",
+                              "What accuracy costs", "Only what the scene calls for",
+                              "Common mistakes", "Where to read on"});
         CHECK(text.rfind("# ", 0) == 0);
         CHECK(text.find("](images/" + chapter.picture() + ')') != std::string::npos);
         CHECK(text.find("](plots/" + chapter.name + '-') != std::string::npos);
     }
+}
+
+TEST_CASE("the chapter of rungs has all of its parts", "[structure]") {
+    const auto chapter = companion::chapter_of_rungs(companion::this_course());
+    REQUIRE(chapter);
+    const fs::path start = root / "chapters" / chapter->name / "start";
+    for (const char* const part : {"TASK.md", "accuracy.md", "build.sh", "main.cpp"})
+        CHECK(fs::exists(start / part));
+    CHECK(fs::file_size(start / "main.cpp") == 0);
+    CHECK(fs::exists(root / "docs/images" / chapter->picture()));
+    // Our answer is one file that includes nothing of the course.
+    const std::string answer = read(root / "solutions" / chapter->name / "main.cpp");
+    CHECK(std::count(answer.begin(), answer.end(), '\n') <= 400);
+    CHECK(matches(answer, "#include <(rt|app|study|companion)/").empty());
+    CHECK(matches(answer, "#include \"").empty());
+
+    const std::string text = read(root / chapter->text);
+    CHECK(text.find("](images/" + chapter->picture() + ')') != std::string::npos);
+    check_sections(text, {"What you will see", "The task", "A plan", "When the picture is wrong",
+                          "Hard cases", "What accuracy costs", "Only what the scene calls for",
+                          "Common mistakes", "Where you go from here", "Where to read on"});
 }
 
 TEST_CASE("the texts and checkpoints have the exercises of course.json", "[structure]") {

@@ -16,6 +16,7 @@ struct Effects {
     bool lights = false;     // spheres that shine
     bool fog = false;        // a medium that scatters between the surfaces
     bool instances = false;  // spheres that a matrix stretches and turns
+    bool own = false;        // the material of exercise 05.6
 
     friend constexpr bool operator==(const Effects&, const Effects&) = default;
 };
@@ -25,15 +26,16 @@ struct NamedEffect {
     bool Effects::*member;
 };
 
-inline constexpr std::array<NamedEffect, 9> all_effects{{{"mirror", &Effects::mirror},
-                                                         {"fuzz", &Effects::fuzz},
-                                                         {"glass", &Effects::glass},
-                                                         {"texture", &Effects::texture},
-                                                         {"lens", &Effects::lens},
-                                                         {"motion", &Effects::motion},
-                                                         {"lights", &Effects::lights},
-                                                         {"fog", &Effects::fog},
-                                                         {"instances", &Effects::instances}}};
+inline constexpr std::array<NamedEffect, 10> all_effects{{{"mirror", &Effects::mirror},
+                                                          {"fuzz", &Effects::fuzz},
+                                                          {"glass", &Effects::glass},
+                                                          {"texture", &Effects::texture},
+                                                          {"lens", &Effects::lens},
+                                                          {"motion", &Effects::motion},
+                                                          {"lights", &Effects::lights},
+                                                          {"fog", &Effects::fog},
+                                                          {"instances", &Effects::instances},
+                                                          {"own", &Effects::own}}};
 
 // How many effects there are among these.
 constexpr int count(const Effects& effects) {

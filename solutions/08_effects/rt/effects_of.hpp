@@ -17,6 +17,7 @@ inline Effects effects_of(const SceneDescription& scene) {
         if (std::holds_alternative<CheckeredMatte>(material) ||
             std::holds_alternative<PictureMatte>(material))
             effects.texture = true;
+        if (std::holds_alternative<OwnMaterial>(material)) effects.own = true;
         if (const auto* const emitter = std::get_if<Emitter>(&material))
             if (emitter->radiance != Color{}) effects.lights = true;
         if (sphere.map >= 0) effects.instances = true;

@@ -46,7 +46,7 @@ inline Prepared prepare_spheres(const SceneDescription& scene) {
 // A material as a renderer knows it: sorted into those that draw random numbers and those that need
 // not, and its image found.
 using ReadyMaterial =
-    std::variant<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte>;
+    std::variant<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>;
 
 inline ReadyMaterial ready(const MaterialDescription& material, const std::vector<Image>& images) {
     struct Sort {
@@ -63,28 +63,26 @@ inline ReadyMaterial ready(const MaterialDescription& material, const std::vecto
         ReadyMaterial operator()(const Lambertian& matte) const { return matte; }
         ReadyMaterial operator()(const Dielectric& glass) const { return glass; }
         ReadyMaterial operator()(const CheckeredMatte& checker) const { return checker; }
+        ReadyMaterial operator()(const OwnMaterial& own) const { return own; }
     };
     return std::visit(Sort{images}, material);
 }
 
-template <class Element, class Material>
-Element as_element(const Material& material) {
-    // A type that the renderer does not have is that of a material that no sphere is made of.
-    if constexpr (std::is_constructible_v<Element, const Material&>)
-        return Element{material};
-    else
-        return Element{Lambertian{}};
-}
-
-// The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet.
+// The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet. Where the
+// renderer does not have a material's type, no sphere is made of it.
 template <class Materials>
 Materials prepare_materials(const SceneDescription& scene) {
     using Element = typename decltype(Materials::materials)::value_type;
     Materials prepared;
     for (const MaterialDescription& material : scene.materials)
-        prepared.materials.push_back(
-            std::visit([](const auto& kind) { return as_element<Element>(kind); },
-                       ready(material, scene.images)));
+        std::visit(
+            [&](const auto& kind) {
+                if constexpr (std::is_constructible_v<Element, decltype(kind)>)
+                    prepared.materials.emplace_back(kind);
+                else
+                    prepared.materials.emplace_back(Lambertian{});
+            },
+            ready(material, scene.images));
     return prepared;
 }
 

@@ -22,12 +22,16 @@ struct Parts {
 
     static constexpr bool metal = effects.mirror || effects.fuzz;
     static constexpr bool one_material = !metal && !effects.glass && !effects.texture;
-    using Materials =
+    using GivenMaterials =
         Either<one_material, MaterialList<Lambertian>,
                Either<!effects.glass && !effects.texture, MaterialSet<Lambertian, Mirror, Metal>,
                       Either<!metal && !effects.texture, MaterialSet<Lambertian, Dielectric>,
                              MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte,
                                          ImageMatte>>>>;
+    using Materials = Either<
+        effects.own,
+        MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>,
+        GivenMaterials>;
     using StillEye = Either<effects.lens, LensCamera, Camera>;
     using Eye = Either<effects.motion, ShutterCamera<StillEye>, StillEye>;
     using PlainWorld = Either<effects.motion, MovingWorld, WideTree>;

@@ -10,7 +10,7 @@ namespace rt {
 // The color of a pixel; the rays that it took are added to `rays`.
 using PixelShader = std::function<Color(int column, int row, std::uint64_t& rays)>;
 
-// The renderers that are compiled (given), each for one of these sets of effects: 28 of the 512
+// The renderers that are compiled (given), each for one of these sets of effects: 28 of the 1024
 // that there could be. Four choices are left free that are worth it, and of their products only
 // those where something is gained:
 //   camera     pinhole or lens
@@ -18,7 +18,8 @@ using PixelShader = std::function<Color(int column, int row, std::uint64_t& rays
 //              up; an alternative that is not used costs little more than its place in a table
 //   motion, lights, fog   each there or not; all materials with them
 //   instances  alone, with lights, or with motion, lights and fog; all materials with them
-inline constexpr Effects with_all{true, true, true, true, true, true, true, true, true};
+// The material of 05.6 is in the widest alone, which have everything.
+inline constexpr Effects with_all{true, true, true, true, true, true, true, true, true, true};
 
 inline constexpr auto renderer_effects = [] {
     const Effects all_materials{.mirror = true, .fuzz = true, .glass = true, .texture = true};
@@ -43,6 +44,7 @@ inline constexpr auto renderer_effects = [] {
             Effects effects = all_materials;
             effects.lens = lens;
             effects.instances = true;
+            effects.own = beyond == 7;
             effects.motion = beyond & 1;
             effects.lights = beyond & 2;
             effects.fog = beyond & 4;

@@ -10,6 +10,7 @@
 #include <rt/lens.hpp>
 #include <rt/mat4.hpp>
 #include <rt/metal.hpp>
+#include <rt/own_material.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere.hpp>
 #include <rt/textures.hpp>
@@ -34,7 +35,7 @@ struct Emitter {
 };
 
 using MaterialDescription =
-    std::variant<Lambertian, Metal, Dielectric, CheckeredMatte, PictureMatte, Emitter>;
+    std::variant<Lambertian, Metal, Dielectric, CheckeredMatte, PictureMatte, Emitter, OwnMaterial>;
 
 // One with a map is an instance: the unit sphere where that matrix takes it. Its shape is a sphere
 // around that; it stands still and does not shine.

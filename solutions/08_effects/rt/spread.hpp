@@ -7,14 +7,15 @@
 #include <rt/material_set.hpp>
 #include <rt/metal.hpp>
 #include <rt/mirror.hpp>
+#include <rt/own_material.hpp>
 #include <rt/textures.hpp>
 #include <type_traits>
 
 namespace rt {
 
 // The density, per solid angle, with which scatter() of a material takes a direction (given). 0 for
-// materials that light cannot be sampled for: mirrors and glass take one direction alone, and the
-// lobe of fuzz is met by the path itself.
+// materials that light cannot be sampled for: mirrors and glass take one direction alone, the lobe
+// of fuzz is met by the path itself, and nobody knows the density of a material that you invent.
 inline Real cosine_density(const Hit& hit, Vec3 direction) {
     return lambert(facing_normal(hit), direction) / pi;
 }
@@ -34,6 +35,9 @@ inline Real scatter_density(const Metal&, const Hit&, Vec3) {
     return 0;
 }
 inline Real scatter_density(const Dielectric&, const Hit&, Vec3) {
+    return 0;
+}
+inline Real scatter_density(const OwnMaterial&, const Hit&, Vec3) {
     return 0;
 }
 

@@ -32,7 +32,7 @@ Drawn draw(const rt::SceneDescription& scene, std::size_t renderer) {
 }  // namespace
 
 TEST_CASE("a test scene has the effects that it says") {
-    for (unsigned bits = 0; bits < 512; ++bits) {
+    for (unsigned bits = 0; bits < sets_of_effects; ++bits) {
         const Effects effects = numbered_effects(bits);
         INFO(names(effects) << " is found to be " << names(effects_of(scene_with(effects))));
         REQUIRE((effects_of(scene_with(effects)) == effects));
@@ -42,7 +42,7 @@ TEST_CASE("a test scene has the effects that it says") {
 TEST_CASE("each scene's narrowest renderer draws what the full one draws") {
     const std::size_t full = rt::narrowest(rt::with_all, rt::renderer_effects);
     std::set<std::size_t> used;
-    for (unsigned bits = 0; bits < 512; ++bits) {
+    for (unsigned bits = 0; bits < sets_of_effects; ++bits) {
         const rt::SceneDescription scene = scene_with(numbered_effects(bits));
         const std::size_t narrow = rt::narrowest(effects_of(scene), rt::renderer_effects);
         used.insert(narrow);

@@ -84,12 +84,16 @@ TEST_CASE("a scene file becomes the scene that it describes", "[scene_file]") {
             "unused": {"type": "matte", "color": "#000000"},
             "tiles": {"type": "matte", "texture": "board"},
             "glass": {"type": "glass"},
-            "lamp": {"type": "light", "color": [1, 0.5, 0], "strength": 4}},
+            "lamp": {"type": "light", "color": [1, 0.5, 0], "strength": 4},
+            "mine": {"type": "own", "color": [1, 0, 0.5], "amount": 0.25},
+            "plain": {"type": "own", "color": [1, 1, 1]}},
         "spheres": [
             {"center": [0, 0, 0], "radius": 2, "material": "tiles"},
             {"center": [4, 0, 0], "radius": 1, "material": "glass", "velocity": [0, 3, 0]},
             {"center": [8, 0, 0], "radius": 1, "material": "lamp"},
-            {"center": [9, 9, 0], "radius": 1, "material": "glass"}],
+            {"center": [9, 9, 0], "radius": 1, "material": "glass"},
+            {"center": [9, 0, 0], "radius": 1, "material": "mine"},
+            {"center": [9, 4, 0], "radius": 1, "material": "plain"}],
         "render": {"width": 30, "height": 20, "spp": 7, "depth": 3, "seed": 9007199254740992}})",
                                             "s.json", ".");
     CHECK(scene.camera.view.from == Vec3{1, 2, 3});
@@ -104,11 +108,14 @@ TEST_CASE("a scene file becomes the scene that it describes", "[scene_file]") {
     CHECK(scene.fog->density == Real(0.25));
     CHECK(scene.fog->forwardness == Real(-0.5));
     // Only what spheres are made of, in their order.
-    REQUIRE(scene.materials.size() == 3);
+    REQUIRE(scene.materials.size() == 5);
     CHECK(std::get<rt::CheckeredMatte>(scene.materials[0]).size == 2);
     CHECK(std::get<rt::Dielectric>(scene.materials[1]).index == Real(1.5));
     CHECK(std::get<rt::Emitter>(scene.materials[2]).radiance == Color{4, 2, 0});
-    REQUIRE(scene.spheres.size() == 4);
+    CHECK(std::get<rt::OwnMaterial>(scene.materials[3]).color == Color{1, 0, Real(0.5)});
+    CHECK(std::get<rt::OwnMaterial>(scene.materials[3]).amount == Real(0.25));
+    CHECK(std::get<rt::OwnMaterial>(scene.materials[4]).amount == Real(0.5));
+    REQUIRE(scene.spheres.size() == 6);
     CHECK(scene.spheres[1].velocity == Vec3{0, 3, 0});
     CHECK(scene.spheres[3].material == 1);
     CHECK(scene.settings.width == 30);
@@ -303,11 +310,13 @@ TEST_CASE("unknown keys are refused, and the nearest known one is named", "[scen
             "known are \"type\", \"color\" and \"strength\"");
     REFUSED(with_material(R"({"type": "matte", "color": "#ffffff", "fuzz": 1})"),
             "materials.m.fuzz", "known are \"type\", \"color\" and \"texture\"");
+    REFUSED(with_material(R"({"type": "own", "color": "#ffffff", "fuzz": 1})"), "materials.m.fuzz",
+            "known are \"type\", \"color\" and \"amount\"");
     REFUSED(with_material(R"({"type": "matte", "color": "#ffffff", "texture": "t"})"),
             "materials.m has both", "color and texture");
     REFUSED(with_material(R"({"colour": "#ffffff"})"), "materials.m.colour", "\"color\"?");
     REFUSED(with_material(R"({"type": "emitter"})"), "materials.m.type",
-            "known are \"matte\", \"metal\", \"glass\" and \"light\"");
+            "known are \"matte\", \"metal\", \"glass\", \"light\" and \"own\"");
     REFUSED(with(R"("textures": {"t": {"type": "image", "odd": 1}})"), "textures.t.odd",
             "known are \"type\" and \"file\"");
     REFUSED(with_material(R"({"type": "mat"})"), "materials.m.type", "did you mean \"matte\"?");
@@ -320,6 +329,7 @@ TEST_CASE("what is missing is named", "[scene_file]") {
     REFUSED(with_camera(R"("look_from": [0, 0, 5])"), "camera", "needs \"look_at\"");
     REFUSED(with_spheres("{}"), "spheres[0]", "needs \"center\"");
     REFUSED(with_material("{}"), "materials.m", "needs \"type\"");
+    REFUSED(with_material(R"({"type": "own"})"), "materials.m", "needs \"color\"");
     REFUSED(with_material(R"({"type": "matte"})"), "materials.m", "needs \"color\" or \"texture\"");
 }
 
@@ -356,6 +366,8 @@ TEST_CASE("numbers outside of their range are refused", "[scene_file]") {
             "from 0 to 1");
     REFUSED(with_material(R"({"type": "metal", "color": "#ffffff", "fuzz": 2})"),
             "materials.m.fuzz", "from 0 to 1");
+    REFUSED(with_material(R"({"type": "own", "color": "#ffffff", "amount": -0.1})"),
+            "materials.m.amount", "from 0 to 1");
     REFUSED(with_material(R"({"type": "light", "color": [-1, 0, 0]})"), "materials.m.color[0]",
             "from 0 to");
     REFUSED(with_camera(R"("look_from": [0, 0, 5], "look_at": [0, 0, 0], "vfov_deg": 180)"),
@@ -533,4 +545,16 @@ TEST_CASE("spheres of one material with a range of colors differ", "[scene_file]
         CHECK((0 <= albedo(i).r && albedo(i).r <= Real(0.1)));
         CHECK(albedo(i).g == Real(0.5));
     }
+}
+
+TEST_CASE("spheres of your own material get a range of colors too", "[scene_file]") {
+    const auto scene = effects::parse_scene("{" + camera + R"(, "materials": {"m": {"type": "own",
+            "color": {"between": [[0, 0, 0], [1, 1, 1]]}, "amount": 1}},
+        "groups": [{"rule": "plane", "count": 2, "extent": 9, "radius": 0.1, "materials": ["m"]}]})",
+                                            "s.json", ".");
+    REQUIRE(scene.materials.size() == 2);
+    const auto& first = std::get<rt::OwnMaterial>(scene.materials[0]);
+    const auto& second = std::get<rt::OwnMaterial>(scene.materials[1]);
+    CHECK(first.color != second.color);
+    CHECK((first.amount == 1 && second.amount == 1));
 }

@@ -1,0 +1,25 @@
+#pragma once
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <string>
+#include <thread>
+
+namespace app {
+
+// Cores that are real, 1 or more: two threads of one core share what computes. As many as there are
+// threads where the system does not tell.
+inline int physical_cores() {
+    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    std::set<std::string> cores;
+    for (int i = 0;; ++i) {
+        std::ifstream in{"/sys/devices/system/cpu/cpu" + std::to_string(i) +
+                         "/topology/thread_siblings_list"};
+        std::string siblings;
+        if (!std::getline(in, siblings)) break;
+        cores.insert(siblings);
+    }
+    return cores.empty() ? threads : std::min(threads, static_cast<int>(cores.size()));
+}
+
+}  // namespace app

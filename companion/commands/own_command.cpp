@@ -1,0 +1,87 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <app/cores.hpp>
+#include <app/errors.hpp>
+#include <companion/build/build.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/own/judge.hpp>
+#include <companion/own/standing.hpp>
+#include <companion/system/terminal.hpp>
+#include <random>
+
+namespace companion {
+namespace {
+
+// Which part a person asks for, by --rung or by --part; empty: everything.
+std::string asked_part(int rung, const Named& part) {
+    const std::vector<std::string> parts = judge_parts();
+    const std::string name = part ? *part : rung != 0 ? "rung" + std::to_string(rung) : "";
+    if (name.empty() || std::count(parts.begin(), parts.end(), name) > 0) return name;
+    if (!part) throw app::UsageError("--rung: there are rungs 1 to 9");
+    std::string known;
+    for (const std::string& one : parts) known += (known.empty() ? "" : ", ") + one;
+    throw app::UsageError("--part: there is no " + name + "; there are " + known);
+}
+
+void print_line(const JudgedLine& line) {
+    const std::string first = (line.passed ? "+ " : "x ") + line.what + '\n';
+    print((line.passed ? green(first) : red(first)) + wrapped(line.actual, "    ") + '\n');
+    if (line.passed) return;
+    print(wrapped("expected: " + line.expected, "    ") + '\n');
+    if (!line.suggestion.empty()) print(wrapped(line.suggestion, "    ") + '\n');
+}
+
+}  // namespace
+
+int own_new(const Course& course, const std::string& folder) {
+    const fs::path to = fs::absolute(folder);
+    if (fs::exists(to) && (!fs::is_directory(to) || !fs::is_empty(to)))
+        throw app::UsageError(folder + " is there and is not empty; name a new folder");
+    fs::create_directories(to);
+    fs::copy(course.root / "chapters/09_own/start", to, fs::copy_options::recursive);
+    change_state(course, [&](State& state) {
+        if (!own_passes(state.own)) state.own = {.folder = to.string()};
+    });
+    print("Your folder is " + to.string() + ". Read TASK.md in it, then write main.cpp.\n" +
+          "./course own judge " + folder + " --rung 1 looks at the first rung.\n");
+    return app::done;
+}
+
+int own_judge(const Course& course, const std::string& folder, int rung, const Named& named_part,
+              std::uint64_t seed) {
+    const std::string part = asked_part(rung, named_part);
+    must_build(course, "09_own_solution");
+    if (seed == 0) seed = 1 + std::random_device{}() % 9999;
+    print("Scenes of seed " + std::to_string(seed) +
+          (part.empty() ? "; this takes some minutes" : "") + ".\n");
+
+    const fs::path path = fs::absolute(folder).lexically_normal();
+    const std::string hash = hash_of_own(path);  // of what is judged, whatever is typed meanwhile
+    const bool on_terminal = ::isatty(STDOUT_FILENO);
+    int passed = 0, lines = 0;
+    JudgeRequest request{path, course.program("09_own_solution"), seed, part,
+                         app::physical_cores()};
+    if (on_terminal)
+        request.begins = [](const std::string& what) { print(dim("  " + what + " ...")); };
+    judge(request, [&](const JudgedLine& line) {
+        ++lines;
+        passed += line.passed;
+        if (on_terminal) print("\r\033[K");
+        print_line(line);
+    });
+    if (part.empty())
+        change_state(course, [&](State& state) {
+            state.own = {path.string(), hash, lines, passed};
+        });
+    print("\n" + std::to_string(passed) + " of " + std::to_string(lines) +
+          " lines pass. The same scenes again: --seed " + std::to_string(seed) + "\n");
+    if (passed < lines) return app::could_not;
+    if (part.empty()) print(bold("You are the author of a ray tracer.") + " ./course certify\n");
+    if (rung > 0)
+        print("Next: ./course own judge " + folder +
+              (rung < 9 ? " --rung " + std::to_string(rung + 1) : "") + '\n');
+    return app::done;
+}
+
+}  // namespace companion

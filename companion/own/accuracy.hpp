@@ -1,0 +1,18 @@
+#pragma once
+// The learner's page accuracy.md.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+// What the page says of a choice: an option for the compiler, and the figures that the learner
+// wrote.
+struct AccuracyChoice {
+    std::string option;
+    std::optional<double> time, error;
+};
+std::vector<AccuracyChoice> accuracy_choices(const std::string& page);
+
+}  // namespace companion

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <app/errors.hpp>
+#include <companion/check/sanitized.hpp>
+#include <companion/compare/comparison.hpp>
+#include <companion/compare/difference_text.hpp>
+#include <companion/own/scenes.hpp>
+#include <companion/own/standing.hpp>
+#include <companion/own/trial.hpp>
+#include <optional>
+
+namespace companion {
+namespace {
+
+using Options = std::vector<std::string>;
+
+// The variance may be this many times ours, of a pixel and of a tile. Independent samples have
+// ours, and samples that are spread on purpose have less.
+constexpr double most_pixel_noise = 2, most_tile_noise = 4;
+
+// What is wrong with a picture; empty where it is ours within the noise.
+std::string what_differs(const Comparison& compared) {
+    if (compared.sizes_differ) return "a picture of another size than the scene asks for";
+    const PictureStatistics& found = compared.statistics;
+    auto differing = compared.light_differs_in;
+    // Pixels without chance, such as the sky's, may differ by a step of rounding.
+    if (found.still_differs())
+        for (const TileStatistics& tile : found.tiles)
+            if (tile.still_differing > 0) differing.push_back(tile);
+    const Picture& picture = compared.mine.front();
+    std::string words;
+    const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
+    for (const std::string& where :
+         describe_by_region(differing, found.tiles, picture.width, picture.height))
+        add(where);
+    if (differing.empty() && compared.pixels_differ)
+        add("the light of each tile is right, and single pixels differ");
+    if (found.pixel_noise.ratio > most_pixel_noise)
+        add("the noise of a pixel has " + number(found.pixel_noise.ratio, "%.1f") +
+            " times our variance");
+    else if (found.tile_noise.ratio > most_tile_noise)
+        add("neighbors share their noise: that of a tile has " +
+            number(found.tile_noise.ratio, "%.1f") + " times our variance");
+    return words;
+}
+
+// The program's picture is the reference's within what chance explains. Of right programs one in a
+// thousand is wronged by one comparison; so what is wrong has to show in two.
+void look_at_picture(const Trial& trial, const OwnScene& scene, JudgedLine& line) {
+    const auto with = [&](const OwnProgram& program) {
+        return [&](std::uint64_t seed) {
+            return program.picture(scene.text, {"--seed", std::to_string(seed % 1'000'000'000 + 1)})
+                .picture;
+        };
+    };
+    for (std::uint64_t time : {1, 2}) {
+        const Comparison compared = compare({with(trial.own), with(trial.reference), true}, time);
+        line.actual = what_differs(compared);
+        if (!line.actual.empty()) continue;
+        line.passed = true;
+        line.actual = "the same within the noise, in each of " +
+                      std::to_string(compared.statistics.tiles.size()) + " tiles";
+        return;
+    }
+}
+
+void judge_pictures(const Trial& trial, const std::string& part,
+                    const std::vector<OwnScene>& scenes) {
+    for (const OwnScene& scene : scenes)
+        trial.line(
+            {false, part + ": " + scene.name, "", "our picture within the noise", scene.suggestion},
+            [&](JudgedLine& line) { look_at_picture(trial, scene, line); });
+}
+
+void judge_seed(const Trial& trial, const OwnScene& scene) {
+    trial.line(
+        {false, "rung 3: --seed", "", "another seed draws other noise, the same one the same",
+         "The random numbers come from the seed, the pixel and the sample."},
+        [&](JudgedLine& line) {
+            const auto bytes = [&](const char* seed) {
+                return trial.own.picture(scene.text, {"--seed", seed}).bytes;
+            };
+            const std::string one = bytes("1");
+            const bool again = bytes("1") == one, other = bytes("2") != one;
+            line.passed = again && other;
+            line.actual = !again   ? "the same seed draws two pictures"
+                          : !other ? "two seeds draw the same bytes"
+                                   : "other noise, and the same again";
+        });
+}
+
+// What a sanitizer reports of a run, and where; empty where it is silent.
+std::string report_of(const Result& result, const fs::path& folder) {
+    if (result.ok() && result.output.empty()) return "";
+    const SanitizerReport report = read_sanitizer_report(result.output, own_sources(folder));
+    if (report.what.empty()) return "own: " + how_it_ended(result);
+    return report.what + (report.where.empty() ? "" : " at " + report.where);
+}
+
+void judge_sanitized(const Trial& trial) {
+    const std::string small = some_of_all(trial.request.seed),
+                      large = crowd(trial.request.seed, 24, 14);
+    const std::pair<const char*, const char*> sanitizers[]{
+        {"address and undefined behavior", "-fsanitize=address,undefined"},
+        {"threads", "-fsanitize=thread"}};
+    for (const auto& [name, option] : sanitizers)
+        trial.line({false, std::string{"sanitizers: "} + name, "", "silent",
+                    std::string{"sh build.sh -O1 -g "} + option + " shows it, with its line."},
+                   [&, option = option](JudgedLine& line) {
+                       OwnProgram own{trial.request.folder, {"-O1", "-g", option}};
+                       own.fix_addresses();
+                       const Options threads{"--threads", "4"};
+                       for (const Result& result :
+                            {own.draw(small, {"--list"}).result, own.draw(small, threads).result,
+                             own.draw(large, threads).result})
+                           if (line.actual.empty())
+                               line.actual = report_of(result, trial.request.folder);
+                       line.passed = line.actual.empty();
+                       if (line.passed) line.actual = "silent";
+                   });
+}
+
+// One line that says what is wrong, and no crash.
+void look_at_refusal(const Result& result, JudgedLine& line) {
+    const auto lines = std::count(result.output.begin(), result.output.end(), '\n');
+    line.passed = result.exit_code > 0 && !result.timed_out && result.signal == 0 && lines == 1 &&
+                  result.output.size() > 1;
+    line.actual = how_it_ended(result) + ", " + std::to_string(lines) +
+                  (lines == 1 ? " line" : " lines") + (lines == 1 ? ": " + result.output : "");
+    if (line.actual.back() == '\n') line.actual.pop_back();
+}
+
+void judge_broken(const Trial& trial) {
+    const std::string expected = "one line that says what is wrong, and an exit code other than 0";
+    for (const OwnScene& scene : broken_scenes())
+        trial.line({false, "broken: " + scene.name, "", expected, scene.suggestion},
+                   [&](JudgedLine& line) {
+                       look_at_refusal(trial.own.draw(scene.text, {}).result, line);
+                   });
+    for (const BrokenCall& call : broken_calls())
+        trial.line({false, "broken: " + call.name, "", expected, ""},
+                   [&](JudgedLine& line) { look_at_refusal(trial.own.call(call.words), line); });
+}
+
+void judge_part(const Trial& trial, const std::string& part) {
+    for (const Rung& rung : own_rungs(trial.request.seed)) {
+        if (part != "rung" + std::to_string(rung.number)) continue;
+        if (rung.number == 3) judge_seed(trial, rung.scenes.front());
+        judge_pictures(trial, "rung " + std::to_string(rung.number), rung.scenes);
+        if (rung.number == 8) judge_cores(trial);
+        if (rung.number == 9) judge_tree(trial);
+    }
+    if (part == "hard") judge_pictures(trial, part, hard_scenes(trial.request.seed));
+    if (part == "list") judge_list(trial);
+    if (part == "sanitizers") judge_sanitized(trial);
+    if (part == "broken") judge_broken(trial);
+    if (part == "accuracy") judge_accuracy(trial);
+}
+
+}  // namespace
+
+std::vector<std::string> judge_parts() {
+    return {"rung1", "rung2", "rung3", "rung4", "rung5",      "rung6",  "rung7",
+            "rung8", "rung9", "hard",  "list",  "sanitizers", "broken", "accuracy"};
+}
+
+void judge(const JudgeRequest& request, const std::function<void(const JudgedLine&)>& report) {
+    std::optional<OwnProgram> own;
+    request.begins("build.sh");
+    try {
+        own.emplace(request.folder);
+    } catch (const app::Failure& failure) {
+        report({false, "build.sh", failure.what(), "a program named own", ""});
+        return;
+    }
+    own->patience = request.patience;
+    const OwnProgram reference = OwnProgram::existing(request.reference);
+    bool left_out = false;
+    const Trial trial{request, *own, reference, [&](JudgedLine line, const auto& look) {
+                          left_out = own->times_out() > 1;  // one more would not end, either
+                          if (left_out) return;
+                          request.begins(line.what);
+                          try {
+                              look(line);
+                          } catch (const app::Failure& failure) {
+                              line.passed = false;
+                              line.actual = failure.what();
+                          }
+                          report(line);
+                      }};
+    for (const std::string& part : judge_parts())
+        if (request.part.empty() || request.part == part) judge_part(trial, part);
+    if (left_out)
+        report({false, "the rest", "not looked at: the program did not end, twice",
+                "a program that ends", ""});
+}
+
+}  // namespace companion

@@ -1,0 +1,43 @@
+#pragma once
+// The verdict on a ray tracer of the learner's own, from the pictures that it draws and the time
+// that it takes.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+namespace fs = std::filesystem;
+
+// One line: what was looked at, what was found, what was asked for.
+struct JudgedLine {
+    bool passed = false;
+    std::string what;           // "rung 3: one matte ball on the ground"
+    std::string actual;         // "the same within the noise", "0.8 times as fast"
+    std::string expected;       // "our picture", "at least 10 times as fast"
+    std::string suggestion;     // where to look when it failed
+    bool busy_machine = false;  // which has other things to do, so that the time says little
+};
+
+struct JudgeRequest {
+    fs::path folder, reference;  // the learner's folder, and the course's own program
+    std::uint64_t seed = 1;      // of the scenes
+    std::string part{};          // only this one; empty: everything
+    int cores = 2;               // physical ones
+    double patience = 60;        // seconds for one picture
+    // Called as a line begins, which may take long.
+    std::function<void(const std::string& what)> begins = [](const std::string&) {};
+};
+
+// The parts of a verdict, in their order: "rung1" to "rung9", "hard", "list", "sanitizers",
+// "broken", "accuracy". A line's name begins with its part: "rung 1: ...", "hard: ...".
+std::vector<std::string> judge_parts();
+
+// Judges, and hands out each line as soon as it is known. A program that cannot be built is one
+// line that fails, and so is what is not looked at where the program does not end.
+void judge(const JudgeRequest& request, const std::function<void(const JudgedLine&)>& report);
+
+}  // namespace companion

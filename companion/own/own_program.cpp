@@ -1,0 +1,114 @@
+#include <unistd.h>
+#include <app/errors.hpp>
+#include <atomic>
+#include <companion/own/own_program.hpp>
+#include <companion/own/standing.hpp>
+#include <companion/system/files.hpp>
+#include <fstream>
+#include <sstream>
+
+namespace companion {
+namespace {
+
+fs::path new_folder() {
+    static std::atomic<int> count = 0;
+    const fs::path folder = fs::temp_directory_path() /
+                            ("own-" + std::to_string(getpid()) + '-' + std::to_string(count++));
+    fs::create_directories(folder);
+    return folder;
+}
+
+// What a compiler or linker said, in one line: its first error.
+std::string first_error_of(const std::string& output) {
+    if (output.find("undefined reference to `main'") != std::string::npos ||
+        output.find("_main") != std::string::npos)
+        return "there is no main() yet; TASK.md says what to write";
+    std::istringstream lines{output};
+    std::string first;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find("error") != std::string::npos) return line;
+        if (first.empty()) first = line;
+    }
+    return first;
+}
+
+}  // namespace
+
+OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& options)
+    : work_{new_folder()}, program_{work_ / "copy/own"} {
+    if (!fs::is_directory(folder))
+        throw app::Failure("there is no folder " + folder.string() +
+                           "; ./course own new FOLDER makes one");
+    if (!fs::exists(folder / "build.sh"))
+        throw app::Failure("there is no build.sh in " + folder.string() +
+                           "; ./course own new FOLDER makes a folder that has one");
+    for (const fs::path& source : own_sources(folder)) {
+        fs::create_directories((work_ / "copy" / source).parent_path());
+        fs::copy_file(folder / source, work_ / "copy" / source);
+    }
+    std::vector<std::string> command{"sh", "build.sh"};
+    command.insert(command.end(), options.begin(), options.end());
+    const Result built =
+        run_process({.command = command, .folder = work_ / "copy", .timeout = 300});
+    if (!built.ok())
+        throw app::Failure("build.sh: " + how_it_ended(built) +
+                           (built.output.empty() ? "" : ": " + first_error_of(built.output)));
+    if (!fs::exists(program_))
+        throw app::Failure("build.sh ran and made no program named own, which was expected");
+}
+
+OwnProgram::OwnProgram(const fs::path& program, Existing)
+    : work_{new_folder()}, program_{fs::absolute(program)} {}
+
+OwnProgram::~OwnProgram() {
+    std::error_code ignored;
+    fs::remove_all(work_, ignored);
+}
+
+void OwnProgram::fix_addresses() {
+    if (is_installed("setarch") && run_process({.command = {"setarch", "-R", "true"}}).ok())
+        before_ = {"setarch", "-R"};
+}
+
+Result OwnProgram::call(const std::vector<std::string>& words) const {
+    std::vector<std::string> command = before_;
+    command.push_back(program_);
+    command.insert(command.end(), words.begin(), words.end());
+    const Result result = run_process(
+        {.command = command, .folder = work_, .timeout = patience, .most_output = 1 << 20});
+    times_out_ += result.timed_out;
+    return result;
+}
+
+OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
+                                   const std::vector<std::string>& options) const {
+    static std::atomic<int> count = 0;
+    const std::string number = std::to_string(count++);
+    const fs::path scene_file = work_ / (number + ".txt"), picture = work_ / (number + ".ppm");
+    std::ofstream{scene_file} << scene;
+    std::vector<std::string> words{scene_file, picture};
+    words.insert(words.end(), options.begin(), options.end());
+    Drawn drawn{call(words), {}, {}};
+    std::error_code ignored;
+    fs::remove(scene_file, ignored);
+    if (drawn.result.ok()) {
+        if (!fs::exists(picture))
+            throw app::Failure("own ended with 0 and wrote no picture, which was expected");
+        drawn.bytes = read_file(picture);
+        drawn.picture = parse_ppm(drawn.bytes);
+    }
+    fs::remove(picture, ignored);
+    return drawn;
+}
+
+OwnProgram::Drawn OwnProgram::picture(const std::string& scene,
+                                      const std::vector<std::string>& options) const {
+    Drawn drawn = draw(scene, options);
+    const std::string& said = drawn.result.output;
+    if (!drawn.result.ok())
+        throw app::Failure(program_.filename().string() + ": " + how_it_ended(drawn.result) +
+                           (said.empty() ? "" : ": " + said.substr(0, said.find('\n'))));
+    return drawn;
+}
+
+}  // namespace companion

@@ -1,0 +1,55 @@
+#pragma once
+// A ray tracer of the learner's own, from outside: built by its own command, run as a program.
+
+#include <atomic>
+#include <companion/compare/picture.hpp>
+#include <companion/system/process.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+namespace fs = std::filesystem;
+
+class OwnProgram {
+  public:
+    // Copies the folder's sources and runs `sh build.sh` with these options for the compiler in the
+    // copy, which goes away with this object. Throws app::Failure with the compiler's words.
+    OwnProgram(const fs::path& folder, const std::vector<std::string>& options = {});
+    // A program that is there already.
+    static OwnProgram existing(const fs::path& program) { return OwnProgram{program, Existing{}}; }
+    ~OwnProgram();
+    OwnProgram(const OwnProgram&) = delete;
+    OwnProgram& operator=(const OwnProgram&) = delete;
+
+    struct Drawn {
+        Result result;
+        Picture picture;    // none where the program failed
+        std::string bytes;  // of the file
+    };
+    // Draws a scene, given as its text. How it ended stands in the result; throws app::Failure only
+    // where it wrote no picture all the same.
+    Drawn draw(const std::string& scene, const std::vector<std::string>& options) const;
+    // The same for a scene that it must draw: throws app::Failure where it does not.
+    Drawn picture(const std::string& scene, const std::vector<std::string>& options) const;
+    // Calls it with any words. The folder that it runs in is empty.
+    Result call(const std::vector<std::string>& words) const;
+
+    // From now on it runs at addresses that are not randomized where the system can do so: the
+    // thread sanitizer cannot live with all that newer kernels do to randomize them.
+    void fix_addresses();
+
+    double patience = 60;                         // seconds that a call may take
+    int times_out() const { return times_out_; }  // how often it did not end
+
+  private:
+    struct Existing {};
+    OwnProgram(const fs::path& program, Existing);
+    fs::path work_;  // for the copy, scenes and pictures
+    fs::path program_;
+    std::vector<std::string> before_{};  // the program's name on the command line
+    mutable std::atomic<int> times_out_ = 0;
+};
+
+}  // namespace companion

@@ -1,0 +1,392 @@
+#include <array>
+#include <cmath>
+#include <companion/own/scenes.hpp>
+#include <rt/rng.hpp>
+#include <sstream>
+
+namespace companion {
+namespace {
+
+// A scene file that grows line by line; `scale` multiplies all lengths.
+class Writer {
+  public:
+    explicit Writer(double scale = 1) : scale_{scale} { text_.precision(12); }
+
+    Writer& picture(int width = 64, int height = 36, int samples = 32, int depth = 50) {
+        text_ << "picture " << width << ' ' << height << ' ' << samples << ' ' << depth << '\n';
+        return *this;
+    }
+    Writer& camera(std::array<double, 3> from, std::array<double, 3> at, double fov_deg,
+                   double aperture = 0, double focus = 1, std::array<double, 3> up = {0, 1, 0}) {
+        text_ << "camera ";
+        place(from);
+        place(at);
+        for (const double x : up) text_ << x << ' ';
+        text_ << fov_deg << ' ' << aperture * scale_ << ' ' << focus * scale_ << '\n';
+        return *this;
+    }
+    Writer& line(const std::string& text) {
+        text_ << text << '\n';
+        return *this;
+    }
+    Writer& word(const std::string& name, std::initializer_list<double> numbers) {
+        text_ << name;
+        for (const double number : numbers) text_ << ' ' << number;
+        text_ << '\n';
+        return *this;
+    }
+    Writer& sphere(std::array<double, 3> center, double radius) {
+        text_ << "sphere ";
+        place(center);
+        text_ << radius * scale_ << '\n';
+        return *this;
+    }
+    std::string text() const { return text_.str(); }
+
+  private:
+    void place(const std::array<double, 3>& p) {
+        for (const double x : p) text_ << x * scale_ << ' ';
+    }
+    double scale_;
+    std::ostringstream text_;
+};
+
+// Numbers of a scene: any in a range, never a round one.
+class Any {
+  public:
+    Any(std::uint64_t seed, std::uint64_t scene) : random_{seed, scene} {}
+    double operator()(double least, double most) {
+        return least + (most - least) * static_cast<double>(random_.uniform());
+    }
+    std::array<double, 3> color(double least = 0.1, double most = 0.9) {
+        return {(*this)(least, most), (*this)(least, most), (*this)(least, most)};
+    }
+
+  private:
+    rt::Rng random_;
+};
+
+Writer& sky(Writer& scene, Any& any) {
+    return scene.word(
+        "sky", {any(0.6, 1), any(0.6, 1), any(0.6, 1), any(0.1, 0.6), any(0.2, 0.7), any(0.7, 1)});
+}
+
+Writer& matte(Writer& scene, Any& any) {
+    const auto c = any.color();
+    return scene.word("matte", {c[0], c[1], c[2]});
+}
+
+Writer& metal(Writer& scene, Any& any, double fuzz) {
+    const auto c = any.color(0.6, 1);
+    return scene.word("metal", {c[0], c[1], c[2], fuzz});
+}
+
+// A ball on a large one, in front of a camera somewhere; its material is the line before.
+Writer& on_ground(Writer& scene, Any& any) {
+    return scene.sphere({any(-0.4, 0.4), 1, any(-0.4, 0.4)}, 1);
+}
+
+Writer begin(Any& any, double scale = 1) {
+    Writer scene{scale};
+    scene.picture().camera({any(-4, 4), any(1, 3), any(4, 6)}, {any(-0.3, 0.3), 0.8, 0},
+                           any(35, 55));
+    sky(scene, any);
+    matte(scene, any).sphere({0, -100, 0}, 100);
+    return scene;
+}
+
+// A dark ground under a bright sky: what metal and glass show of them differs most, and so does
+// what they should not show.
+Writer stage(Any& any, double scale = 1) {
+    Writer scene{scale};
+    scene.picture().camera({any(-1.5, 1.5), any(1, 1.8), any(3.4, 4)}, {0, 0.9, 0}, any(36, 44));
+    scene.word("sky", {any(0.9, 1), any(0.9, 1), any(0.9, 1), any(0.6, 0.9), any(0.6, 0.9), 1});
+    scene.word("matte", {0.03, 0.04, 0.03}).sphere({0, -100, 0}, 100);
+    return scene;
+}
+
+std::string sky_only(Any& any) {
+    Writer scene;
+    scene.picture().camera({0, 0, 5}, {any(-1, 1), any(-1, 1), 0}, any(40, 100));
+    return sky(scene, any).text();
+}
+
+// Black balls show where things are, and nothing of how light is scattered.
+std::string silhouettes(Any& any, bool tilted) {
+    Writer scene;
+    const std::array<double, 3> from{any(-9, 9), any(-5, 5), any(5, 9)},
+        at{any(-1, 1), any(-1, 1), 0};
+    if (tilted)  // higher than it is wide, and not upright
+        scene.picture(54, 96).camera(from, at, any(25, 70), 0, 1, {any(0.5, 1), any(1, 2), 0.3});
+    else
+        scene.picture(96, 54).camera(from, at, any(25, 70));
+    sky(scene, any).word("matte", {0, 0, 0});
+    for (int i = 0; i < 5; ++i) scene.sphere({any(-3, 3), any(-2, 2), any(-3, 1)}, any(0.2, 0.9));
+    return scene.text();
+}
+
+std::string one_matte(Any& any) {
+    Writer scene = begin(any);
+    matte(scene, any);
+    return on_ground(scene, any).text();
+}
+
+// A valley of bright balls: most light comes after several bounces.
+std::string valley(Any& any, int depth) {
+    Writer scene;
+    scene.picture(64, 36, 32, depth).camera({0, 1.2, 5}, {0, 0.8, 0}, any(35, 50));
+    sky(scene, any).word("matte", {0.9, 0.85, 0.8}).sphere({0, -100, 0}, 100);
+    for (const double x : {-1.6, 0.0, 1.6}) scene.sphere({x, any(0.7, 0.8), any(-0.5, 0.5)}, 0.9);
+    return scene.text();
+}
+
+// What the file leaves out has a value, and what it does not need may stand there.
+std::string sparse(Any& any) {
+    Writer scene;
+    scene.line("# camera, sky and material are left out").picture().line("");
+    scene.line("   # nothing but a comment").sphere({any(-0.5, 0.5), 0, 0}, any(0.8, 1.2));
+    return scene.line("sphere 0 -101 0 100 # the ground").text();
+}
+
+std::string many_mattes(Any& any) {
+    Writer scene = begin(any);
+    for (int i = 0; i < 12; ++i) {
+        const double radius = any(0.2, 0.7);
+        matte(scene, any).sphere({any(-2, 2), radius, any(-3, 2)}, radius);
+    }
+    return scene.text();
+}
+
+std::string metals(Any& any, double least_fuzz, double most_fuzz) {
+    Writer scene = stage(any);
+    metal(scene, any, any(least_fuzz, most_fuzz));
+    on_ground(scene, any);
+    return matte(scene, any).sphere({any(-2.5, -1.5), 0.5, any(0.5, 1)}, 0.5).text();
+}
+
+std::string glass(Any& any, bool hollow, double least = 1.2, double most = 2.3, double scale = 1) {
+    Writer scene = stage(any, scale);
+    const double index = any(least, most), x = any(-0.4, 0.4);
+    scene.word("glass", {index}).sphere({x, 1, 0}, 1);
+    if (hollow) scene.word("glass", {1 / index}).sphere({x, 1, 0}, any(0.7, 0.95));
+    return matte(scene, any).sphere({any(-2.5, -1.5), 0.5, any(-1, 1)}, 0.5).text();
+}
+
+std::string lens(Any& any) {
+    Writer scene;
+    const double focus = any(4, 6);
+    scene.picture().camera({0, any(0.5, 2), 5}, {0, 0.6, 0}, any(35, 50), any(0.3, 0.9), focus);
+    sky(scene, any);
+    matte(scene, any).sphere({0, -100, 0}, 100);
+    for (int i = 0; i < 8; ++i) matte(scene, any).sphere({any(-3, 3), 0.5, any(-6, 3)}, 0.5);
+    return scene.text();
+}
+
+std::string crowd_of(std::uint64_t seed, int width, int height, bool twins) {
+    Any any{seed, 90};
+    Writer scene;
+    scene.picture(width, height, 1).camera({any(-20, 20), any(15, 25), 55}, {0, 0, 0}, any(35, 45));
+    sky(scene, any);
+    for (int i = 0; i < 10'000; ++i) {
+        const double kind = any(0, 1);
+        const std::array<double, 3> center{any(-25, 25), any(-12, 12), any(-25, 25)};
+        const double radius = any(0.05, 0.5);
+        for (int again = 0; again < (twins && i % 2 == 0 ? 2 : 1); ++again) {
+            if (kind < 0.7)
+                matte(scene, any);
+            else if (kind < 0.9)
+                metal(scene, any, any(0, 0.5));
+            else
+                scene.word("glass", {any(1.3, 1.8)});
+            scene.sphere(center, radius);
+        }
+    }
+    return scene.text();
+}
+
+}  // namespace
+
+std::string crowd(std::uint64_t seed, int width, int height) {
+    return crowd_of(seed, width, height, false);
+}
+
+std::string crowd_with_twins(std::uint64_t seed, int width, int height) {
+    return crowd_of(seed, width, height, true);
+}
+
+std::string some_of_all(std::uint64_t seed) {
+    Any any{seed, 92};
+    Writer scene;
+    scene.picture(32, 18, 4, 12).camera({any(-1, 1), 1.5, 5}, {0, 0.7, 0}, 40, 0.2, 5);
+    sky(scene, any);
+    matte(scene, any).sphere({0, -100, 0}, 100).sphere({-2.2, 0.8, any(-1, 1)}, 0.8);
+    scene.word("glass", {1.5}).sphere({0, 1, 0}, 1).word("glass", {1 / 1.5});
+    scene.sphere({0, 1, 0}, 0.8);
+    return metal(scene, any, any(0.5, 1)).sphere({2.2, 0.9, 0}, 0.9).text();
+}
+
+std::string accuracy_scene(std::uint64_t seed) {
+    Any any{seed, 91};
+    return glass(any, true);
+}
+
+std::vector<Rung> own_rungs(std::uint64_t seed) {
+    std::vector<Rung> rungs;
+    std::uint64_t number = 0;
+    // A scene of its own numbers.
+    const auto scene = [&](const char* name, auto make, const char* suggestion, auto... more) {
+        Any any{seed, ++number};
+        return OwnScene{name, make(any, more...), suggestion};
+    };
+    const auto add = [&](const char* title, std::vector<OwnScene> scenes) {
+        rungs.push_back({static_cast<int>(rungs.size()) + 1, title, std::move(scenes)});
+    };
+    add("a sky", {scene("a sky and nothing else", sky_only,
+                        "Is the direction of length 1 before its y mixes the two colors? Is the "
+                        "first row of the file the top one? Are bytes sRGB, not linear?")});
+    add("a camera, and spheres in black",
+        {scene("black balls before the sky", silhouettes,
+               "Is the field of view the vertical one? Do u, v and w make a right-handed basis, "
+               "and does every sample lie somewhere in its pixel?",
+               false),
+         scene("black balls, the camera tilted", silhouettes,
+               "Does the camera stand at `from`, look at `at`, and keep `up` upright?", true)});
+    add("matte",
+        {scene("one matte ball on the ground", one_matte,
+               "Is the new direction cosine-weighted around the normal, on the side that the ray "
+               "came from? Does each bounce multiply the light by the color?"),
+         scene("paths of one bounce", valley,
+               "A path that has bounced once and hits something again brings nothing: not the "
+               "sky, and not a second bounce.",
+               1),
+         scene("paths of three bounces", valley,
+               "How often does the loop run? A path that never hits anything has bounced 0 times.",
+               3)});
+    add("the nearest of many",
+        {scene("a dozen matte balls", many_mattes,
+               "Does the nearest hit count, whatever the order in the file?"),
+         scene("a file that leaves most out", sparse,
+               "What holds before a line says otherwise stands in TASK.md. A # begins a comment, "
+               "and empty lines mean nothing.")});
+    add("metal", {scene("a mirror", metals, "Is the direction d - 2 (d . n) n?", 0.0, 0.0),
+                  scene("a fuzzy metal ball", metals,
+                        "Is what strays below the surface folded up, so that no light is lost? Is "
+                        "the stray direction on the unit sphere, not in it?",
+                        0.4, 0.8)});
+    add("glass",
+        {scene("a glass ball", glass,
+               "Is the ratio of indices the other way round on the way out? Is the reflectance the "
+               "exact one, and chosen by a random number?",
+               false, 1.3, 1.7, 1.0),
+         scene("a hollow glass ball", glass,
+               "Inside of the inner ball there is air: its index stands in the file as the ratio.",
+               true, 1.3, 1.7, 1.0),
+         scene("glass of an index near 1", glass,
+               "Schlick's formula reflects far too much here. Fresnel's is meant, the mean of both "
+               "polarizations.",
+               false, 1.04, 1.1, 1.0)});
+    add("a lens",
+        {scene("balls in front of and behind the focus", lens,
+               "Is the place on the lens uniform over the disc (the square root!), is "
+               "the aperture its diameter, and do all rays of a pixel meet at `focus`?")});
+    add("all cores", {});
+    add("10,000 spheres", {{"10,000 spheres of all materials", crowd(seed, 48, 27),
+                            "The same picture with --list? Then it is not the tree."}});
+    return rungs;
+}
+
+std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
+    std::vector<OwnScene> scenes;
+    const auto add = [&](const char* name, const std::string& text, const char* suggestion) {
+        scenes.push_back({name, text, suggestion});
+    };
+    {
+        Any any{seed, 101};
+        Writer scene;  // through a narrow lens
+        scene.picture().camera({0, 0, 1e8}, {0, 0, 0}, 1.5e-6);
+        sky(scene, any);
+        matte(scene, any).sphere({0, 0, 0}, 1);
+        add("a ball seen from a hundred million radii away", scene.text(),
+            "b * b - 4ac cancels: take the distance of the center from the line first.");
+    }
+    {
+        Any any{seed, 102};
+        Writer scene;
+        scene.picture().camera({0, 1.5, 4}, {0, 0.5, 0}, any(40, 50));
+        sky(scene, any);
+        matte(scene, any).sphere({0, -1e6, 0}, 1e6);
+        matte(scene, any).sphere({0, 0.6, 0}, 0.6);
+        add("a ground of radius a million", scene.text(),
+            "A fixed tolerance is too small here: the ray meets the ground that it leaves.");
+    }
+    {
+        Any any{seed, 103};
+        Writer scene;
+        scene.picture().camera({0, 0.002, 0.006}, {0, 0.0008, 0}, any(40, 50));
+        sky(scene, any);
+        matte(scene, any).sphere({0, -0.1, 0}, 0.1);
+        matte(scene, any).sphere({0, 0.001, 0}, 0.001);
+        add("a ball of a thousandth", scene.text(),
+            "A fixed tolerance is too large here: light gets through where the balls touch.");
+    }
+    for (const double scale : {1e-3, 1e3}) {
+        Any any{seed, 104};
+        add(scale < 1 ? "a hollow glass ball, scaled by 1/1000"
+                      : "a hollow glass ball, scaled by 1000",
+            glass(any, true, 1.2, 2.3, scale), "No length may be compared with a fixed number.");
+    }
+    {
+        Any any{seed, 105};
+        Writer scene = begin(any);
+        const double index = any(1.3, 1.7);
+        for (int i = 0; i < 4; ++i)
+            scene.word("glass", {i % 2 == 0 ? index : 1 / index}).sphere({0, 1, 0}, 1 - 0.2 * i);
+        add("glass in air in glass in air", scene.text(),
+            "Each ball is entered and left by its own ratio of indices.");
+    }
+    {
+        Any any{seed, 106};
+        Writer scene;
+        scene.picture().camera({0, 1, 0.2}, {any(-0.5, 0.5), 1, -3}, any(60, 90));
+        sky(scene, any).word("glass", {any(1.3, 1.7)}).sphere({0, 1, 0}, 0.8);
+        matte(scene, any).sphere({0, -100, 0}, 100);
+        matte(scene, any).sphere({0, 1, -4}, 1);
+        add("seen from inside a glass ball", scene.text(),
+            "Is a hit behind the camera left out, and the farther one taken?");
+    }
+    {
+        Any any{seed, 107};
+        Writer scene;  // all light comes back: only what is lost or made can be seen
+        scene.picture().camera({0, 0.5, 4}, {0, 0, 0}, any(35, 45));
+        scene.word("sky", {0.7, 0.7, 0.7, 0.7, 0.7, 0.7});
+        scene.word("matte", {1, 1, 1}).sphere({-1.1, 0, 0}, 0.6);
+        scene.word("metal", {1, 1, 1, 1}).sphere({0, 0, 0}, 0.6);
+        scene.word("glass", {any(1.3, 2)}).sphere({1.1, 0, 0}, 0.6);
+        add("white balls under an even sky", scene.text(),
+            "They cannot be seen: what can be seen of them is light that is lost or made.");
+    }
+    return scenes;
+}
+
+std::vector<OwnScene> broken_scenes() {
+    const std::string fine = "picture 8 8 1 5\ncamera 0 0 5 0 0 0 0 1 0 40 0 1\nsky 1 1 1 1 1 1\n";
+    return {{"an unknown word", fine + "cube 0 0 0 1\n", ""},
+            {"a word for a number", fine + "sphere 0 0 zero 1\n", ""},
+            {"a number too few", fine + "sphere 0 0 1\n", ""},
+            {"a number too many", fine + "sphere 0 0 0 1 7\n", ""},
+            {"a radius below 0", fine + "sphere 0 0 0 -1\n", ""},
+            {"a picture without pixels", "picture 0 8 1 5\n", ""},
+            {"a camera that looks at itself", "camera 0 0 5 0 0 5 0 1 0 40 0 1\n", ""},
+            {"a color above 1", fine + "matte 0.5 1.5 0.5\n", ""},
+            {"a fuzz above 1", fine + "metal 1 1 1 2\n", ""},
+            {"a number that is none", fine + "sphere 0 0 0 nan\n", ""}};
+}
+
+std::vector<BrokenCall> broken_calls() {
+    return {{"no words at all", {}},
+            {"a scene file that is not there", {"not-there.txt", "out.ppm"}},
+            {"a folder for the picture that is not there", {"/dev/null", "not-there/out.ppm"}},
+            {"a word for the number of threads", {"/dev/null", "out.ppm", "--threads", "many"}}};
+}
+
+}  // namespace companion

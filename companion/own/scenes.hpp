@@ -1,0 +1,52 @@
+#pragma once
+// Scenes for judging a ray tracer of chapter 09 that nobody has seen before: the text that the
+// program reads, made from a seed, so that a verdict can be repeated.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+struct OwnScene {
+    std::string name;        // "a fuzzy metal ball"
+    std::string text;        // the scene file
+    std::string suggestion;  // where to look when the picture is wrong
+};
+
+// One step from a sky to the whole program; the last ones ask for more than pictures.
+struct Rung {
+    int number = 0;
+    std::string title;
+    std::vector<OwnScene> scenes;  // whose pictures must be the reference's within the noise
+};
+
+// All nine, in order.
+std::vector<Rung> own_rungs(std::uint64_t seed);
+
+// Scenes in which rounding shows: far, tiny, huge, nested, and scaled by 1/1000 and 1000.
+std::vector<OwnScene> hard_scenes(std::uint64_t seed);
+
+// 10,000 spheres of all materials, in a picture of this size with one sample a pixel.
+std::string crowd(std::uint64_t seed, int width, int height);
+
+// The same with every second sphere in there twice, of two materials: the later one counts.
+std::string crowd_with_twins(std::uint64_t seed, int width, int height);
+
+// A few spheres of all materials through a lens, in a small picture: each part of a program runs.
+std::string some_of_all(std::uint64_t seed);
+
+// On which the page accuracy.md is measured.
+std::string accuracy_scene(std::uint64_t seed);
+
+// Files that are no scenes, and what is wrong with each.
+std::vector<OwnScene> broken_scenes();
+
+// Words after the program's name with which it can do nothing. It runs in an empty folder.
+struct BrokenCall {
+    std::string name;
+    std::vector<std::string> words;
+};
+std::vector<BrokenCall> broken_calls();
+
+}  // namespace companion

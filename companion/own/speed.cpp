@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <app/errors.hpp>
+#include <companion/own/scenes.hpp>
+#include <companion/own/trial.hpp>
+#include <cstdio>
+
+namespace companion {
+namespace {
+
+double time_of(const Timed& timed, const std::string& scene, Clock clock) {
+    const Result result = timed.program.draw(scene, timed.options).result;
+    if (!result.ok()) throw app::Failure("own: " + how_it_ended(result));
+    return clock == Clock::wall ? result.seconds : result.cpu_seconds;
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+std::string times_as_fast(const Turns& turns) {
+    return number(turns.ratio) + " times as fast (" + number(turns.first, "%.2f s") + ", " +
+           number(turns.second, "%.2f s") + ")";
+}
+
+}  // namespace
+
+std::string number(double value, const char* format) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+Turns in_turns(const Timed& first, const Timed& second, const std::string& scene, Clock clock,
+               int turns) {
+    std::vector<double> of_first, of_second, ratios;
+    for (int turn = 0; turn < turns; ++turn) {
+        of_first.push_back(time_of(first, scene, clock));
+        of_second.push_back(time_of(second, scene, clock));
+        ratios.push_back(of_first.back() / of_second.back());
+    }
+    return {median(of_first), median(of_second), median(ratios)};
+}
+
+std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, double wanted) {
+    for (int width = 16;; width = width * 3 / 2) {
+        const std::string scene = crowd(seed, width, width * 9 / 16);
+        if (width >= 2048 || time_of(timed, scene, clock) > wanted) return scene;
+    }
+}
+
+void judge_cores(const Trial& trial) {
+    trial.line({false, "rung 8: the same bytes for 1, 2, 3 and 8 threads", "", "the same bytes",
+                "Does a thread draw from another's random numbers, or do two write to one place?"},
+               [&](JudgedLine& line) {
+                   const std::string scene = crowd(trial.request.seed, 160, 90);
+                   const std::string one = trial.own.picture(scene, {"--threads", "1"}).bytes;
+                   line.passed = true;
+                   line.actual = "the same bytes";
+                   for (const char* threads : {"2", "3", "8"})
+                       for (int again = 0; line.passed && again < 2; ++again)
+                           if (trial.own.picture(scene, {"--threads", threads}).bytes != one) {
+                               line.passed = false;
+                               line.actual = std::string{"others with "} + threads + " threads";
+                           }
+               });
+    const int cores = std::max(2, trial.request.cores);
+    const double asked = 0.8 * trial.request.cores;
+    trial.line(
+        {false, "rung 8: all cores against one", "", "at least " + number(asked) + " times as fast",
+         "Is a tile or row small enough that nobody waits for the last one? Does a lock "
+         "stand in the way?"},
+        [&](JudgedLine& line) {
+            const std::vector<std::string> one{"--threads", "1"},
+                all{"--threads", std::to_string(cores)};
+            const std::string scene =
+                long_enough({trial.own, one}, trial.request.seed, Clock::wall, 1);
+            const Turns mine = in_turns({trial.own, one}, {trial.own, all}, scene, Clock::wall, 5);
+            // Is it the program, or a machine that has other things to do?
+            const Turns ours =
+                in_turns({trial.reference, one}, {trial.reference, all}, scene, Clock::wall, 5);
+            line.busy_machine = ours.ratio < asked;
+            line.passed =
+                mine.ratio >= asked || (line.busy_machine && mine.ratio >= 0.9 * ours.ratio);
+            line.actual = times_as_fast(mine);
+            if (line.busy_machine)
+                line.actual += "; this machine is busy: our program is " + number(ours.ratio) +
+                               " times as fast on it";
+        });
+}
+
+void judge_tree(const Trial& trial) {
+    trial.line({false, "rung 9: --list draws the same bytes", "", "the same bytes",
+                "A box that is too small loses spheres; of equally near ones the one that comes "
+                "last in the file counts."},
+               [&](JudgedLine& line) {
+                   const std::string scene = crowd_with_twins(trial.request.seed, 64, 36);
+                   line.passed = trial.own.picture(scene, {}).bytes ==
+                                 trial.own.picture(scene, {"--list"}).bytes;
+                   line.actual = line.passed ? "the same bytes" : "other bytes";
+               });
+    trial.line({false, "rung 9: the tree against --list", "",
+                "at least 10 times as fast, in processor time",
+                "Is a box's whole content left out when the ray misses the box, or has a nearer "
+                "hit already? std::fmin and std::fmax are slow; std::min and std::max are not."},
+               [&](JudgedLine& line) {
+                   const Timed list{trial.own, {"--list", "--threads", "1"}},
+                       tree{trial.own, {"--threads", "1"}};
+                   const std::string scene =
+                       long_enough(list, trial.request.seed, Clock::processor, 1.5);
+                   const Turns turns = in_turns(list, tree, scene, Clock::processor, 3);
+                   line.passed = turns.ratio >= 10;
+                   line.actual = times_as_fast(turns);
+               });
+}
+
+void judge_list(const Trial& trial) {
+    trial.line({false, "list: --list against ours", "",
+                "at most 4 times our processor time: a slow list proves no tree",
+                "--list tests every sphere once a ray, and nothing else."},
+               [&](JudgedLine& line) {
+                   const std::vector<std::string> list{"--list", "--threads", "1"};
+                   const Turns turns =
+                       in_turns({trial.own, list}, {trial.reference, list},
+                                crowd(trial.request.seed, 96, 54), Clock::processor, 3);
+                   line.passed = turns.ratio <= 4;
+                   line.actual = number(turns.ratio) + " times (" + number(turns.first, "%.2f s") +
+                                 ", " + number(turns.second, "%.2f s") + ")";
+               });
+}
+
+}  // namespace companion

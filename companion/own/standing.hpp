@@ -1,0 +1,24 @@
+#pragma once
+// What is known of the learner's own ray tracer without judging it again.
+
+#include <companion/model/state.hpp>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+// The files of a folder that a person wrote, relative to it. Not among them: the program, pictures,
+// hidden files, folders named build, and what holds a zero byte, as object files do.
+std::vector<fs::path> own_sources(const fs::path& folder);
+
+// A hash over these files; empty where the folder is gone.
+std::string hash_of_own(const fs::path& folder);
+
+// Whether every line of its last verdict passed, and nothing has changed since.
+bool own_passes(const OwnRecord& own);
+
+// "your own ray tracer passes", "41 of 43 lines pass", "changed since it was judged", "not judged
+// yet"
+std::string standing_of(const OwnRecord& own);
+
+}  // namespace companion

@@ -1,0 +1,43 @@
+#pragma once
+// What the parts of a verdict share.
+
+#include <companion/own/judge.hpp>
+#include <companion/own/own_program.hpp>
+
+namespace companion {
+
+struct Trial {
+    const JudgeRequest& request;
+    const OwnProgram &own, &reference;
+    // Fills in what was found, and reports the line. A look that throws app::Failure has failed.
+    std::function<void(JudgedLine line, const std::function<void(JudgedLine&)>& look)> line;
+};
+
+// Rung 8 beyond its pictures, rung 9 likewise, and the part "list".
+void judge_cores(const Trial& trial);
+void judge_tree(const Trial& trial);
+void judge_list(const Trial& trial);
+// The page accuracy.md.
+void judge_accuracy(const Trial& trial);
+
+// The time that runs of two programs or of one with other options take, measured in turns.
+struct Timed {
+    const OwnProgram& program;
+    std::vector<std::string> options;
+};
+enum class Clock { wall, processor };
+struct Turns {
+    double first, second;  // medians, in seconds
+    double ratio;          // the median of first / second of each turn
+};
+Turns in_turns(const Timed& first, const Timed& second, const std::string& scene, Clock clock,
+               int turns);
+
+// A crowd in a picture so large that this takes as long as is wanted, so that reading the scene
+// does not count.
+std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, double wanted);
+
+// "1.53", and with another format "1.5 s".
+std::string number(double value, const char* format = "%.2f");
+
+}  // namespace companion

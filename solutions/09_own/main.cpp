@@ -1,0 +1,400 @@
+// A path tracer in one file: spheres of matte, metal and glass under a sky, seen through a lens.
+// own SCENE PICTURE.ppm [--threads N] [--seed N] [--list]
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+constexpr double infinity = std::numeric_limits<double>::infinity(), pi = 3.14159265358979323846;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// A point, a direction, or a color in linear light.
+struct Vec3 {
+    double x = 0, y = 0, z = 0;
+    double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+    friend Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+    friend Vec3 operator*(double s, Vec3 v) { return {s * v.x, s * v.y, s * v.z}; }
+    friend double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    friend double length(Vec3 v) { return std::sqrt(dot(v, v)); }
+    friend Vec3 unit(Vec3 v) { return 1 / length(v) * v; }
+    friend Vec3 cross(Vec3 a, Vec3 b) {
+        return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    }
+};
+
+// Each sample of each pixel has a stream of its own, whichever thread draws it.
+struct Random {
+    std::uint64_t state;
+    Random(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample)
+        : state{mix(mix(mix(seed) + pixel) + sample)} {}
+    double uniform() {  // in [0, 1)
+        state += 0x9e3779b97f4a7c15;
+        return static_cast<double>(mix(state) >> 11) / (1ull << 53);
+    }
+    Vec3 direction() {  // of length 1, all alike
+        const double z = 1 - 2 * uniform(), angle = 2 * pi * uniform();
+        const double r = std::sqrt(std::max(0.0, 1 - z * z));
+        return {r * std::cos(angle), r * std::sin(angle), z};
+    }
+    // The finalizer of SplitMix64 (Steele, Lea and Flood, 2014): each bit depends on every other.
+    static std::uint64_t mix(std::uint64_t x) {
+        x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9;
+        x = (x ^ x >> 27) * 0x94d049bb133111eb;
+        return x ^ x >> 31;
+    }
+};
+
+// ---- The scene and its file
+
+enum class Kind { matte, metal, glass };
+struct Material {
+    Kind kind = Kind::matte;
+    Vec3 color{0.5, 0.5, 0.5};
+    double fuzz = 0, index = 1;
+};
+struct Sphere {
+    Vec3 center;
+    double radius;
+    Material material;
+};
+struct Scene {
+    int width = 400, height = 225, samples = 16, depth = 50;
+    Vec3 from{0, 0, 5}, at, up{0, 1, 0};  // the camera
+    double fov_deg = 40, aperture = 0, focus = 1;
+    Vec3 below{1, 1, 1}, above{0.5, 0.7, 1};  // the sky
+    std::vector<Sphere> spheres;
+};
+
+void expect(bool holds, const std::string& what) {
+    if (!holds) throw std::invalid_argument("expected " + what);
+}
+
+std::istream& operator>>(std::istream& in, Vec3& v) {
+    return in >> v.x >> v.y >> v.z;
+}
+
+void read_line(const std::string& line, Scene& scene, Material& material) {
+    std::istringstream in{line};
+    std::string word, more;
+    if (!(in >> word)) return;
+    Sphere sphere{{}, 1, {}};
+    if (word == "picture")
+        in >> scene.width >> scene.height >> scene.samples >> scene.depth;
+    else if (word == "camera")
+        in >> scene.from >> scene.at >> scene.up >> scene.fov_deg >> scene.aperture >> scene.focus;
+    else if (word == "sky")
+        in >> scene.below >> scene.above;
+    else if (word == "matte") {
+        material = {Kind::matte};
+        in >> material.color;
+    } else if (word == "metal") {
+        material = {Kind::metal};
+        in >> material.color >> material.fuzz;
+    } else if (word == "glass") {
+        material = {Kind::glass, {1, 1, 1}};
+        in >> material.index;
+    } else if (word == "sphere")
+        in >> sphere.center >> sphere.radius;
+    else
+        expect(false, "camera, glass, matte, metal, picture, sky or sphere, not " + word);
+    expect(!in.fail() && !(in >> more), "other numbers after " + word);
+    const auto [least, most] = std::minmax({scene.width, scene.height, scene.samples, scene.depth});
+    expect(least > 0 && most <= 10'000, "numbers of a picture from 1 to 10000");
+    expect(length(cross(scene.at - scene.from, scene.up)) > 0, "an up beside the view");
+    expect(0 < scene.fov_deg && scene.fov_deg < 180, "a field of view between 0 and 180");
+    expect(scene.aperture >= 0 && scene.focus > 0, "a lens of 0 or more, a focus above 0");
+    for (const Vec3 c : {scene.below, scene.above, material.color})
+        expect(std::min({c.x, c.y, c.z}) >= 0 && std::max({c.x, c.y, c.z}) <= 1, "color in [0, 1]");
+    expect(0 <= material.fuzz && material.fuzz <= 1, "a fuzz from 0 to 1");
+    expect(material.index > 0 && sphere.radius > 0, "an index or radius greater than 0");
+    if (word == "sphere") scene.spheres.push_back({sphere.center, sphere.radius, material});
+}
+
+Scene read_scene(const std::string& path) {
+    std::ifstream file{path};
+    expect(file.is_open(), "a scene file, but cannot read " + path);
+    Scene scene;
+    Material material;
+    int number = 1;
+    try {
+        for (std::string line; std::getline(file, line); ++number)
+            read_line(line.substr(0, line.find('#')), scene, material);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
+    }
+    return scene;
+}
+
+// A ray that leaves a surface knows which: its own sphere it meets at t = 0, exactly, and in at
+// most one other place. So no tolerance is needed to leave it, near or far, large or small.
+struct Ray {
+    Vec3 origin, direction;  // of length 1
+    int leaves = -1;         // the number of the sphere that it starts on
+};
+struct Hit {
+    double t = infinity;
+    int sphere = -1;
+};
+
+void try_sphere(const std::vector<Sphere>& spheres, int number, const Ray& ray, Hit& nearest) {
+    const Sphere& sphere = spheres[number];
+    const Vec3 to_center = sphere.center - ray.origin;
+    const double middle = dot(to_center, ray.direction);
+    double t = 2 * middle;  // where it leaves the sphere that it starts on, if it goes inside
+    if (number != ray.leaves) {
+        // From the line to the center: this error does not grow with the distance.
+        const Vec3 offset = to_center - middle * ray.direction;
+        const double r = sphere.radius, under_root = r * r - dot(offset, offset);
+        if (under_root < 0) return;
+        const double distance = length(to_center);
+        const double a = middle + std::copysign(std::sqrt(under_root), middle);
+        const double b = (distance - r) * (distance + r) / a;
+        t = std::min(a, b) > 0 ? std::min(a, b) : std::max(a, b);
+    }
+    // Of equally near ones the highest number, in whatever order they come.
+    if (t > 0 && (t < nearest.t || (t == nearest.t && number > nearest.sphere)))
+        nearest = {t, number};
+}
+
+struct Box {
+    Vec3 low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+    void add(const Box& b) {
+        low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+        high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
+    }
+    // Whether the ray enters before `end`. The not-a-number of a ray that runs in a side of the box
+    // is passed over, since it stands second in max and min.
+    bool meets(const Ray& ray, Vec3 inverse, double end) const {
+        double first = 0, last = end;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = (low[axis] - ray.origin[axis]) * inverse[axis];
+            const double b = (high[axis] - ray.origin[axis]) * inverse[axis];
+            first = std::max(first, std::min(a, b));
+            last = std::min(last, std::max(a, b));
+        }
+        return first <= last * (1 + 4 * epsilon);
+    }
+};
+
+// Wider by what rounding may do, so that no sphere that touches its box is lost.
+Box box_of(const Sphere& sphere) {
+    const Vec3 c = sphere.center;
+    const double r = sphere.radius + 8 * epsilon * (sphere.radius + length(c));
+    return {c - Vec3{r, r, r}, c + Vec3{r, r, r}};
+}
+
+class Tree {
+  public:
+    // A list is a tree of one leaf.
+    Tree(const std::vector<Sphere>& spheres, bool list)
+        : spheres_{spheres}, order_(spheres.size()) {
+        const int count = static_cast<int>(spheres.size());
+        std::iota(order_.begin(), order_.end(), 0);
+        build(0, count, list ? count : 2);
+    }
+    Hit nearest(const Ray& ray) const {
+        const Vec3 d = ray.direction;
+        Hit hit;
+        search(0, ray, {1 / d.x, 1 / d.y, 1 / d.z}, hit);
+        return hit;
+    }
+
+  private:
+    struct Node {
+        Box box;
+        int first, count;  // its spheres: places in order_
+        int axis, right;   // the left child is the next node; right is 0 in a leaf
+    };
+
+    // Cuts in half along the longest side of the box.
+    void build(int first, int count, int in_leaf) {
+        const std::size_t index = nodes_.size();
+        Box box;
+        for (int i = first; i < first + count; ++i) box.add(box_of(spheres_[order_[i]]));
+        const Vec3 size = box.high - box.low;
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        nodes_.push_back({box, first, count, axis, 0});
+        if (count <= in_leaf) return;
+        const auto begin = order_.begin() + first;
+        std::nth_element(begin, begin + count / 2, begin + count, [&](int a, int b) {
+            return spheres_[a].center[axis] < spheres_[b].center[axis];
+        });
+        build(first, count / 2, in_leaf);
+        nodes_[index].right = static_cast<int>(nodes_.size());
+        build(first + count / 2, count - count / 2, in_leaf);
+    }
+
+    void search(int index, const Ray& ray, Vec3 inverse, Hit& hit) const {
+        const Node& node = nodes_[index];
+        if (!node.box.meets(ray, inverse, hit.t)) return;
+        if (node.right == 0) {
+            for (int i = node.first; i < node.first + node.count; ++i)
+                try_sphere(spheres_, order_[i], ray, hit);
+            return;
+        }
+        const bool left_first = ray.direction[node.axis] > 0;
+        search(left_first ? index + 1 : node.right, ray, inverse, hit);
+        search(left_first ? node.right : index + 1, ray, inverse, hit);
+    }
+
+    const std::vector<Sphere>& spheres_;
+    std::vector<int> order_;
+    std::vector<Node> nodes_;
+};
+
+// ---- Materials, paths, pixels
+
+Vec3 reflect(Vec3 d, Vec3 normal) {
+    return d - 2 * dot(d, normal) * normal;
+}
+
+// The share of light that glass reflects (Fresnel, the mean of both polarizations). The cosines are
+// those on both sides; eta is the index on this side divided by that on the other.
+double reflectance(double cosine, double inner, double eta) {
+#ifdef SCHLICK  // see accuracy.md
+    const double r = (1 - eta) / (1 + eta), beside = 1 - (eta > 1 ? inner : cosine);
+    return r * r + (1 - r * r) * std::pow(beside, 5);
+#endif
+    const double s = (eta * cosine - inner) / (eta * cosine + inner);
+    const double p = (eta * inner - cosine) / (eta * inner + cosine);
+    return (s * s + p * p) / 2;
+}
+
+// Where light goes on that arrives along d; `outward` is the sphere's normal.
+Vec3 scatter(const Material& material, Vec3 d, Vec3 outward, Random& random) {
+    const bool outside = dot(d, outward) < 0;
+    const Vec3 normal = outside ? outward : -1 * outward;
+    if (material.kind == Kind::glass) {
+        const double eta = outside ? 1 / material.index : material.index;
+        const double cosine = std::min(1.0, -dot(d, normal));
+        const double under_root = 1 - eta * eta * (1 - cosine * cosine);
+        const double inner = std::sqrt(std::max(0.0, under_root));
+        if (under_root <= 0 || random.uniform() < reflectance(cosine, inner, eta))
+            return unit(reflect(d, normal));
+        return unit(eta * d + (eta * cosine - inner) * normal);
+    }
+    const bool matte = material.kind == Kind::matte;
+    Vec3 next = matte ? normal + random.direction()
+                      : reflect(d, normal) + material.fuzz * random.direction();
+    // What strays below the surface is folded up: no light is lost.
+    next = next - 2 * std::min(0.0, dot(next, normal)) * normal;
+    return length(next) > 0 ? unit(next) : normal;
+}
+
+class Renderer {
+  public:
+    Renderer(const Scene& scene, int seed, bool list)
+        : scene_{scene},
+          tree_{scene.spheres, list},
+          seed_{seed},
+          w_{unit(scene.from - scene.at)},
+          u_{unit(cross(scene.up, w_))},
+          v_{cross(w_, u_)},
+          pixel_{2 * std::tan(scene.fov_deg * pi / 360) * scene.focus / scene.height} {}
+
+    Vec3 pixel(int x, int y) const {
+        Vec3 sum;
+        for (int sample = 0; sample < scene_.samples; ++sample) {
+            Random random(seed_, y * std::uint64_t{10'000} + x, sample);
+            const double right = (x + random.uniform() - scene_.width / 2.0) * pixel_;
+            const double up = (scene_.height / 2.0 - y - random.uniform()) * pixel_;
+            const double r = scene_.aperture / 2 * std::sqrt(random.uniform());
+            const double angle = 2 * pi * random.uniform();
+            const Vec3 lens = r * std::cos(angle) * u_ + r * std::sin(angle) * v_;
+            const Vec3 target = right * u_ + up * v_ - scene_.focus * w_;
+            sum = sum + light({scene_.from + lens, unit(target - lens)}, random);
+        }
+        return 1.0 / scene_.samples * sum;
+    }
+
+  private:
+    // The light that comes back along a ray. A path that has bounced `depth` times brings none.
+    Vec3 light(Ray ray, Random& random) const {
+        Vec3 throughput{1, 1, 1};
+        for (int bounce = 0; bounce <= scene_.depth; ++bounce) {
+            const Hit hit = tree_.nearest(ray);
+            if (hit.sphere < 0) {
+                const double up = (ray.direction.y + 1) / 2;
+                return throughput * ((1 - up) * scene_.below + up * scene_.above);
+            }
+            const Sphere& sphere = scene_.spheres[hit.sphere];
+            const Vec3 normal = unit(ray.origin + hit.t * ray.direction - sphere.center);
+            const Vec3 next = scatter(sphere.material, ray.direction, normal, random);
+            throughput = throughput * sphere.material.color;
+            ray = {sphere.center + sphere.radius * normal, next, hit.sphere};
+        }
+        return {};
+    }
+
+    const Scene& scene_;
+    Tree tree_;
+    int seed_;
+    Vec3 w_, u_, v_;  // back, to the right, up
+    double pixel_;    // its side, where all is sharp
+};
+
+// All rows, on as many threads; whichever is free takes the next one.
+std::vector<Vec3> render(const Scene& scene, const Renderer& renderer, int threads) {
+    const int width = scene.width, height = scene.height;
+    std::vector<Vec3> picture(static_cast<std::size_t>(width) * height);
+    std::atomic<int> next = 0;
+    const auto work = [&] {
+        for (int y = next++; y < height; y = next++)
+            for (int x = 0; x < width; ++x) picture[y * width + x] = renderer.pixel(x, y);
+    };
+    std::vector<std::jthread> others;
+    for (int i = 1; i < std::min(threads, height); ++i) others.emplace_back(work);
+    work();
+    others.clear();  // waits for them
+    return picture;
+}
+
+char to_byte(double c) {
+    const double srgb = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+    return static_cast<char>(static_cast<unsigned char>(255 * std::min(1.0, srgb) + 0.5));
+}
+
+void write_ppm(const std::string& path, const Scene& scene, const std::vector<Vec3>& picture) {
+    std::ofstream file{path, std::ios::binary};
+    file << "P6\n" << scene.width << ' ' << scene.height << "\n255\n";
+    for (const Vec3& color : picture)
+        file.put(to_byte(color.x)).put(to_byte(color.y)).put(to_byte(color.z));
+    if (!file.flush()) throw std::runtime_error("cannot write " + path);
+}
+
+int main(int argc, char** argv) try {
+    const std::vector<std::string> words{argv + 1, argv + argc};
+    std::vector<std::string> files;
+    int threads = static_cast<int>(std::thread::hardware_concurrency()), seed = 1;
+    bool list = false;
+    for (auto word = words.begin(); word != words.end(); ++word) {
+        if (*word == "--list") {
+            list = true;
+        } else if (*word == "--threads" || *word == "--seed") {
+            int& option = *word == "--seed" ? seed : threads;
+            expect(word + 1 != words.end(), "a number after " + *word);
+            std::istringstream in{*++word};
+            expect(in >> option && in.eof() && option > 0, "a whole number, not " + *word);
+        } else {
+            files.push_back(*word);
+        }
+    }
+    expect(files.size() == 2, "SCENE PICTURE.ppm [--threads N] [--seed N] [--list]");
+    const Scene scene = read_scene(files[0]);
+    write_ppm(files[1], scene, render(scene, {scene, seed, list}, threads));
+} catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+}

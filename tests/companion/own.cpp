@@ -1,0 +1,210 @@
+// Judging a ray tracer of the learner's own: what is made up, what is read, what is remembered.
+// That wrong programs are stopped is tested by tests/support/own_mistakes.cpp.
+
+#include <companion/own/accuracy.hpp>
+#include <companion/own/judge.hpp>
+#include <companion/own/own_program.hpp>
+#include <companion/own/scenes.hpp>
+#include <companion/own/standing.hpp>
+
+#include "catch.hpp"
+#include "temporary_folder.hpp"
+
+using namespace companion;
+using checkpoint::TemporaryFolder;
+using checkpoint::write_file;
+
+namespace {
+
+fs::path our_program() {
+    return this_course().program("09_own_solution");
+}
+
+// The same scene in a picture of a few pixels.
+std::string small(const std::string& scene) {
+    const auto at = scene.find("picture ");
+    return scene.substr(0, at) + "picture 4 3 1 50" + scene.substr(scene.find('\n', at));
+}
+
+// What is said of a program that is this shell script.
+std::vector<JudgedLine> verdict_on(const std::string& build, const std::string& part) {
+    const TemporaryFolder folder;
+    if (!build.empty()) write_file(folder / "build.sh", build);
+    std::vector<JudgedLine> lines;
+    JudgeRequest request{folder.path(), our_program(), 1, part};
+    request.patience = 0.2;
+    judge(request, [&](const JudgedLine& line) { lines.push_back(line); });
+    return lines;
+}
+
+std::string program(const std::string& script) {
+    return "echo '#!/bin/sh' >own; echo '" + script + "' >>own; chmod +x own\n";
+}
+
+bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("every scene that is made up is a scene", "[own]") {
+    const OwnProgram ours = OwnProgram::existing(our_program());
+    for (const std::uint64_t seed : {1, 2}) {
+        std::vector<OwnScene> scenes = hard_scenes(seed);
+        for (const Rung& rung : own_rungs(seed))
+            scenes.insert(scenes.end(), rung.scenes.begin(), rung.scenes.end());
+        scenes.push_back({"twins", crowd_with_twins(seed, 8, 8), ""});
+        scenes.push_back({"accuracy", accuracy_scene(seed), ""});
+        scenes.push_back({"some of all", some_of_all(seed), ""});
+        for (const OwnScene& scene : scenes) {
+            INFO(scene.name << ", seed " << seed);
+            const auto drawn = ours.draw(small(scene.text), {});
+            INFO(drawn.result.output);
+            CHECK(drawn.result.ok());
+            CHECK(drawn.picture.width == 4);
+            CHECK(drawn.picture.height == 3);
+        }
+    }
+}
+
+TEST_CASE("what is broken is refused by our program", "[own]") {
+    const OwnProgram ours = OwnProgram::existing(our_program());
+    for (const OwnScene& scene : broken_scenes()) {
+        INFO(scene.name);
+        CHECK(ours.draw(scene.text, {}).result.exit_code == 1);
+    }
+    for (const BrokenCall& call : broken_calls()) {
+        INFO(call.name);
+        CHECK(ours.call(call.words).exit_code == 1);
+    }
+}
+
+TEST_CASE("the same seed makes the same scenes, another one others", "[own]") {
+    const auto text = [](std::uint64_t seed) { return own_rungs(seed)[2].scenes[0].text; };
+    CHECK(text(5) == text(5));
+    CHECK(text(5) != text(6));
+    CHECK(own_rungs(1).size() == 9);
+    CHECK(crowd(1, 8, 8).find("nan") == std::string::npos);
+}
+
+TEST_CASE("a program that cannot be built is one line", "[own]") {
+    const auto only = [](const std::string& build) {
+        const auto lines = verdict_on(build, "rung1");
+        REQUIRE(lines.size() == 1);
+        CHECK_FALSE(lines[0].passed);
+        CHECK(lines[0].actual.find('\n') == std::string::npos);
+        return lines[0].actual;
+    };
+    CHECK(holds(only(""), "there is no build.sh"));
+    CHECK(holds(only("echo first; echo 'main.cpp:3:1: error: what' >&2; exit 1\n"),
+                "main.cpp:3:1: error: what"));
+    CHECK(holds(only("true\n"), "made no program named own"));
+    // As `own new` leaves it.
+    CHECK(holds(only("c++ -x c++ /dev/null -o own\n"), "there is no main() yet"));
+}
+
+TEST_CASE("a program that draws nothing fails line by line", "[own]") {
+    CHECK(holds(verdict_on(program("exit 0"), "rung1").at(0).actual, "wrote no picture"));
+    CHECK(holds(verdict_on(program("echo too hard; exit 4"), "rung1").at(0).actual,
+                "own: exit code 4: too hard"));
+    CHECK(holds(verdict_on(program("echo picture >$2"), "rung1").at(0).actual, "P3 or P6"));
+    CHECK(holds(verdict_on(program("kill -SEGV $$"), "rung1").at(0).actual, "signal 11"));
+    CHECK(holds(verdict_on(program("printf \"P3 1 1 255 0 0 0\" >$2"), "rung1").at(0).actual,
+                "another size"));
+}
+
+TEST_CASE("a program that does not end is not asked for ever", "[own]") {
+    const auto lines = verdict_on(program("sleep 60"), "hard");
+    REQUIRE(lines.size() == 3);
+    CHECK(holds(lines[0].actual, "it timed out"));
+    CHECK(holds(lines[1].actual, "it timed out"));
+    CHECK(lines[2].what == "the rest");
+}
+
+TEST_CASE("a refusal is one line and an exit code", "[own]") {
+    const auto fails = [](const std::string& script) {
+        const auto lines = verdict_on(program(script), "broken");
+        return std::count_if(lines.begin(), lines.end(),
+                             [](const JudgedLine& line) { return !line.passed; });
+    };
+    CHECK(fails("echo wrong >&2; exit 2") == 0);
+    for (const char* const script :
+         {"echo wrong; echo and more; exit 1", "exit 1", "echo wrong", "kill -ABRT $$"})
+        CHECK(fails(script) == static_cast<long>(broken_scenes().size() + broken_calls().size()));
+}
+
+TEST_CASE("the page on accuracy is read", "[own]") {
+    const auto choices = accuracy_choices(
+        "# Title\noption:\ntime:\n\noption: -ffast-math\ntime: 0.9 of it\nerror: 1e-4\n"
+        "option: -DSCHLICK\n  time: soon\nerror:\n");
+    REQUIRE(choices.size() == 2);
+    CHECK(choices[0].option == "-ffast-math");
+    CHECK(choices[0].time == 0.9);
+    CHECK(choices[0].error == 1e-4);
+    CHECK(choices[1].option == "-DSCHLICK");
+    CHECK_FALSE(choices[1].time);
+    CHECK_FALSE(choices[1].error);
+    const Course here = this_course();
+    CHECK(accuracy_choices(checkpoint::read_file(here.root / "chapters/09_own/start/accuracy.md"))
+              .empty());
+    CHECK(accuracy_choices(checkpoint::read_file(here.root / "solutions/09_own/accuracy.md"))
+              .size() >= 2);
+}
+
+TEST_CASE("accuracy asks for two choices and for the measured figures", "[own]") {
+    const TemporaryFolder folder;
+    // With an option it draws the same.
+    write_file(folder / "build.sh", program("printf \"P3 1 1 255 0 0 0\" >$2"));
+    const auto lines = [&](const std::string& page) {
+        write_file(folder / "accuracy.md", page);
+        std::vector<JudgedLine> all;
+        judge({folder.path(), our_program(), 1, "accuracy"},
+              [&](const JudgedLine& line) { all.push_back(line); });
+        return all;
+    };
+    const auto none = lines("");
+    REQUIRE(none.size() == 1);
+    CHECK_FALSE(none[0].passed);
+    const auto one = lines("option: -DX\ntime: 9\nerror: 0.5\n");
+    REQUIRE(one.size() == 2);
+    CHECK_FALSE(one[0].passed);
+    CHECK_FALSE(one[1].passed);
+    CHECK(holds(one[1].actual, "error 0.0e+00; written: time 9.00, error 5.0e-01"));
+}
+
+TEST_CASE("a verdict holds until the sources change", "[own]") {
+    const TemporaryFolder folder;
+    write_file(folder / "main.cpp", "int main() {}\n");
+    write_file(folder / "src/vec3.hpp", "struct Vec3 {};\n");
+    const std::string hash = hash_of_own(folder.path());
+    const OwnRecord passed{folder.path().string(), hash, 40, 40};
+    CHECK(own_passes(passed));
+    CHECK(standing_of(passed) == "your own ray tracer passes");
+    // What is drawn and built, hidden, or made by a tool is none of it.
+    write_file(folder / "one.ppm", "P3\n");
+    write_file(folder / "own", "a program");
+    write_file(folder / "main.o", std::string("\0\1", 2));
+    write_file(folder / ".git/HEAD", "main\n");
+    write_file(folder / "build/cache.txt", "x\n");
+    CHECK(own_passes(passed));
+    CHECK(own_sources(folder.path()) == std::vector<fs::path>{"main.cpp", "src/vec3.hpp"});
+    write_file(folder / "src/vec3.hpp", "struct Vec3 { double x; };\n");
+    CHECK_FALSE(own_passes(passed));
+    CHECK(standing_of(passed) == "changed since it was judged");
+    CHECK(standing_of({folder.path().string(), hash_of_own(folder.path()), 40, 39}) ==
+          "39 of 40 lines pass");
+    CHECK(standing_of({}) == "not judged yet");
+    CHECK_FALSE(own_passes({(folder / "gone").string(), hash, 40, 40}));
+}
+
+TEST_CASE("the verdict on the learner's own program is remembered", "[own]") {
+    const TemporaryFolder folder;
+    const Course course{folder.path(), folder / "build"};
+    CHECK(read_state(course).own.lines == 0);
+    change_state(course, [](State& state) { state.own = {"/a b", "hash", 40, 39}; });
+    const OwnRecord own = read_state(course).own;
+    CHECK(own.folder == "/a b");
+    CHECK(own.hash == "hash");
+    CHECK(own.lines == 40);
+    CHECK(own.passed == 39);
+}

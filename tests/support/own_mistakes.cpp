@@ -1,0 +1,111 @@
+// own_mistakes REFERENCE START SOLUTION [FILE.md [NAME]]: judges each mistake of our answer to
+// chapter 09 in the file, or the one of this name, as `course own judge --part` does. Exactly the
+// lines that the file names must fail: "caught by", and those of "also fails", with "; " between
+// them, or "all the part". Without a file it judges our answer, which must pass: all but the page
+// on accuracy, whose figures are those of one machine. What a busy machine cannot tell does not
+// count.
+
+#include <algorithm>
+#include <app/cores.hpp>
+#include <app/errors.hpp>
+#include <companion/model/mistakes.hpp>
+#include <companion/own/judge.hpp>
+#include <cstdio>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "temporary_folder.hpp"
+
+using namespace companion;
+
+namespace {
+
+// "rung 3: one matte ball on the ground" is of "rung3".
+std::string part_of(const std::string& line) {
+    std::string part = line.substr(0, line.find(':'));
+    part.erase(std::remove(part.begin(), part.end(), ' '), part.end());
+    return part;
+}
+
+// Pictures need no fast program, and compiling a slow one takes half the time.
+bool is_timed(const std::string& part) {
+    return part == "rung8" || part == "rung9" || part == "list";
+}
+
+void write(const fs::path& path, const std::string& text) {
+    std::ofstream out{path, std::ios::binary};
+    if (!(out << text).flush()) throw app::Failure(path.string() + " cannot be written");
+}
+
+// How a line went, on one line.
+void print(const JudgedLine& line) {
+    std::printf("    %s %s: %s\n", line.passed ? "+" : "x", line.what.c_str(), line.actual.c_str());
+    std::fflush(stdout);
+}
+
+bool passes_all(const fs::path& reference, const fs::path& start, const fs::path& solution) {
+    const checkpoint::TemporaryFolder folder;
+    fs::copy(start, folder.path(), fs::copy_options::recursive);
+    fs::copy_file(solution / "main.cpp", folder / "main.cpp", fs::copy_options::overwrite_existing);
+    bool passed = true;
+    for (const std::string& part : judge_parts())
+        if (part != "accuracy")
+            judge({folder.path(), reference, 1, part, app::physical_cores()},
+                  [&](const JudgedLine& line) {
+                      passed = passed && (line.passed || line.busy_machine);
+                      print(line);
+                  });
+    return passed;
+}
+
+// True where exactly the right lines fail.
+bool is_stopped(const Mistake& mistake, const fs::path& reference, const fs::path& start,
+                const fs::path& solution) {
+    const checkpoint::TemporaryFolder folder;
+    fs::copy(start, folder.path(), fs::copy_options::recursive);
+    for (const auto& [file, text] : edited_files(mistake, solution)) write(folder / file, text);
+    const std::string part = part_of(mistake.caught_by);
+    if (!is_timed(part))
+        write(folder / "build.sh", "g++ -std=c++20 -O1 -pthread main.cpp -o own \"$@\"\n");
+
+    std::set<std::string> wanted{mistake.caught_by}, failing, passing;
+    judge({folder.path(), reference, 1, part, app::physical_cores()}, [&](const JudgedLine& line) {
+        if (line.busy_machine) {
+            print(line);
+            wanted.erase(line.what);
+            return;
+        }
+        (line.passed ? passing : failing).insert(line.what);
+        if (!line.passed) print(line);
+    });
+    const auto others = mistake.remarks.find("also fails");
+    const bool all = others != mistake.remarks.end() && others->second == "all the part";
+    if (others != mistake.remarks.end() && !all) {
+        std::istringstream names{others->second};
+        for (std::string name; std::getline(names >> std::ws, name, ';');) wanted.insert(name);
+    }
+    const bool stopped =
+        all ? passing.empty() && failing.count(mistake.caught_by) == 1 : failing == wanted;
+    std::printf("%s %s\n", stopped ? "stopped " : "WRONG   ", mistake.name.c_str());
+    for (const std::string& line : wanted)
+        if (!failing.count(line)) std::printf("    should fail, and passes: %s\n", line.c_str());
+    std::fflush(stdout);
+    return stopped;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (argc < 4)
+        throw app::UsageError("usage: own_mistakes REFERENCE START SOLUTION [FILE.md [NAME]]");
+    if (argc == 4) return passes_all(argv[1], argv[2], argv[3]) ? app::done : app::could_not;
+    bool all = true;
+    for (const Mistake& mistake : read_mistakes(argv[4]))
+        if (argc == 5 || mistake.name == argv[5])
+            all = is_stopped(mistake, argv[1], argv[2], argv[3]) && all;
+    return all ? app::done : app::could_not;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return app::could_not;
+}
