@@ -27,8 +27,7 @@ inline Vec3 cosine_direction(Vec3 normal, Vec2 place) {
     const Real radius = std::sqrt(place.x);
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);
     const Real height = std::sqrt(1 - place.x);  // at least sqrt(epsilon / 2), since x < 1
-    return normalize(orthonormal_basis(normal).to_world(
-        {radius * cosine, radius * sine, height}));
+    return normalize(orthonormal_basis(normal).to_world({radius * cosine, radius * sine, height}));
 }
 
 // A random place of the unit square (given).

@@ -7,6 +7,7 @@
 #include <rt/interval.hpp>
 #include <rt/orthonormal_basis.hpp>
 #include <rt/scatter.hpp>
+#include <rt/sine_cosine.hpp>
 #include <rt/sphere.hpp>
 
 namespace rt {
@@ -53,9 +54,9 @@ inline Vec3 phase_direction(Real forwardness, Vec3 incoming, Vec2 place) {
     const Real d = 1 - g + 2 * g * place.x;
     const Real height = (1 - g) * (1 - place.x) / d * ((1 - g) * (1 + g) / d + 1 - g);
     const Real sine = std::sqrt(std::max(Real(0), height * (2 - height)));
-    const Real angle = 2 * pi * place.y;
-    return normalize(orthonormal_basis(incoming).to_world(
-        {sine * std::cos(angle), sine * std::sin(angle), 1 - height}));
+    const auto turn = sine_cosine_of_turn(place.y);
+    return normalize(
+        orthonormal_basis(incoming).to_world({sine * turn.cosine, sine * turn.sine, 1 - height}));
 }
 
 // The part of a ray from its origin on that lies in a ball; empty where it misses it. The direction

@@ -6,6 +6,7 @@
 #include <rt/length.hpp>
 #include <rt/light_sample.hpp>
 #include <rt/orthonormal_basis.hpp>
+#include <rt/sine_cosine.hpp>
 #include <rt/sphere.hpp>
 #include <rt/vec2.hpp>
 
@@ -56,10 +57,9 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
     // Archimedes once more: heights of a cap are spread evenly. 1 - cos of the angle to the middle:
     const Real height = place.x * whole;
     const Real cosine = 1 - height, sine = std::sqrt(height * (2 - height));
-    const Real angle = 2 * pi * place.y;
-    const Vec3 direction =
-        normalize(orthonormal_basis(apart / distance)
-                      .to_world({sine * std::cos(angle), sine * std::sin(angle), cosine}));
+    const auto turn = sine_cosine_of_turn(place.y);
+    const Vec3 direction = normalize(orthonormal_basis(apart / distance)
+                                         .to_world({sine * turn.cosine, sine * turn.sine, cosine}));
     // The near root of t^2 - 2 d cosine t + d^2 - r^2, over d: its discriminant is the difference
     // of the squared sines, whole (2 - whole) - height (2 - height).
     const Real root = std::sqrt((whole - height) * (2 - whole - height));
