@@ -37,7 +37,7 @@
 
 template <class Mask>
 inline unsigned rt_vector_bits(Mask mask) {
-    constexpr bool is_short = sizeof(mask[0]) == 4;
+    [[maybe_unused]] constexpr bool is_short = sizeof(mask[0]) == 4;
 #if RT_REGISTER_BYTES == 64
     if constexpr (is_short) return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask));
     else return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
