@@ -43,7 +43,7 @@
 template <class Mask>
 inline unsigned rt_vector_bits(Mask mask) {
     constexpr std::size_t size = sizeof(Mask), count = size / sizeof(mask[0]);
-    constexpr bool is_short = sizeof(mask[0]) == 4;
+    [[maybe_unused]] constexpr bool is_short = sizeof(mask[0]) == 4;
 #ifdef __AVX512DQ__
     if constexpr (size == 64)
         return is_short ? _mm512_movepi32_mask((__m512i)mask) : _mm512_movepi64_mask((__m512i)mask);
