@@ -31,7 +31,8 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
     Paths expected;
     for (std::size_t i = 0; i < list.size(); ++i)
         if (masks[i] & 1u << bit) expected.push_back(list[i]);
-    Fenced<std::uint32_t> from{list, 123'456'789}, to{list.size(), 0xdeadbeef, 0xdeadbeef};
+    Fenced<std::uint32_t> from{list, 123'456'789};
+    Fenced<std::uint32_t> to{list.size(), 0xdeadbeef, 0xdeadbeef, 3 * list.size() + 64};
     Fenced<std::uint8_t> marks{masks, beside};
     const std::size_t count = rt::filter_list(from.span(), marks.data(), bit, to.data());
     const Paths actual(to.data(), to.data() + std::min(count, list.size()));

@@ -78,8 +78,8 @@ TEST_CASE("10.4 the circle goes all the way around", "[10.4]") {
 TEST_CASE("10.4 normals along the axes and places at the edge", "[10.4][hard]") {
     rt::Rng rng{104, 2};
     const Real least = std::numeric_limits<Real>::min();
-    const Vec3 axes[]{{1, 0, 0},  {0, 1, 0},  {0, 0, 1},          {-1, 0, 0},
-                      {0, -1, 0}, {0, 0, -1}, {1, 0, real(-0.0)}, {0, 1, real(-0.0)},
+    const Vec3 axes[]{{1, 0, 0},      {0, 1, 0},     {0, 0, 1},          {-1, 0, 0},
+                      {0, -1, 0},     {0, 0, -1},    {1, 0, real(-0.0)}, {0, 1, real(-0.0)},
                       {1, 0, -least}, {0, -1, least}};
     const Real last = 1 - rt::epsilon / 2;
     for (int round = 0; round < 20'000; ++round) {

@@ -99,8 +99,7 @@ TEST_CASE("10.5 no number at all and one kind alone", "[10.5][hard]") {
 TEST_CASE("10.5 two hundred and fifty-six kinds", "[10.5][hard]") {
     rt::Rng rng{105, 2};
     check_sort<256>({255});
-    for (const std::size_t size : {1, 10, 1000, 5000})
-        check_sort<256>(some_kinds(rng, size, 256));
+    for (const std::size_t size : {1, 10, 1000, 5000}) check_sort<256>(some_kinds(rng, size, 256));
 }
 
 TEST_CASE("10.5 two hundred thousand numbers", "[10.5][hard]") {
@@ -112,7 +111,7 @@ TEST_CASE("10.5 two hundred thousand numbers", "[10.5][hard]") {
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     {
         INFO("200000 numbers: expected a few thousandths of a second, but yours takes " << seconds
-                                                                                         << " s");
+                                                                                        << " s");
         INFO("Hint: the time must grow as the list does: go through it twice, with no loop inside");
         REQUIRE(seconds < 1);
     }
