@@ -45,9 +45,9 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
     const auto same = static_cast<std::size_t>(
         std::mismatch(actual.begin(), actual.end(), expected.begin(), expected.end()).first -
         actual.begin());
-    const std::size_t from = same < 12 ? 0 : same;
-    INFO("expected " << expected.size() << " paths " << text(expected, from) << ", but yours gives "
-                     << count << ' ' << text(actual, from));
+    const std::size_t first = same < 12 ? 0 : same;
+    INFO("expected " << expected.size() << " paths " << text(expected, first)
+                     << ", but yours gives " << count << ' ' << text(actual, first));
     {
         INFO(
             "Hint: `to` has room for as many paths as the list has, and no more: what is written "
@@ -61,7 +61,7 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
     INFO(
         "Hint: the paths, not their places in the list, in the same order; masks[i] belongs to "
         "list[i]");
-    REQUIRE(text(actual, from) == text(expected, from));
+    REQUIRE(text(actual, first) == text(expected, first));
 }
 void check_filter(const Paths& list, const Masks& masks, unsigned bit) {
     check_filter(list, masks, bit, 0);
