@@ -32,9 +32,3 @@ course_batches_test(08_effects.batches 08_effects_solution)
 if(COURSE_ALL_TESTS)
   course_batches_test(08_effects.batches_in_float 08_effects_solution_float)
 endif()
-if(COURSE_CHECK_STUBS)
-  add_test(NAME shipped.batches
-    COMMAND 08_effects --batches --quiet --width 64 --height 36 --spp 1 --out ${CMAKE_BINARY_DIR}/batches.png)
-  set_tests_properties(shipped.batches PROPERTIES LABELS shipped TIMEOUT 60
-    PASS_REGULAR_EXPRESSION "is still to be written" FAIL_REGULAR_EXPRESSION "SIG[A-Z]+")
-endif()

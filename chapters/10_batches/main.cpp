@@ -52,7 +52,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
 
 int main(int argc, char** argv) {
     app::Settings defaults;
-    defaults.spp = 64;
+    defaults.spp = 36;
     defaults.depth = 16;
     defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     defaults.seed = 1;

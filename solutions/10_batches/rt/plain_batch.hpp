@@ -75,7 +75,7 @@ class PlainBatch {
                 hits_.push_back({static_cast<std::uint32_t>(i), *hit});
                 return other;
             }
-        return path.sphere < 0 ? sky : surfaces_.kinds[static_cast<std::size_t>(path.sphere)];
+        return surfaces_.kinds[static_cast<std::size_t>(path.sphere + 1)];
     }
 
     auto ray_of(const PathRecord& path) const {
@@ -105,7 +105,7 @@ class PlainBatch {
         const std::array<Pack, 8> rays{
             origin.x,    origin.y,    origin.z,          direction.x,
             direction.y, direction.z, pack_of(infinity), std::bit_cast<Pack>(PackMask{} - 1)};
-        store_eight(rays, list.size(), [&](std::size_t i) { return &next_[left_ + i]; });
+        store(rays, list.size(), [&](std::size_t i) { return &next_[left_ + i]; });
         for (std::size_t i = 0; i < list.size(); ++i) {
             const PathRecord& path = paths[list[i]];
             PathRecord& next = next_[left_++];
