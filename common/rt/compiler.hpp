@@ -23,13 +23,14 @@
 #define RT_INLINES_ALL [[gnu::flatten]]
 
 // The bytes of the widest register that this program is compiled for, vectors of numbers that fill
-// one, and a mask of such a vector (-1 or 0 each) as bits.
+// one, and a mask of such a vector, or of a shorter one (-1 or 0 each), as bits.
 #define RT_VECTOR_OF(bytes) __attribute__((vector_size(bytes)))
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#if defined(__SSE2__)
 #include <immintrin.h>
+#endif
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
 #define RT_REGISTER_BYTES 64
 #elif defined(__AVX2__)
-#include <immintrin.h>
 #define RT_REGISTER_BYTES 32
 #else
 #define RT_REGISTER_BYTES 16
@@ -37,17 +38,30 @@
 
 template <class Mask>
 inline unsigned rt_vector_bits(Mask mask) {
-    constexpr bool is_short = sizeof(mask[0]) == 4;
+    [[maybe_unused]] constexpr bool is_short = sizeof(mask[0]) == 4;
 #if RT_REGISTER_BYTES == 64
-    if constexpr (is_short) return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask));
-    else return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
-#elif RT_REGISTER_BYTES == 32
-    if constexpr (is_short) return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
-    else return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
+    if constexpr (sizeof mask == 64) {
+        if constexpr (is_short) return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask));
+        else return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
+    } else
+#endif
+#if RT_REGISTER_BYTES >= 32
+    if constexpr (sizeof mask == 32) {
+        if constexpr (is_short) return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+        else return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
+    } else
+#endif
+#if defined(__SSE2__)
+    {
+        if constexpr (is_short) return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
+        else return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
+    }
 #else
-    unsigned bits = 0;
-    for (unsigned i = 0; i < sizeof mask / sizeof mask[0]; ++i) bits |= mask[i] ? 1u << i : 0;
-    return bits;
+    {
+        unsigned bits = 0;
+        for (unsigned i = 0; i < sizeof mask / sizeof mask[0]; ++i) bits |= mask[i] ? 1u << i : 0;
+        return bits;
+    }
 #endif
 }
 #define RT_VECTOR_BITS(mask) rt_vector_bits(mask)
