@@ -236,6 +236,14 @@ function(course_chapter chapter)
     if(source MATCHES "_fast_math\\.cpp$")  # measured beside the same code without
       set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -ffast-math)
     endif()
+    # The same code for narrower registers, measured beside that for this machine's.
+    if(RT_NATIVE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+      if(source MATCHES "/lanes_16\\.cpp$")
+        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -mno-avx)
+      elseif(source MATCHES "/lanes_32\\.cpp$")
+        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -mno-avx512f)
+      endif()
+    endif()
     if(source MATCHES "/study\\.cpp$" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # A study holds many loops, each of which is timed: g++ would stop inlining where the file has
       # grown by 40 %, and the loops after that would be slower than they are in a program.

@@ -16,6 +16,7 @@
 #include "narrowest_renderer.hpp"
 #include "scene_file.hpp"
 #include "study.hpp"
+#include "tile_drawing.hpp"
 
 namespace {
 
@@ -40,14 +41,14 @@ SceneDescription open_scene(const app::Settings& settings) {
     return scene;
 }
 
-std::string explanation(const SceneDescription& scene, const std::string& file) {
+std::string explanation(const SceneDescription& scene, const std::string& file,
+                        const effects::Choice& choice, bool in_batches) {
     const Effects needed = effects_of(scene);
-    const effects::Choice choice = effects::choose(needed);
     const std::size_t spheres = scene.spheres.size();
     return "scene:    " + (file.empty() ? "the final scene" : file) + ", " +
            std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
            "\nneeds:    " + names(needed) + "\nrenderer: " + names(choice.chosen) + ", one of " +
-           std::to_string(choice.renderers) +
+           std::to_string(choice.renderers) + (in_batches ? " for batches" : "") +
            "\nunused:   " + names(without(choice.chosen, needed)) +
            "\nleft out: " + names(choice.left_out) + '\n';
 }
@@ -61,13 +62,32 @@ std::string note_on(const SceneDescription& scene) {
            " a velocity and no trail, for camera.shutter is 0\n";
 }
 
+// The usual way: pixel by pixel, each path to its end.
+effects::TileDrawing one_by_one(const SceneDescription& scene, int width, int height,
+                                const Quality& quality) {
+    const Effects needed = effects_of(scene);
+    const effects::Shader shade = effects::make_narrowest(needed, scene, width, height, quality);
+    const auto draw = [shade](const Tile& tile, Image& image, std::uint64_t& rays) {
+        std::int64_t done = 0;
+        for_each_pixel(tile, [&](int x, int y) {
+            if (app::Interruption::signal() != 0) return;
+            image.at(x, y) = shade(x, y, rays);
+            assert(is_finite(image.at(x, y)));
+            ++done;
+        });
+        return done;
+    };
+    return {effects::choose(needed), [draw] { return effects::DrawTile{draw}; }};
+}
+
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = open_scene(settings);
     const RenderSettings& chosen = scene.settings;
-    if (settings.explain) settings.explain(explanation(scene, settings.file));
-    const effects::Shader shade =
-        effects::make_narrowest(effects_of(scene), scene, chosen.width, chosen.height,
-                                {chosen.samples_per_pixel, chosen.depth, chosen.seed});
+    const bool in_batches = settings.given.count("batches") > 0;
+    const effects::TileDrawing drawing = (in_batches ? effects::make_batch_drawing : one_by_one)(
+        scene, chosen.width, chosen.height, {chosen.samples_per_pixel, chosen.depth, chosen.seed});
+    if (settings.explain)
+        settings.explain(explanation(scene, settings.file, drawing.choice, in_batches));
 
     Image image = Canvas<Color>{chosen.width, chosen.height};
     app::draw_unfinished(image);
@@ -76,17 +96,13 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const app::Interruption interruption;
     const TileGrid grid{chosen.width, chosen.height, 16};
     progress.start(tile_count(grid));
-    render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
+    std::vector<effects::DrawTile> workers(static_cast<std::size_t>(settings.threads));
+    render_tiles(grid, settings.threads, [&](const Tile& tile, int worker) {
+        effects::DrawTile& draw = workers[static_cast<std::size_t>(worker)];
+        if (!draw) draw = drawing.make_worker();
         std::uint64_t rays = 0;
-        std::int64_t done = 0;
-        for_each_pixel(tile, [&](int x, int y) {
-            if (interruption.signal() != 0) return;
-            image.at(x, y) = shade(x, y, rays);
-            assert(is_finite(image.at(x, y)));
-            ++done;
-        });
+        pixels_done += draw(tile, image, rays);
         all_rays += rays;
-        pixels_done += done;
         progress.step();
     });
     app::Picture picture{std::move(image), all_rays};
@@ -110,12 +126,16 @@ int main(int argc, char** argv) {
     defaults.depth = usual.depth;
     defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     defaults.seed = usual.seed;
+    std::vector<app::Flag> flags;
+    if (effects::make_batch_drawing)
+        flags = {{"batches", "Draw the same picture in batches of rays, as chapter 10 does"}};
     return app::run(argc, argv,
                     {.name = "08_effects",
                      .about = "a scene, drawn by a renderer that has its effects and no others",
                      .defaults = defaults,
                      .render = render,
                      .study = effects::run_study,
+                     .flags = flags,
                      .reads = "The scene file, .json; without it the final scene is drawn",
                      .explains = true,
                      .can_be_stopped = true});

@@ -272,6 +272,7 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
                         program.choices[i].about)
             ->check(CLI::IsMember(program.choices[i].words))
             ->capture_default_str();
+    for (const Flag& flag : program.flags) options.add_flag("--" + flag.name, flag.about);
     if (!program.reads.empty()) options.add_option("file", settings.file, program.reads);
     if (program.explains)
         options.add_flag("--explain", request.explain,

@@ -49,6 +49,12 @@ struct Choice {
     std::vector<std::string> words;  // the first is the default
 };
 
+// An option of one program alone that is there or not: Settings::given says which.
+struct Flag {
+    std::string name;   // without the dashes
+    std::string about;  // what it does
+};
+
 // Counts the work that is done, for the progress bar. May be called from several threads.
 class Progress {
   public:
@@ -87,6 +93,7 @@ struct Program {
     // How a .ppm file is encoded, where the chapter brings its own way.
     std::string (*encode_ppm)(const rt::Image&) = nullptr;
     std::vector<Choice> choices = {};
+    std::vector<Flag> flags = {};
     // What the file is that may be named without an option; empty if the program reads none.
     std::string reads = {};
     // Whether render() calls Settings::explain where there is one; else there is no --explain.

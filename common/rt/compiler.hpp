@@ -1,6 +1,10 @@
 #pragma once
 // The one header that may hold compiler-specific code.
 
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+
 // The file and line of the caller, when used as default arguments. They stand in for
 // std::source_location, which clang 14 lacks; g++, clang++ and MSVC all have these two.
 #define RT_CALLER_FILE __builtin_FILE()
@@ -23,9 +27,9 @@
 #define RT_INLINES_ALL [[gnu::flatten]]
 
 // The bytes of the widest register that this program is compiled for, vectors of numbers that fill
-// one, and a mask of such a vector, or of a shorter one (-1 or 0 each), as bits.
+// one, and a mask of such a vector (-1 or 0 each) as bits.
 #define RT_VECTOR_OF(bytes) __attribute__((vector_size(bytes)))
-#if defined(__SSE2__)
+#ifdef __SSE2__
 #include <immintrin.h>
 #endif
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
@@ -38,30 +42,47 @@
 
 template <class Mask>
 inline unsigned rt_vector_bits(Mask mask) {
+    constexpr std::size_t size = sizeof(Mask), count = size / sizeof(mask[0]);
     [[maybe_unused]] constexpr bool is_short = sizeof(mask[0]) == 4;
-#if RT_REGISTER_BYTES == 64
-    if constexpr (sizeof mask == 64) {
-        if constexpr (is_short) return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask));
-        else return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
-    } else
+#ifdef __AVX512DQ__
+    if constexpr (size == 64)
+        return is_short ? _mm512_movepi32_mask((__m512i)mask) : _mm512_movepi64_mask((__m512i)mask);
 #endif
-#if RT_REGISTER_BYTES >= 32
-    if constexpr (sizeof mask == 32) {
-        if constexpr (is_short) return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
-        else return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
-    } else
+#ifdef __AVX2__
+    if constexpr (size == 32)
+        return static_cast<unsigned>(is_short ? _mm256_movemask_ps((__m256)mask)
+                                              : _mm256_movemask_pd((__m256d)mask));
 #endif
-#if defined(__SSE2__)
-    {
-        if constexpr (is_short) return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
-        else return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
+#ifdef __SSE2__
+    if constexpr (size == 16)
+        return static_cast<unsigned>(is_short ? _mm_movemask_ps((__m128)mask)
+                                              : _mm_movemask_pd((__m128d)mask));
+#endif
+    if constexpr (size > 16 && size > RT_REGISTER_BYTES) {
+        typedef std::remove_cvref_t<decltype(mask[0])> Half RT_VECTOR_OF(size / 2);
+        Half halves[2];
+        std::memcpy(halves, &mask, size);
+        return rt_vector_bits(halves[0]) | rt_vector_bits(halves[1]) << count / 2;
     }
-#else
-    {
-        unsigned bits = 0;
-        for (unsigned i = 0; i < sizeof mask / sizeof mask[0]; ++i) bits |= mask[i] ? 1u << i : 0;
-        return bits;
-    }
-#endif
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < count; ++i) bits |= mask[i] ? 1u << i : 0;
+    return bits;
 }
 #define RT_VECTOR_BITS(mask) rt_vector_bits(mask)
+
+// Eight bytes, shifted left: their top bits. Eight numbers of 32 bits in the order of these places,
+// in one instruction, where there is one.
+#ifdef __AVX2__
+#define RT_HAS_EIGHT_ORDERED
+#define RT_TOP_BITS_OF_EIGHT(bytes, shift)                                                        \
+    static_cast<unsigned>(                                                                        \
+        _mm_movemask_epi8(_mm_sll_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(bytes)), \
+                                        _mm_cvtsi32_si128(static_cast<int>(shift)))) &            \
+        0xff)
+#define RT_STORE_EIGHT_ORDERED(to, numbers, places)                        \
+    _mm256_storeu_si256(                                                   \
+        reinterpret_cast<__m256i*>(to),                                    \
+        _mm256_permutevar8x32_epi32(                                       \
+            _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers)), \
+            _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(places)))))
+#endif

@@ -15,7 +15,7 @@ struct CheckedChapter {
     std::string why() const;
 };
 
-// Checks all exercises of all chapters, in float too.
+// Checks all exercises of the core, in float too.
 std::vector<CheckedChapter> check_all_chapters(const Course& course);
 
 }  // namespace companion

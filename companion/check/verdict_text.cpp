@@ -2,6 +2,7 @@
 #include <companion/check/compiler_words.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/model/mistakes.hpp>
+#include <companion/model/progress.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
 #include <sstream>
@@ -347,11 +348,25 @@ std::string stars_open(int count) {
     return std::to_string(count) + (count == 1 ? " star open" : " stars open");
 }
 
+// The electives of which something is left, a line each.
+std::string electives_left(const Course& course) {
+    const State state = read_state(course);
+    std::string text;
+    for (const Chapter& chapter : chapters(course)) {
+        if (chapter.core || !first_open(course, state, exercises(course, chapter))) continue;
+        text += "Beyond the course, an elective: " + bold(chapter.number() + ' ' + chapter.title) +
+                ", about " + std::to_string(chapter.minutes) + " minutes\n  read   " +
+                chapter.text.string() + "\n  check  ./course watch " + chapter.number() + '\n';
+    }
+    return text;
+}
+
 // What comes when every exercise passes: the chapter of rungs, then the certificate.
 std::string step_after_the_exercises(const Course& course) {
     const auto rungs = chapter_of_rungs(course);
     const OwnRecord own = read_state(course).own;
-    if (!rungs || own_passes(own)) return "The last step: ./course certify\n";
+    if (!rungs || own_passes(own))
+        return "The last step: ./course certify\n" + electives_left(course);
     const std::string folder = own.folder.empty() ? "FOLDER" : own.folder;
     return "Next: " + bold(rungs->number() + ' ' + rungs->title) + ", about " +
            std::to_string(rungs->minutes) + " minutes\n  read   " + rungs->text.string() + '\n' +
@@ -360,7 +375,10 @@ std::string step_after_the_exercises(const Course& course) {
 }
 
 std::string next_step(const Course& course, const Exercise* next) {
-    if (!next) return "Every exercise passes. " + step_after_the_exercises(course);
+    if (!next)
+        return (electives_left(course).empty() ? "Every exercise passes. "
+                                               : "Every exercise of the core passes. ") +
+               step_after_the_exercises(course);
     return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
            std::to_string(next->minutes) + " minutes" +
            (next->star_minutes > 0 ? " (its stars: " + std::to_string(next->star_minutes) + " more)"

@@ -10,6 +10,7 @@
 #include <companion/check/sanitized.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/model/progress.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/pages/certificate.hpp>
 #include <companion/pages/studies.hpp>
@@ -98,6 +99,26 @@ class Examination {
             note_stars(one);
         }
         return written;
+    }
+
+    // Shown, and needed for nothing. Only what is begun is built.
+    void show_electives() {
+        const State state = read_state(course_);
+        for (const Chapter& chapter : chapters(course_)) {
+            if (chapter.core) continue;
+            std::vector<Exercise> begun = exercises(course_, chapter);
+            const std::size_t all = begun.size();
+            std::erase_if(begun, [&](const Exercise& exercise) {
+                return progress_of(course_, state, exercise) == Progress::to_write;
+            });
+            if (begun.empty()) continue;
+            const std::vector<Checked> checked = check_exercises(course_, begun);
+            const auto passed =
+                std::count_if(checked.begin(), checked.end(),
+                              [](const Checked& one) { return one.verdict == Verdict::passed; });
+            note({Held::shows, "", "checkpoints of " + chapter.name + ", an elective",
+                  std::to_string(passed) + " of " + std::to_string(all) + " exercises pass", ""});
+        }
     }
 
     // The verdict on the learner's own program, as `own judge` left it.
@@ -243,11 +264,12 @@ class Examination {
 
 int certify(const Course& course) {
     app::make_folder(course.out());
-    const std::vector<Chapter> all = chapters(course);
+    const std::vector<Chapter> all = core_chapters(course);
     Examination examination{course};
     const std::vector<CheckedChapter> checked = check_all_chapters(course);
     const bool written = examination.check_exercises_of(checked);
     examination.take_own_verdict();
+    examination.show_electives();
     if (written) {
         std::puts("All is written. Building it anew takes a few minutes.");
         std::fflush(stdout);

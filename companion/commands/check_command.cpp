@@ -30,7 +30,8 @@ bool is_wrong(const Checked& checked) {
 }
 
 // What comes after these: in the chapter of the last one what comes after it, then what is left of
-// the chapter, of later chapters, and of earlier ones. Nothing where every core passes.
+// the chapter, of later chapters, and of earlier ones, none of them an elective. Nothing where
+// every core passes.
 std::vector<Exercise> left_after(const Course& course, const std::vector<Checked>& all) {
     const State state = read_state(course);
     std::vector<Exercise> later, same_chapter, later_chapters, earlier_chapters;
@@ -40,6 +41,7 @@ std::vector<Exercise> left_after(const Course& course, const std::vector<Checked
         const bool is_later = exercise.id > last;
         const bool is_same =
             !all.empty() && exercise.chapter.name == all.back().exercise.chapter.name;
+        if (!is_same && !exercise.chapter.core) continue;
         auto& kind = is_same ? (is_later ? later : same_chapter)
                              : (is_later ? later_chapters : earlier_chapters);
         kind.push_back(std::move(exercise));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/commands/commands.hpp>
@@ -46,13 +47,22 @@ std::string render(const Course& course, const Chapter& chapter) {
     return said.rfind(start, 0) == 0 ? said.substr(start.size()) : said;
 }
 
+// All chapters, the one that draws the final scene last.
+std::vector<Chapter> in_order(const Course& course) {
+    std::vector<Chapter> all = every_chapter(course);
+    const std::string last = core_chapters(course).back().name;
+    std::stable_partition(all.begin(), all.end(),
+                          [&](const Chapter& chapter) { return chapter.name != last; });
+    return all;
+}
+
 }  // namespace
 
 int demo(const Course& course) {
     app::make_folder(course.out());
     bool ok = true;
     std::vector<Exhibit> exhibits;
-    for (const Chapter& chapter : every_chapter(course)) {
+    for (const Chapter& chapter : in_order(course)) {
         std::string said;
         try {
             said = render(course, chapter);

@@ -92,9 +92,10 @@ int list(const Course& course) {
         }
         const std::vector<Exercise> all = exercises(course, chapter);
         const Work part = work_of(course, state, chapter, all);
-        std::printf("%s %s %d of %d, %s; %s\n", name_of(chapter).c_str(),
+        std::printf("%s %s %d of %d, %s%s; %s\n", name_of(chapter).c_str(),
                     bar(part.done, part.exercises, 10).c_str(), part.done, part.exercises,
-                    hours(part.minutes).c_str(), stars_of(part).c_str());
+                    chapter.core ? "" : "elective, ", hours(part.minutes).c_str(),
+                    stars_of(part).c_str());
         for (const Exercise& exercise : all) {
             const Progress now = progress_of(course, state, exercise);
             std::printf("  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
@@ -102,8 +103,9 @@ int list(const Course& course) {
                         now == Progress::core
                             ? (", " + stars_open(state.at(exercise.id).open_stars)).c_str()
                             : "");
-            every.push_back(exercise);
+            if (chapter.core) every.push_back(exercise);
         }
+        if (!chapter.core) continue;
         total.done += part.done;
         total.exercises += part.exercises;
         total.minutes += part.minutes;

@@ -12,6 +12,7 @@
 #include <companion/system/terminal.hpp>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <thread>
 
 namespace companion {
@@ -214,12 +215,15 @@ class Watch {
 }  // namespace
 
 int watch(const Course& course, const Named& name) {
-    std::vector<Exercise> all = exercises(course);
+    std::vector<Chapter> watched = core_chapters(course);
+    std::optional<Chapter> chapter;
+    if (name) chapter = find_chapter(course, *name);
+    // It does not go on to an elective by itself.
+    if (chapter && !chapter->core) watched.push_back(*chapter);
+    std::vector<Exercise> all = exercises(course, watched);
     std::size_t first = 0;
-    if (name) {
-        const Chapter chapter = find_chapter(course, *name);
-        while (first < all.size() && all[first].chapter.name != chapter.name) ++first;
-    }
+    if (chapter)
+        while (first < all.size() && all[first].chapter.name != chapter->name) ++first;
     return Watch{course, std::move(all), first}.run();
 }
 

@@ -22,6 +22,12 @@ std::vector<Chapter> chapters(const Course& course) {
     return all;
 }
 
+std::vector<Chapter> core_chapters(const Course& course) {
+    std::vector<Chapter> all = chapters(course);
+    std::erase_if(all, [](const Chapter& chapter) { return !chapter.core; });
+    return all;
+}
+
 std::optional<Chapter> chapter_of_rungs(const Course& course) {
     for (const Chapter& chapter : every_chapter(course))
         if (!chapter.has_exercises()) return chapter;

@@ -50,6 +50,9 @@ std::vector<Chapter> every_chapter(const Course& course);
 // Those of exercises.
 std::vector<Chapter> chapters(const Course& course);
 
+// Those of them that belong to the 35 hours: no electives.
+std::vector<Chapter> core_chapters(const Course& course);
+
 // The one of rungs; null where the course has none.
 std::optional<Chapter> chapter_of_rungs(const Course& course);
 

@@ -26,8 +26,9 @@ struct Exercise {
 // The exercises of a chapter in their order.
 std::vector<Exercise> exercises(const Course& course, const Chapter& chapter);
 
-// The same of all chapters.
+// The same of all chapters, and of these.
 std::vector<Exercise> exercises(const Course& course);
+std::vector<Exercise> exercises(const Course& course, const std::vector<Chapter>& some);
 
 // The exercise "NN.k". Throws app::UsageError, which says which there are.
 Exercise find_exercise(const Course& course, const std::string& id);

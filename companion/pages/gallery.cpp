@@ -46,7 +46,8 @@ constexpr const char* gallery_head = R"(<!doctype html>
 )";
 
 std::string title_of(const Chapter& chapter) {
-    return "Chapter " + chapter.number() + ": " + chapter.title;
+    return "Chapter " + chapter.number() + (chapter.core ? ": " : ", an elective: ") +
+           chapter.title;
 }
 
 std::string link(const std::string& target, const std::string& text) {

@@ -6,115 +6,160 @@
 #include <vector>
 
 #include "checkpoint.hpp"
+#include "fenced.hpp"
+
+using checkpoint::Fenced;
 
 namespace {
+
+using Rays = std::vector<std::uint32_t>;
+
+// Up to ten of the rays, from this place on.
+std::string text(const Rays& rays, std::size_t from = 0) {
+    std::string all = from > 0 ? " ..." : "";
+    for (std::size_t i = from; i < rays.size() && i < from + 10; ++i)
+        all += ' ' + std::to_string(rays[i]);
+    return std::to_string(rays.size()) + " rays {" + all +
+           (rays.size() > from + 10 ? " ... }" : " }");
+}
+
+// A question to a tree: test(number, rays, ...) or leaf(number, rays).
+struct Question {
+    bool is_leaf;
+    std::int32_t number;
+    Rays rays;
+    bool operator==(const Question&) const = default;
+};
+using Log = std::vector<Question>;
+
+std::string text(const Log& log, std::size_t i, std::size_t from) {
+    if (i >= log.size()) return "nothing more";
+    return (log[i].is_leaf ? "leaf(" : "test(") + std::to_string(log[i].number) + ") with " +
+           text(log[i].rays, from);
+}
+
+// Fails at the first question that is another one than expected.
+void check_log(const Log& actual, const Log& expected) {
+    for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
+        std::size_t from = 0;
+        if (i < expected.size() && i < actual.size()) {
+            if (expected[i] == actual[i]) continue;
+            const Rays &a = expected[i].rays, &b = actual[i].rays;
+            const auto other =
+                std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin();
+            from = other < 10 ? 0 : static_cast<std::size_t>(other);
+        }
+        INFO("question " << i << ": expected " << text(expected, i, from) << ", but yours asks "
+                         << text(actual, i, from));
+        INFO(
+            "Hint: each node that a ray meets is tested once, when its turn comes, with the rays "
+            "that meet its box; the children in the order of tree.order(node); a negative child is "
+            "a leaf; no empty list goes on; and what a child writes must not destroy this node's "
+            "list and masks");
+        REQUIRE(text(actual, i, from) == text(expected, i, from));
+    }
+}
 
 // A tree of made-up answers, which writes down what it is asked.
 struct LoggedTree {
     struct Node {
         std::array<std::int32_t, 8> child{};
         std::array<std::uint8_t, 8> order{};
+        std::uint8_t always = 0;  // children that every ray meets
     };
     std::vector<Node> nodes;
     std::uint32_t seed = 0;
-    std::vector<std::pair<std::int32_t, std::vector<std::uint32_t>>> tests, leaves;
+    std::vector<Question> log;
 
+    const Node& at(std::int32_t node) const { return nodes[static_cast<std::size_t>(node)]; }
     // Whether a ray meets a child's box: anything, but always the same.
     std::uint8_t mask(std::int32_t node, std::uint32_t ray) const {
         const std::uint64_t random =
             rt::mix_bits(seed * 1'000'003ull + static_cast<std::uint64_t>(node) * 65'537 + ray);
-        return static_cast<std::uint8_t>(random & random >> 8);
+        return static_cast<std::uint8_t>((random & random >> 8) | at(node).always);
     }
     unsigned test(std::int32_t node, rt::PathList list, std::uint8_t* masks) {
-        tests.push_back({node, {list.begin(), list.end()}});
+        log.push_back({false, node, {list.begin(), list.end()}});
         unsigned any = 0;
         for (std::size_t i = 0; i < list.size(); ++i) any |= masks[i] = mask(node, list[i]);
         return any;
     }
-    const std::array<std::uint8_t, 8>& order(std::int32_t node) const {
-        return nodes[static_cast<std::size_t>(node)].order;
-    }
-    std::int32_t child(std::int32_t node, unsigned place) const {
-        return nodes[static_cast<std::size_t>(node)].child[place];
-    }
+    const std::array<std::uint8_t, 8>& order(std::int32_t node) const { return at(node).order; }
+    std::int32_t child(std::int32_t node, unsigned place) const { return at(node).child[place]; }
     void leaf(std::int32_t child, rt::PathList list) {
-        leaves.push_back({child, {list.begin(), list.end()}});
+        log.push_back({true, child, {list.begin(), list.end()}});
     }
 
     // What should be asked, in which order.
-    void expect(LoggedTree& log, std::int32_t node, const std::vector<std::uint32_t>& list) const {
-        log.tests.push_back({node, list});
+    void expect(Log& questions, std::int32_t node, const Rays& rays) const {
+        questions.push_back({false, node, rays});
         for (const unsigned place : order(node)) {
-            std::vector<std::uint32_t> part;
-            for (const std::uint32_t ray : list)
+            Rays part;
+            for (const std::uint32_t ray : rays)
                 if (mask(node, ray) >> place & 1) part.push_back(ray);
             if (part.empty()) continue;
             const std::int32_t below = child(node, place);
             if (below < 0)
-                log.leaves.push_back({below, part});
+                questions.push_back({true, below, part});
             else
-                expect(log, below, part);
+                expect(questions, below, part);
         }
     }
 };
 
-// A tree of up to so many levels below a node; the numbers of leaves are ~0, ~1, ~2 ...
-std::int32_t grow(LoggedTree& tree, rt::Rng& rng, int levels, std::int32_t& leaves) {
-    const std::size_t place = tree.nodes.size();
-    tree.nodes.emplace_back();
+struct Shape {
+    int levels;              // of nodes below the first one, at most
+    bool is_chain = false;   // one child of each node is a node, and every ray goes there
+    bool root_last = false;  // children have lower numbers than their parent; one of them is node 0
+};
+
+// The number of a node of this shape; the numbers of leaves are ~0, ~1, ~2 ...
+std::int32_t grow(LoggedTree& tree, rt::Rng& rng, Shape shape, std::int32_t& leaves) {
+    std::size_t number = tree.nodes.size();
+    if (!shape.root_last) tree.nodes.emplace_back();
     LoggedTree::Node node;
     std::iota(node.order.begin(), node.order.end(), std::uint8_t{0});
     for (std::size_t i = 7; i > 0; --i) std::swap(node.order[i], node.order[rng() % (i + 1)]);
-    for (std::int32_t& child : node.child)
-        child = levels > 0 && rng() % 3 == 0 ? grow(tree, rng, levels - 1, leaves) : ~leaves++;
-    tree.nodes[place] = node;
-    return static_cast<std::int32_t>(place);
-}
-
-std::string text(const std::vector<std::uint32_t>& list) {
-    std::string all;
-    for (std::size_t i = 0; i < list.size() && i < 10; ++i) all += ' ' + std::to_string(list[i]);
-    return std::to_string(list.size()) + " rays {" + all + (list.size() > 10 ? " ... }" : " }");
-}
-
-void check_log(const char* what, const decltype(LoggedTree::tests)& actual,
-               const decltype(LoggedTree::tests)& expected, const char* hint) {
-    for (std::size_t i = 0; i < std::max(actual.size(), expected.size()); ++i) {
-        const auto words = [&](const auto& log) {
-            return i < log.size() ? std::to_string(log[i].first) + " with " + text(log[i].second)
-                                  : std::string{"none"};
-        };
-        if (i < actual.size() && i < expected.size() && actual[i] == expected[i]) continue;
-        INFO("number " << i << " of the " << what << " that were asked.\nHint: " << hint);
-        REQUIRE(words(actual) == words(expected));
+    const std::size_t next = rng() % 8;
+    if (shape.is_chain) node.always = static_cast<std::uint8_t>(1u << next);
+    Shape below = shape;
+    --below.levels;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const bool is_node = shape.levels > 0 && (shape.is_chain ? i == next : rng() % 3 == 0);
+        node.child[i] = is_node ? grow(tree, rng, below, leaves) : ~leaves++;
     }
+    if (shape.root_last) {
+        number = tree.nodes.size();
+        tree.nodes.emplace_back();
+    }
+    tree.nodes[number] = node;
+    return static_cast<std::int32_t>(number);
 }
 
-void check_descend(int levels, std::uint64_t seed, std::size_t rays) {
+void check_descend(int levels, std::uint64_t seed, std::size_t rays, bool is_chain = false) {
     rt::Rng rng{102, seed};
     LoggedTree tree;
     tree.seed = rng();
     std::int32_t leaves = 0;
-    grow(tree, rng, levels, leaves);
-    std::vector<std::uint32_t> list(rays);
+    const std::int32_t root = grow(tree, rng, {levels, is_chain, seed % 2 == 1}, leaves);
+    Rays list(rays);
     for (std::uint32_t& ray : list) ray = rng() % 100'000;
-    const std::vector<std::uint32_t> before = list;
-    LoggedTree expected;
-    tree.expect(expected, 0, list);
-    // As much room as it may need, and no more: a list a level, and one for the leaf.
-    const auto room = static_cast<std::size_t>(levels + 1) * rays;
-    std::vector<std::uint32_t> lists(room + 1, 0xdeadbeef);
-    std::vector<std::uint8_t> masks(room + 1, 0xa5);
-    rt::descend(tree, 0, list, {lists.data(), masks.data()});
-    check_log("nodes", tree.tests, expected.tests,
-              "each node that a ray meets, once, with the rays that meet it, the children in the "
-              "tree's order");
-    check_log("leaves", tree.leaves, expected.leaves,
-              "a negative child is a leaf: it gets the rays that meet its box, and no empty list");
-    INFO("Hint: it writes beyond the room that it has");
-    REQUIRE(lists[room] == 0xdeadbeef);
-    REQUIRE(masks[room] == 0xa5);
-    REQUIRE(list == before);
+    Log expected;
+    tree.expect(expected, root, list);
+    // As much room as it may need, and no more: a list and its masks for each level of nodes, where
+    // the last level's lists go to leaves.
+    const std::size_t room = static_cast<std::size_t>(levels + 1) * rays;
+    Fenced<std::uint32_t> lists{room, 0xdeadbeef, 0xdeadbeef, 10 * room + 100};
+    Fenced<std::uint8_t> masks{room, 0xa5, 0xa5, 10 * room + 100};
+    rt::descend(tree, root, list, {lists.data(), masks.data()});
+    if (tree.log == expected && lists.stands() && masks.stands()) return;
+
+    INFO("it begins at node " << root << " with " << text(list));
+    check_log(tree.log, expected);
+    INFO("Hint: there is room for " << levels + 1 << " lists of " << rays
+                                    << " rays and their masks; it writes beside it");
+    REQUIRE(lists.stands());
+    REQUIRE(masks.stands());
 }
 
 }  // namespace
@@ -132,7 +177,14 @@ TEST_CASE("10.2 deep trees and lists of one ray or none that goes on", "[10.2][h
         check_descend(5, 2000 + seed, 1);
         check_descend(5, 3000 + seed, 3);
     }
-    for (std::uint64_t seed = 0; seed < 6; ++seed) check_descend(4, 4000 + seed, 500);
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        check_descend(4, 4000 + seed, 300);
+        check_descend(90, 5000 + seed, 1 + seed, true);
+    }
+}
+
+TEST_CASE("10.2 a hundred thousand rays", "[10.2][hard]") {
+    check_descend(1, 6000, 100'000, true);
 }
 
 TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come later",
@@ -141,11 +193,9 @@ TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come late
     struct Shortened {
         std::vector<char> done = std::vector<char>(8, 0);
         std::array<std::uint8_t, 8> places{0, 1, 2, 3, 4, 5, 6, 7};
-        int asked = 0;
         std::vector<std::size_t> lengths;
 
         unsigned test(std::int32_t, rt::PathList list, std::uint8_t* masks) {
-            ++asked;
             lengths.push_back(list.size());
             unsigned any = 0;
             for (std::size_t i = 0; i < list.size(); ++i)
@@ -162,10 +212,12 @@ TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come late
             for (const std::uint32_t ray : list) done[ray] = 1;
         }
     } tree;
-    const std::vector<std::uint32_t> rays{0, 1, 2};
+    const Rays rays{0, 1, 2};
     std::vector<std::uint32_t> lists(100);
     std::vector<std::uint8_t> masks(100);
     rt::descend(tree, 0, rays, {lists.data(), masks.data()});
-    INFO("Hint: a node is asked when its turn has come, not before its neighbor's leaves were");
+    INFO(
+        "a chain of four nodes: expected 3, 3, 2 and 2 rays in their tests\nHint: a node is tested "
+        "when its turn has come, not before its neighbor's leaves were visited");
     CHECK(tree.lengths == std::vector<std::size_t>{3, 3, 2, 2});
 }

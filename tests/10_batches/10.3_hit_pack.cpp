@@ -1,3 +1,4 @@
+#include <cstring>
 #include <rt/hit_pack.hpp>
 #include <rt/hit_sphere.hpp>
 
@@ -6,6 +7,7 @@
 
 using namespace checkpoint;
 using rt::pack_size;
+using rt::PackInteger;
 using rt::Sphere;
 
 namespace {
@@ -15,18 +17,20 @@ Vec3 in_cube(rt::Rng& rng) {
     return {x, y, z};
 }
 
-bool same_bits(Real a, Real b) {
+template <class Value>
+bool same_bits(const Value& a, const Value& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 struct OneRay {
     rt::Ray ray;
     Real t = rt::infinity;
-    rt::PackInteger sphere = -1;
+    PackInteger sphere = -1;
 };
+using Rays = std::array<OneRay, pack_size>;
 
 // What hit_sphere of 03.2 makes of it, one ray at a time.
-bool expected_hit(const Sphere& sphere, rt::PackInteger number, OneRay& one) {
+bool expected_hit(const Sphere& sphere, PackInteger number, OneRay& one) {
     const auto t = rt::hit_sphere(sphere, one.ray, {0, one.t});
     if (!t || (*t == one.t && one.sphere > number)) return false;
     one.t = *t;
@@ -34,8 +38,12 @@ bool expected_hit(const Sphere& sphere, rt::PackInteger number, OneRay& one) {
     return true;
 }
 
-void check_pack(const Sphere& sphere, rt::PackInteger number,
-                const std::array<OneRay, pack_size>& rays, const char* hint) {
+std::string state(bool hits, Real t, PackInteger sphere) {
+    return std::string(hits ? "met it" : "did not meet it") + ", nearest so far sphere " +
+           std::to_string(sphere) + " at t = " + text(t);
+}
+
+void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, const char* hint) {
     rt::RayPack pack;
     for (std::size_t i = 0; i < pack_size; ++i) {
         set(pack.origin, i, rays[i].ray.origin);
@@ -43,6 +51,7 @@ void check_pack(const Sphere& sphere, rt::PackInteger number,
         pack.t[i] = rays[i].t;
         pack.sphere[i] = rays[i].sphere;
     }
+    const rt::RayPack before = pack;
     const rt::PackMask hit = rt::hit_pack(sphere, number, pack);
     for (std::size_t i = 0; i < pack_size; ++i) {
         OneRay expected = rays[i];
@@ -51,9 +60,11 @@ void check_pack(const Sphere& sphere, rt::PackInteger number,
                           hit[i] == (hits ? -1 : 0);
         if (same) continue;
         INFO("sphere " << number << " at " << text(sphere.center) << " of radius "
-                       << text(sphere.radius) << "; ray " << i << " from "
+                       << text(sphere.radius) << "; ray " << i << " of the pack, from "
                        << text(rays[i].ray.origin) << " along " << text(rays[i].ray.direction)
                        << ", so far sphere " << rays[i].sphere << " at t = " << text(rays[i].t));
+        INFO("expected: it " << state(hits, expected.t, expected.sphere) << "\nactual: it "
+                             << state(hit[i] != 0, pack.t[i], pack.sphere[i]));
         INFO("Hint: " << hint);
         {
             INFO("the mask that is returned: -1 where the ray has met this sphere, else 0");
@@ -61,7 +72,13 @@ void check_pack(const Sphere& sphere, rt::PackInteger number,
         }
         REQUIRE(text(pack.t[i]) == text(expected.t));
         REQUIRE(pack.sphere[i] == expected.sphere);
+        REQUIRE(same_bits(pack.t[i], expected.t));
     }
+    if (same_bits(pack.origin, before.origin) && same_bits(pack.direction, before.direction))
+        return;
+    INFO("Hint: of the rays only t and sphere change: the next sphere needs the rest as it was");
+    REQUIRE(same_bits(pack.origin, before.origin));
+    REQUIRE(same_bits(pack.direction, before.direction));
 }
 
 // A ray towards the sphere or past it, from outside or from inside.
@@ -75,6 +92,20 @@ rt::Ray any_ray(rt::Rng& rng, const Sphere& sphere, Real largest_distance) {
     return {sphere.center + from, any_size(rng, -2, 2) / length * along};
 }
 
+// Rays of which some have this sphere as their nearest hit already, at the very same t.
+void check_ties(rt::Rng& rng, PackInteger number, PackInteger lowest, PackInteger count) {
+    const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
+    Rays rays;
+    for (OneRay& one : rays) {
+        one.ray = any_ray(rng, sphere, 1);
+        OneRay found = one;
+        expected_hit(sphere, number, found);
+        one.t = found.t;
+        one.sphere = lowest + static_cast<PackInteger>(rng() % static_cast<unsigned>(count));
+    }
+    check_pack(sphere, number, rays, "at the very same t the sphere with the higher number stays");
+}
+
 }  // namespace
 
 TEST_CASE("10.3 rays from all sides", "[10.3]") {
@@ -82,7 +113,7 @@ TEST_CASE("10.3 rays from all sides", "[10.3]") {
     for (int round = 0; round < 5000; ++round) {
         const Real radius = any_size(rng, -3, 3);
         const Sphere sphere{Real(10) * radius * in_cube(rng), radius};
-        std::array<OneRay, pack_size> rays;
+        Rays rays;
         for (OneRay& one : rays) one.ray = any_ray(rng, sphere, 2);
         check_pack(sphere, round, rays,
                    "hit_sphere's operations in its order, each with all rays at once");
@@ -93,12 +124,12 @@ TEST_CASE("10.3 only what is nearer than before counts", "[10.3]") {
     rt::Rng rng{103, 2};
     for (int round = 0; round < 5000; ++round) {
         const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
-        std::array<OneRay, pack_size> rays;
+        Rays rays;
         for (OneRay& one : rays) {
             one.ray = any_ray(rng, sphere, 1);
             OneRay found = one;
             const bool hits = expected_hit(sphere, 7, found);
-            one.sphere = static_cast<rt::PackInteger>(rng() % 15);
+            one.sphere = static_cast<PackInteger>(rng() % 15);
             // Nearer than the hit, farther, or somewhere.
             one.t = hits && rng() % 3 != 0 ? found.t * rng.uniform(Real(0.9), Real(1.1))
                                            : any_size(rng, -2, 3);
@@ -110,18 +141,20 @@ TEST_CASE("10.3 only what is nearer than before counts", "[10.3]") {
 
 TEST_CASE("10.3 of equally near spheres the highest number", "[10.3]") {
     rt::Rng rng{103, 3};
-    for (int round = 0; round < 3000; ++round) {
-        const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
-        std::array<OneRay, pack_size> rays;
-        for (OneRay& one : rays) {
-            one.ray = any_ray(rng, sphere, 1);
-            OneRay found = one;
-            expected_hit(sphere, 7, found);
-            one.t = found.t;
-            one.sphere = static_cast<rt::PackInteger>(rng() % 15);
+    for (int round = 0; round < 3000; ++round) check_ties(rng, 7, 0, 15);
+}
+
+TEST_CASE("10.3 one ray of a pack that meets it or one that does not", "[10.3]") {
+    const Sphere sphere{{1, 2, 3}, 1};
+    const OneRay meets{{{1, 2, -3}, {0, 0, 2}}, 1000, 4}, misses{{{4, 2, -3}, {0, 0, 2}}, 1000, 4};
+    for (std::size_t k = 0; k < pack_size; ++k)
+        for (const bool one_meets : {true, false}) {
+            Rays rays;
+            rays.fill(one_meets ? misses : meets);
+            rays[k] = one_meets ? meets : misses;
+            check_pack(sphere, 7, rays,
+                       "each ray for itself: what one does is no reason to end for the others");
         }
-        check_pack(sphere, 7, rays, "at the very same t the sphere with the higher number stays");
-    }
 }
 
 TEST_CASE("10.3 far small grazing and touching", "[10.3][hard]") {
@@ -129,16 +162,17 @@ TEST_CASE("10.3 far small grazing and touching", "[10.3][hard]") {
     for (int round = 0; round < 20'000; ++round) {
         const Real radius = any_size(rng, -6, 6);
         Sphere sphere{radius * any_size(rng, -1, 5) * any_direction(rng), radius};
-        std::array<OneRay, pack_size> rays;
+        if (rng() % 2 == 0) sphere.center = {};
+        Rays rays;
         for (OneRay& one : rays) {
             one.ray = any_ray(rng, sphere, 6);
-            switch (rng() % 8) {
+            if (rng() % 8 == 0) one.t = 0;  // only a hit at the origin itself can count
+            switch (rng() % 10) {
                 case 0:  // it grazes, as far as numbers can
                     one.ray = {sphere.center + Vec3{-4 * radius, radius, 0}, {1, 0, 0}};
                     break;
                 case 1:  // it starts on the surface, and only touches there: q is 0
-                    sphere.center = {};
-                    one.ray = {{0, radius, 0}, {1, 0, 0}};
+                    one.ray = {sphere.center + Vec3{0, radius, 0}, {1, 0, real(-0.0)}};
                     break;
                 case 2:  // it leads nowhere
                     one.ray.direction = {};
@@ -149,13 +183,24 @@ TEST_CASE("10.3 far small grazing and touching", "[10.3][hard]") {
                 case 4:  // it starts on the surface: one solution is 0, or nearly
                     one.ray = {sphere.center + Vec3{0, 0, radius}, any_direction(rng)};
                     break;
+                case 5:  // it starts on the surface, straight in or out
+                    one.ray = {sphere.center + Vec3{0, 0, radius},
+                               {0, 0, rng() % 2 == 0 ? real(1) : real(-1)}};
+                    break;
                 default:
                     break;
             }
         }
         check_pack(sphere, 3, rays,
-                   "q may be 0: both solutions are 0 then; a direction of length 0 meets nothing");
+                   "q may be 0: both solutions are 0 then; a t of 0 counts; a direction of length "
+                   "0 meets nothing");
     }
+}
+
+TEST_CASE("10.3 high numbers of spheres", "[10.3][hard]") {
+    rt::Rng rng{103, 6};
+    for (const PackInteger number : {0, 1, 70'000, 16'777'217, 2'000'000'001})
+        for (int round = 0; round < 300; ++round) check_ties(rng, number, number - 1, 3);
 }
 
 TEST_CASE("10.3 what unused places hold does no harm", "[10.3][hard]") {
@@ -163,11 +208,12 @@ TEST_CASE("10.3 what unused places hold does no harm", "[10.3][hard]") {
     const Real nothing = std::numeric_limits<Real>::quiet_NaN();
     for (int round = 0; round < 2000; ++round) {
         const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
-        std::array<OneRay, pack_size> rays;
+        Rays rays;
         for (OneRay& one : rays) {
             one.ray = any_ray(rng, sphere, 1);
             if (rng() % 2 == 0) one = {{{nothing, 0, nothing}, {0, nothing, rt::infinity}}, 0, -1};
         }
-        check_pack(sphere, 3, rays, "a ray of rubbish meets nothing and disturbs no other");
+        check_pack(sphere, 3, rays,
+                   "a ray that is not made of numbers meets nothing and disturbs no other");
     }
 }

@@ -5,9 +5,11 @@
 namespace {
 
 std::string picked_color;
+bool is_framed = false;
 
 app::Picture note_choice(const app::Settings& settings, app::Progress&) {
     picked_color = settings.picked.at(0);
+    is_framed = settings.given.count("framed") > 0;
     return {rt::Image{1, 1}};
 }
 
@@ -21,7 +23,8 @@ int run_with(std::vector<const char*> arguments) {
                      .defaults = {},
                      .render = note_choice,
                      .study = nullptr,
-                     .choices = {{"color", "What it is painted with", {"red", "blue"}}}});
+                     .choices = {{"color", "What it is painted with", {"red", "blue"}}},
+                     .flags = {{"framed", "With a frame around it"}}});
 }
 
 }  // namespace
@@ -39,4 +42,14 @@ TEST_CASE("a choice takes none but its words", "[choices]") {
     CHECK(run_with({"--color", ""}) == app::bad_input);
     CHECK(run_with({"--shade", "red"}) == app::bad_input);
     CHECK(picked_color.empty());
+}
+
+TEST_CASE("a flag is there or not and takes nothing", "[choices]") {
+    CHECK(run_with({}) == app::done);
+    CHECK_FALSE(is_framed);
+    CHECK(run_with({"--framed", "--color", "blue"}) == app::done);
+    CHECK(is_framed);
+    CHECK(picked_color == "blue");
+    CHECK(run_with({"--framed", "yes"}) == app::bad_input);
+    CHECK(run_with({"--frame"}) == app::bad_input);
 }

@@ -153,6 +153,12 @@ class Companion(unittest.TestCase):
         self.put_course(self.chapter("01_tiny", self.facts), self.chapter("02_more", [
             {"id": "02.1", "title": "Number three", "minutes": 10, "files": ["rt/three.hpp"]}]))
 
+    def add_elective(self):
+        self.add_second_chapter()
+        facts = json.loads((self.root / "course.json").read_text())["chapters"]
+        facts[1]["core"] = False
+        self.put_course(*facts)
+
     def tearDown(self):
         self.folder.cleanup()
 
@@ -173,6 +179,39 @@ class Companion(unittest.TestCase):
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         self.assertNotIn("\033", done.stdout + done.stderr)  # not a terminal
         return done.stdout if code != 2 else done.stderr
+
+    # ---- an elective --------------------------------------------------------------------------
+
+    def test_an_elective_is_listed_and_counts_for_nothing(self):
+        before = self.course("list").split("\n\n")[1]
+        self.add_elective()
+        said = self.course("list")
+        self.assertIn("02_more          [..........] 0 of 1, elective, 0.7 hours; stars: 0.0 hours\n", said)
+        self.assertEqual(said.split("\n\n")[1], before)
+
+    def test_an_elective_is_offered_after_the_core_alone(self):
+        self.add_elective()
+        self.write("two", "right\n")
+        said = self.course("check", "01.2")
+        self.assertIn("Next: 01.1 Number one", said)
+        self.assertNotIn("elective", said)
+        self.write("one", "right\n")
+        said = self.course("check")
+        self.assertIn("Every exercise of the core passes. The last step: ./course certify\n"
+                      "Beyond the course, an elective: 02 Tiny, about 40 minutes\n"
+                      "  read   docs/02-more.md\n  check  ./course watch 02\n", said)
+        # Who has begun it stays in it.
+        self.assertIn("Next: 02.1", self.course("check", "02", code=3))
+        self.put("exercises/02_more/rt/three.hpp", "right\n")
+        self.assertIn("Every exercise passes. The last step", self.course("check", "02"))
+        self.assertNotIn("Beyond", self.course())
+
+    def test_watch_goes_on_to_no_elective(self):
+        self.add_elective()
+        self.write("one", "right\n")
+        self.write("two", "right\n")
+        self.assertIn("Every exercise of the core passes", self.course("watch"))
+        self.assertIn("Next: 02.1", self.course("watch", "02", code=3))
 
     # ---- a program of one's own --------------------------------------------------------------
 

@@ -71,6 +71,26 @@ def transfers(precision):
         yield f"{number(x)}, {exact(srgb_encode(Fraction(x)))}, {exact(srgb_decode(Fraction(x)))}"
 
 
+PI = Fraction(314159265358979323846264338327950288419716939937510582097494459230781640628620899863, 10**83)
+
+
+def turns(precision):
+    """Sine and cosine of parts of a whole turn: eighths and what lies beside them, tiny ones, any."""
+    rounded, rng = rounder(precision), seeded("turns", precision)
+    step = 2.0**-24 if precision == "float" else 2.0**-53
+    values = [k / 8 for k in range(8)]
+    values += [k / 8 + side * step for k in range(1, 9) for side in (-1, 1) if (k, side) != (8, 1)]
+    values += [1 - 2 * step, step, 3 * step]
+    values += [10 ** rng.uniform(-30, -1) for _ in range(40)] + [rng.uniform(0, 1) for _ in range(240)]
+    for turn in map(rounded, values):
+        # From the nearest quarter, where one of them is exactly 0.
+        quarter = round(4 * Fraction(turn))
+        sine, cosine = sin_cos(2 * PI * (Fraction(turn) - Fraction(quarter, 4)))
+        for _ in range(quarter):
+            sine, cosine = cosine, -sine
+        yield f"{number(turn)}, {exact(sine)}, {exact(cosine)}"
+
+
 HEADERS = {
     "tests/common/exact_differences.hpp": header(
         "00_common.py", "Difference", ["double v[4]", "checkpoint::Exact difference"], differences),
@@ -80,4 +100,6 @@ HEADERS = {
         operations),
     "tests/common/exact_transfers.hpp": header(
         "00_common.py", "Transfer", ["double x", "checkpoint::Exact encoded, decoded"], transfers),
+    "tests/common/exact_turns.hpp": header(
+        "00_common.py", "Turn", ["double turn", "checkpoint::Exact sine, cosine"], turns),
 }

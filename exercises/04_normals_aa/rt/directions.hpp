@@ -9,7 +9,8 @@ namespace rt {
 
 // Exercise 04.3. Both functions turn a place of the unit square, 0 <= x, y < 1, into a direction of
 // length 1 within 2 epsilon. Random places, spread evenly over the square, become random
-// directions.
+// directions. std::sin and std::cos are right; the solution takes sine_cosine_of_turn of
+// <rt/sine_cosine.hpp>, whose bits are the same with every library.
 
 // Every direction is equally likely. Near the poles, where the distance from the axis is small, it
 // keeps its digits all the same. Source: Archimedes, "On the sphere and cylinder": slices of

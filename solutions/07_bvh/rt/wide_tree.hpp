@@ -26,8 +26,10 @@ struct WideTreeOf {
         int box_tests = 0, sphere_tests = 0;  // eight at once count as one
     };
 
-    Found search(const Ray& ray, Interval within) const {
-        Found found{{within.max, -1}};
+    // The search may begin at any node or leaf, with a hit at within.max that has this tag.
+    Found search(const Ray& ray, Interval within, std::int32_t child = 0,
+                 std::int32_t tag = -1) const {
+        Found found{{within.max, tag}};
         if (nodes.empty()) return found;
         const WideRay<Number> wide{ray};
         const auto scaled = [&](Real t) { return static_cast<Number>(t * wide.scale); };
@@ -42,7 +44,7 @@ struct WideTreeOf {
         constexpr std::size_t most_nodes = most_levels + halvings(most_spheres, leaf_size);
         std::array<Waiting, (lanes - 1) * most_nodes> stack;
         std::size_t waiting = 0;
-        for (std::int32_t child = 0;;) {
+        for (;;) {
             if (child >= 0) {
                 ++found.box_tests;
                 const WideNode<Number>& node = nodes[static_cast<std::size_t>(child)];
@@ -52,7 +54,7 @@ struct WideTreeOf {
                         const auto i = static_cast<std::size_t>(std::countr_zero(met));
                         return {hit.entry[i], node.child[i]};
                     };
-                    // The nearest is next; mostly it is the only one. The others are few: they are
+                    // The nearest is next. The others are few, often none: they are
                     // put into their order one by one.
                     Waiting next = waiting_at(hit.met);
                     const std::size_t bottom = waiting;

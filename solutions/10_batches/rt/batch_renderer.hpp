@@ -14,7 +14,7 @@ namespace rt {
 
 // How many paths make a bounce together. Their records should fit into the processor's second
 // cache.
-inline constexpr std::size_t batch_size = 2048;
+inline constexpr std::size_t batch_size = 4096;
 
 // Draws tiles of a scene in batches of paths (given): all make their first bounce, then all that
 // are left their second one, and so on. The picture is that of Renderer, bit for bit, however the
@@ -25,20 +25,38 @@ class BatchRenderer {
     // The scene must outlive the renderer.
     BatchRenderer(const ReadyScene<effects>& scene, const Quality& quality,
                   std::size_t most_paths = batch_size)
-        : scene_{scene}, quality_{quality}, batch_{scene, most_paths} {
+        : scene_{scene}, quality_{quality}, batch_{scene, most_paths}, pixels_(most_paths) {
         while ((cells_ + 1) * (cells_ + 1) <= quality.samples_per_pixel) ++cells_;
+        for (int cell = 0; cell < cells_; ++cell)
+            ends_.push_back(
+                std::nextafter(static_cast<Real>(cell + 1) / static_cast<Real>(cells_), Real(0)));
     }
 
     // Draws the pixels of a tile; the rays that it took are added to `rays`.
     void draw(const Tile& tile, Image& image, std::uint64_t& rays) {
         for_each_pixel(tile, [&](int column, int row) {
-            image.at(column, row) = {};
+            Color& pixel = image.at(column, row) = {};
             Rng places = pixel_rng(quality_.seed, column, row);
-            for (int sample = 0; sample < quality_.samples_per_pixel; ++sample) {
-                add_path(column, row, sample, random_place(places));
-                pixels_.push_back(&image.at(column, row));
-                if (pixels_.size() == batch_.paths.size()) trace(rays);
-            }
+            int sample = 0;
+            const auto add = [&](Vec2 first, Vec2 end) {
+                if (started_ == pixels_.size()) trace(rays);
+                pixels_[started_] = &pixel;
+                PathRecord& path = batch_.paths[started_];
+                path.random = sample_rng(quality_.seed, column, row, sample++);
+                path.sample = static_cast<std::int32_t>(started_++);
+                path.throughput = {1, 1, 1};
+                // Where the record will have a ray, it has a place of the picture.
+                const Vec2 place = random_place(places);
+                path.origin = {static_cast<Real>(column), static_cast<Real>(row), first.x};
+                path.direction = {first.y, place.x, place.y};
+                path.t = end.x;
+                path.sphere = std::bit_cast<PackInteger>(end.y);
+            };
+            for (int down = 0; down < cells_; ++down)
+                for (int right = 0; right < cells_; ++right)
+                    add({static_cast<Real>(right), static_cast<Real>(down)},
+                        {end_of(right), end_of(down)});
+            while (sample < quality_.samples_per_pixel) add({}, {infinity, infinity});
         });
         trace(rays);
         const auto samples = static_cast<Real>(quality_.samples_per_pixel);
@@ -46,28 +64,26 @@ class BatchRenderer {
     }
 
   private:
-    // A path before it begins: where its record will have a ray, it has a place of the picture.
-    void add_path(int column, int row, int sample, Vec2 place) {
-        const bool in_cell = sample < cells_ * cells_;
-        const Vec2 offset = in_cell ? jittered_offset(sample, cells_, place) : place;
-        PathRecord& path = batch_.paths[pixels_.size()];
-        path = {};
-        path.origin = {static_cast<Real>(column), static_cast<Real>(row), 0};
-        path.direction = {offset.x, offset.y, 0};
-        path.random = sample_rng(quality_.seed, column, row, sample);
-        path.sample = static_cast<std::int32_t>(pixels_.size());
+    Real end_of(int cell) const { return ends_[static_cast<std::size_t>(cell)]; }
+
+    // jittered_offset of 04.5: within a cell, or anywhere in the pixel where the cell has no end.
+    Pack jittered(Pack first, Pack place, Pack end) const {
+        const Pack within = min((first + place) / static_cast<Real>(cells_), end);
+        return end == infinity ? place : within;
     }
 
     // Gives some paths their first rays.
     void start(std::size_t from, std::size_t size) {
         PathRecord* const paths = &batch_.paths[from];
         const auto record = [&](std::size_t i) { return &paths[i]; };
-        const auto place = load_eight(size, record);
-        const auto [origin, direction] =
-            primary_rays(scene_.eye, {place[0], place[1], {place[3], place[4]}}, paths, size);
-        store_eight({origin.x, origin.y, origin.z, direction.x, direction.y, direction.z,
-                     pack_of(infinity), std::bit_cast<Pack>(PackMask{} - 1)},
-                    size, record);
+        const auto [column, row, first_x, first_y, x, y, end_x, end_y] = load_eight(size, record);
+        const PixelPack pixel{
+            column, row, {jittered(first_x, x, end_x), jittered(first_y, y, end_y)}};
+        const auto [origin, direction] = primary_rays(scene_.eye, pixel, paths, size);
+        store(
+            std::array<Pack, 8>{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z,
+                                pack_of(infinity), std::bit_cast<Pack>(PackMask{} - 1)},
+            size, record);
         if constexpr (effects.motion)
             for (std::size_t i = 0; i < size; ++i)
                 batch_.times[from + i] =
@@ -76,22 +92,24 @@ class BatchRenderer {
 
     // Follows all paths of the batch to their ends.
     void trace(std::uint64_t& rays) {
-        std::size_t left = pixels_.size();
+        std::size_t left = started_;
         for (std::size_t i = 0; i < left; i += pack_size) start(i, std::min(pack_size, left - i));
         batch_.begin(left);
         for (int bounces = 1; left > 0; ++bounces)
             left = batch_.bounce(left, bounces == quality_.depth, rays);
         // Samples are added up in their order, as pixel_average does.
-        for (std::size_t i = 0; i < pixels_.size(); ++i) *pixels_[i] += batch_.light[i];
-        pixels_.clear();
+        for (std::size_t i = 0; i < started_; ++i) *pixels_[i] += batch_.light[i];
+        started_ = 0;
     }
 
     const ReadyScene<effects>& scene_;
     Quality quality_;
-    int cells_ = 1;  // in a row of a pixel
+    int cells_ = 1;           // in a row of a pixel
+    std::vector<Real> ends_;  // the largest offset of each
     std::conditional_t<effects.lights || effects.fog, LitBatch<effects>, PlainBatch<effects>>
         batch_;
     std::vector<Color*> pixels_;  // of the batch's samples
+    std::size_t started_ = 0;     // how many these are
 };
 
 }  // namespace rt

@@ -17,6 +17,11 @@ class BatchSearch {
   public:
     // The tree must outlive the search.
     explicit BatchSearch(const WideTree& tree) : tree_{tree}, orders_(tree.nodes.size()) {
+        for (const WideLeaf& leaf : tree.leaves) {
+            std::uint8_t size = 0;
+            while (size < lanes && leaf.is_used(size)) ++size;
+            leaf_sizes_.push_back(size);
+        }
         for (std::size_t node = 0; node < orders_.size(); ++node)
             for (unsigned octant = 0; octant < octants; ++octant)
                 orders_[node][octant] = nearest_first(tree.nodes[node], octant);
@@ -41,7 +46,7 @@ class BatchSearch {
     }
 
     // What descend() asks.
-    unsigned test(std::int32_t node, PathList list, std::uint8_t* masks) const;
+    unsigned test(std::int32_t node, PathList list, std::uint8_t* masks);
     const auto& order(std::int32_t node) const {
         return orders_[static_cast<std::size_t>(node)][octant_];
     }
@@ -49,23 +54,28 @@ class BatchSearch {
         return tree_.nodes[static_cast<std::size_t>(node)].child[place];
     }
     void leaf(std::int32_t child, PathList list) {
-        const WideLeaf& spheres = tree_.leaves[static_cast<std::size_t>(~child)];
+        const auto leaf = static_cast<std::size_t>(~child);
+        if (list.size() <= few_rays) return search_alone(child, list);
         for (std::size_t i = 0; i < list.size(); i += pack_size)
-            test_leaf(spheres, list.subspan(i, std::min(pack_size, list.size() - i)));
+            test_leaf(leaf, list.subspan(i, std::min(pack_size, list.size() - i)));
     }
 
   private:
     static constexpr unsigned octants = 8;
+    // So few rays are faster one by one.
+    static constexpr std::size_t few_rays = 2;
     // Each node on the way down stands for one level of the binary tree or more; a leaf's list
     // comes on top.
     static constexpr std::size_t most_levels_waiting =
         most_levels + halvings(most_spheres, leaf_size) + 1;
     using Order = std::array<std::uint8_t, lanes>;
+    typedef float Eight RT_VECTOR_OF(lanes * sizeof(float));  // of eight boxes
 
     // WideRay of chapter 07, in one line of memory, and where the nearest hit so far ends it.
     struct alignas(64) BoxRay {
         std::array<float, 3> near_origin, far_origin, inverse;
         float max, scale;
+        float unused;
     };
 
     static Order nearest_first(const WideNode<float>& node, unsigned octant) {
@@ -89,15 +99,17 @@ class BatchSearch {
     void make_room(std::size_t paths) {
         if (rays_.size() >= paths) return;
         rays_.resize(paths);
-        octants_.resize(paths);
+        octants_.resize(paths + pack_size);
         lists_.resize((most_levels_waiting + 1) * paths);
         masks_.resize(most_levels_waiting * paths);
     }
     void make_ready(std::size_t from, std::size_t size);
-    void test_leaf(const WideLeaf& spheres, PathList list);
+    void test_leaf(std::size_t leaf, PathList list);
+    void search_alone(std::int32_t child, PathList list);
 
     const WideTree& tree_;
     std::vector<std::array<Order, octants>> orders_;
+    std::vector<std::uint8_t> leaf_sizes_;
     PathRecord* paths_ = nullptr;
     std::vector<BoxRay> rays_;
     std::vector<std::uint8_t> octants_;
@@ -110,75 +122,94 @@ class BatchSearch {
 inline void BatchSearch::make_ready(std::size_t from, std::size_t size) {
     const auto packs = load_eight(size, [&](std::size_t i) { return &paths_[from + i]; });
     const Vec3Pack origin{packs[0], packs[1], packs[2]}, direction{packs[3], packs[4], packs[5]};
-    const Pack scale = max_component(direction);
+    const Pack scale = max_component(direction), max = packs[6] * scale;
     const Pack margin = wide_margin<float> * max_component(origin);
-    std::array<std::array<Pack, 3>, 3> all;  // near, far, inverse
+    Pack near[3], far[3], inverse[3];
     PackMask octant{};
     for (std::size_t k = 0; k < 3; ++k) {
         const Pack ahead = copysign(margin, packs[3 + k]);
-        all[0][k] = packs[k] + ahead;
-        all[1][k] = packs[k] - ahead;
-        all[2][k] = scale / packs[3 + k];
+        near[k] = packs[k] + ahead;
+        far[k] = packs[k] - ahead;
+        inverse[k] = scale / packs[3 + k];
         octant |= (std::bit_cast<PackMask>(packs[3 + k]) < 0) & (1 << k);
     }
-    for (std::size_t i = 0; i < size; ++i) {
-        BoxRay& ray = rays_[from + i];
-        for (std::size_t k = 0; k < 3; ++k) {
-            ray.near_origin[k] = static_cast<float>(all[0][k][i]);
-            ray.far_origin[k] = static_cast<float>(all[1][k][i]);
-            ray.inverse[k] = static_cast<float>(all[2][k][i]);
-        }
-        ray.scale = static_cast<float>(scale[i]);
-        ray.max = static_cast<float>(packs[6][i] * scale[i]);
-        octants_[from + i] = static_cast<std::uint8_t>(octant[i]);
-    }
+    const auto record = [&](std::size_t i) { return &rays_[from + i]; };
+    const std::array<Pack, 12> numbers{near[0],    near[1],    near[2],    far[0], far[1], far[2],
+                                       inverse[0], inverse[1], inverse[2], max,    scale,  {}};
+    if constexpr (sizeof(Real) == sizeof(float))
+        store(numbers, size, record);
+    else
+        for (std::size_t i = 0; i < size; ++i)
+            for (std::size_t k = 0; k < numbers.size(); ++k)
+                reinterpret_cast<float*>(record(i))[k] = static_cast<float>(numbers[k][i]);
+    typedef std::uint8_t Bytes RT_VECTOR_OF(pack_size);
+    const Bytes bytes = __builtin_convertvector(octant, Bytes);
+    std::memcpy(&octants_[from], &bytes, sizeof bytes);
 }
 
 // One ray against eight boxes at a time, as hit_boxes of chapter 07, for each ray of the list.
-inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8_t* masks) const {
+inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8_t* masks) {
+    if (list.size() <= few_rays) {
+        search_alone(number, list);
+        return 0;
+    }
     const WideNode<float>& node = tree_.nodes[static_cast<std::size_t>(number)];
     const auto plane = [&](bool near, unsigned axis) {
-        return node.planes[near == (octant_ >> axis & 1)][axis].data();
+        Eight planes;
+        std::memcpy(&planes, &node.planes[near == (octant_ >> axis & 1)][axis], sizeof planes);
+        return planes;
     };
-    const float *const first_x = plane(true, 0), *const first_y = plane(true, 1),
-                       *const first_z = plane(true, 2), *const second_x = plane(false, 0),
-                       *const second_y = plane(false, 1), *const second_z = plane(false, 2);
+    const Eight first_x = plane(true, 0), first_y = plane(true, 1), first_z = plane(true, 2),
+                second_x = plane(false, 0), second_y = plane(false, 1), second_z = plane(false, 2);
     // A t that is not a number fails the comparison, and its plane does not count.
-    const auto later = [](float t, float than) { return t > than ? t : than; };
-    const auto earlier = [](float t, float than) { return t < than ? t : than; };
+    const auto later = [](Eight t, Eight than) { return t > than ? t : than; };
+    const auto earlier = [](Eight t, Eight than) { return t < than ? t : than; };
     unsigned any = 0;
     for (std::size_t n = 0; n < list.size(); ++n) {
         const BoxRay& ray = rays_[list[n]];
         const auto &near = ray.near_origin, &far = ray.far_origin, &inverse = ray.inverse;
-        std::uint32_t met = 0;
-#pragma omp simd reduction(| : met)
-        for (std::size_t i = 0; i < lanes; ++i) {
-            const float in_x = later((first_x[i] - near[0]) * inverse[0], 0);
-            const float in_y = later((first_y[i] - near[1]) * inverse[1], in_x);
-            const float in = later((first_z[i] - near[2]) * inverse[2], in_y);
-            const float out_x = earlier((second_x[i] - far[0]) * inverse[0], ray.max);
-            const float out_y = earlier((second_y[i] - far[1]) * inverse[1], out_x);
-            const float out = earlier((second_z[i] - far[2]) * inverse[2], out_y);
-            met |= in <= out ? 1u << i : 0;
-        }
+        const Eight in_x = later((first_x - near[0]) * inverse[0], Eight{});
+        const Eight in_y = later((first_y - near[1]) * inverse[1], in_x);
+        const Eight in = later((first_z - near[2]) * inverse[2], in_y);
+        const Eight out_x = earlier((second_x - far[0]) * inverse[0], Eight{} + ray.max);
+        const Eight out_y = earlier((second_y - far[1]) * inverse[1], out_x);
+        const Eight out = earlier((second_z - far[2]) * inverse[2], out_y);
+        const unsigned met = RT_VECTOR_BITS(in <= out);
         masks[n] = static_cast<std::uint8_t>(met);
         any |= met;
     }
     return any;
 }
 
-inline void BatchSearch::test_leaf(const WideLeaf& spheres, PathList list) {
+inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
+    const WideLeaf& spheres = tree_.leaves[leaf];
+    const std::size_t size = leaf_sizes_[leaf];  // 1 or more
     RayPack rays = load_rays(paths_, list);
     PackMask hit{};
-    for (std::size_t i = 0; i < lanes && spheres.is_used(i); ++i)
-        hit |= hit_pack(spheres.sphere(i), spheres.tag[i] / static_cast<int>(lanes), rays);
-    for_each_bit(bits_of(hit) & first_bits(list.size()), [&](std::size_t i) {
-        PathRecord& path = paths_[list[i]];
-        path.t = rays.t[i];
-        path.sphere = rays.sphere[i];
-        BoxRay& ray = rays_[list[i]];
+    std::size_t i = 0;
+    do hit |= hit_pack(spheres.sphere(i), spheres.tag[i] / static_cast<int>(lanes), rays);
+    while (++i < size);
+    for_each_bit(bits_of(hit) & first_bits(list.size()), [&](std::size_t k) {
+        PathRecord& path = paths_[list[k]];
+        path.t = rays.t[k];
+        path.sphere = rays.sphere[k];
+        BoxRay& ray = rays_[list[k]];
         ray.max = static_cast<float>(path.t * static_cast<Real>(ray.scale));
     });
+}
+
+// The search of chapter 07 from a node or leaf on.
+inline void BatchSearch::search_alone(std::int32_t child, PathList list) {
+    for (const std::uint32_t i : list) {
+        PathRecord& path = paths_[i];
+        const auto tag = static_cast<std::int32_t>(path.sphere) * static_cast<std::int32_t>(lanes);
+        const auto found = tree_.search({path.origin, path.direction}, {0, path.t}, child, tag);
+        if (!found.leaf) continue;
+        path.t = found.best.t;
+        path.sphere = found.best.number();
+        BoxRay& ray = rays_[i];
+        ray.max = static_cast<float>(path.t * static_cast<Real>(ray.scale));
+    }
 }
 
 }  // namespace rt

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <rt/copy_marked.hpp>
 #include <rt/path_record.hpp>
 
 namespace rt {
@@ -10,8 +11,9 @@ namespace rt {
 // whether a ray meets a box, no processor guesses right.
 inline std::size_t filter_list(PathList list, const std::uint8_t* masks, unsigned bit,
                                std::uint32_t* to) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < list.size(); ++i) {
+    std::size_t count = 0, i = 0;
+    for (; i + 8 <= list.size(); i += 8) count += copy_marked(&list[i], masks + i, bit, to + count);
+    for (; i < list.size(); ++i) {
         to[count] = list[i];
         count += masks[i] >> bit & 1;
     }

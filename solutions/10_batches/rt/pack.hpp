@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -64,25 +65,100 @@ inline Pack copysign(Pack size, Pack sign) {
                                (std::bit_cast<PackMask>(sign) & bit));
 }
 
-// The first of a, the first of b, the second of a, the second of b ... from their lower or upper
-// halves.
-template <std::size_t half, std::size_t... i>
-Pack interleave(Pack a, Pack b, std::index_sequence<i...>) {
-    return __builtin_shufflevector(a, b,
-                                   (half * pack_size / 2 + i / 2 + (i % 2 ? pack_size : 0))...);
+// What a processor fetches from a record in memory at once. A pack holds one block or more.
+typedef Real Block RT_VECTOR_OF(16);
+inline constexpr std::size_t block_size = sizeof(Block) / sizeof(Real);
+inline constexpr std::size_t blocks = pack_size / block_size;
+
+template <class Low, class High, std::size_t... i>
+auto join(Low low, High high, std::index_sequence<i...>) {
+    return __builtin_shufflevector(low, high, i...);
+}
+// `count` blocks, one after the other: block(first), block(first + 1) ...
+template <std::size_t count = blocks, class GetBlock>
+auto join_blocks(const GetBlock& block, std::size_t first = 0) {
+    if constexpr (count == 1)
+        return block(first);
+    else
+        return join(join_blocks<count / 2>(block, first),
+                    join_blocks<count / 2>(block, first + count / 2),
+                    std::make_index_sequence<count * block_size>{});
+}
+template <std::size_t number>
+Block get_block(Pack pack) {
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+        return __builtin_shufflevector(pack, pack, (number * block_size + i)...);
+    }
+    (std::make_index_sequence<block_size>{});
 }
 
-// rows[i][k] and rows[k][i] change places: so records of pack_size numbers become packs, each of
-// one kind of number, and packs become records.
-inline void transpose(Pack (&rows)[pack_size]) {
+// The first of a, the first of b, the second of a, the second of b ... from the lower or the upper
+// half of each block.
+template <std::size_t half, std::size_t... i>
+Pack interleave(Pack a, Pack b, std::index_sequence<i...>) {
+    constexpr std::size_t n = block_size;
+    return __builtin_shufflevector(
+        a, b, (i / n * n + half * n / 2 + i % n / 2 + (i % 2 ? pack_size : 0))...);
+}
+
+// rows[i][k] and rows[k][i] change places within each block.
+inline void transpose_blocks(Pack (&rows)[block_size]) {
     constexpr auto all = std::make_index_sequence<pack_size>{};
-    for (std::size_t done = 1; done < pack_size; done *= 2) {
-        Pack shuffled[pack_size];
-        for (std::size_t i = 0; i < pack_size / 2; ++i) {
-            shuffled[2 * i] = interleave<0>(rows[i], rows[i + pack_size / 2], all);
-            shuffled[2 * i + 1] = interleave<1>(rows[i], rows[i + pack_size / 2], all);
+    constexpr std::size_t half = block_size / 2;
+    for (std::size_t done = 1; done < block_size; done *= 2) {
+        Pack shuffled[block_size];
+        for (std::size_t i = 0; i < half; ++i) {
+            shuffled[2 * i] = interleave<0>(rows[i], rows[i + half], all);
+            shuffled[2 * i + 1] = interleave<1>(rows[i], rows[i + half], all);
         }
-        std::memcpy(rows, shuffled, sizeof rows);
+        for (std::size_t i = 0; i < block_size; ++i) rows[i] = shuffled[i];
+    }
+}
+
+// Eight numbers each of up to pack_size records, as eight packs: the first numbers of all, the
+// second ones, and so on. record(i), for i below size, is where a record begins. What stands in
+// unused places does not matter.
+template <class Record>
+RT_INLINED std::array<Pack, 8> load_eight(std::size_t size, const Record& record) {
+    std::array<Pack, 8> packs;
+    for (std::size_t first = 0; first < packs.size(); first += block_size) {
+        Pack rows[block_size];
+        for (std::size_t i = 0; i < block_size; ++i)
+            rows[i] = join_blocks([&](std::size_t b) {
+                const std::size_t n = b * block_size + i;
+                Block block;
+                std::memcpy(&block, reinterpret_cast<const Real*>(record(n < size ? n : 0)) + first,
+                            sizeof block);
+                return block;
+            });
+        transpose_blocks(rows);
+        for (std::size_t k = 0; k < block_size; ++k) packs[first + k] = rows[k];
+    }
+    return packs;
+}
+
+// The inverse: writes `count` numbers, a multiple of block_size, to each of up to pack_size
+// records.
+template <std::size_t count, class Record>
+RT_INLINED void store(const std::array<Pack, count>& packs, std::size_t size,
+                      const Record& record) {
+    for (std::size_t first = 0; first < count; first += block_size) {
+        Pack rows[block_size];
+        for (std::size_t k = 0; k < block_size; ++k) rows[k] = packs[first + k];
+        transpose_blocks(rows);
+        const auto write = [&](std::size_t n, Block block) {
+            std::memcpy(reinterpret_cast<Real*>(record(n)) + first, &block, sizeof block);
+        };
+        for (std::size_t i = 0; i < block_size; ++i)
+            [&]<std::size_t... b>(std::index_sequence<b...>) {
+                if (size == pack_size)
+                    (write(b * block_size + i, get_block<b>(rows[i])), ...);
+                else
+                    ((b * block_size + i < size ? write(b * block_size + i, get_block<b>(rows[i]))
+                                                : void()),
+                     ...);
+            }
+        (std::make_index_sequence<blocks>{});
     }
 }
 

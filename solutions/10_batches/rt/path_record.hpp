@@ -32,41 +32,6 @@ struct RayPack {
     PackMask sphere{};
 };
 
-// Eight numbers each of up to pack_size records, as eight packs: the first numbers of all, the
-// second ones, and so on. record(i), for i below size, is where a record begins; 64 bytes of it can
-// be read. What stands in unused places does not matter.
-template <class Record>
-std::array<Pack, 8> load_eight(std::size_t size, const Record& record) {
-    std::array<Pack, 8> packs;
-    for (std::size_t first = 0; first < packs.size(); first += pack_size) {
-        Pack rows[pack_size];
-        for (std::size_t i = 0; i < pack_size; ++i)
-            std::memcpy(
-                &rows[i],
-                reinterpret_cast<const char*>(record(i < size ? i : 0)) + first * sizeof(Real),
-                sizeof(Pack));
-        transpose(rows);
-        for (std::size_t k = 0; k < pack_size && first + k < packs.size(); ++k)
-            packs[first + k] = rows[k];
-    }
-    return packs;
-}
-
-// The inverse: writes eight numbers each to up to pack_size records.
-template <class Record>
-void store_eight(const std::array<Pack, 8>& packs, std::size_t size, const Record& record) {
-    for (std::size_t first = 0; first < packs.size(); first += pack_size) {
-        Pack rows[pack_size]{};
-        for (std::size_t k = 0; k < pack_size && first + k < packs.size(); ++k)
-            rows[k] = packs[first + k];
-        transpose(rows);
-        constexpr std::size_t length = std::min<std::size_t>(pack_size, 8) * sizeof(Real);
-        for (std::size_t i = 0; i < size; ++i)
-            std::memcpy(reinterpret_cast<char*>(record(i)) + first * sizeof(Real), &rows[i],
-                        length);
-    }
-}
-
 inline RayPack load_rays(const PathRecord* paths, PathList list) {
     const auto [ox, oy, oz, dx, dy, dz, t, sphere] =
         load_eight(list.size(), [&](std::size_t i) { return &paths[list[i]]; });

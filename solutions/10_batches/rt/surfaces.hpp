@@ -51,11 +51,13 @@ void describe(Surface& surface, const Material& material) {
 template <class Materials>
 struct Surfaces {
     using Types = MaterialTypes<Materials>;
+    static constexpr std::size_t sky = std::tuple_size_v<typename Types::All>;
     std::vector<Surface> all;
-    std::vector<std::uint8_t> kinds;    // which type of material each has
+    std::vector<std::uint8_t> kinds;    // of no sphere: sky; of each, then: its material's type
     std::vector<std::int32_t> numbers;  // each one's material
 
     Surfaces(const WideTree& tree, const Materials& materials) {
+        resize(0);
         for (const WideLeaf& leaf : tree.leaves)
             for (std::size_t i = 0; i < lanes && leaf.is_used(i); ++i) {
                 const auto number = static_cast<std::size_t>(leaf.tag[i]) / lanes;
@@ -72,7 +74,7 @@ struct Surfaces {
   private:
     void resize(std::size_t size) {
         all.resize(size);
-        kinds.resize(size);
+        kinds.resize(size + 1, sky);
         numbers.resize(size);
     }
     void set_material(std::size_t number, const Materials& materials) {
@@ -80,7 +82,7 @@ struct Surfaces {
         const auto material = static_cast<std::size_t>(numbers[number]);
         if (material >= materials.materials.size()) return;
         const auto& element = materials.materials[material];
-        kinds[number] = static_cast<std::uint8_t>(Types::index(element));
+        kinds[number + 1] = static_cast<std::uint8_t>(Types::index(element));
         if constexpr (std::tuple_size_v<typename Types::All> == 1)
             describe(all[number], element);
         else

@@ -1,0 +1,62 @@
+// What chapter 08's program draws with where it is given --batches. It is linked into that program.
+
+#include <app/interrupt.hpp>
+#include <array>
+#include <memory>
+#include <rt/batch_renderer.hpp>
+#include <rt/choose_renderer.hpp>
+#include <rt/effects_of.hpp>
+#include <utility>
+
+#include "tile_drawing.hpp"
+
+namespace batches {
+namespace {
+
+using namespace rt;
+using effects::Choice, effects::DrawTile, effects::TileDrawing;
+
+// Few sets of effects are compiled: a batch asks once which kernel it needs, not once a ray, so an
+// effect that is there in vain costs little. What does cost is leaving the kernels for packs, which
+// the last set does.
+constexpr std::array<Effects, 4> batch_effects = [] {
+    constexpr Effects materials{
+        .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
+    Effects moving = materials, all = materials;
+    moving.motion = moving.instances = true;
+    for (const NamedEffect& effect : all_effects) all.*effect.member = true;
+    return std::array<Effects, 4>{{{}, materials, moving, all}};
+}();
+
+template <Effects effects>
+std::function<DrawTile()> make_workers(const SceneDescription& description, int width, int height,
+                                       const Quality& quality) {
+    const auto scene = std::make_shared<const ReadyScene<effects>>(description, width, height);
+    return [scene, quality] {
+        const auto renderer = std::make_shared<BatchRenderer<effects>>(*scene, quality);
+        return [scene, renderer](const Tile& tile, Image& image, std::uint64_t& rays) {
+            if (app::Interruption::signal() != 0) return std::int64_t{0};
+            renderer->draw(tile, image, rays);
+            return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
+        };
+    };
+}
+
+constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>) {
+    return std::array{make_workers<batch_effects[number]>...};
+}
+(std::make_index_sequence<batch_effects.size()>{});
+
+TileDrawing make_drawing(const SceneDescription& scene, int width, int height,
+                         const Quality& quality) {
+    const std::size_t number = narrowest(effects_of(scene), batch_effects);
+    const Effects chosen = batch_effects[number];
+    return {{chosen, without(batch_effects.back(), chosen), batch_effects.size()},
+            makers[number](scene, width, height, quality)};
+}
+
+// Before main() begins.
+[[maybe_unused]] const bool is_known = (effects::make_batch_drawing = make_drawing, true);
+
+}  // namespace
+}  // namespace batches

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace batches {
+
+// The chapter's picture, drawn by code that is compiled for registers of some width. Both functions
+// return how many rays they took.
+struct Width {
+    std::size_t lanes = 1;  // the numbers that a register holds
+    std::function<std::uint64_t()> singly, in_batches;
+};
+
+// At most 16 and 32 bytes wide, and whatever the program is compiled for. Where that is narrower,
+// so are these.
+Width registers_of_16_bytes();
+Width registers_of_32_bytes();
+Width registers_of_this_program();
+
+}  // namespace batches

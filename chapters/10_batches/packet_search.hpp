@@ -1,0 +1,88 @@
+#pragma once
+// Packets: a few rays that go down the tree together, with one stack. A middle way between single
+// rays and batches, for the study alone.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+#include <numeric>
+#include <rt/wide_ray.hpp>
+#include <rt/wide_tree.hpp>
+
+namespace batches {
+
+using namespace rt;
+
+template <std::size_t size>
+class Packet {
+  public:
+    std::array<WideHit, size> best;
+
+    explicit Packet(const Ray* rays) : Packet{rays, std::make_index_sequence<size>{}} {}
+
+    void find_nearest(const WideTree& tree) {
+        if (tree.nodes.empty()) return;
+        std::array<Waiting, lanes*(most_levels + 32)> stack;
+        stack[0] = {0, (std::uint32_t{1} << size) - 1};
+        for (std::size_t waiting = 1; waiting > 0;) {
+            const Waiting top = stack[--waiting];
+            if (top.child >= 0)
+                waiting = visit(tree.nodes[static_cast<std::size_t>(top.child)], top.rays,
+                                stack.data(), waiting);
+            else
+                test(tree.leaves[static_cast<std::size_t>(~top.child)], top.rays);
+        }
+    }
+
+  private:
+    struct Waiting {
+        std::int32_t child = 0;
+        std::uint32_t rays = 0;  // a bit for each that has met its box
+    };
+
+    template <std::size_t... i>
+    Packet(const Ray* rays, std::index_sequence<i...>)
+        : rays_{rays}, wide_{WideRay<float>{rays[i]}...} {
+        max_.fill(std::numeric_limits<float>::infinity());
+    }
+
+    // Tests the boxes of the children for each of these rays; those that are met go on the stack,
+    // the nearest last.
+    std::size_t visit(const WideNode<float>& node, std::uint32_t rays, Waiting* stack,
+                      std::size_t waiting) const {
+        std::array<std::uint32_t, lanes> met{};
+        Lanes<float> nearest;
+        nearest.fill(std::numeric_limits<float>::infinity());
+        for (; rays; rays &= rays - 1) {
+            const auto ray = static_cast<std::size_t>(std::countr_zero(rays));
+            const BoxesHit<float> hit = hit_boxes(node, wide_[ray], 0.0F, max_[ray]);
+            for (unsigned bits = hit.met; bits; bits &= bits - 1) {
+                const auto child = static_cast<std::size_t>(std::countr_zero(bits));
+                met[child] |= 1U << ray;
+                nearest[child] = std::min(nearest[child], hit.entry[child]);
+            }
+        }
+        Lanes<std::size_t> order;
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return nearest[a] > nearest[b]; });
+        for (const std::size_t child : order)
+            if (met[child] != 0) stack[waiting++] = {node.child[child], met[child]};
+        return waiting;
+    }
+
+    void test(const WideLeaf& leaf, std::uint32_t rays) {
+        for (; rays; rays &= rays - 1) {
+            const auto ray = static_cast<std::size_t>(std::countr_zero(rays));
+            if (hit_leaf(leaf, rays_[ray], 0, best[ray]))
+                max_[ray] = static_cast<float>(best[ray].t * wide_[ray].scale);
+        }
+    }
+
+    const Ray* rays_;
+    std::array<WideRay<float>, size> wide_;
+    std::array<float, size> max_;
+};
+
+}  // namespace batches

@@ -1,0 +1,34 @@
+# Chapter 08's program with --batches: chapter 10 draws, in a source of its own that is linked into it.
+# Include after the chapters.
+#
+# course_batches(program real folders...): this program draws in batches with the code of these
+# folders, which are the program's own, and chapter 10's.
+function(course_batches program real)
+  set(chapters ${CMAKE_SOURCE_DIR}/chapters)
+  add_library(${program}_batches OBJECT ${chapters}/10_batches/for_08/batch_drawing.cpp)
+  target_include_directories(${program}_batches PRIVATE ${ARGN} ${chapters}/08_effects)
+  target_link_libraries(${program}_batches PRIVATE common_${real})
+  target_link_libraries(${program} PRIVATE ${program}_batches)
+endfunction()
+
+set(exercises ${CMAKE_SOURCE_DIR}/exercises)
+course_batches(08_effects_solution double ${course_solutions})
+course_batches(08_effects_solution_float float ${course_solutions})
+course_batches(08_effects double ${exercises}/10_batches ${exercises}/08_effects ${course_solutions})
+course_batches(08_effects_mine double ${COURSE_YOURS} ${course_solutions})
+course_batches(08_effects_mine_float float ${COURSE_YOURS} ${course_solutions})
+course_of_learner(08_effects_batches 08_effects_mine_batches 08_effects_mine_float_batches)
+set_target_properties(08_effects_mine_batches 08_effects_mine_float_batches PROPERTIES EXCLUDE_FROM_ALL ON)
+course_long_tests(08_effects_solution_float_batches)
+
+# The same file, for every scene.
+function(course_batches_test name program)
+  add_test(NAME ${name}
+    COMMAND sh ${CMAKE_SOURCE_DIR}/tests/app/batches.sh $<TARGET_FILE:${program}>
+            ${CMAKE_SOURCE_DIR}/chapters/08_effects/scenes)
+  set_tests_properties(${name} PROPERTIES LABELS solution TIMEOUT 300)
+endfunction()
+course_batches_test(08_effects.batches 08_effects_solution)
+if(COURSE_ALL_TESTS)
+  course_batches_test(08_effects.batches_in_float 08_effects_solution_float)
+endif()
