@@ -102,8 +102,8 @@ RT_INLINED bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real min, WideHit
         met[p] = RT_VECTOR_BITS(quarters[p] >= 0);
         any |= met[p];
     }
-    // The line misses most leaves' spheres. For the roots the rest is computed once more: to keep
-    // it would take more registers than there are.
+    // Where the line misses all of them the leaf is done. For the roots f is computed once more: to
+    // keep it for all eight would take more registers than there are.
     const Vec3 d = ray.direction;
     if (any == 0 || !(d.x * d.x + d.y * d.y + d.z * d.z > 0)) return false;
 
