@@ -14,7 +14,7 @@ namespace rt {
 
 // How many paths make a bounce together. Their records should fit into the processor's second
 // cache.
-inline constexpr std::size_t batch_size = 2048;
+inline constexpr std::size_t batch_size = 4096;
 
 // Draws tiles of a scene in batches of paths (given): all make their first bounce, then all that
 // are left their second one, and so on. The picture is that of Renderer, bit for bit, however the

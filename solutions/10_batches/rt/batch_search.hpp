@@ -46,7 +46,7 @@ class BatchSearch {
     }
 
     // What descend() asks.
-    unsigned test(std::int32_t node, PathList list, std::uint8_t* masks) const;
+    unsigned test(std::int32_t node, PathList list, std::uint8_t* masks);
     const auto& order(std::int32_t node) const {
         return orders_[static_cast<std::size_t>(node)][octant_];
     }
@@ -55,12 +55,15 @@ class BatchSearch {
     }
     void leaf(std::int32_t child, PathList list) {
         const auto leaf = static_cast<std::size_t>(~child);
+        if (list.size() <= few_rays) return search_alone(child, list);
         for (std::size_t i = 0; i < list.size(); i += pack_size)
             test_leaf(leaf, list.subspan(i, std::min(pack_size, list.size() - i)));
     }
 
   private:
     static constexpr unsigned octants = 8;
+    // So few rays are faster one by one.
+    static constexpr std::size_t few_rays = 2;
     // Each node on the way down stands for one level of the binary tree or more; a leaf's list
     // comes on top.
     static constexpr std::size_t most_levels_waiting =
@@ -102,6 +105,7 @@ class BatchSearch {
     }
     void make_ready(std::size_t from, std::size_t size);
     void test_leaf(std::size_t leaf, PathList list);
+    void search_alone(std::int32_t child, PathList list);
 
     const WideTree& tree_;
     std::vector<std::array<Order, octants>> orders_;
@@ -144,7 +148,11 @@ inline void BatchSearch::make_ready(std::size_t from, std::size_t size) {
 }
 
 // One ray against eight boxes at a time, as hit_boxes of chapter 07, for each ray of the list.
-inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8_t* masks) const {
+inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8_t* masks) {
+    if (list.size() <= few_rays) {
+        search_alone(number, list);
+        return 0;
+    }
     const WideNode<float>& node = tree_.nodes[static_cast<std::size_t>(number)];
     const auto plane = [&](bool near, unsigned axis) {
         Eight planes;
@@ -188,6 +196,20 @@ inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
         BoxRay& ray = rays_[list[k]];
         ray.max = static_cast<float>(path.t * static_cast<Real>(ray.scale));
     });
+}
+
+// The search of chapter 07 from a node or leaf on.
+inline void BatchSearch::search_alone(std::int32_t child, PathList list) {
+    for (const std::uint32_t i : list) {
+        PathRecord& path = paths_[i];
+        const auto tag = static_cast<std::int32_t>(path.sphere) * static_cast<std::int32_t>(lanes);
+        const auto found = tree_.search({path.origin, path.direction}, {0, path.t}, child, tag);
+        if (!found.leaf) continue;
+        path.t = found.best.t;
+        path.sphere = found.best.number();
+        BoxRay& ray = rays_[i];
+        ray.max = static_cast<float>(path.t * static_cast<Real>(ray.scale));
+    }
 }
 
 }  // namespace rt

@@ -102,16 +102,17 @@ class PlainBatch {
         const Vec3Pack direction =
             scatter_pack(static_cast<const Material*>(nullptr), at, paths.data(), list);
         const Vec3Pack origin = leave_surface(at, direction);
-        const std::array<Pack, 8> rays{
-            origin.x,    origin.y,    origin.z,          direction.x,
-            direction.y, direction.z, pack_of(infinity), std::bit_cast<Pack>(PackMask{} - 1)};
-        store(rays, list.size(), [&](std::size_t i) { return &next_[left_ + i]; });
+        PathRecord* const next = &next_[left_];
+        left_ += list.size();
+        store(
+            std::array<Pack, 8>{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z,
+                                pack_of(infinity), std::bit_cast<Pack>(PackMask{} - 1)},
+            list.size(), [&](std::size_t i) { return &next[i]; });
         for (std::size_t i = 0; i < list.size(); ++i) {
             const PathRecord& path = paths[list[i]];
-            PathRecord& next = next_[left_++];
-            next.throughput = path.throughput * attenuation<Material>(path, at, i);
-            next.sample = path.sample;
-            next.random = path.random;
+            next[i].throughput = path.throughput * attenuation<Material>(path, at, i);
+            next[i].sample = path.sample;
+            next[i].random = path.random;
         }
     }
 

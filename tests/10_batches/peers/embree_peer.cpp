@@ -181,6 +181,26 @@ SceneDescription cover_scene(const study::Cover& cover) {
     return scene;
 }
 
+// The cover scene with so many spheres in all: more small ones on the ground, as densely, farther
+// and farther from its middle.
+SceneDescription meadow(const study::Cover& cover, int count) {
+    SceneDescription scene = cover_scene(cover);
+    const std::size_t first = 4, small = cover.spheres.size() - first;  // of its spheres
+    Rng random{10, 2};
+    const int half = static_cast<int>(std::sqrt(static_cast<double>(count)) / 2);
+    for (int row = -half; row < half; ++row)
+        for (int column = -half; column < half; ++column) {
+            if (std::max(std::abs(row), std::abs(column)) < 12) continue;
+            const Real x = static_cast<Real>(row) + Real(0.9) * random.uniform(),
+                       z = static_cast<Real>(column) + Real(0.9) * random.uniform();
+            const Real radius = Real(0.2), from_middle = 1000 + radius;
+            const Real y = std::sqrt(from_middle * from_middle - x * x - z * z) - 1000;
+            scene.spheres.push_back(
+                {{{x, y, z}, radius}, static_cast<int>(first + random() % small)});
+        }
+    return scene;
+}
+
 // Matte spheres anywhere in a cube, a twentieth of which they would fill if none met another.
 SceneDescription crowd(int count) {
     SceneDescription scene;
@@ -205,8 +225,11 @@ int main(int argc, char** argv) {
     study::Cover cover = study::make_cover();
     cover.row_step = 1;
     cover.samples_per_pixel = quality.samples_per_pixel;
-    compare<Effects{.mirror = true, .fuzz = true, .glass = true, .texture = true}>(
-        "cover, 486 spheres", cover_scene(cover), quality, rounds, &cover);
+    constexpr Effects materials{.mirror = true, .fuzz = true, .glass = true, .texture = true};
+    compare<materials>("cover, 486 spheres", cover_scene(cover), quality, rounds, &cover);
+    for (const int count : {10'000, 100'000})
+        compare<materials>("meadow, " + std::to_string(count) + " spheres", meadow(cover, count),
+                           quality, rounds);
     for (const int count : {10'000, 100'000})
         compare<Effects{}>("crowd, " + std::to_string(count) + " spheres", crowd(count), quality,
                            rounds);
