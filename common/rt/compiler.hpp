@@ -41,7 +41,7 @@
 #endif
 
 template <class Mask>
-inline unsigned rt_vector_bits(Mask mask) {
+inline unsigned rt_vector_bits(const Mask& mask) {
     constexpr std::size_t size = sizeof(Mask), count = size / sizeof(mask[0]);
     [[maybe_unused]] constexpr bool is_short = sizeof(mask[0]) == 4;
 #ifdef __AVX512DQ__

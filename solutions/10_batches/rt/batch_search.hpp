@@ -154,26 +154,23 @@ inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8
         return 0;
     }
     const WideNode<float>& node = tree_.nodes[static_cast<std::size_t>(number)];
-    const auto plane = [&](bool near, unsigned axis) {
-        Eight planes;
-        std::memcpy(&planes, &node.planes[near == (octant_ >> axis & 1)][axis], sizeof planes);
-        return planes;
-    };
-    const Eight first_x = plane(true, 0), first_y = plane(true, 1), first_z = plane(true, 2),
-                second_x = plane(false, 0), second_y = plane(false, 1), second_z = plane(false, 2);
-    // A t that is not a number fails the comparison, and its plane does not count.
-    const auto later = [](Eight t, Eight than) { return t > than ? t : than; };
-    const auto earlier = [](Eight t, Eight than) { return t < than ? t : than; };
+    std::array<Eight, 3> first, second;  // the planes that are met first along each axis, and last
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const bool backward = octant_ >> axis & 1;
+        std::memcpy(&first[axis], &node.planes[backward][axis], sizeof(Eight));
+        std::memcpy(&second[axis], &node.planes[!backward][axis], sizeof(Eight));
+    }
     unsigned any = 0;
     for (std::size_t n = 0; n < list.size(); ++n) {
         const BoxRay& ray = rays_[list[n]];
-        const auto &near = ray.near_origin, &far = ray.far_origin, &inverse = ray.inverse;
-        const Eight in_x = later((first_x - near[0]) * inverse[0], Eight{});
-        const Eight in_y = later((first_y - near[1]) * inverse[1], in_x);
-        const Eight in = later((first_z - near[2]) * inverse[2], in_y);
-        const Eight out_x = earlier((second_x - far[0]) * inverse[0], Eight{} + ray.max);
-        const Eight out_y = earlier((second_y - far[1]) * inverse[1], out_x);
-        const Eight out = earlier((second_z - far[2]) * inverse[2], out_y);
+        Eight in{}, out = Eight{} + ray.max;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Eight enters = (first[axis] - ray.near_origin[axis]) * ray.inverse[axis],
+                        leaves = (second[axis] - ray.far_origin[axis]) * ray.inverse[axis];
+            // A t that is not a number fails the comparison, and its plane does not count.
+            in = enters > in ? enters : in;
+            out = leaves < out ? leaves : out;
+        }
         const unsigned met = RT_VECTOR_BITS(in <= out);
         masks[n] = static_cast<std::uint8_t>(met);
         any |= met;
