@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <rt/strategies.hpp>
 #include <string>
+#include <study/median.hpp>
 #include <study/timing.hpp>
 #include <thread>
 #include <vector>

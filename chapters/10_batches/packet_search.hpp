@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
+#include <numeric>
 #include <rt/wide_ray.hpp>
 #include <rt/wide_tree.hpp>
 
@@ -50,23 +52,23 @@ class Packet {
     std::size_t visit(const WideNode<float>& node, std::uint32_t rays, Waiting* stack,
                       std::size_t waiting) const {
         std::array<std::uint32_t, lanes> met{};
-        Lanes<KeyOf<float>> nearest;
-        nearest.fill(std::numeric_limits<KeyOf<float>>::max());
+        Lanes<float> nearest;
+        nearest.fill(std::numeric_limits<float>::infinity());
         for (; rays; rays &= rays - 1) {
             const auto ray = static_cast<std::size_t>(std::countr_zero(rays));
             const BoxesHit<float> hit = hit_boxes(node, wide_[ray], 0.0F, max_[ray]);
             for (unsigned bits = hit.met; bits; bits &= bits - 1) {
                 const auto child = static_cast<std::size_t>(std::countr_zero(bits));
                 met[child] |= 1U << ray;
-                nearest[child] = std::min(nearest[child], hit.keys[child]);
+                nearest[child] = std::min(nearest[child], hit.entry[child]);
             }
         }
-        std::sort(nearest.begin(), nearest.end(), std::greater<>{});
-        for (const auto key : nearest)
-            if (key != std::numeric_limits<KeyOf<float>>::max()) {
-                const std::size_t child = lane_of(key);
-                stack[waiting++] = {node.child[child], met[child]};
-            }
+        Lanes<std::size_t> order;
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return nearest[a] > nearest[b]; });
+        for (const std::size_t child : order)
+            if (met[child] != 0) stack[waiting++] = {node.child[child], met[child]};
         return waiting;
     }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <study/median.hpp>
 #include <study/timing.hpp>
 
 namespace study {
@@ -41,12 +42,6 @@ std::vector<double> in_turns_ns(const std::vector<Work>& works, const Turns& tur
 
 double time_ns(const Work& work, const Turns& turns) {
     return in_turns_ns({work}, turns).front();
-}
-
-double median(std::vector<double> numbers) {
-    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-    std::nth_element(numbers.begin(), middle, numbers.end());
-    return *middle;
 }
 
 }  // namespace study

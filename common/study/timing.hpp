@@ -40,7 +40,4 @@ std::vector<double> in_turns_ns(const std::vector<Work>& works, const Turns& tur
 // One work alone.
 double time_ns(const Work& work, const Turns& turns = {.rounds = 5, .at_least_ms = 1});
 
-// The upper one of the two in the middle where there are two. At least one number is needed.
-double median(std::vector<double> numbers);
-
 }  // namespace study

@@ -19,8 +19,7 @@ const Meaning meanings[]{
      "A semicolon is missing, at the end of this line or of the one before."},
     {"result type must be constructible|construct_at",
      "Something that cannot be copied, such as a unique_ptr, would be copied here: leave the "
-     "vector "
-     "empty, and `push_back(std::move(it))`."},
+     "vector empty, and `push_back(std::move(it))`."},
     {"push_back.*unique_ptr",
      "The vector holds plain addresses: `.get()` gives that of what a unique_ptr owns."},
     {"brace-enclosed.*optional|no matching constructor for initialization of .*optional",

@@ -35,6 +35,16 @@ SanitizerReport read_sanitizer_report(const std::string& output,
     return report;
 }
 
+std::string to_text(const SanitizerReport& report) {
+    return report.what + (report.where.empty() ? "" : " at " + report.where);
+}
+
+std::vector<std::string> at_fixed_addresses() {
+    if (is_installed("setarch") && run_process({.command = {"setarch", "-R", "true"}}).ok())
+        return {"setarch", "-R"};
+    return {};
+}
+
 SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool threads) {
     const std::string target = "check." + exercise.id;
     const Course side =
@@ -43,14 +53,10 @@ SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool 
                     std::string{"-DRT_SANITIZE="} + (threads ? "thread" : "address,undefined")});
     if (!fs::exists(side.build / "check")) print("The first time this builds for a minute.\n");
     must_build(side, target);
+    std::vector<std::string> command = threads ? at_fixed_addresses() : std::vector<std::string>{};
     // Where the library crashes, the learner's line is further up.
-    std::vector<std::string> command{"env", "UBSAN_OPTIONS=print_stacktrace=1",
-                                     (side.build / "check" / target).string()};
-    // The thread sanitizer cannot live with all that newer kernels do to randomize addresses.
-    const std::vector<std::string> fixed{"setarch", "-R"};
-    if (threads && is_installed("setarch") &&
-        run_process({.command = {"setarch", "-R", "true"}}).ok())
-        command.insert(command.begin(), fixed.begin(), fixed.end());
+    command.insert(command.end(), {"env", "UBSAN_OPTIONS=print_stacktrace=1",
+                                   (side.build / "check" / target).string()});
     const Result result = run_process({.command = command, .timeout = 10 * most_seconds});
     const fs::path log = side.build / (exercise.id + ".txt");
     app::replace_file(log, result.output);

@@ -15,6 +15,14 @@ struct SanitizerReport {
 SanitizerReport read_sanitizer_report(const std::string& output,
                                       const std::vector<fs::path>& files);
 
+// "heap-use-after-free ... at exercises/00_toolchain/rt/canvas.hpp:31"
+std::string to_text(const SanitizerReport& report);
+
+// What comes before a program's name on the command line so that it runs at addresses that are not
+// randomized, where the system can do so: the thread sanitizer cannot live with all that newer
+// kernels do to randomize them.
+std::vector<std::string> at_fixed_addresses();
+
 // Builds and runs the checkpoints with the address and undefined-behavior sanitizers, or with the
 // thread sanitizer. Throws app::Failure where the build fails.
 struct SanitizedRun {

@@ -251,8 +251,7 @@ class Examination {
         std::vector<fs::path> files;
         for (const Exercise& exercise : exercises(course_, chapter))
             files.insert(files.end(), exercise.files.begin(), exercise.files.end());
-        const SanitizerReport report = read_sanitizer_report(output, files);
-        return report.what + (report.where.empty() ? "" : " at " + report.where);
+        return to_text(read_sanitizer_report(output, files));
     }
 
     const Course& course_;

@@ -37,7 +37,7 @@ void print_line(const JudgedLine& line) {
 int own_new(const Course& course, const std::string& folder) {
     const fs::path to = fs::absolute(folder);
     if (fs::exists(to) && (!fs::is_directory(to) || !fs::is_empty(to)))
-        throw app::UsageError(folder + " is there and is not empty; name a new folder");
+        throw app::UsageError(folder + " exists and is not empty; name a new folder");
     fs::create_directories(to);
     fs::copy(course.root / "chapters/09_own/start", to, fs::copy_options::recursive);
     change_state(course, [&](State& state) {

@@ -43,8 +43,8 @@ std::string what_differs(const Comparison& compared) {
     return words;
 }
 
-// The program's picture is the reference's within what chance explains. Of right programs one in a
-// thousand is wronged by one comparison; so what is wrong has to show in two.
+// The program's picture is the reference's within what chance explains. The false-alarm rate of one
+// comparison is 1 in 1000, so a fault has to show in two.
 void look_at_picture(const Trial& trial, const OwnScene& scene, JudgedLine& line) {
     const auto with = [&](const OwnProgram& program) {
         return [&](std::uint64_t seed) {
@@ -92,8 +92,7 @@ void judge_seed(const Trial& trial, const OwnScene& scene) {
 std::string report_of(const Result& result, const fs::path& folder) {
     if (result.ok() && result.output.empty()) return "";
     const SanitizerReport report = read_sanitizer_report(result.output, own_sources(folder));
-    if (report.what.empty()) return "own: " + how_it_ended(result);
-    return report.what + (report.where.empty() ? "" : " at " + report.where);
+    return report.what.empty() ? "own: " + how_it_ended(result) : to_text(report);
 }
 
 void judge_sanitized(const Trial& trial) {
@@ -107,7 +106,7 @@ void judge_sanitized(const Trial& trial) {
                     std::string{"sh build.sh -O1 -g "} + option + " shows it, with its line."},
                    [&, option = option](JudgedLine& line) {
                        OwnProgram own{trial.request.folder, {"-O1", "-g", option}};
-                       own.fix_addresses();
+                       own.before = at_fixed_addresses();
                        const Options threads{"--threads", "4"};
                        for (const Result& result :
                             {own.draw(small, {"--list"}).result, own.draw(small, threads).result,

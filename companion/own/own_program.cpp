@@ -65,13 +65,8 @@ OwnProgram::~OwnProgram() {
     fs::remove_all(work_, ignored);
 }
 
-void OwnProgram::fix_addresses() {
-    if (is_installed("setarch") && run_process({.command = {"setarch", "-R", "true"}}).ok())
-        before_ = {"setarch", "-R"};
-}
-
 Result OwnProgram::call(const std::vector<std::string>& words) const {
-    std::vector<std::string> command = before_;
+    std::vector<std::string> command = before;
     command.push_back(program_);
     command.insert(command.end(), words.begin(), words.end());
     const Result result = run_process(

@@ -36,11 +36,8 @@ class OwnProgram {
     // Calls it with any words. The folder that it runs in is empty.
     Result call(const std::vector<std::string>& words) const;
 
-    // From now on it runs at addresses that are not randomized where the system can do so: the
-    // thread sanitizer cannot live with all that newer kernels do to randomize them.
-    void fix_addresses();
-
     double patience = 60;                         // seconds that a call may take
+    std::vector<std::string> before{};            // its name on the command line
     int times_out() const { return times_out_; }  // how often it did not end
 
   private:
@@ -48,7 +45,6 @@ class OwnProgram {
     OwnProgram(const fs::path& program, Existing);
     fs::path work_;  // for the copy, scenes and pictures
     fs::path program_;
-    std::vector<std::string> before_{};  // the program's name on the command line
     mutable std::atomic<int> times_out_ = 0;
 };
 

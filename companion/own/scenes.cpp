@@ -131,6 +131,16 @@ std::string one_matte(Any& any) {
     return on_ground(scene, any).text();
 }
 
+// A ball on the ground, both of these radii.
+std::string ball_on_ground(Any& any, std::array<double, 3> from, std::array<double, 3> at,
+                           double ground, double ball) {
+    Writer scene;
+    scene.picture().camera(from, at, any(40, 50));
+    sky(scene, any);
+    matte(scene, any).sphere({0, -ground, 0}, ground);
+    return matte(scene, any).sphere({0, ball, 0}, ball).text();
+}
+
 // A valley of bright balls: most light comes after several bounces.
 std::string valley(Any& any, int depth) {
     Writer scene;
@@ -311,23 +321,14 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
     }
     {
         Any any{seed, 102};
-        Writer scene;
-        scene.picture().camera({0, 1.5, 4}, {0, 0.5, 0}, any(40, 50));
-        sky(scene, any);
-        matte(scene, any).sphere({0, -1e6, 0}, 1e6);
-        matte(scene, any).sphere({0, 0.6, 0}, 0.6);
-        add("a ground of radius a million", scene.text(),
+        add("a ground of radius a million", ball_on_ground(any, {0, 1.5, 4}, {0, 0.5, 0}, 1e6, 0.6),
             "A fixed tolerance is too small here: the ray meets the ground that it leaves.");
     }
     {
         Any any{seed, 103};
-        Writer scene;
-        scene.picture().camera({0, 0.002, 0.006}, {0, 0.0008, 0}, any(40, 50));
-        sky(scene, any);
-        matte(scene, any).sphere({0, -0.1, 0}, 0.1);
-        matte(scene, any).sphere({0, 0.001, 0}, 0.001);
-        add("a ball of a thousandth", scene.text(),
-            "A fixed tolerance is too large here: light gets through where the balls touch.");
+        add("a ball of a thousandth",
+            ball_on_ground(any, {0, 0.002, 0.006}, {0, 0.0008, 0}, 0.1, 0.001),
+            "A fixed tolerance is too large here: it skips hits that are nearer than that.");
     }
     for (const double scale : {1e-3, 1e3}) {
         Any any{seed, 104};

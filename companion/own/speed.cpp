@@ -3,6 +3,7 @@
 #include <companion/own/scenes.hpp>
 #include <companion/own/trial.hpp>
 #include <cstdio>
+#include <study/median.hpp>
 
 namespace companion {
 namespace {
@@ -11,11 +12,6 @@ double time_of(const Timed& timed, const std::string& scene, Clock clock) {
     const Result result = timed.program.draw(scene, timed.options).result;
     if (!result.ok()) throw app::Failure("own: " + how_it_ended(result));
     return clock == Clock::wall ? result.seconds : result.cpu_seconds;
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 std::string times_as_fast(const Turns& turns) {
@@ -39,7 +35,7 @@ Turns in_turns(const Timed& first, const Timed& second, const std::string& scene
         of_second.push_back(time_of(second, scene, clock));
         ratios.push_back(of_first.back() / of_second.back());
     }
-    return {median(of_first), median(of_second), median(ratios)};
+    return {study::median(of_first), study::median(of_second), study::median(ratios)};
 }
 
 std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, double wanted) {

@@ -3,6 +3,7 @@
 #include <companion/pages/study_comparison.hpp>
 #include <cstdio>
 #include <map>
+#include <study/median.hpp>
 #include <tuple>
 #include <utility>
 
@@ -17,12 +18,6 @@ struct Both {
 };
 
 using Key = std::tuple<std::string, std::string, std::string>;  // study, variant, precision
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2),
-                     values.end());
-    return values[values.size() / 2];
-}
 
 bool differs(double a, double b, double factor) {
     if (a == b || (std::isnan(a) && std::isnan(b))) return false;
@@ -59,7 +54,7 @@ std::string study_comparison(const std::vector<Measurement>& mine,
     }
     std::string text;
     for (const auto& [key, both] : all) {
-        const double my_cost = median(both.my_costs), cost = median(both.costs);
+        const double my_cost = study::median(both.my_costs), cost = study::median(both.costs);
         const bool error_differs =
             !both.error_name.empty() && differs(both.my_error, both.error, 1.1);
         if (!error_differs && !differs(my_cost, cost, 1.5)) continue;

@@ -138,7 +138,7 @@ bool is_close(const Bounce& a, const Bounce& b) {
            in_epsilon(length(exact(a->direction) - exact(b->direction))) <= 64;
 }
 
-// The light that comes back on the average, in the brightest channel, for white light from outside.
+// How much white light from outside comes back on average, in the brightest channel.
 double visible_light(Real amount) {
     Rng rng{56, 4};
     Mean r, g, b;
@@ -251,8 +251,8 @@ TEST_CASE("05.6 a light color can be seen", "[05.6]") {
     double brightest = 0;
     for (const Real amount : amounts) brightest = std::max(brightest, visible_light(amount));
     INFO(
-        "white, amounts 0, 0.25, 0.5, 0.75 and 1, from outside: the most light that comes back, on "
-        "the average: expected at least 0.01, actual: "
+        "white, amounts 0, 0.25, 0.5, 0.75 and 1, from outside: the most light that comes back on "
+        "average: expected at least 0.01, actual: "
         << brightest << "\nHint: where the light goes on, return Scatter{attenuation, direction}; "
         << "return {} absorbs it");
     CHECK(brightest >= 0.01);
@@ -310,7 +310,7 @@ TEST_CASE("05.6 it is none of the given materials", "[05.6]") {
             INFO(
                 "expected a material of its own, actual: in all 1000 samples it does what "
                 << other.name << " does" << (in_vain ? ", and draws random numbers in vain" : "")
-                << "\nHint: let something depend on the angle, on a choice by lot, on the place or "
+                << "\nHint: let something depend on the angle, on a random choice, on the place or "
                    "on the amount");
             REQUIRE(differs);
         }

@@ -110,11 +110,11 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
                               " of which go to the left";
     if (!(node.box == around)) {
         INFO(where);
-        if (level > rt::most_levels)
-            INFO(
-                "Hint: is it the part of the order that you think? From level most_levels on call "
-                "split_in_half, and each call is one level deeper");
-        INFO("Hint: join boxes[number] of the numbers in order, and no others");
+        INFO("Hint: " << (level > rt::most_levels
+                              ? "is it the part of the order that you think? From level "
+                                "most_levels on call split_in_half, and each call is one level "
+                                "deeper"
+                              : "join boxes[number] of the numbers in order, and no others"));
         REQUIRE(checkpoint::text(node.box) == checkpoint::text(around));
     }
     const char* const expected = left == 0 ? "a leaf" : "a node with two children";

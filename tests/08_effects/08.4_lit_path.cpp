@@ -264,8 +264,7 @@ TEST_CASE("08.4 a bounce draws the numbers for its light and a mirror draws none
         if (asks) expected();
         INFO(
             "Hint: the same generator goes to place.scatter and to direct_light, which is asked "
-            "only "
-            "where the density of the bounce is greater than 0");
+            "only where the density of the bounce is greater than 0");
         CHECK(random() == expected());
     };
     draws(white, 2, true);

@@ -42,20 +42,24 @@ std::string text(const Log& log, std::size_t i, std::size_t from) {
 void check_log(const Log& actual, const Log& expected) {
     for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
         std::size_t from = 0;
+        const char* hint =
+            "each node that a ray meets is tested once, when its turn comes, and each leaf that a "
+            "ray meets is visited once; the children in the order of tree.order(node)";
         if (i < expected.size() && i < actual.size()) {
             if (expected[i] == actual[i]) continue;
             const Rays &a = expected[i].rays, &b = actual[i].rays;
             const auto other =
                 std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin();
             from = other < 10 ? 0 : static_cast<std::size_t>(other);
+            if (expected[i].is_leaf == actual[i].is_leaf && expected[i].number == actual[i].number)
+                hint =
+                    "a child gets the rays that meet its box, all of them and no others; if they "
+                    "were right before, what an earlier child wrote has destroyed this node's "
+                    "list or masks: see what room it got";
         }
         INFO("question " << i << ": expected " << text(expected, i, from) << ", but yours asks "
                          << text(actual, i, from));
-        INFO(
-            "Hint: each node that a ray meets is tested once, when its turn comes, with the rays "
-            "that meet its box; the children in the order of tree.order(node); a negative child is "
-            "a leaf; no empty list goes on; and what a child writes must not destroy this node's "
-            "list and masks");
+        INFO("Hint: " << hint);
         REQUIRE(text(actual, i, from) == text(expected, i, from));
     }
 }

@@ -39,7 +39,7 @@ bool expected_hit(const Sphere& sphere, PackInteger number, OneRay& one) {
 }
 
 std::string state(bool hits, Real t, PackInteger sphere) {
-    return std::string(hits ? "met it" : "did not meet it") + ", nearest so far sphere " +
+    return std::string(hits ? "meets it" : "does not meet it") + "; its nearest is sphere " +
            std::to_string(sphere) + " at t = " + text(t);
 }
 
@@ -63,8 +63,9 @@ void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, cons
                        << text(sphere.radius) << "; ray " << i << " of the pack, from "
                        << text(rays[i].ray.origin) << " along " << text(rays[i].ray.direction)
                        << ", so far sphere " << rays[i].sphere << " at t = " << text(rays[i].t));
-        INFO("expected: it " << state(hits, expected.t, expected.sphere) << "\nactual: it "
-                             << state(hit[i] != 0, pack.t[i], pack.sphere[i]));
+        INFO("expected: the ray " << state(hits, expected.t, expected.sphere)
+                                  << "\nactual: the ray "
+                                  << state(hit[i] != 0, pack.t[i], pack.sphere[i]));
         INFO("Hint: " << hint);
         {
             INFO("the mask that is returned: -1 where the ray has met this sphere, else 0");

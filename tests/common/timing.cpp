@@ -1,3 +1,4 @@
+#include <study/median.hpp>
 #include <study/timing.hpp>
 
 #include "checkpoint.hpp"

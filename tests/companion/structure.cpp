@@ -4,6 +4,7 @@
 #include <companion/model/exercise.hpp>
 #include <companion/model/mistakes.hpp>
 #include <map>
+#include <regex>
 #include <set>
 #include <source_text.hpp>
 
@@ -265,6 +266,20 @@ TEST_CASE("every mistake explains itself and is caught by a test case", "[struct
             INFO("exercise " << id);
             CHECK(count[id] >= 3);
         }
+    }
+}
+
+TEST_CASE("a text that says how many wrong answers there are is right", "[structure]") {
+    for (const auto& chapter : companion::every_chapter(companion::this_course())) {
+        const std::string text = read(root / chapter.text);
+        const std::regex count{"has ([0-9]+) wrong answers"};
+        std::smatch said;
+        if (!std::regex_search(text, said, count)) continue;
+        std::size_t mistakes = 0;
+        for (const fs::path& file : files(root / "tests/mistakes" / chapter.name, {".md"}))
+            mistakes += companion::read_mistakes(file).size();
+        INFO(name(chapter.text));
+        CHECK(said[1] == std::to_string(mistakes));
     }
 }
 

@@ -274,8 +274,14 @@ class Maker:
                 self.add(cursor, text, form="condition")
 
     def conditional(self, cursor, children):
-        if len(children) == 3:
+        if len(children) != 3:
+            return
+        if "vector_size" not in self.type(children[0]):
             self.condition(children[0])
+            return
+        text = self.text(children[0])  # the mask of a pack
+        for other in (f"~({text})", f"({text}) & 0", f"({text}) | -1"):
+            self.add(children[0], other)
 
     def branch(self, cursor, children):
         # A condition that declares a variable cannot be replaced.

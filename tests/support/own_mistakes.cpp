@@ -11,7 +11,6 @@
 #include <companion/model/mistakes.hpp>
 #include <companion/own/judge.hpp>
 #include <cstdio>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -31,11 +30,6 @@ std::string part_of(const std::string& line) {
 // Pictures need no fast program, and compiling a slow one takes half the time.
 bool is_timed(const std::string& part) {
     return part == "rung8" || part == "rung9" || part == "list";
-}
-
-void write(const fs::path& path, const std::string& text) {
-    std::ofstream out{path, std::ios::binary};
-    if (!(out << text).flush()) throw app::Failure(path.string() + " cannot be written");
 }
 
 // How a line went, on one line.
@@ -64,10 +58,12 @@ bool is_stopped(const Mistake& mistake, const fs::path& reference, const fs::pat
                 const fs::path& solution) {
     const checkpoint::TemporaryFolder folder;
     fs::copy(start, folder.path(), fs::copy_options::recursive);
-    for (const auto& [file, text] : edited_files(mistake, solution)) write(folder / file, text);
+    for (const auto& [file, text] : edited_files(mistake, solution))
+        checkpoint::write_file(folder / file, text);
     const std::string part = part_of(mistake.caught_by);
     if (!is_timed(part))
-        write(folder / "build.sh", "g++ -std=c++20 -O1 -pthread main.cpp -o own \"$@\"\n");
+        checkpoint::write_file(folder / "build.sh",
+                               "g++ -std=c++20 -O1 -pthread main.cpp -o own \"$@\"\n");
 
     std::set<std::string> wanted{mistake.caught_by}, failing, passing;
     judge({folder.path(), reference, 1, part, app::physical_cores()}, [&](const JudgedLine& line) {

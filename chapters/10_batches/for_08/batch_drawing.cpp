@@ -18,14 +18,15 @@ using effects::Choice, effects::DrawTile, effects::TileDrawing;
 
 // Few sets of effects are compiled: a batch asks once which kernel it needs, not once a ray, so an
 // effect that is there in vain costs little. What does cost is leaving the kernels for packs, which
-// the last set does.
-constexpr std::array<Effects, 4> batch_effects = [] {
+// the last two sets do.
+constexpr std::array<Effects, 5> batch_effects = [] {
     constexpr Effects materials{
         .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
-    Effects moving = materials, all = materials;
+    Effects moving = materials, lit = materials, all = materials;
     moving.motion = moving.instances = true;
+    lit.lights = lit.instances = true;
     for (const NamedEffect& effect : all_effects) all.*effect.member = true;
-    return std::array<Effects, 4>{{{}, materials, moving, all}};
+    return std::array<Effects, 5>{{{}, materials, moving, lit, all}};
 }();
 
 template <Effects effects>

@@ -1,16 +1,59 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <rt/compiler.hpp>
+#include <rt/real.hpp>
+#include <type_traits>
 
 namespace rt {
 
-// Eight numbers side by side (given). A loop that does the same to all eight and has no branch
-// becomes a few wide instructions (SIMD: single instruction, multiple data). "#pragma omp simd"
-// before it asks for that, and promises that the eight do not depend on each other;
-// reduction(min : x) says that x becomes the smallest of all. The arrays are given as pointers: g++
-// 12 leaves some loops over arrays of a structure as they are.
+// Eight numbers side by side (given).
 inline constexpr std::size_t lanes = 8;
 template <class T>
 using Lanes = std::array<T, lanes>;
+
+// As many of eight numbers as one register of the processor holds: one instruction does the same to
+// all of them (SIMD: single instruction, multiple data). a + b adds each number of a to its partner
+// in b, and rounds as it would alone. A comparison gives a mask, -1 for true and 0 for false, and
+// mask ? a : b takes from a where the mask is true, else from b.
+template <class T>
+inline constexpr std::size_t part_size = std::min(lanes, RT_REGISTER_BYTES / sizeof(T));
+template <class T>
+struct PartOf {
+    typedef T Type RT_VECTOR_OF(part_size<T> * sizeof(T));
+};
+template <class T>
+using Part = typename PartOf<T>::Type;
+
+// The numbers from place `first` on.
+template <class T>
+RT_INLINED Part<T> load_part(const Lanes<T>& numbers, std::size_t first) {
+    Part<T> part;
+    std::memcpy(&part, &numbers[first], sizeof part);
+    return part;
+}
+template <class T>
+RT_INLINED void store_part(const Part<T>& part, Lanes<T>& numbers, std::size_t first) {
+    std::memcpy(&numbers[first], &part, sizeof part);
+}
+
+// What the standard library has for one number, for each of a part.
+using Reals = Part<Real>;
+RT_INLINED Reals part_sqrt(Reals x) {
+    for (std::size_t i = 0; i < part_size<Real>; ++i) x[i] = std::sqrt(x[i]);
+    return x;
+}
+RT_INLINED Reals part_copysign(Reals size, Reals sign) {
+    using Integer = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+    const Part<Integer> bit = Part<Integer>{} + std::numeric_limits<Integer>::min();
+    return std::bit_cast<Reals>((std::bit_cast<Part<Integer>>(size) & ~bit) |
+                                (std::bit_cast<Part<Integer>>(sign) & bit));
+}
 
 }  // namespace rt

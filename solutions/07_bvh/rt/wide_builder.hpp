@@ -94,14 +94,18 @@ WideTreeOf<Number> make_wide_tree(const std::vector<SceneSphere>& spheres, const
     return wide;
 }
 
-// From this many spheres on, sorting them along three axes at each level takes too long.
-inline constexpr std::size_t many_spheres = 100'000;
+// Sorting along three axes takes too long for a node with more spheres than this, and for all nodes
+// where there are very many spheres. Bins lose hardly anything there.
+inline constexpr std::size_t many_in_a_node = 500, very_many = 100'000;
 
-// The same with split_by_area, or with binned_split where there are very many spheres.
+// The same with split_by_area, and with binned_split where sorting takes too long.
 template <class Number = float>
 WideTreeOf<Number> make_wide_tree(const std::vector<SceneSphere>& spheres) {
-    return spheres.size() < many_spheres ? make_wide_tree<Number>(spheres, split_by_area)
-                                         : make_wide_tree<Number>(spheres, binned_split);
+    const std::size_t most = spheres.size() < very_many ? many_in_a_node : 0;
+    return make_wide_tree<Number>(
+        spheres, [most](std::span<int> order, std::span<const Box> boxes) {
+            return order.size() <= most ? split_by_area(order, boxes) : binned_split(order, boxes);
+        });
 }
 
 }  // namespace rt

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <limits>
 #include <rt/compiler.hpp>
-#include <rt/dot.hpp>
-#include <rt/hit_sphere.hpp>
+#include <rt/interval.hpp>
+#include <rt/ray.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/wide.hpp>
 
@@ -47,44 +47,79 @@ struct WideHit {
     std::size_t place() const { return static_cast<std::size_t>(tag) % lanes; }
 };
 
-// Which spheres of a leaf the line of the ray meets: bit i for place i. It computes the
-// discriminant as hit_sphere does, by the same operations in the same order, so that both agree to
-// the last bit.
-RT_NOT_INLINED inline unsigned may_hit(const WideLeaf& leaf, const Ray& ray) {
-    const Vec3 o = ray.origin, d = ray.direction;
-    const Real a = d.x * d.x + d.y * d.y + d.z * d.z;
-    const Real *const x = leaf.x.data(), *const y = leaf.y.data(), *const z = leaf.z.data(),
-                      *const radius = leaf.radius.data();
-    std::uint32_t met = 0;
-#pragma omp simd reduction(| : met)
-    for (std::size_t i = 0; i < lanes; ++i) {
-        const Real fx = o.x - x[i], fy = o.y - y[i], fz = o.z - z[i];
-        const Real mx = fy * d.z - fz * d.y, my = fz * d.x - fx * d.z, mz = fx * d.y - fy * d.x;
-        const Real quarter = a * (radius[i] * radius[i]) - (mx * mx + my * my + mz * mz);
-        met |= quarter >= 0 ? 1u << i : 0;
-    }
-    return met;
-}
+// A part of a leaf's spheres beside a ray (given). It computes what hit_sphere and
+// roots_from_discriminant do, by the same operations in the same order, so that each t has the same
+// bits. The names are theirs.
+struct LeafPart {
+    Vec3 d;  // the ray's direction
+    Real a;  // its squared length
+    Reals fx, fy, fz, r_squared;
 
-// Whether all of the sphere lies behind the ray, if its line meets it: the ray starts outside, on
-// the way from its center. Both solutions are then negative. Half of all that lines meet is behind.
-inline bool is_behind(const Sphere& sphere, const Ray& ray) {
-    const Vec3 f = ray.origin - sphere.center;
-    return dot(f, ray.direction) > 0 && dot(f, f) > sphere.radius * sphere.radius;
-}
+    RT_INLINED LeafPart(const WideLeaf& leaf, std::size_t first, const Ray& ray)
+        : d{ray.direction},
+          a{d.x * d.x + d.y * d.y + d.z * d.z},
+          fx{ray.origin.x - load_part(leaf.x, first)},
+          fy{ray.origin.y - load_part(leaf.y, first)},
+          fz{ray.origin.z - load_part(leaf.z, first)},
+          r_squared{load_part(leaf.radius, first) * load_part(leaf.radius, first)} {}
+
+    // A quarter of the discriminants: 0 or more where the ray's line meets the sphere.
+    RT_INLINED Reals quarter() const {
+        const Reals mx = fy * d.z - fz * d.y, my = fz * d.x - fx * d.z, mz = fx * d.y - fy * d.x;
+        return a * r_squared - (mx * mx + my * my + mz * mz);
+    }
+
+    // Where the ray meets spheres within the interval: their bits, and t of each. It looks at those
+    // that have their bit in `met`; a is more than 0.
+    RT_INLINED unsigned hits(Reals quarter, unsigned met, Interval within, Reals& t) const {
+        const Reals half_b = fx * d.x + fy * d.y + fz * d.z;
+        const Reals b = 2 * half_b, c = fx * fx + fy * fy + fz * fz - r_squared;
+        // A ray that starts outside of a sphere, on the way from its center, has all of it behind:
+        // both solutions are negative. So it is with half of all that lines meet.
+        if (within.min >= 0) met &= ~RT_VECTOR_BITS((half_b > 0) & (c > 0));
+        if (met == 0) return 0;
+
+        const Reals q = -(b + part_copysign(part_sqrt(4 * quarter), b)) / 2;
+        const auto at_origin = q == 0;  // both solutions are 0
+        const Reals one = at_origin ? Reals{} : c / q, other = at_origin ? Reals{} : q / a;
+        const Reals low = one < other ? one : other, high = one < other ? other : one;
+        const auto low_counts = (low >= within.min) & (low <= within.max);
+        const auto high_counts = (high >= within.min) & (high <= within.max);
+        t = low_counts ? low : high;
+        return met & RT_VECTOR_BITS(low_counts | high_counts);
+    }
+};
 
 // Tries the spheres of a leaf between min and best.t; whether best has changed. Of equally near
 // spheres the one with the highest number counts.
 RT_INLINED bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
+    constexpr std::size_t size = part_size<Real>;
+    std::array<Reals, lanes / size> quarters;
+    std::array<unsigned, lanes / size> met;
+    unsigned any = 0;
+    for (std::size_t p = 0; p < quarters.size(); ++p) {
+        quarters[p] = LeafPart{leaf, p * size, ray}.quarter();
+        met[p] = RT_VECTOR_BITS(quarters[p] >= 0);
+        any |= met[p];
+    }
+    // Where the line misses all of them the leaf is done. For the roots f is computed once more: to
+    // keep it for all eight would take more registers than there are.
+    const Vec3 d = ray.direction;
+    if (any == 0 || !(d.x * d.x + d.y * d.y + d.z * d.z > 0)) return false;
+
+    Lanes<Real> t;
+    unsigned hits = 0;
+    for (std::size_t p = 0; p < quarters.size(); ++p) {
+        Reals some{};
+        hits |= LeafPart{leaf, p * size, ray}.hits(quarters[p], met[p], {min, best.t}, some)
+                << p * size;
+        store_part(some, t, p * size);
+    }
     bool changed = false;
-    for (unsigned met = may_hit(leaf, ray); met; met &= met - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(met));
-        const Sphere sphere = leaf.sphere(i);
-        if (min >= 0 && is_behind(sphere, ray)) continue;
-        const auto t = hit_sphere(sphere, ray, {min, best.t});
-        // At best.t itself the leaf may hold the higher number, or the lower one.
-        if (!t || (*t == best.t && leaf.tag[i] < best.tag)) continue;
-        best = {*t, leaf.tag[i]};
+    for (; hits; hits &= hits - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(hits));
+        if (t[i] > best.t || (t[i] == best.t && leaf.tag[i] < best.tag)) continue;
+        best = {t[i], leaf.tag[i]};
         changed = true;
     }
     return changed;

@@ -6,6 +6,7 @@
 #include <rt/tree.hpp>
 #include <rt/wide_leaf.hpp>
 #include <rt/wide_node.hpp>
+#include <utility>
 #include <vector>
 
 namespace rt {
@@ -28,7 +29,6 @@ struct WideTreeOf {
     // The search may begin at any node or leaf, with a hit at within.max that has this tag.
     Found search(const Ray& ray, Interval within, std::int32_t child = 0,
                  std::int32_t tag = -1) const {
-        using Key = KeyOf<Number>;
         Found found{{within.max, tag}};
         if (nodes.empty()) return found;
         const WideRay<Number> wide{ray};
@@ -38,7 +38,7 @@ struct WideTreeOf {
         // What waits, the nearest on top. Of each node on the way down all children but one wait. A
         // node stands for one split or more of the binary tree that it was made from.
         struct Waiting {
-            Key key;
+            Number entry;
             std::int32_t child;
         };
         constexpr std::size_t most_nodes = most_levels + halvings(most_spheres, leaf_size);
@@ -50,18 +50,23 @@ struct WideTreeOf {
                 const WideNode<Number>& node = nodes[static_cast<std::size_t>(child)];
                 const BoxesHit<Number> hit = hit_boxes(node, wide, min, max);
                 if (hit.met != 0) {
-                    // The nearest is next. The others are few: they are put into their order one by
-                    // one.
-                    const std::size_t first = lane_of(hit.nearest), bottom = waiting;
-                    for (unsigned others = hit.met ^ 1u << first; others; others &= others - 1) {
-                        const auto i = static_cast<std::size_t>(std::countr_zero(others));
-                        const Key key = hit.keys[i];
+                    const auto waiting_at = [&](unsigned met) -> Waiting {
+                        const auto i = static_cast<std::size_t>(std::countr_zero(met));
+                        return {hit.entry[i], node.child[i]};
+                    };
+                    // The nearest is next. The others are few, often none: they are
+                    // put into their order one by one.
+                    Waiting next = waiting_at(hit.met);
+                    const std::size_t bottom = waiting;
+                    for (unsigned met = hit.met & (hit.met - 1); met; met &= met - 1) {
+                        Waiting other = waiting_at(met);
+                        if (other.entry < next.entry) std::swap(next, other);
                         std::size_t place = waiting++;
-                        for (; place > bottom && stack[place - 1].key < key; --place)
+                        for (; place > bottom && stack[place - 1].entry < other.entry; --place)
                             stack[place] = stack[place - 1];
-                        stack[place] = {key, node.child[i]};
+                        stack[place] = other;
                     }
-                    child = node.child[first];
+                    child = next.child;
                     continue;
                 }
             } else {
@@ -73,10 +78,9 @@ struct WideTreeOf {
                 }
             }
             // Meanwhile a hit may have been found in front of what waits.
-            const Key last = last_key(max);
             do
                 if (waiting == 0) return found;
-            while (stack[--waiting].key > last);
+            while (stack[--waiting].entry > max);
             child = stack[waiting].child;
         }
     }

@@ -63,7 +63,7 @@ class BatchSearch {
   private:
     static constexpr unsigned octants = 8;
     // So few rays are faster one by one.
-    static constexpr std::size_t few_rays = 2;
+    static constexpr std::size_t few_rays = 8;
     // Each node on the way down stands for one level of the binary tree or more; a leaf's list
     // comes on top.
     static constexpr std::size_t most_levels_waiting =
@@ -202,13 +202,18 @@ inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
 inline void BatchSearch::search_alone(std::int32_t child, PathList list) {
     for (const std::uint32_t i : list) {
         PathRecord& path = paths_[i];
+        const Ray ray{path.origin, path.direction};
         const auto tag = static_cast<std::int32_t>(path.sphere) * static_cast<std::int32_t>(lanes);
-        const auto found = tree_.search({path.origin, path.direction}, {0, path.t}, child, tag);
-        if (!found.leaf) continue;
-        path.t = found.best.t;
-        path.sphere = found.best.number();
-        BoxRay& ray = rays_[i];
-        ray.max = static_cast<float>(path.t * static_cast<Real>(ray.scale));
+        WideHit best{path.t, tag};
+        if (child < 0)
+            hit_leaf(tree_.leaves[static_cast<std::size_t>(~child)], ray, 0, best);
+        else
+            best = tree_.search(ray, {0, path.t}, child, tag).best;
+        if (best.tag == tag) continue;
+        path.t = best.t;
+        path.sphere = best.number();
+        BoxRay& box_ray = rays_[i];
+        box_ray.max = static_cast<float>(path.t * static_cast<Real>(box_ray.scale));
     }
 }
 

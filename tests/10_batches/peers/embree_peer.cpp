@@ -9,6 +9,7 @@
 #include <rt/renderer.hpp>
 #include <string>
 #include <study/classic.hpp>
+#include <study/median.hpp>
 #include <study/timing.hpp>
 
 #include "embree_drawing.hpp"
