@@ -94,7 +94,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     std::atomic<std::uint64_t> all_rays = 0;
     std::atomic<std::int64_t> pixels_done = 0;
     const app::Interruption interruption;
-    const TileGrid grid{chosen.width, chosen.height, 16};
+    const TileGrid grid{chosen.width, chosen.height, drawing.tile_side};
     progress.start(tile_count(grid));
     std::vector<effects::DrawTile> workers(static_cast<std::size_t>(settings.threads));
     render_tiles(grid, settings.threads, [&](const Tile& tile, int worker) {

@@ -17,6 +17,7 @@ using DrawTile =
 struct TileDrawing {
     Choice choice;
     std::function<DrawTile()> make_worker;  // one for each thread; may be called by all at once
+    int tile_side = 16;                     // in pixels
 };
 
 // In batches of rays (--batches). Chapter 10 brings it along, and this chapter knows no more of it

@@ -48,12 +48,22 @@ constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>
 }
 (std::make_index_sequence<batch_effects.size()>{});
 
+// The smallest tiles with paths enough for a batch.
+int tile_side(int samples_per_pixel) {
+    int side = 16;
+    while (static_cast<std::size_t>(side * side) * static_cast<std::size_t>(samples_per_pixel) <
+           batch_size)
+        side *= 2;
+    return side;
+}
+
 TileDrawing make_drawing(const SceneDescription& scene, int width, int height,
                          const Quality& quality) {
     const std::size_t number = narrowest(effects_of(scene), batch_effects);
     const Effects chosen = batch_effects[number];
     return {{chosen, without(batch_effects.back(), chosen), batch_effects.size()},
-            makers[number](scene, width, height, quality)};
+            makers[number](scene, width, height, quality),
+            tile_side(quality.samples_per_pixel)};
 }
 
 // Before main() begins.

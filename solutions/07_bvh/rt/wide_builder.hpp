@@ -96,7 +96,7 @@ WideTreeOf<Number> make_wide_tree(const std::vector<SceneSphere>& spheres, const
 
 // Sorting along three axes takes too long for a node with more spheres than this, and for all nodes
 // where there are very many spheres. Bins lose hardly anything there.
-inline constexpr std::size_t many_in_a_node = 500, very_many = 100'000;
+inline constexpr std::size_t many_in_a_node = 100, very_many = 100'000;
 
 // The same with split_by_area, and with binned_split where sorting takes too long.
 template <class Number = float>
