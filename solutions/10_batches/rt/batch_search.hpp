@@ -122,20 +122,20 @@ class BatchSearch {
 inline void BatchSearch::make_ready(std::size_t from, std::size_t size) {
     const auto packs = load_eight(size, [&](std::size_t i) { return &paths_[from + i]; });
     const Vec3Pack origin{packs[0], packs[1], packs[2]}, direction{packs[3], packs[4], packs[5]};
-    const Pack scale = max_component(direction), max = packs[6] * scale;
+    const Pack scale = max_component(direction);
     const Pack margin = wide_margin<float> * max_component(origin);
-    Pack near[3], far[3], inverse[3];
+    std::array<Pack, 12> numbers{};  // of a BoxRay
     PackMask octant{};
     for (std::size_t k = 0; k < 3; ++k) {
-        const Pack ahead = copysign(margin, packs[3 + k]);
-        near[k] = packs[k] + ahead;
-        far[k] = packs[k] - ahead;
-        inverse[k] = scale / packs[3 + k];
-        octant |= (std::bit_cast<PackMask>(packs[3 + k]) < 0) & (1 << k);
+        const Pack along = packs[3 + k], ahead = copysign(margin, along);
+        numbers[k] = packs[k] + ahead;
+        numbers[3 + k] = packs[k] - ahead;
+        numbers[6 + k] = scale / along;
+        octant |= (std::bit_cast<PackMask>(along) < 0) & (1 << k);
     }
+    numbers[9] = packs[6] * scale;
+    numbers[10] = scale;
     const auto record = [&](std::size_t i) { return &rays_[from + i]; };
-    const std::array<Pack, 12> numbers{near[0],    near[1],    near[2],    far[0], far[1], far[2],
-                                       inverse[0], inverse[1], inverse[2], max,    scale,  {}};
     if constexpr (sizeof(Real) == sizeof(float))
         store(numbers, size, record);
     else
