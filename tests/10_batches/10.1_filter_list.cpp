@@ -12,11 +12,13 @@ namespace {
 using Paths = std::vector<std::uint32_t>;
 using Masks = std::vector<std::uint8_t>;
 
+constexpr std::uint32_t unwritten = 0xdeadbeef;  // no list has this path
+
 // Up to twelve of the paths, from this place on.
 std::string text(const Paths& list, std::size_t from = 0) {
     std::string all = from > 0 ? " ..." : "";
     for (std::size_t i = from; i < list.size() && i < from + 12; ++i)
-        all += ' ' + std::to_string(list[i]);
+        all += list[i] == unwritten ? " (not written)" : ' ' + std::to_string(list[i]);
     return '{' + all + (list.size() > from + 12 ? " ... }" : " }");
 }
 std::string binary(const Masks& masks) {
@@ -34,7 +36,7 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
     for (std::size_t i = 0; i < list.size(); ++i)
         if (masks[i] & 1u << bit) expected.push_back(list[i]);
     Fenced<std::uint32_t> from{list, 123'456'789};
-    Fenced<std::uint32_t> to{list.size(), 0xdeadbeef, 0xdeadbeef, 3 * list.size() + 64};
+    Fenced<std::uint32_t> to{list.size(), unwritten, unwritten, 3 * list.size() + 64};
     Fenced<std::uint8_t> marks{masks, beside};
     const std::size_t count = rt::filter_list(from.span(), marks.data(), bit, to.data());
     const Paths actual(to.data(), to.data() + std::min(count, list.size()));
@@ -55,7 +57,7 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
         REQUIRE(to.stands());
     }
     {
-        INFO("Hint: the result is how many paths have the bit");
+        INFO("Hint: the result is how many paths have the bit: add 0 or 1 for each");
         REQUIRE(count == expected.size());
     }
     INFO(

@@ -38,7 +38,9 @@ void check_sort(const Kinds& kinds, std::uint8_t beside) {
 
     INFO(kinds.size() << " numbers of " << count << " kinds " << text(kinds));
     {
-        INFO("Hint: `sorted` is as long as `kinds`; it must not be written beyond its ends");
+        INFO(
+            "Hint: `sorted` is as long as `kinds`, and the result has count + 1 places; neither "
+            "must be written beyond its ends");
         REQUIRE(to.stands());
     }
     for (std::size_t kind = 0; kind <= count; ++kind) {

@@ -7,8 +7,8 @@
 
 namespace rt {
 
-// Exercise 10.5. Sorts the numbers 0, 1, 2 ... by kinds[i], each of which is less than `count`, 1
-// to 256: those of kind k come to stand in `sorted` from the result's [k] on, before its [k + 1],
+// Exercise 10.5. Sorts the numbers 0, 1, 2 ... by kinds[i], each less than `count` (which is 1
+// to 256): those of kind k come to stand in `sorted` from the result's [k] on, before its [k + 1],
 // in the order of their numbers. A kind without a number has an empty part: [k] and [k + 1] are the
 // same. The last of the result, [count], is the length of the list. The time grows as the list
 // does: count, add up, put each in its place. `sorted` is as long as `kinds`, which may be empty,
