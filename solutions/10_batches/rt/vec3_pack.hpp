@@ -59,13 +59,14 @@ inline Vec3Pack to_world(Vec3Pack u, Vec3Pack v, Vec3Pack w, Vec3Pack local) {
 }
 
 // normalize() for those whose bits are set in `active`; what comes of the others does not matter.
-// Rarely one needs scaling: the function for one vector takes it.
+// Where squares overflow or lose digits, which is rare, the function for one vector is asked.
 inline Vec3Pack normalize(Vec3Pack v, PackBits active) {
+    constexpr Real least = std::numeric_limits<Real>::min() / epsilon,
+                   most = std::numeric_limits<Real>::max();
     const Pack squared = dot(v, v);
-    const PackBits safe = bits_of((squared >= safe_squares.min) & (squared <= safe_squares.max));
+    const PackBits safe = bits_of((squared >= least) & (squared <= most));
     Vec3Pack result = v / sqrt(squared);
-    for_each_bit(active & ~safe,
-                 [&](std::size_t i) { set(result, i, normalize_scaled(get(v, i))); });
+    for_each_bit(active & ~safe, [&](std::size_t i) { set(result, i, normalize(get(v, i))); });
     return result;
 }
 
