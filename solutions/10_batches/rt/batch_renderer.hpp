@@ -1,7 +1,7 @@
 #pragma once
+#include <cmath>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
-#include <rt/jitter.hpp>
 #include <rt/lit_batch.hpp>
 #include <rt/plain_batch.hpp>
 #include <rt/primary_packs.hpp>
@@ -9,6 +9,7 @@
 #include <rt/sample_rng.hpp>
 #include <rt/tile.hpp>
 #include <type_traits>
+#include <vector>
 
 namespace rt {
 

@@ -106,6 +106,13 @@ class BatchSearch {
     void make_ready(std::size_t from, std::size_t size);
     void test_leaf(std::size_t leaf, PathList list);
     void search_alone(std::int32_t child, PathList list);
+    // The nearest hit of a path so far, which ends its ray.
+    void set_hit(std::uint32_t path, Real t, PackInteger sphere) {
+        paths_[path].t = t;
+        paths_[path].sphere = sphere;
+        BoxRay& ray = rays_[path];
+        ray.max = static_cast<float>(t * static_cast<Real>(ray.scale));
+    }
 
     const WideTree& tree_;
     std::vector<std::array<Order, octants>> orders_;
@@ -186,19 +193,14 @@ inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
     std::size_t i = 0;
     do hit |= hit_pack(spheres.sphere(i), spheres.tag[i] / static_cast<int>(lanes), rays);
     while (++i < size);
-    for_each_bit(bits_of(hit) & first_bits(list.size()), [&](std::size_t k) {
-        PathRecord& path = paths_[list[k]];
-        path.t = rays.t[k];
-        path.sphere = rays.sphere[k];
-        BoxRay& ray = rays_[list[k]];
-        ray.max = static_cast<float>(path.t * static_cast<Real>(ray.scale));
-    });
+    for_each_bit(bits_of(hit) & first_bits(list.size()),
+                 [&](std::size_t k) { set_hit(list[k], rays.t[k], rays.sphere[k]); });
 }
 
 // The search of chapter 07 from a node or leaf on.
 inline void BatchSearch::search_alone(std::int32_t child, PathList list) {
     for (const std::uint32_t i : list) {
-        PathRecord& path = paths_[i];
+        const PathRecord& path = paths_[i];
         const Ray ray{path.origin, path.direction};
         const auto tag = static_cast<std::int32_t>(path.sphere) * static_cast<std::int32_t>(lanes);
         WideHit best{path.t, tag};
@@ -206,11 +208,7 @@ inline void BatchSearch::search_alone(std::int32_t child, PathList list) {
             hit_leaf(tree_.leaves[static_cast<std::size_t>(~child)], ray, 0, best);
         else
             best = tree_.search(ray, {0, path.t}, child, tag).best;
-        if (best.tag == tag) continue;
-        path.t = best.t;
-        path.sphere = best.number();
-        BoxRay& box_ray = rays_[i];
-        box_ray.max = static_cast<float>(path.t * static_cast<Real>(box_ray.scale));
+        if (best.tag != tag) set_hit(i, best.t, best.number());
     }
 }
 

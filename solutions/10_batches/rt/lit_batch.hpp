@@ -97,15 +97,9 @@ class LitBatch {
     static std::size_t index(const PathRecord& path) {
         return static_cast<std::size_t>(path.sample);
     }
-    auto ray_of(const PathRecord& path) const {
-        if constexpr (effects.motion)
-            return TimedRay{path.origin, path.direction, times[index(path)]};
-        else
-            return Ray{path.origin, path.direction};
-    }
     // What a ray has met: the tree's nearest sphere, unless something else is nearer.
     std::optional<Hit> found(const PathRecord& path) const {
-        const auto ray = ray_of(path);
+        const auto ray = ray_of<effects>(path, times);
         if (const auto other = hit_other_part(scene_.world, ray, Interval{0, path.t})) return other;
         if (path.sphere < 0) return {};
         const auto number = static_cast<std::size_t>(path.sphere);
@@ -118,7 +112,7 @@ class LitBatch {
 
     // The body of lit_path_radiance's loop; false where the path ends.
     bool go_on(PathRecord& path, bool is_last) {
-        const auto ray = ray_of(path);
+        const auto ray = ray_of<effects>(path, times);
         Origin& origin = origins_[index(path)];
         const auto place =
             next_place(ray, FoundHit{found(path)}, scene_.materials, scene_.fog, path.random);

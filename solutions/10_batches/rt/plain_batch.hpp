@@ -71,19 +71,12 @@ class PlainBatch {
     std::uint8_t kind_of(std::size_t i) {
         const PathRecord& path = paths[i];
         if constexpr (others)
-            if (const auto hit = hit_other_part(scene_.world, ray_of(path), Interval{0, path.t})) {
+            if (const auto hit = hit_other_part(scene_.world, ray_of<effects>(path, times),
+                                                Interval{0, path.t})) {
                 hits_.push_back({static_cast<std::uint32_t>(i), *hit});
                 return other;
             }
         return surfaces_.kinds[static_cast<std::size_t>(path.sphere + 1)];
-    }
-
-    auto ray_of(const PathRecord& path) const {
-        if constexpr (effects.motion)
-            return TimedRay{path.origin, path.direction,
-                            times[static_cast<std::size_t>(path.sample)]};
-        else
-            return Ray{path.origin, path.direction};
     }
 
     void end_in_sky(const PathRecord& path) {

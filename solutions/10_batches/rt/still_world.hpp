@@ -1,7 +1,10 @@
 #pragma once
+#include <rt/effects.hpp>
 #include <rt/moving_spheres.hpp>
+#include <rt/path_record.hpp>
 #include <rt/two_worlds.hpp>
 #include <rt/wide_tree.hpp>
+#include <vector>
 
 namespace rt {
 
@@ -26,6 +29,14 @@ std::optional<Hit> hit_other_part(const TwoWorlds<First, Second>& world, const A
     if (in_first) within.max = in_first->t;
     const std::optional<Hit> in_second = world.second.hit(ray, within);
     return in_second ? in_second : in_first;
+}
+// The ray of a path, with the time of its sample where things move.
+template <Effects effects>
+auto ray_of(const PathRecord& path, const std::vector<Real>& times) {
+    if constexpr (effects.motion)
+        return TimedRay{path.origin, path.direction, times[static_cast<std::size_t>(path.sample)]};
+    else
+        return Ray{path.origin, path.direction};
 }
 template <class World>
 inline constexpr bool has_other_part = !std::is_same_v<World, WideTree>;
