@@ -8,6 +8,24 @@
 
 namespace rt {
 
+// The samples of a pixel, each in a cell of its own (04.5), and with random numbers of its own (06.4),
+// so that none depends on how many another one draws (given).
+struct JitteredSamples {
+    std::uint64_t seed = 1;
+    int count = 1;
+
+    // The average of path(ray, random) over the samples.
+    template <class Eye, class Path>
+    Color average(const Eye& eye, int column, int row, const Path& path) const {
+        Rng places = pixel_rng(seed, column, row);
+        int sample = 0;
+        return pixel_average(count, places, [&](Vec2 offset) {
+            Rng random = sample_rng(seed, column, row, sample++);
+            return path(make_ray(eye, column, row, offset, random), random);
+        });
+    }
+};
+
 // Draws a scene with these effects, and no others (given).
 template <Effects effects>
 class Renderer {
@@ -17,47 +35,46 @@ class Renderer {
         : scene_{scene, width, height}, quality_{quality} {}
 
     // The color of a pixel, which depends on the scene, the quality and the pixel alone.
-    Color operator()(int column, int row) const { return pixel(scene_.world, column, row); }
+    Color operator()(int column, int row) const {
+        return pixel(scene_.world, samples(), column, row);
+    }
 
     // The same, and counts the rays.
     Color operator()(int column, int row, std::uint64_t& rays) const {
-        return pixel(CountingWorld<typename Parts<effects>::World>{scene_.world, rays}, column,
-                     row);
+        return (*this)(samples(), column, row, rays);
+    }
+
+    // The same with other samples than those of the quality, which are chosen as JitteredSamples does.
+    template <class Samples>
+    Color operator()(const Samples& samples, int column, int row, std::uint64_t& rays) const {
+        return pixel(CountingWorld<typename Parts<effects>::World>{scene_.world, rays}, samples,
+                     column, row);
     }
 
   private:
-    template <class World>
-    Color pixel(const World& world, int column, int row) const {
+    JitteredSamples samples() const { return {quality_.seed, quality_.samples_per_pixel}; }
+
+    template <class World, class Samples>
+    Color pixel(const World& world, const Samples& samples, int column, int row) const {
         if constexpr (effects.lights || effects.fog)
-            return lit_pixel(world, column, row);
+            return lit_pixel(world, samples, column, row);
         else
-            return plain_pixel(world, column, row);
+            return plain_pixel(world, samples, column, row);
     }
 
-    // The average of path(ray, random) over the samples of a pixel. Each has random numbers of its
-    // own (06.4), so that none depends on how many another one draws.
-    template <class Path>
-    Color average(int column, int row, const Path& path) const {
-        Rng places = pixel_rng(quality_.seed, column, row);
-        int sample = 0;
-        return pixel_average(quality_.samples_per_pixel, places, [&](Vec2 offset) {
-            Rng random = sample_rng(quality_.seed, column, row, sample++);
-            return path(make_ray(scene_.eye, column, row, offset, random), random);
-        });
-    }
-
-    template <class World>
-    RT_INLINES_ALL Color plain_pixel(const World& world, int column, int row) const {
-        return average(column, row, [&](const auto& ray, Rng& random) {
+    template <class World, class Samples>
+    RT_INLINES_ALL Color plain_pixel(const World& world, const Samples& samples, int column,
+                                     int row) const {
+        return samples.average(scene_.eye, column, row, [&](const auto& ray, auto& random) {
             return path_radiance(ray, world, scene_.materials, scene_.sky, SkyEnding{},
                                  quality_.depth, random);
         });
     }
 
     // The same with the loop of this chapter.
-    template <class World>
-    Color lit_pixel(const World& world, int column, int row) const {
-        return average(column, row, [&](const auto& ray, Rng& random) {
+    template <class World, class Samples>
+    Color lit_pixel(const World& world, const Samples& samples, int column, int row) const {
+        return samples.average(scene_.eye, column, row, [&](const auto& ray, auto& random) {
             return lit_path_radiance(ray, world, scene_.materials, scene_.sky, scene_.lights,
                                      scene_.fog, SkyEnding{}, quality_.depth, random);
         });

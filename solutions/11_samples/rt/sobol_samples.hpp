@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <rt/color.hpp>
+#include <rt/render_pixel.hpp>
+#include <rt/rng.hpp>
+#include <rt/sobol.hpp>
+
+namespace rt {
+
+// The random numbers of one sample of a pixel (given), to be used wherever an Rng is. The first two are a
+// point of Sobol's sequence, the next two one of another shuffling of it, and so on: each pair of
+// numbers is spread evenly over all samples of the pixel, and independent of the other pairs.
+// Source: Burley, "Practical hash-based Owen scrambling", JCGT 2020.
+class SobolRandom {
+  public:
+    SobolRandom(std::uint64_t seed, int x, int y, std::uint32_t sample) : sample_{sample} {
+        const auto pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
+        pixel_ = mix_bits(mix_bits(seed) ^ pixel);
+    }
+
+    // A number in [0, 1), as Rng::uniform has it.
+    Real uniform() {
+        if (has_second_) {
+            has_second_ = false;
+            return fraction(second_);
+        }
+        const std::uint64_t pair = mix_bits(pixel_ + ++pair_), scramble = mix_bits(pair);
+        // The order of the points is shuffled in the same way, so that pairs do not go together.
+        const std::uint32_t shuffled =
+            reversed_bits(owen_scrambled(reversed_bits(sample_), static_cast<std::uint32_t>(pair)));
+        const FixedPoint2 point = sobol_point(shuffled);
+        second_ = owen_scrambled(point.y, static_cast<std::uint32_t>(scramble >> 32));
+        has_second_ = true;
+        return fraction(owen_scrambled(point.x, static_cast<std::uint32_t>(scramble)));
+    }
+
+    // A number in [low, high).
+    Real uniform(Real low, Real high) { return low + (high - low) * uniform(); }
+
+  private:
+    static Real fraction(std::uint32_t bits) {
+        if constexpr (std::numeric_limits<Real>::digits <= 32)
+            return static_cast<Real>(bits >> (32 - std::numeric_limits<Real>::digits)) *
+                   (epsilon / 2);
+        else
+            return static_cast<Real>(bits) * Real(0x1p-32);
+    }
+
+    std::uint64_t pixel_ = 0, pair_ = 0;
+    std::uint32_t sample_ = 0, second_ = 0;
+    bool has_second_ = false;
+};
+
+// Samples of a pixel from Sobol's sequence (given): number first ... first + count - 1 of the one that
+// belongs to the seed and the pixel. See JitteredSamples.
+struct SobolSamples {
+    std::uint64_t seed = 1;
+    int count = 1;
+    std::uint32_t first = 0;
+
+    template <class Eye, class Path>
+    Color average(const Eye& eye, int column, int row, const Path& path) const {
+        Color sum;
+        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
+            SobolRandom random{seed, column, row, first + i};
+            const Vec2 offset = random_place(random);
+            sum += path(make_ray(eye, column, row, offset, random), random);
+        }
+        return sum / static_cast<Real>(count);
+    }
+};
+
+}  // namespace rt
