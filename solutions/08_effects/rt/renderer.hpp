@@ -8,8 +8,8 @@
 
 namespace rt {
 
-// The samples of a pixel, each in a cell of its own (04.5), and with random numbers of its own (06.4),
-// so that none depends on how many another one draws (given).
+// The samples of a pixel, each in a cell of its own (04.5), and with random numbers of its own
+// (06.4), so that none depends on how many another one draws (given).
 struct JitteredSamples {
     std::uint64_t seed = 1;
     int count = 1;
@@ -44,7 +44,8 @@ class Renderer {
         return (*this)(samples(), column, row, rays);
     }
 
-    // The same with other samples than those of the quality, which are chosen as JitteredSamples does.
+    // The same with other samples than those of the quality, which are chosen as JitteredSamples
+    // does.
     template <class Samples>
     Color operator()(const Samples& samples, int column, int row, std::uint64_t& rays) const {
         return pixel(CountingWorld<typename Parts<effects>::World>{scene_.world, rays}, samples,

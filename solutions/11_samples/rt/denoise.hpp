@@ -14,8 +14,8 @@ struct Features {
     Vec3 normal;  // 0 for the sky
 };
 
-// How far a pixel's light may spread. A distance of one width takes away 1 - exp(-1/2), 39 %, of the
-// weight.
+// How far a pixel's light may spread. A distance of one width takes away 1 - exp(-1/2), 39 %, of
+// the weight.
 struct DenoiseWidths {
     int radius = 6;  // pixels; beyond it nothing counts
     Real space = 3;  // pixels
@@ -26,8 +26,8 @@ struct DenoiseWidths {
 // What a pixel this far away counts for another one's light, in (0, 1]: the less, the farther it is
 // and the more their surfaces differ. The pixel itself counts 1.
 // Source: Tomasi and Manduchi, "Bilateral filtering for gray and color images", ICCV 1998; with
-// features in place of colors: Petschnigg et al., "Digital photography with flash and no-flash image
-// pairs", SIGGRAPH 2004.
+// features in place of colors: Petschnigg et al., "Digital photography with flash and no-flash
+// image pairs", SIGGRAPH 2004.
 inline Real bilateral_weight(int across, int down, const Features& a, const Features& b,
                              const DenoiseWidths& widths) {
     const Color albedo = a.albedo - b.albedo;
@@ -40,9 +40,10 @@ inline Real bilateral_weight(int across, int down, const Features& a, const Feat
     return std::exp(-(x * x + y * y + color + turn) / 2);
 }
 
-// The picture with each pixel's light averaged over those around it, by their weights. What is averaged
-// is the light that falls on the surfaces, without their albedo, so that a texture stays as sharp as
-// it is. Where a channel of the albedo is 0, the picture's own channel takes the place of the light.
+// The picture with each pixel's light averaged over those around it, by their weights. What is
+// averaged is the light that falls on the surfaces, without their albedo, so that a texture stays
+// as sharp as it is. Where a channel of the albedo is 0, the picture's own channel takes the place
+// of the light.
 inline Image denoised(const Image& picture, const Canvas<Features>& features,
                       const DenoiseWidths& widths) {
     const auto per = [](Real light, Real albedo) { return albedo > 0 ? light / albedo : light; };
@@ -60,8 +61,9 @@ inline Image denoised(const Image& picture, const Canvas<Features>& features,
                     const Features& there = features.at(i, j);
                     const Color& light = picture.at(i, j);
                     const Real weight = bilateral_weight(i - x, j - y, here, there, widths);
-                    sum += weight * Color{per(light.r, there.albedo.r), per(light.g, there.albedo.g),
-                                          per(light.b, there.albedo.b)};
+                    sum +=
+                        weight * Color{per(light.r, there.albedo.r), per(light.g, there.albedo.g),
+                                       per(light.b, there.albedo.b)};
                     weights += weight;
                 }
             const Color light = sum / weights;

@@ -23,8 +23,8 @@ inline void add(RunningVariance& known, Real number) {
     known.squares += before * (number - known.mean);
 }
 
-// The variance of what the numbers were drawn from, estimated without bias. Infinite with fewer than
-// two numbers: they say nothing about it.
+// The variance of what the numbers were drawn from, estimated without bias. Infinite with fewer
+// than two numbers: they say nothing about it.
 inline Real variance(const RunningVariance& known) {
     if (known.count < 2) return infinity;
     return known.squares / static_cast<Real>(known.count - 1);

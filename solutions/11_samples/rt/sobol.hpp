@@ -20,12 +20,11 @@ struct FixedPoint2 {
     friend constexpr bool operator==(const FixedPoint2&, const FixedPoint2&) = default;
 };
 
-// Point `index` of Sobol's sequence in two dimensions. Of the points k * 2^m ... (k + 1) * 2^m - 1 there
-// is exactly one in each of the 2^m boxes of equal size into which the square can be halved again
-// and again.
-// Source: Sobol', "On the distribution of points in a cube and the approximate evaluation of
-// integrals", 1967; its matrices for the first two dimensions are the mirrored unit matrix and
-// Pascal's triangle modulo 2.
+// Point `index` of Sobol's sequence in two dimensions. Of the points k * 2^m ... (k + 1) * 2^m - 1
+// there is exactly one in each of the 2^m boxes of equal size into which the square can be halved
+// again and again. Source: Sobol', "On the distribution of points in a cube and the approximate
+// evaluation of integrals", 1967; its matrices for the first two dimensions are the mirrored unit
+// matrix and Pascal's triangle modulo 2.
 constexpr FixedPoint2 sobol_point(std::uint32_t index) {
     FixedPoint2 point{reversed_bits(index), 0};
     std::uint32_t column = 0x80000000u;
@@ -36,14 +35,15 @@ constexpr FixedPoint2 sobol_point(std::uint32_t index) {
     return point;
 }
 
-// Shuffles all 32-bit fractions, by Owen's scrambling: a random bit decides whether the two halves of
-// the interval change places, two more decide it for the halves of each half, and so on. Fractions
-// that share their first n bits share them afterwards. Another seed gives another shuffling.
-// Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and
-// Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the constants: Burley,
-// "Practical hash-based Owen scrambling", JCGT 2020.
+// Shuffles all 32-bit fractions, by Owen's scrambling: a random bit decides whether the two halves
+// of the interval change places, two more decide it for the halves of each half, and so on.
+// Fractions that share their first n bits share them afterwards. Another seed gives another
+// shuffling. Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash:
+// Laine and Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the constants:
+// Burley, "Practical hash-based Owen scrambling", JCGT 2020.
 constexpr std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
-    // Mirrored, so that a multiplication, which carries to the left, changes a bit by those before it.
+    // Mirrored, so that a multiplication, which carries to the left, changes a bit by those before
+    // it.
     std::uint32_t x = reversed_bits(fraction);
     x += seed;
     x ^= x * 0x6c50b47cu;

@@ -7,10 +7,10 @@
 
 namespace rt {
 
-// The random numbers of one sample of a pixel (given), to be used wherever an Rng is. The first two are a
-// point of Sobol's sequence, the next two one of another shuffling of it, and so on: each pair of
-// numbers is spread evenly over all samples of the pixel, and independent of the other pairs.
-// Source: Burley, "Practical hash-based Owen scrambling", JCGT 2020.
+// The random numbers of one sample of a pixel (given), to be used wherever an Rng is. The first two
+// are a point of Sobol's sequence, the next two one of another shuffling of it, and so on: each
+// pair of numbers is spread evenly over all samples of the pixel, and independent of the other
+// pairs. Source: Burley, "Practical hash-based Owen scrambling", JCGT 2020.
 class SobolRandom {
   public:
     SobolRandom(std::uint64_t seed, int x, int y, std::uint32_t sample) : sample_{sample} {
@@ -25,10 +25,10 @@ class SobolRandom {
             return fraction(second_);
         }
         const std::uint64_t pair = mix_bits(pixel_ + ++pair_), scramble = mix_bits(pair);
-        // The order of the points is shuffled in the same way, so that pairs do not go together.
-        const std::uint32_t shuffled =
-            reversed_bits(owen_scrambled(reversed_bits(sample_), static_cast<std::uint32_t>(pair)));
-        const FixedPoint2 point = sobol_point(shuffled);
+        // The order of the points is shuffled, too, so that pairs do not go together. Scrambling
+        // takes 2^m neighbors to 2^m neighbors, which are as evenly spread.
+        const FixedPoint2 point =
+            sobol_point(owen_scrambled(sample_, static_cast<std::uint32_t>(pair)));
         second_ = owen_scrambled(point.y, static_cast<std::uint32_t>(scramble >> 32));
         has_second_ = true;
         return fraction(owen_scrambled(point.x, static_cast<std::uint32_t>(scramble)));
@@ -51,8 +51,8 @@ class SobolRandom {
     bool has_second_ = false;
 };
 
-// Samples of a pixel from Sobol's sequence (given): number first ... first + count - 1 of the one that
-// belongs to the seed and the pixel. See JitteredSamples.
+// Samples of a pixel from Sobol's sequence (given): number first ... first + count - 1 of the one
+// that belongs to the seed and the pixel. See JitteredSamples.
 struct SobolSamples {
     std::uint64_t seed = 1;
     int count = 1;

@@ -5,15 +5,15 @@
 
 namespace rt {
 
-// How far the mean of the numbers so far is from the true mean, as a root mean square. Infinite with
-// fewer than two numbers.
+// How far the mean of the numbers so far is from the true mean, as a root mean square. Infinite
+// with fewer than two numbers.
 inline Real standard_error(const RunningVariance& known) {
     if (known.count < 2) return infinity;
     return std::sqrt(variance(known) / static_cast<Real>(known.count));
 }
 
-// The probability that a mean with this standard error lies within a distance of the true mean; both
-// are 0 or more. It is that of the normal distribution, which holds for means of many numbers.
+// The probability that a mean with this standard error lies within a distance of the true mean;
+// both are 0 or more. It is that of the normal distribution, which holds for means of many numbers.
 // Without an error it is 1, also at distance 0.
 inline Real chance_within(Real distance, Real error) {
     if (error == 0) return 1;

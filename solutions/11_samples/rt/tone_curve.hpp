@@ -16,10 +16,9 @@ inline Real luminance(const Color& color) {
 }
 
 // The brightness that a screen shows for a luminance, 0 or more: dark tones hardly change, bright
-// ones are pressed together, and `white`, greater than 0, becomes 1. Infinite luminance gives infinity,
-// unless white is infinite.
-// Source: Reinhard, Stark, Shirley and Ferwerda, "Photographic tone reproduction for digital images",
-// SIGGRAPH 2002.
+// ones are pressed together, and `white`, greater than 0, becomes 1. Infinite luminance gives
+// infinity, unless white is infinite. Source: Reinhard, Stark, Shirley and Ferwerda, "Photographic
+// tone reproduction for digital images", SIGGRAPH 2002.
 inline Real tone_curve(Real luminance, Real white) {
     // L (1 + L / white^2) / (1 + L), with no square that could overflow.
     const Real pressed = luminance == infinity ? Real(1) : luminance / (1 + luminance);

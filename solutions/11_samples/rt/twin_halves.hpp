@@ -15,10 +15,11 @@ struct CountLimits {
     int least = 1, most = 1;
 };
 
-// How many samples a place of the picture is worth, so that the mean square error of the whole picture is
-// error^2 and the work is least: in proportion to the place's spread, the standard deviation of its
-// samples. mean_spread is the mean over all places. error is greater than 0; all may be infinite.
-// Source: Neyman, "On the two different aspects of the representative method", 1934.
+// How many samples a place of the picture is worth, so that the mean square error of the whole
+// picture is error^2 and the work is least: in proportion to the place's spread, the standard
+// deviation of its samples. mean_spread is the mean over all places. error is greater than 0; all
+// may be infinite. Source: Neyman, "On the two different aspects of the representative method",
+// 1934.
 inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limits) {
     const Real wanted = spread == 0 ? Real(0) : std::ceil(spread / error * (mean_spread / error));
     if (!(wanted < static_cast<Real>(limits.most))) return limits.most;
