@@ -5,7 +5,7 @@
 namespace rt {
 
 // The same 32 bits, the last one first.
-constexpr std::uint32_t reversed_bits(std::uint32_t x) {
+inline std::uint32_t reversed_bits(std::uint32_t x) {
     x = x >> 16 | x << 16;
     x = (x & 0xff00ff00u) >> 8 | (x & 0x00ff00ffu) << 8;
     x = (x & 0xf0f0f0f0u) >> 4 | (x & 0x0f0f0f0fu) << 4;
@@ -25,7 +25,7 @@ struct FixedPoint2 {
 // again and again. Source: Sobol', "On the distribution of points in a cube and the approximate
 // evaluation of integrals", 1967; its matrices for the first two dimensions are the mirrored unit
 // matrix and Pascal's triangle modulo 2.
-constexpr FixedPoint2 sobol_point(std::uint32_t index) {
+inline FixedPoint2 sobol_point(std::uint32_t index) {
     FixedPoint2 point{reversed_bits(index), 0};
     std::uint32_t column = 0x80000000u;
     for (std::uint32_t bits = index; bits; bits >>= 1) {
@@ -41,7 +41,7 @@ constexpr FixedPoint2 sobol_point(std::uint32_t index) {
 // shuffling. Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash:
 // Laine and Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the constants:
 // Burley, "Practical hash-based Owen scrambling", JCGT 2020.
-constexpr std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
+inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     // Mirrored, so that a multiplication, which carries to the left, changes a bit by those before
     // it.
     std::uint32_t x = reversed_bits(fraction);
