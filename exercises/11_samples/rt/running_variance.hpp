@@ -18,7 +18,7 @@ struct RunningVariance {
 // Source: Welford, "Note on a method for calculating corrected sums of squares and products",
 // Technometrics 1962.
 inline void add(RunningVariance& known, Real number) {
-    return rt::todo("11.1", known, number);
+    rt::todo("11.1", known, number);
 }
 
 // The variance of what the numbers were drawn from, estimated without bias. Infinite with fewer
