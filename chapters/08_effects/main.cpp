@@ -80,14 +80,36 @@ effects::TileDrawing one_by_one(const SceneDescription& scene, int width, int he
     return {effects::choose(needed), [draw] { return effects::DrawTile{draw}; }};
 }
 
+// The way to draw that the options ask for.
+effects::MakeTileDrawing way_to_draw(const app::Settings& settings) {
+    const bool in_batches = settings.given.count("batches") > 0;
+    if (!settings.picked.empty() && settings.picked.front() == "sobol") {
+        if (in_batches)
+            throw app::UsageError(
+                "--batches and --sampler sobol exclude each other: batches are "
+                "drawn with jittered samples");
+        return effects::refining->make_sobol_drawing;
+    }
+    return in_batches ? effects::make_batch_drawing : one_by_one;
+}
+
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = open_scene(settings);
     const RenderSettings& chosen = scene.settings;
     const bool in_batches = settings.given.count("batches") > 0;
-    const effects::TileDrawing drawing = (in_batches ? effects::make_batch_drawing : one_by_one)(
+    const auto explain = [&](const effects::Choice& choice) {
+        if (settings.explain)
+            settings.explain(explanation(scene, settings.file, choice, in_batches));
+    };
+    const effects::MakeTileDrawing make_drawing = way_to_draw(settings);
+    if (!settings.numbers.empty()) {
+        app::Picture picture = effects::refining->render(scene, settings, explain, progress);
+        picture.words = [words = picture.words, note = note_on(scene)] { return words() + note; };
+        return picture;
+    }
+    const effects::TileDrawing drawing = make_drawing(
         scene, chosen.width, chosen.height, {chosen.samples_per_pixel, chosen.depth, chosen.seed});
-    if (settings.explain)
-        settings.explain(explanation(scene, settings.file, drawing.choice, in_batches));
+    explain(drawing.choice);
 
     Image image = Canvas<Color>{chosen.width, chosen.height};
     app::draw_unfinished(image);
@@ -129,13 +151,16 @@ int main(int argc, char** argv) {
     std::vector<app::Flag> flags;
     if (effects::make_batch_drawing)
         flags = {{"batches", "Draw the same picture in batches of rays, as chapter 10 does"}};
+    const effects::Refining refining = effects::refining ? *effects::refining : effects::Refining{};
     return app::run(argc, argv,
                     {.name = "08_effects",
                      .about = "a scene, drawn by a renderer that has its effects and no others",
                      .defaults = defaults,
                      .render = render,
                      .study = effects::run_study,
+                     .choices = refining.choices,
                      .flags = flags,
+                     .numbers = refining.numbers,
                      .reads = "The scene file, .json; without it the final scene is drawn",
                      .explains = true,
                      .can_be_stopped = true});

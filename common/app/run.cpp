@@ -272,6 +272,21 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
                         program.choices[i].about)
             ->check(CLI::IsMember(program.choices[i].words))
             ->capture_default_str();
+    for (const Number& number : program.numbers)
+        options
+            .add_option_function<std::string>(
+                "--" + number.name,
+                [&settings, name = number.name](const std::string& text) {
+                    settings.numbers[name] = *number_in(text);
+                },
+                number.about)
+            ->check(CLI::Validator{[](const std::string& text) -> std::string {
+                                       const std::optional<double> given = number_in(text);
+                                       if (given && *given > 0) return {};
+                                       return '\'' + text + "' is not a number greater than 0";
+                                   },
+                                   "", "number"})
+            ->type_name("NUMBER");
     for (const Flag& flag : program.flags) options.add_flag("--" + flag.name, flag.about);
     if (!program.reads.empty()) options.add_option("file", settings.file, program.reads);
     if (program.explains)

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <rt/image.hpp>
 #include <rt/view.hpp>
@@ -34,6 +35,8 @@ struct Settings {
     std::optional<rt::View> view = {};
     // The word that was picked of each of the program's choices, in their order.
     std::vector<std::string> picked = {};
+    // What was set of the program's numbers, by name.
+    std::map<std::string, double> numbers = {};
     // The file that the program was given to read; empty if none.
     std::string file = {};
     // The options that the person set, without the dashes: what a file says gives way to them.
@@ -53,6 +56,12 @@ struct Choice {
 struct Flag {
     std::string name;   // without the dashes
     std::string about;  // what it does
+};
+
+// An option of one program alone that takes a number greater than 0. It has no default.
+struct Number {
+    std::string name;   // without the dashes
+    std::string about;  // what it does, and its unit
 };
 
 // Counts the work that is done, for the progress bar. May be called from several threads.
@@ -94,6 +103,7 @@ struct Program {
     std::string (*encode_ppm)(const rt::Image&) = nullptr;
     std::vector<Choice> choices = {};
     std::vector<Flag> flags = {};
+    std::vector<Number> numbers = {};
     // What the file is that may be named without an option; empty if the program reads none.
     std::string reads = {};
     // Whether render() calls Settings::explain where there is one; else there is no --explain.

@@ -14,7 +14,7 @@ namespace batches {
 namespace {
 
 using namespace rt;
-using effects::Choice, effects::DrawTile, effects::TileDrawing;
+using effects::DrawSeededTile, effects::SeededDrawing, effects::TileDrawing;
 
 // Few sets of effects are compiled: a batch asks once which kernel it needs, not once a ray, so an
 // effect that is there in vain costs little. What does cost is leaving the kernels for packs, which
@@ -30,15 +30,15 @@ constexpr std::array<Effects, 5> batch_effects = [] {
 }();
 
 template <Effects effects>
-std::function<DrawTile()> make_workers(const SceneDescription& description, int width, int height,
-                                       const Quality& quality) {
+std::function<DrawSeededTile()> make_workers(const SceneDescription& description, int width,
+                                             int height, const Quality& quality) {
     const auto scene = std::make_shared<const ReadyScene<effects>>(description, width, height);
     return [scene, quality] {
         const auto renderer = std::make_shared<BatchRenderer<effects>>(*scene, quality);
-        return [scene, renderer](const Tile& tile, Image& image, std::uint64_t& rays) {
-            if (app::Interruption::signal() != 0) return std::int64_t{0};
+        return [scene, renderer](const Tile& tile, std::uint64_t seed, Image& image,
+                                 std::uint64_t& rays) {
+            renderer->set_seed(seed);
             renderer->draw(tile, image, rays);
-            return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
         };
     };
 }
@@ -57,8 +57,8 @@ int tile_side(int samples_per_pixel) {
     return side;
 }
 
-TileDrawing make_drawing(const SceneDescription& scene, int width, int height,
-                         const Quality& quality) {
+SeededDrawing make_seeded(const SceneDescription& scene, int width, int height,
+                          const Quality& quality) {
     const std::size_t number = narrowest(effects_of(scene), batch_effects);
     const Effects chosen = batch_effects[number];
     return {{chosen, without(batch_effects.back(), chosen), batch_effects.size()},
@@ -66,8 +66,23 @@ TileDrawing make_drawing(const SceneDescription& scene, int width, int height,
             tile_side(quality.samples_per_pixel)};
 }
 
+// The same with one seed.
+TileDrawing make_drawing(const SceneDescription& scene, int width, int height,
+                         const Quality& quality) {
+    const SeededDrawing seeded = make_seeded(scene, width, height, quality);
+    const auto make_worker = [make = seeded.make_worker, seed = quality.seed] {
+        return [draw = make(), seed](const Tile& tile, Image& image, std::uint64_t& rays) {
+            if (app::Interruption::signal() != 0) return std::int64_t{0};
+            draw(tile, seed, image, rays);
+            return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
+        };
+    };
+    return {seeded.choice, make_worker, seeded.tile_side};
+}
+
 // Before main() begins.
-[[maybe_unused]] const bool is_known = (effects::make_batch_drawing = make_drawing, true);
+[[maybe_unused]] const bool is_known =
+    (effects::make_batch_drawing = make_drawing, effects::make_seeded_batches = make_seeded, true);
 
 }  // namespace
 }  // namespace batches

@@ -33,6 +33,9 @@ class BatchRenderer {
                 std::nextafter(static_cast<Real>(cell + 1) / static_cast<Real>(cells_), Real(0)));
     }
 
+    // Of all that is random from now on.
+    void set_seed(std::uint64_t seed) { quality_.seed = seed; }
+
     // Draws the pixels of a tile; the rays that it took are added to `rays`.
     void draw(const Tile& tile, Image& image, std::uint64_t& rays) {
         for_each_pixel(tile, [&](int column, int row) {

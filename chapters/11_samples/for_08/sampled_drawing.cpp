@@ -1,0 +1,216 @@
+// What chapter 08's program draws with where it is given --sampler, --target-error or
+// --time-budget. It is linked into that program.
+
+#include <app/errors.hpp>
+#include <app/interrupt.hpp>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <rt/choose_renderer.hpp>
+#include <rt/effects_of.hpp>
+#include <rt/refinement.hpp>
+#include <rt/renderer.hpp>
+#include <rt/sobol_samples.hpp>
+#include <utility>
+
+#include "tile_drawing.hpp"
+
+namespace samples {
+namespace {
+
+using namespace rt;
+using Clock = std::chrono::steady_clock;
+
+constexpr int samples_of_pass = 4;
+constexpr int pilot_passes = 2;  // of each half
+
+// Few sets of effects are compiled, as for batches.
+constexpr std::array<Effects, 5> sampled_effects = [] {
+    constexpr Effects materials{
+        .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
+    Effects moving = materials, lit = materials, all = materials;
+    moving.motion = moving.instances = true;
+    lit.lights = lit.instances = true;
+    for (const NamedEffect& effect : all_effects) all.*effect.member = true;
+    return std::array<Effects, 5>{{{}, materials, moving, lit, all}};
+}();
+
+// Passes of samples from Sobol's sequence, or jittered ones.
+template <Effects effects>
+DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
+                        const Quality& quality, bool sobol) {
+    const auto renderer = std::make_shared<const Renderer<effects>>(scene, width, height, quality);
+    return [=, count = quality.samples_per_pixel](const Tile& tile, const Pass& pass, Image& image,
+                                                  std::uint64_t& rays) {
+        const auto draw = [&](const auto& samples) {
+            for_each_pixel(
+                tile, [&](int x, int y) { image.at(x, y) = (*renderer)(samples, x, y, rays); });
+        };
+        if (sobol)
+            draw(SobolSamples{pass.seed, count, static_cast<std::uint32_t>(pass.number * count)});
+        else
+            draw(JitteredSamples{seed_of(pass), count});
+    };
+}
+
+constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>) {
+    return std::array{make_draw_pass<sampled_effects[number]>...};
+}
+(std::make_index_sequence<sampled_effects.size()>{});
+
+struct Drawing {
+    effects::Choice choice;
+    std::function<DrawPass()> make_worker;
+    int tile_side = 16;
+};
+
+Drawing make_drawing(const SceneDescription& scene, int width, int height, const Quality& quality,
+                     bool sobol) {
+    const std::size_t number = narrowest(effects_of(scene), sampled_effects);
+    const Effects chosen = sampled_effects[number];
+    const DrawPass draw = makers[number](scene, width, height, quality, sobol);
+    return {{chosen, without(sampled_effects.back(), chosen), sampled_effects.size()},
+            [draw] { return draw; }};
+}
+
+Drawing make_batches(const SceneDescription& scene, int width, int height, const Quality& quality) {
+    const effects::SeededDrawing seeded =
+        effects::make_seeded_batches(scene, width, height, quality);
+    return {seeded.choice,
+            [make = seeded.make_worker] {
+                return [draw = make()](const Tile& tile, const Pass& pass, Image& image,
+                                       std::uint64_t& rays) {
+                    draw(tile, seed_of(pass), image, rays);
+                };
+            },
+            seeded.tile_side};
+}
+
+std::string text_of(const char* format, double number) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, number);
+    return text;
+}
+
+// What refining took: the error, and how the samples are spread.
+std::string result(const Refinement& refinement, int width, int height) {
+    int fewest = refinement.passes_at(0, 0), most = fewest;
+    double sum = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const int passes = refinement.passes_at(x, y);
+            fewest = std::min(fewest, passes);
+            most = std::max(most, passes);
+            sum += passes;
+        }
+    return "error:    " + text_of("%.3g", static_cast<double>(refinement.error())) +
+           " of white, estimated (root mean square over all channels)\nsamples:  " +
+           text_of("%.0f", samples_of_pass * sum / (double{1} * width * height)) +
+           " a pixel on average, " + std::to_string(samples_of_pass * fewest) + " to " +
+           std::to_string(samples_of_pass * most) + '\n';
+}
+
+void check_together(const app::Settings& settings) {
+    const auto given = [&](const char* option) { return settings.given.count(option) > 0; };
+    if (given("target-error") && given("time-budget"))
+        throw app::UsageError("--target-error and --time-budget exclude each other; name one");
+    for (const char* const aim : {"target-error", "time-budget"})
+        if (given(aim) && given("spp"))
+            throw app::UsageError("--spp and --" + std::string{aim} +
+                                  " exclude each other: the program finds out how many samples "
+                                  "it needs");
+}
+
+// All samples of a pixel from Sobol's sequence: --sampler sobol without an aim.
+effects::TileDrawing make_sobol_drawing(const SceneDescription& scene, int width, int height,
+                                        const Quality& quality) {
+    const Drawing drawing = make_drawing(scene, width, height, quality, true);
+    const auto make_worker = [draw = drawing.make_worker(), seed = quality.seed] {
+        return [draw, seed](const Tile& tile, Image& image, std::uint64_t& rays) {
+            if (app::Interruption::signal() != 0) return std::int64_t{0};
+            draw(tile, {seed, 0}, image, rays);
+            return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
+        };
+    };
+    return {drawing.choice, make_worker, drawing.tile_side};
+}
+
+// Refines within the time: in rounds, each with half of the passes that there is time for, so that
+// the last one begins with a good guess.
+void refine_within(Refinement& refinement, Clock::time_point start, Clock::time_point end) {
+    for (Clock::time_point now; (now = Clock::now()) < end;) {
+        const std::chrono::duration<double> spent = now - start, left = end - now;
+        const auto passes = static_cast<double>(refinement.passes());
+        const double more = passes * (left / spent);
+        const bool is_last = left < spent / 8;
+        refinement.refine_with(static_cast<std::int64_t>(passes + (is_last ? 2 : 0.5) * more) + 1);
+    }
+}
+
+app::Picture render(const SceneDescription& scene, const app::Settings& settings,
+                    const std::function<void(const effects::Choice&)>& explain,
+                    app::Progress& progress) {
+    const auto start = Clock::now();
+    check_together(settings);
+    const int width = scene.settings.width, height = scene.settings.height;
+    const Quality quality{samples_of_pass, scene.settings.depth, scene.settings.seed};
+    const bool in_batches = settings.given.count("batches") > 0;
+    const Drawing drawing = in_batches ? make_batches(scene, width, height, quality)
+                                       : make_drawing(scene, width, height, quality,
+                                                      settings.picked.front() == "sobol");
+    explain(drawing.choice);
+
+    // Writing the file takes time, too.
+    const auto file_time = std::chrono::nanoseconds{100} * width * height;
+    auto end = Clock::time_point::max();
+    if (const auto budget = settings.numbers.find("time-budget"); budget != settings.numbers.end())
+        end = start - file_time +
+              std::chrono::duration_cast<Clock::duration>(
+                  std::chrono::duration<double>{std::min(budget->second, 1e9)});
+    const app::Interruption interruption;
+    Refinement refinement{
+        {.grid = {width, height, drawing.tile_side},
+         .threads = settings.threads,
+         .seed = quality.seed,
+         .make_worker =
+             [&] {
+                 return [&progress, draw = drawing.make_worker()](
+                            const Tile& tile, const Pass& pass, Image& image, std::uint64_t& rays) {
+                     draw(tile, pass, image, rays);
+                     progress.step();
+                 };
+             },
+         .is_over = [end] { return app::Interruption::signal() != 0 || Clock::now() >= end; },
+         .on_round =
+             [&](std::int64_t passes) {
+                 progress.start(static_cast<int>(std::min<std::int64_t>(passes, 1 << 30)));
+             }}};
+    refinement.draw_pilot(pilot_passes);
+    const auto target = settings.numbers.find("target-error");
+    if (target != settings.numbers.end())
+        refinement.refine_to(static_cast<Real>(target->second));
+    else
+        refine_within(refinement, start, end);
+
+    Image unfinished = Canvas<Color>{width, height};
+    app::draw_unfinished(unfinished);
+    app::Picture picture{refinement.picture(std::move(unfinished)), refinement.rays()};
+    picture.words = [words = result(refinement, width, height)] { return words; };
+    if (const int signal = interruption.signal()) picture.stopped = {signal, refinement.share()};
+    return picture;
+}
+
+const effects::Refining refining{
+    {{"sampler", "Where samples are taken, and with which random numbers", {"jittered", "sobol"}}},
+    {{"target-error",
+      "Refine until the root mean square error is estimated to be below this (white is 1)"},
+     {"time-budget", "Refine for this many seconds, and draw the best picture in that time"}},
+    make_sobol_drawing,
+    render};
+
+// Before main() begins.
+[[maybe_unused]] const bool is_known = (effects::refining = &refining, true);
+
+}  // namespace
+}  // namespace samples

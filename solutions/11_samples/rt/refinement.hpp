@@ -1,0 +1,274 @@
+#pragma once
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <rt/canvas.hpp>
+#include <rt/for_each_pixel.hpp>
+#include <rt/image.hpp>
+#include <rt/render_tiles.hpp>
+#include <rt/rng.hpp>
+#include <rt/running_variance.hpp>
+#include <rt/twin_halves.hpp>
+#include <vector>
+
+namespace rt {
+
+// A few samples of each pixel (given): number 0, 1, 2 ... of those that belong to a seed.
+struct Pass {
+    std::uint64_t seed = 1;
+    int number = 0;
+};
+
+// The seed of a pass that shares no samples with others.
+inline std::uint64_t seed_of(const Pass& pass) {
+    return mix_bits(pass.seed) + static_cast<std::uint64_t>(pass.number);
+}
+
+// Draws a pass of a tile's pixels into the image; the rays that it took are added to `rays`.
+using DrawPass = std::function<void(const Tile&, const Pass&, Image& image, std::uint64_t& rays)>;
+
+// How a picture is refined (given).
+struct RefinementPlan {
+    TileGrid grid;
+    int threads = 1;
+    std::uint64_t seed = 1;
+    std::function<DrawPass()> make_worker;  // one for each thread
+    // Whether to stop early; asked before each pass of a tile.
+    std::function<bool()> is_over = [] { return false; };
+    // Told how many passes of a tile come next.
+    std::function<void(std::int64_t passes)> on_round = [](std::int64_t) {};
+};
+
+// A picture in two independent halves, each of which takes more samples where the other one found
+// more noise (given). It depends on the plan's picture and seed and on what is asked for, never on
+// the number of threads.
+class Refinement {
+  public:
+    explicit Refinement(RefinementPlan plan)
+        : plan_{std::move(plan)},
+          sums_(plan_.grid.width, plan_.grid.height),
+          pass_{Canvas<Color>{plan_.grid.width, plan_.grid.height}},
+          tiles_(static_cast<std::size_t>(tile_count(plan_.grid))),
+          workers_(static_cast<std::size_t>(plan_.threads)) {}
+
+    // The first passes of all tiles, 2 or more in each half: they tell where there is noise. How
+    // many passes a tile takes later depends on them alone, and is what keeps the picture unbiased.
+    void draw_pilot(int passes) {
+        least_ = passes;
+        // One pass of everything first, so that there is a picture soon.
+        draw([](const TileState&) { return Halves<int>{1, 1}; });
+        draw([passes](const TileState&) { return Halves<int>{passes, passes}; });
+        Halves<double> sum;
+        for (const TileState& tile : tiles_) {
+            sum.first += static_cast<double>(tile.spread.first);
+            sum.second += static_cast<double>(tile.spread.second);
+        }
+        const auto count = static_cast<double>(tiles_.size());
+        mean_spread_ = {static_cast<Real>(sum.first / count),
+                        static_cast<Real>(sum.second / count)};
+    }
+
+    // Refines until error() is at most this. A round takes the picture half of the way, or all of
+    // it where the last rounds tell how far that is.
+    void refine_to(Real target) {
+        Real aim = infinity;  // the error for which counts were computed
+        while (!plan_.is_over()) {
+            const Real now = error();
+            if (now <= target) return;
+            // What the counts promise and what comes differ: Sobol's points do better, and a pilot
+            // may have missed something.
+            const Real promise = aim < infinity ? target * (aim / now) : target;
+            aim = std::max(Real(0.97) * promise, (aim < infinity ? aim : now) / 2);
+            draw([&](const TileState& tile) { return counts(tile, aim); });
+        }
+    }
+
+    // Refines until this many passes of tiles are drawn, within one for each tile.
+    void refine_with(std::int64_t passes) {
+        // The error, between bounds that are far enough for any picture, by its logarithm.
+        Real low = std::numeric_limits<Real>::min_exponent / 4, high = -low;
+        for (int step = 0; step < 60; ++step) {
+            const Real middle = (low + high) / 2;
+            (planned(std::exp2(middle)) > passes ? low : high) = middle;
+        }
+        draw([&](const TileState& tile) { return counts(tile, std::exp2(high)); });
+    }
+
+    // The root mean square error of the picture's channels, as the difference of the halves shows
+    // it. Infinite before each half has a pass of every tile.
+    Real error() const {
+        double sum = 0;
+        bool is_known = true;
+        each_pixel([&](int x, int y, const TileState& tile) {
+            is_known = is_known && tile.drawn.first > 0 && tile.drawn.second > 0;
+            if (!is_known) return;
+            const Halves<Color> half = means(x, y, tile);
+            for (const auto channel : {&Color::r, &Color::g, &Color::b})
+                sum += static_cast<double>(
+                    twin_square_error({half.first.*channel, half.second.*channel}));
+        });
+        if (!is_known) return infinity;
+        return static_cast<Real>(std::sqrt(sum / (3 * static_cast<double>(sums_.size()))));
+    }
+
+    // The picture as it is now. Where nothing is drawn yet, it shows the pixels of `unfinished`.
+    Image picture(Image unfinished) const {
+        each_pixel([&](int x, int y, const TileState& tile) {
+            if (tile.drawn.first == 0) return;
+            const Halves<Color> half = means(x, y, tile);
+            for (const auto channel : {&Color::r, &Color::g, &Color::b})
+                unfinished.at(x, y).*channel =
+                    tile.drawn.second == 0 ? half.first.*channel
+                                           : twin_mean({half.first.*channel, half.second.*channel});
+        });
+        return unfinished;
+    }
+
+    // The passes of both halves at a pixel.
+    int passes_at(int x, int y) const {
+        const Halves<int> drawn = tile_of(x, y).drawn;
+        return drawn.first + drawn.second;
+    }
+    // The passes of all tiles and both halves.
+    std::int64_t passes() const {
+        return std::accumulate(tiles_.begin(), tiles_.end(), std::int64_t{0},
+                               [](std::int64_t sum, const TileState& tile) {
+                                   return sum + tile.drawn.first + tile.drawn.second;
+                               });
+    }
+    std::uint64_t rays() const { return rays_; }
+    // How much of the picture has been drawn at all, 0 to 1.
+    double share() const {
+        const auto begun = std::count_if(tiles_.begin(), tiles_.end(), [](const TileState& tile) {
+            return tile.drawn.first > 0;
+        });
+        return static_cast<double>(begun) / static_cast<double>(tiles_.size());
+    }
+
+  private:
+    // Sums are double, whatever Real is, so that no number of passes biases them.
+    struct Light {
+        double r = 0, g = 0, b = 0;
+    };
+    struct TileState {
+        Halves<int> drawn;    // passes
+        Halves<Real> spread;  // the standard deviation of a channel of a pass
+    };
+    static constexpr int most_passes = 1 << 24;  // beyond it nobody waits
+
+    Halves<int> counts(const TileState& tile, Real aim) const {
+        return crossed_counts(tile.spread, mean_spread_, aim, {least_, most_passes});
+    }
+    std::int64_t planned(Real aim) const {
+        std::int64_t sum = 0;
+        for (const TileState& tile : tiles_) {
+            const Halves<int> wanted = counts(tile, aim);
+            sum += std::max(wanted.first, tile.drawn.first) +
+                   std::max(wanted.second, tile.drawn.second);
+        }
+        return sum;
+    }
+
+    std::size_t index(int x, int y) const {
+        const int side = plan_.grid.tile_size;
+        return static_cast<std::size_t>(y / side) *
+                   static_cast<std::size_t>(tiles_along(plan_.grid.width, side)) +
+               static_cast<std::size_t>(x / side);
+    }
+    const TileState& tile_of(int x, int y) const { return tiles_[index(x, y)]; }
+
+    template <class Visit>
+    void each_pixel(const Visit& visit) const {
+        for (int y = 0; y < sums_.height(); ++y)
+            for (int x = 0; x < sums_.width(); ++x) visit(x, y, tile_of(x, y));
+    }
+
+    static Color mean(const Light& sum, int passes) {
+        const double count = std::max(passes, 1);
+        return {static_cast<Real>(sum.r / count), static_cast<Real>(sum.g / count),
+                static_cast<Real>(sum.b / count)};
+    }
+    Halves<Color> means(int x, int y, const TileState& tile) const {
+        const Halves<Light>& sum = sums_.at(x, y);
+        return {mean(sum.first, tile.drawn.first), mean(sum.second, tile.drawn.second)};
+    }
+
+    // Draws what is missing until each tile has the passes that wanted(tile) asks for.
+    template <class Wanted>
+    void draw(const Wanted& wanted) {
+        std::int64_t missing = 0;
+        for (const TileState& tile : tiles_) {
+            const Halves<int> passes = wanted(tile);
+            missing += std::max(passes.first - tile.drawn.first, 0) +
+                       std::max(passes.second - tile.drawn.second, 0);
+        }
+        plan_.on_round(missing);
+        render_tiles(plan_.grid, plan_.threads, [&](const Tile& tile, int worker) {
+            DrawPass& draw_pass = workers_[static_cast<std::size_t>(worker)];
+            if (!draw_pass) draw_pass = plan_.make_worker();
+            TileState& state = tiles_[index(tile.left, tile.top)];
+            const Halves<int> passes = wanted(state);
+            draw_half<&Halves<Light>::first>(draw_pass, tile, plan_.seed, passes.first,
+                                             state.drawn.first, state.spread.first);
+            draw_half<&Halves<Light>::second>(draw_pass, tile, ~plan_.seed, passes.second,
+                                              state.drawn.second, state.spread.second);
+        });
+    }
+
+    // Up to `passes` passes of one half of a tile. As long as these are the pilot, they tell its
+    // spread.
+    template <Light Halves<Light>::*half>
+    void draw_half(const DrawPass& draw_pass, const Tile& tile, std::uint64_t seed, int passes,
+                   int& drawn, Real& spread) {
+        const bool is_pilot = drawn < 2 && passes >= 2;
+        std::vector<RunningVariance> channels;
+        const auto learn = [&] {
+            std::size_t next = 0;
+            for_each_pixel(tile, [&](int x, int y) {
+                const Color& color = pass_.at(x, y);
+                for (const Real channel : {color.r, color.g, color.b})
+                    add(channels[next++], channel);
+            });
+        };
+        if (is_pilot) {
+            const auto width = static_cast<std::size_t>(tile.right - tile.left);
+            channels.resize(3 * width * static_cast<std::size_t>(tile.bottom - tile.top));
+            for_each_pixel(
+                tile, [&](int x, int y) { pass_.at(x, y) = mean(sums_.at(x, y).*half, drawn); });
+            if (drawn == 1) learn();
+        }
+        std::uint64_t rays = 0;
+        for (; drawn < passes && !plan_.is_over(); ++drawn) {
+            draw_pass(tile, {seed, drawn}, pass_, rays);
+            for_each_pixel(tile, [&](int x, int y) {
+                const Color& color = pass_.at(x, y);
+                Light& sum = sums_.at(x, y).*half;
+                sum.r += static_cast<double>(color.r);
+                sum.g += static_cast<double>(color.g);
+                sum.b += static_cast<double>(color.b);
+            });
+            if (is_pilot) learn();
+        }
+        rays_ += rays;
+        if (!is_pilot || drawn < 2) return;
+        double sum = 0;
+        for (const RunningVariance& channel : channels)
+            sum += static_cast<double>(variance(channel));
+        spread = static_cast<Real>(std::sqrt(sum / static_cast<double>(channels.size())));
+    }
+
+    RefinementPlan plan_;
+    Canvas<Halves<Light>> sums_;  // of both halves' passes
+    Image pass_;                  // the pass that is being drawn; each tile is one worker's
+    std::vector<TileState> tiles_;
+    std::vector<DrawPass> workers_;
+    std::atomic<std::uint64_t> rays_ = 0;
+    Halves<Real> mean_spread_;
+    int least_ = 1;
+};
+
+}  // namespace rt
