@@ -34,3 +34,9 @@ course_batches_test(08_effects.batches 08_effects_solution)
 if(COURSE_ALL_TESTS)
   course_batches_test(08_effects.batches_in_float 08_effects_solution_float)
 endif()
+
+# The options of chapter 11.
+add_test(NAME 08_effects.refining
+  COMMAND sh ${CMAKE_SOURCE_DIR}/tests/app/refining.sh $<TARGET_FILE:08_effects_solution>
+          ${CMAKE_SOURCE_DIR}/chapters/08_effects/scenes)
+set_tests_properties(08_effects.refining PROPERTIES LABELS solution TIMEOUT 300)

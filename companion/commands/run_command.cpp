@@ -18,6 +18,15 @@ bool says_where(const std::vector<std::string>& options) {
     });
 }
 
+// Whether an elective's code draws, and not the chapter's alone.
+bool draws_by_elective(const std::vector<std::string>& options) {
+    return std::any_of(options.begin(), options.end(), [](const std::string& option) {
+        const std::string name = option.substr(0, option.find('='));
+        return name == "--batches" || name == "--sampler" || name == "--target-error" ||
+               name == "--time-budget";
+    });
+}
+
 // Another scene's picture is another file: the chapter's own is not overwritten.
 std::string picture_name(const Chapter& chapter, const std::vector<std::string>& options) {
     for (const std::string& option : options)
@@ -30,9 +39,8 @@ std::string picture_name(const Chapter& chapter, const std::vector<std::string>&
 
 int run(const Course& course, const std::string& name, const std::vector<std::string>& options) {
     const Chapter chapter = find_chapter(course, name);
-    // In batches it is chapter 10 that draws.
-    const bool in_batches = std::count(options.begin(), options.end(), "--batches") > 0;
-    const Yours yours = put_yours_in_place(course, in_batches ? chapters(course).back() : chapter);
+    const Chapter last = draws_by_elective(options) ? chapters(course).back() : chapter;
+    const Yours yours = put_yours_in_place(course, last);
     must_build(course, chapter.name + "_mine");
     std::fprintf(stderr, "%s\n", yours.words().c_str());
 

@@ -1,0 +1,67 @@
+#!/bin/sh
+# refining.sh PROGRAM SCENES: --target-error, --time-budget and --sampler do what they say, and say what they
+# took.
+set -u
+program=$1
+scenes=$2
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+failures=0
+complain() {
+    failures=$((failures + 1))
+    echo "$1"
+}
+draw() { "$program" "$@" --width 48 --height 27 --depth 9; }
+
+# The error that is estimated is below the one that is asked for, in every scene and every way to sample;
+# the picture is the same for any number of threads.
+for scene in matte cover lights fog motion; do
+    for way in "--sampler jittered" "--sampler sobol" --batches; do
+        for threads in 1 3; do
+            # shellcheck disable=SC2086  # two words
+            draw "$scenes/$scene.json" $way --target-error 0.05 --threads $threads \
+                --out "$place/$threads.ppm" >"$place/said" || complain "$scene $way: no picture"
+        done
+        cmp "$place/1.ppm" "$place/3.ppm" || complain "$scene $way: threads change the picture"
+        error=$(sed -n 's/^error: *\([0-9.e-]*\) .*/\1/p' "$place/said")
+        awk -v error="$error" 'BEGIN { exit !(error > 0 && error <= 0.05) }' ||
+            complain "$scene $way: error '$error' was said, expected at most 0.05"
+    done
+done
+
+# Without an aim: jittered samples are the usual ones, and Sobol's give another picture of the same light.
+draw "$scenes/cover.json" --spp 4 --quiet --out "$place/usual.ppm"
+draw "$scenes/cover.json" --spp 4 --quiet --sampler jittered --out "$place/jittered.ppm"
+draw "$scenes/cover.json" --spp 4 --quiet --sampler sobol --out "$place/sobol.ppm"
+cmp "$place/usual.ppm" "$place/jittered.ppm" || complain "--sampler jittered is not the default"
+cmp -s "$place/usual.ppm" "$place/sobol.ppm" && complain "--sampler sobol changes nothing"
+mean() { tail -c 3888 "$1" | od -An -v -tu1 | awk '{ for (i = 1; i <= NF; ++i) sum += $i } END { print sum / 3888 }'; }
+awk -v a="$(mean "$place/usual.ppm")" -v b="$(mean "$place/sobol.ppm")" \
+    'BEGIN { exit !(a - b < 3 && b - a < 3) }' || complain "--sampler sobol draws another light"
+
+# The time is kept, within what a busy machine needs to start and to write the file.
+start=$(date +%s%N)
+draw "$scenes/cover.json" --time-budget 0.5 --out "$place/timed.ppm" >"$place/said" ||
+    complain "--time-budget: no picture"
+took=$((($(date +%s%N) - start) / 1000000))
+[ "$took" -ge 300 ] && [ "$took" -le 2500 ] || complain "--time-budget 0.5 took $took ms"
+grep -q '^samples: .* a pixel on average' "$place/said" || complain "--time-budget does not say what it took"
+
+# What does not go together.
+refused() {
+    expected=$1
+    shift
+    draw "$@" --out "$place/none.ppm" >/dev/null 2>"$place/said"
+    [ $? -eq 2 ] && grep -q -e "$expected" "$place/said" || {
+        complain "$*: expected exit code 2 and: $expected"
+        cat "$place/said"
+    }
+    [ ! -e "$place/none.ppm" ] || complain "$*: left a picture"
+}
+refused "exclude each other" --target-error 0.1 --time-budget 1
+refused "exclude each other" --target-error 0.1 --spp 4
+refused "exclude each other" --batches --sampler sobol
+refused "'0' is not a number greater than 0" --target-error 0
+refused "'-1' is not a number greater than 0" --time-budget=-1
+refused "'nan' is not a number greater than 0" --time-budget nan
+[ "$failures" -eq 0 ]
