@@ -12,7 +12,7 @@ nothing says so, and a cell "0.02 / 5 ms" has both. What neither says, the comme
 precision="double", x="100", value="cost". A cell without a digit, and the columns that text="..."
 names (several with | between them), are not checked.
 
-A figure in a sentence has its comment right before it:
+A figure in a sentence has its comment right before it, and never at the start of a line:
 
     an error of <!-- figure: docs/studies/04_normals_aa.csv study="Samples" variant="independent" x="1"
     precision="double" -->0.24
@@ -47,8 +47,8 @@ def plain(text):
 def figure(text):
     """The value of the first number, and half a unit of the last place that it shows.
 
-    >>> figure("0.0252"), figure("$7.3\\\\cdot10^{-12}$"), figure("7·10⁻³ %"), figure("16 384")
-    ((0.0252, 5e-05), (7.3e-12, 5e-14), (0.007, 0.0005), (16384.0, 0.5))
+    >>> figure("0"), figure("0.0252"), figure("$7.3\\\\cdot10^{-12}$"), figure("7·10⁻³ %"), figure("16 384")
+    ((0.0, 0), (0.0252, 5e-05), (7.3e-12, 5e-14), (0.007, 0.0005), (16384.0, 0.5))
     """
     found = NUMBER.search(plain(text))
     if not found:
@@ -56,7 +56,8 @@ def figure(text):
     digits = found[1].replace(" ", "").replace("−", "-")
     exponent = int(found[2] or found[3] or 0)
     places = len(digits.partition(".")[2])
-    return float(f"{digits}e{exponent}"), float(f"5e{exponent - places - 1}")
+    half = 0 if digits == "0" else float(f"5e{exponent - places - 1}")  # a plain 0 means exactly that
+    return float(f"{digits}e{exponent}"), half
 
 
 def same(shown, value):
@@ -156,6 +157,8 @@ def check_text(path):
             prose = keys.pop("text", "").split("|")
             del keys["study"]
             after = text[mark.end():]
+            if mark[1] == "figure" and text[:mark.start()].endswith("\n"):
+                raise Wrong("what follows a comment at the start of a line is not Markdown: move a word there")
             if mark[1] == "figures":
                 right += check_table(rows, keys, prose, after)
             else:

@@ -3,7 +3,7 @@
 
 #include <rt/color.hpp>
 #include <string>
-#include <study/report.hpp>
+#include <study/pixel_error.hpp>
 #include <type_traits>
 
 #include "any_precision.hpp"
@@ -57,12 +57,9 @@ inline Color stored(Color c) {
 
 inline void study_budget(study::Report& report) {
     const auto add = [&](const std::string& variant, int samples, double error) {
-        report.add({.study = "Error budget",
-                    .variant = variant,
-                    .x = static_cast<double>(samples),
-                    .x_name = "samples per pixel",
-                    .error = error,
-                    .error_name = "RMSE in a pixel"});
+        study::Row row = study::pixel_error(variant, samples, "samples per pixel", error);
+        row.study = "Error budget";
+        report.add(std::move(row));
     };
     const auto add_rounding = [&](const std::string& where, const View& view) {
         const RoundingErrors errors = rounding_errors(view, 100);
@@ -78,7 +75,7 @@ inline void study_budget(study::Report& report) {
     const Stage stage{.camera = make_camera(group_view(), budget_width, budget_height)};
     const auto add_picture = [&](const std::string& variant, int samples, const Pixels& pixels,
                                  const Pixels& truth) {
-        add(variant, samples, std::sqrt(squared_error(pixels, truth)));
+        add(variant, samples, study::root_mean_square_error(pixels, truth));
     };
     constexpr int many = 1 << 12;
     const Pixels truth = draw_low_discrepancy(stage, many, budget_depth, 1, SkyEnding{});
