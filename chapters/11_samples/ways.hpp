@@ -72,7 +72,7 @@ Refined refine(const TileGrid& grid, std::uint64_t seed, int samples, const Make
     plan.seed = seed;
     plan.make_worker = [&] { return make_pass(count); };
     Refinement refinement{std::move(plan)};
-    refinement.draw_pilot(std::clamp(samples / count / 4, 1, 4));
+    refinement.draw_pilot(samples < 4 ? 1 : std::clamp(samples / count / 4, 2, 4));
     refinement.refine_with(std::int64_t{tile_count(grid)} * samples / count);
     return {refinement.picture(Canvas<Color>{grid.width, grid.height}),
             static_cast<double>(refinement.error())};

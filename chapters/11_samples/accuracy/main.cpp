@@ -35,6 +35,20 @@ struct ChanceLights : SphereLights {
     static constexpr bool empty() { return true; }
 };
 
+// Hits nearer than this do not count, as where a ray starts on the very surface. In a scene that is
+// a thousand times as small, 0.001 is what 1 is here.
+template <class World>
+struct SkippingWorld {
+    const World& world;
+    Real nearest;
+
+    template <class AnyRay>
+    std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
+        within.min = std::max(within.min, nearest);
+        return world.hit(ray, within);
+    }
+};
+
 using SchlickMaterials =
     MaterialSet<Lambertian, Mirror, Metal, SchlickDielectric, CheckeredMatte, ImageMatte>;
 
@@ -64,6 +78,7 @@ class Subject {
 
     void measure_all() {
         const auto& [eye, world, materials, sky, lights, fog] = scene_;
+        using World = std::decay_t<decltype(world)>;
         const auto sobol = [](std::uint64_t seed, int n) { return SobolSamples{seed, n}; };
         const auto add_singly = [&](const char* setting, const auto& in, const auto& of,
                                     const auto& lit_by, const auto& ending, int depth) {
@@ -90,6 +105,10 @@ class Subject {
         if constexpr (effects.lights)
             add_singly("lamps by chance", world, materials, ChanceLights{lights}, SkyEnding{},
                        usual_depth);
+        add_singly("t > 0.001", SkippingWorld<World>{world, Real(0.001)}, materials, lights,
+                   SkyEnding{}, usual_depth);
+        add_singly("t > 0.001, scene / 1000", SkippingWorld<World>{world, 1}, materials, lights,
+                   SkyEnding{}, usual_depth);
         add_singly("list of spheres", list(), materials, lights, SkyEnding{}, usual_depth);
         const Renderer<every_effect> widest{description_, width, height, {1, usual_depth, 1}};
         add("every effect compiled in", [&](int n, std::uint64_t seed) {
