@@ -127,7 +127,7 @@ void study_equal_time(study::Report& report) {
     for (const Cover::Way& way : cover.ways()) {
         const double sample_ms = measure(way, 8).ms / 8;
         std::size_t row = 0;
-        for (const double ms : {200, 800}) {
+        for (const double ms : {80, 200, 600}) {
             const int samples = std::max(1, static_cast<int>(std::lround(ms / sample_ms)));
             const Measured measured = measure(way, samples);
             // Whole samples do not quite take that time.

@@ -190,9 +190,10 @@ void study_stopping(study::Report& report) {
                         std::sqrt(squares / runs), "RMSE", samples, "samples"});
             if (pilot != 16) continue;
             for (std::size_t i = 0; i < bins.size(); ++i)
-                report.add({"Means", name, (static_cast<double>(i) + 0.5) / 10,
-                            "mean (true: 1), in bins of 0.1", static_cast<double>(bins[i]) / runs,
-                            "share of 10 000 runs", samples, "samples"});
+                report.add({"Means", name, (static_cast<double>(i) + 0.5) / 10 - lamp_mean,
+                            "error of the mean, in bins of 0.1",
+                            static_cast<double>(bins[i]) / runs, "share of 10 000 runs", samples,
+                            "samples"});
         }
     }
 }
