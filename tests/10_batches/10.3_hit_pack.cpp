@@ -39,8 +39,8 @@ bool expected_hit(const Sphere& sphere, PackInteger number, OneRay& one) {
 }
 
 std::string state(bool hits, Real t, PackInteger sphere) {
-    return std::string(hits ? "meets it" : "does not meet it") + "; its nearest is sphere " +
-           std::to_string(sphere) + " at t = " + text(t);
+    return std::string(hits ? "the sphere counts as met" : "the sphere does not count as met") +
+           "; the ray's nearest is sphere " + std::to_string(sphere) + " at t = " + text(t);
 }
 
 void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, const char* hint) {
@@ -63,9 +63,8 @@ void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, cons
                        << text(sphere.radius) << "; ray " << i << " of the pack, from "
                        << text(rays[i].ray.origin) << " along " << text(rays[i].ray.direction)
                        << ", so far sphere " << rays[i].sphere << " at t = " << text(rays[i].t));
-        INFO("expected: the ray " << state(hits, expected.t, expected.sphere)
-                                  << "\nactual: the ray "
-                                  << state(hit[i] != 0, pack.t[i], pack.sphere[i]));
+        INFO("expected: " << state(hits, expected.t, expected.sphere)
+                          << "\nactual: " << state(hit[i] != 0, pack.t[i], pack.sphere[i]));
         INFO("Hint: " << hint);
         {
             INFO("the mask that is returned: -1 where the ray has met this sphere, else 0");
