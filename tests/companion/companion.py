@@ -188,6 +188,12 @@ class Companion(unittest.TestCase):
         said = self.course("list")
         self.assertIn("02_more          [..........] 0 of 1, elective, 0.7 hours; stars: 0.0 hours\n", said)
         self.assertEqual(said.split("\n\n")[1], before)
+        self.put("exercises/02_more/rt/three.hpp", "right\n")
+        self.course("check", "02")
+        said = self.course("list")
+        self.assertRegex(said, r"\+ 02.1 .* done\n")
+        self.assertEqual(said.split("\n\n")[1],
+                         before + "\nBeyond the course: 1 of 1 exercises of electives")
 
     def test_an_elective_is_offered_after_the_core_alone(self):
         self.add_elective()
@@ -204,7 +210,7 @@ class Companion(unittest.TestCase):
         self.assertIn("Next: 02.1", self.course("check", "02", code=3))
         self.put("exercises/02_more/rt/three.hpp", "right\n")
         self.assertIn("Every exercise passes. The last step", self.course("check", "02"))
-        self.assertNotIn("Beyond", self.course())
+        self.assertNotIn("Beyond the course, an elective", self.course())
 
     def test_watch_goes_on_to_no_elective(self):
         self.add_elective()
