@@ -5,6 +5,7 @@
 #include <cmath>
 #include <rt/length.hpp>
 #include <rt/rng.hpp>
+#include <study/pixel_error.hpp>
 #include <study/report.hpp>
 #include <study/timing.hpp>
 #include <study/ulp.hpp>
@@ -46,6 +47,27 @@ inline double error_of(Vec3 computed, Vec3 v) {
                      study::error_in_ulp(computed.z, z / length)});
 }
 
+// What is wrong with a picture that shows directions d as colors (d + 1) / 2. One that is not
+// finite is black.
+inline double error_in_a_pixel(const std::vector<Vec3>& vectors, Vec3 (*normalize)(Vec3)) {
+    double sum = 0;
+    for (const Vec3 v : vectors) {
+        const Vec3 found = normalize(v), s = rt::split_scale(v).v;
+        const DoubleDouble x{static_cast<double>(s.x)}, y{static_cast<double>(s.y)},
+            z{static_cast<double>(s.z)};
+        const DoubleDouble length = sqrt(x * x + y * y + z * z);
+        const auto add = [&](Real component, DoubleDouble true_one) {
+            const DoubleDouble shown{rt::is_finite(found) ? static_cast<double>(component) : -1};
+            const double off = (shown - true_one / length).high / 2;
+            sum += off * off;
+        };
+        add(found.x, x);
+        add(found.y, y);
+        add(found.z, z);
+    }
+    return std::sqrt(sum / (3 * static_cast<double>(vectors.size())));
+}
+
 inline void run(study::Report& report) {
     struct Variant {
         const char* name;
@@ -58,6 +80,7 @@ inline void run(study::Report& report) {
                                            {"rt::normalize", rt::normalize}}};
     const int far = std::is_same_v<Real, float> ? 30 : 200;  // powers of ten
     rt::Rng rng{1, 1};
+    std::vector<study::Row> in_a_pixel;
     for (int exponent = -far; exponent <= far; exponent += far / 5) {
         const Real size = std::pow(Real(10), static_cast<Real>(exponent));
         std::vector<Vec3> vectors;
@@ -81,7 +104,14 @@ inline void run(study::Report& report) {
                         .cost = ns / static_cast<double>(vectors.size()),
                         .cost_name = "time / ns"});
         }
+        if (exponent != 0 && exponent != far) continue;
+        for (const Variant& variant : {variants[1], variants[4]})
+            in_a_pixel.push_back(study::pixel_error(
+                std::string(variant.name) + (exponent == 0 ? ", length 1" : ", huge"),
+                static_cast<double>(size), "length of the vector",
+                error_in_a_pixel(vectors, variant.normalize)));
     }
+    for (const study::Row& row : in_a_pixel) report.add(row);
 }
 
 }  // namespace vectors_study

@@ -8,9 +8,12 @@
 #include <rt/primary_ray.hpp>
 #include <rt/rng.hpp>
 #include <study/double_double.hpp>
+#include <study/pixel_error.hpp>
 #include <study/report.hpp>
 #include <study/timing.hpp>
 #include <vector>
+
+#include "dome.hpp"
 
 namespace camera_study {
 
@@ -107,6 +110,29 @@ void measure_mapping(study::Report& report, const char* variant) {
 
 inline Vec3 direction(const Camera& camera, Vec2 p) {
     return camera.basis.to_world({p.x, p.y, -1});
+}
+
+// A small picture of the dome.
+template <auto map>
+std::vector<rt::Color> dome_picture() {
+    const Vec3 eye{0, Real(1.7), 0};
+    const Camera camera =
+        rt::make_camera({eye, eye + dome::toward(180, 7), {0, 1, 0}, rt::radians(50)}, 96, 54);
+    const auto ray = [&](int x, int y) {
+        return rt::Ray{eye,
+                       normalize(direction(camera, map(camera, x, y, {Real(0.5), Real(0.5)})))};
+    };
+    std::vector<rt::Color> pixels;
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x)
+            pixels.push_back(dome::look({ray(x, y), ray(x + 1, y), ray(x, y + 1)}));
+    return pixels;
+}
+template <auto map>
+void measure_pixels(study::Report& report, const char* variant) {
+    report.add(study::pixel_error(
+        variant, 96, "width / pixels",
+        study::root_mean_square_error(dome_picture<map>(), dome_picture<rt::pixel_to_viewport>())));
 }
 
 // A camera with what the ray by steps needs: the viewport's corner and the way from pixel to pixel.
@@ -237,6 +263,10 @@ inline void run(study::Report& report) {
 
     measure_look_at<rt::look_at>(report, "as written");
     measure_look_at<normalize_first>(report, "normalized first");
+
+    measure_pixels<subtract_late>(report, "1/2 subtracted late");
+    measure_pixels<width_minus_one>(report, "(i + 1/2) / (width - 1)");
+    measure_pixels<posts_of_a_fence>(report, "i / (width - 1)");
 }
 
 }  // namespace camera_study

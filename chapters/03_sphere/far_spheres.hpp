@@ -19,17 +19,30 @@ using rt::Color, rt::Ray, rt::Real, rt::Sphere, rt::Vec3;
 inline const Color paper = rt::from_hex(0x05060f), ink = rt::from_hex(0xb8bfdc);
 
 // A sphere of radius 1 from this far away: it always fills the same angle.
-inline void draw_far_sphere(app::Figure panel, Real distance, variants::HitFunction hit) {
-    const Sphere sphere{distance / 7 * Vec3{2, 3, -6}, 1};
-    const rt::Camera camera =
-        rt::make_camera({.at = sphere.center, .vertical_fov = 2 * std::atan(Real(1.3) / distance)},
-                        panel.columns(), panel.rows());
-    const Vec3 to_lamp = camera.basis.to_world({Real(-0.48), Real(0.48), Real(0.73)});
-    app::fill(panel, [&](int x, int y) {
-        const Ray ray = rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)});
-        const auto t = hit(sphere, ray, {0, rt::infinity});
+struct FarSphere {
+    Sphere sphere;
+    rt::Camera camera;  // at (0, 0, 0)
+
+    FarSphere(Real distance, int columns, int rows)
+        : sphere{distance / 7 * Vec3{2, 3, -6}, 1},
+          camera{rt::make_camera(
+              {.at = sphere.center, .vertical_fov = 2 * std::atan(Real(1.3) / distance)}, columns,
+              rows)} {}
+
+    Ray ray(int x, int y) const { return rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}); }
+    // What a ray shows that hits at t, or passes by.
+    Color color(const Ray& ray, std::optional<Real> t) const {
         if (!t) return rt::from_hex(0x0b0e1f);
+        const Vec3 to_lamp = camera.basis.to_world({Real(-0.48), Real(0.48), Real(0.73)});
         return scene::ramp(scene::bands(scene::lamp_distance(sphere, ray.at(*t), to_lamp), 14));
+    }
+};
+
+inline void draw_far_sphere(app::Figure panel, Real distance, variants::HitFunction hit) {
+    const FarSphere far{distance, panel.columns(), panel.rows()};
+    app::fill(panel, [&](int x, int y) {
+        const Ray ray = far.ray(x, y);
+        return far.color(ray, hit(far.sphere, ray, {0, rt::infinity}));
     });
 }
 

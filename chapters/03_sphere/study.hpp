@@ -5,10 +5,12 @@
 #include <rt/orthonormal_basis.hpp>
 #include <rt/rng.hpp>
 #include <study/double_double.hpp>
+#include <study/pixel_error.hpp>
 #include <study/report.hpp>
 #include <study/timing.hpp>
 #include <vector>
 
+#include "far_spheres.hpp"
 #include "variants.hpp"
 
 namespace spheres {
@@ -102,6 +104,22 @@ void with_each_variant(Measure measure) {
     measure("cross product by fma", [](S s, R r, I i) { return variants::exact_cross(s, r, i); });
 }
 
+// What a formula does to the chapter's small picture of a sphere from this far away.
+inline double error_in_a_pixel(Real distance, variants::HitFunction hit) {
+    const far_spheres::FarSphere far{distance, 64, 64};
+    std::vector<rt::Color> pixels, truth;
+    for (int y = 0; y < far.camera.height; ++y)
+        for (int x = 0; x < far.camera.width; ++x) {
+            const Ray ray = far.ray(x, y);
+            pixels.push_back(far.color(ray, hit(far.sphere, ray, {0, rt::infinity})));
+            const DoubleDouble t = exact_case({-far.sphere.center, ray.direction}).t;
+            truth.push_back(far.color(ray, DoubleDouble(0) < t
+                                               ? std::optional{static_cast<Real>(t.high)}
+                                               : std::nullopt));
+        }
+    return study::root_mean_square_error(pixels, truth);
+}
+
 inline void run_study(study::Report& report) {
     const auto far = [&](const char* study, double Quality::*error, const char* error_name) {
         with_each_variant([&](const char* variant, auto hit) {
@@ -129,6 +147,16 @@ inline void run_study(study::Report& report) {
         row(0.5, 0, Real(1.4));
         row(1, 0, Real(0.95));
     });
+
+    const auto add_pixel_error = [&](const std::string& variant, Real distance,
+                                     variants::HitFunction hit) {
+        report.add(study::pixel_error(variant, static_cast<double>(distance), "distance / radius",
+                                      error_in_a_pixel(distance, hit)));
+    };
+    add_pixel_error("textbook, 1000 radii away", Real(1e3), variants::textbook);
+    add_pixel_error("ours, 1000 radii away", Real(1e3), rt::hit_sphere);
+    add_pixel_error("textbook, 10^7 radii away", Real(1e7), variants::textbook);
+    add_pixel_error("ours, 10^7 radii away", Real(1e7), rt::hit_sphere);
 }
 
 }  // namespace spheres

@@ -1,86 +1,15 @@
 #pragma once
-// What accuracy costs: more samples, better placed samples, and more bounces.
+// What accuracy costs: all errors on one scale; more samples, better placed samples, and more
+// bounces.
 
-#include <array>
 #include <cmath>
-#include <rt/jitter.hpp>
-#include <rt/make_camera.hpp>
-#include <rt/path.hpp>
-#include <rt/render_pixel.hpp>
 #include <study/report.hpp>
 #include <study/timing.hpp>
-#include <vector>
 
-#include "low_discrepancy.hpp"
-#include "scene.hpp"
+#include "error_budget.hpp"
+#include "stage.hpp"
 
 namespace normals_aa {
-
-// A small picture of the middle of the group: bright tops, creases, edges and ground.
-constexpr int study_width = 16, study_height = 9;
-
-struct Stage {
-    Scene scene = make_scene();
-    Camera camera = make_camera(group_view(), study_width, study_height);
-
-    template <class Ending, class Random>
-    Color sample(int x, int y, Vec2 offset, int depth, const Ending& ending, Random& random) const {
-        return path_radiance(make_ray(camera, x, y, offset, random), scene.world, scene.materials,
-                             scene.sky, ending, depth, random);
-    }
-};
-
-using Pixels = std::vector<Color>;
-
-// The picture with every sample independent of the others.
-inline Pixels draw_independent(const Stage& stage, int samples, int depth, std::uint64_t seed) {
-    Pixels pixels;
-    for (int y = 0; y < study_height; ++y)
-        for (int x = 0; x < study_width; ++x) {
-            Rng random = pixel_rng(seed, x, y);
-            Color sum;
-            for (int i = 0; i < samples; ++i)
-                sum += stage.sample(x, y, random_place(random), depth, SkyEnding{}, random);
-            pixels.push_back(sum / static_cast<Real>(samples));
-        }
-    return pixels;
-}
-
-// The chapter's own way: the places within the pixel are jittered, the bounces are not.
-inline Pixels draw_jittered(const Stage& stage, int samples, int depth, std::uint64_t seed) {
-    Pixels pixels;
-    for (int y = 0; y < study_height; ++y)
-        for (int x = 0; x < study_width; ++x)
-            pixels.push_back(render_pixel(stage.camera, stage.scene.world, stage.scene.materials,
-                                          stage.scene.sky, SkyEnding{}, {samples, depth, seed}, x,
-                                          y));
-    return pixels;
-}
-
-// Places and bounces from an Owen-scrambled Sobol sequence.
-template <class Ending>
-Pixels draw_low_discrepancy(const Stage& stage, int samples, int depth, std::uint64_t seed,
-                            const Ending& ending) {
-    Pixels pixels;
-    for (int y = 0; y < study_height; ++y)
-        for (int x = 0; x < study_width; ++x) {
-            Color sum;
-            for (int i = 0; i < samples; ++i) {
-                LowDiscrepancy random{seed, x, y, i};
-                sum += stage.sample(x, y, random_place(random), depth, ending, random);
-            }
-            pixels.push_back(sum / static_cast<Real>(samples));
-        }
-    return pixels;
-}
-
-inline double squared_error(const Pixels& a, const Pixels& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (const Real d : {a[i].r - b[i].r, a[i].g - b[i].g, a[i].b - b[i].b})
-            sum += static_cast<double>(d) * static_cast<double>(d);
-    return sum / (3 * static_cast<double>(a.size()));
-}
 
 inline double mean_radiance(const Pixels& pixels) {
     double sum = 0;
@@ -122,7 +51,7 @@ inline void study_samples(study::Report& report, const Stage& stage) {
         if (n == 1) first = independent.error;
         add("independent", n, independent);
         add("jittered in the pixel", n, measure(reference, [&](std::uint64_t seed) {
-                return draw_jittered(stage, n, depth, seed);
+                return draw_jittered(stage, {n, depth, seed}, SkyEnding{});
             }));
         add("Owen-scrambled Sobol", n, measure(reference, [&](std::uint64_t seed) {
                 return draw_low_discrepancy(stage, n, depth, seed, SkyEnding{});
@@ -229,6 +158,7 @@ inline void study_depth(study::Report& report, const Stage& stage) {
 
 inline void study_samples_and_depth(study::Report& report) {
     const Stage stage;
+    study_budget(report);
     study_edge(report);
     study_samples(report, stage);
     study_depth(report, stage);

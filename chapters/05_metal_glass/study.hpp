@@ -9,11 +9,13 @@
 #include <rt/render_pixel.hpp>
 #include <rt/transform.hpp>
 #include <string>
+#include <study/pixel_error.hpp>
 #include <study/report.hpp>
 #include <study/timing.hpp>
 #include <study/ulp.hpp>
 #include <vector>
 
+#include "glass_strip.hpp"
 #include "scene.hpp"
 #include "virtual_material.hpp"
 
@@ -105,6 +107,34 @@ inline void add_reflectance(study::Report& report) {
                             .cost = reflectance_ns(way.function, eta),
                             .cost_name = "time / ns"});
             }
+}
+
+// A ball of glass, as the strip below the picture shows it: both ways are followed at each surface,
+// so that nothing is left to chance.
+inline std::vector<Color> draw_ball(double index, Real (*reflectance)(Real, Real)) {
+    const SphereList ball{{{{{0, 0, 0}, 1}, 0}}};
+    const Camera camera =
+        make_camera({{0, Real(0.4), 5}, {0, 0, 0}, {0, 1, 0}, radians(26)}, 48, 48);
+    std::uint64_t rays = 0;
+    std::vector<Color> pixels;
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x)
+            pixels.push_back(
+                scene::light_through_glass(primary_ray(camera, x, y, {Real(0.5), Real(0.5)}), ball,
+                                           {static_cast<Real>(index), 1, 1}, reflectance, 8, rays));
+    return pixels;
+}
+
+inline void add_pixel_errors(study::Report& report) {
+    for (const double index : {1.1, 1.5, 2.4}) {
+        const auto truth = draw_ball(index, fresnel_reflectance);
+        for (const Reflectance& way :
+             {Reflectance{"Schlick", schlick_reflectance},
+              Reflectance{"Schlick by inner cosine", schlick_by_inner_cosine}})
+            report.add(study::pixel_error(
+                with_index(way.name, index), index, "index of refraction",
+                study::root_mean_square_error(draw_ball(index, way.function), truth)));
+    }
 }
 
 // As most textbooks have it: the same as rt::refract, but for the doubt at the critical angle.
@@ -396,6 +426,7 @@ inline void run(study::Report& report) {
     add_fuzz(report);
     add_depth(report);
     add_choice(report);
+    add_pixel_errors(report);
 }
 
 }  // namespace metal_glass_study

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <mutex>
+#include <study/pixel_error.hpp>
 
 #include "schedule.hpp"
 #include "speed_up.hpp"
@@ -82,10 +83,11 @@ void study_streams(study::Report& report, const Scene& scene) {
         for (int i = 0; i < shader.samples; ++i) sum += shader.sample(scene.world, x, y, i, random);
         return sum / static_cast<Real>(shader.samples);
     };
+    std::vector<study::Row> in_a_pixel;
     const auto add = [&](const char* variant, auto draw) {
         constexpr std::array all_workers{1, 2, 4};
         Image alone;
-        std::array<std::vector<double>, all_workers.size()> differ;
+        std::array<std::vector<double>, all_workers.size()> differ, off;
         std::vector<study::Work> works;
         for (std::size_t i = 0; i < all_workers.size(); ++i)
             works.push_back([&, i] {
@@ -95,6 +97,7 @@ void study_streams(study::Report& report, const Scene& scene) {
                 for (std::size_t k = 0; k < image.pixels().size(); ++k)
                     count += image.pixels()[k] != alone.pixels()[k];
                 differ[i].push_back(100.0 * count / static_cast<double>(image.pixels().size()));
+                off[i].push_back(study::root_mean_square_error(image.pixels(), alone.pixels()));
             });
         const auto times = study::in_turns_ns(works, {.clock = study::Clock::wall});
         for (std::size_t i = 0; i < all_workers.size(); ++i)
@@ -106,6 +109,8 @@ void study_streams(study::Report& report, const Scene& scene) {
                         .error_name = "pixels that differ / %",
                         .cost = 1e-6 * times[i],
                         .cost_name = "time / ms"});
+        in_a_pixel.push_back(study::pixel_error(std::string{variant} + ", 2 workers", 2, "workers",
+                                                study::median(off[1])));
     };
     add("one for all, locked", [&](int workers) {
         LockedRng random;
@@ -135,6 +140,7 @@ void study_streams(study::Report& report, const Scene& scene) {
             });
         });
     });
+    for (const study::Row& row : in_a_pixel) report.add(row);
 }
 
 void study_tile_size(study::Report& report, const Scene& scene) {

@@ -5,6 +5,7 @@
 #include <rt/render_pixel.hpp>
 #include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
+#include <study/pixel_error.hpp>
 #include <study/timing.hpp>
 
 #include "cover_study.hpp"
@@ -139,6 +140,54 @@ void study_few(study::Report& report) {
     }
 }
 
+// A tree whose boxes are as large as their spheres: neither they nor the ray bring a margin.
+struct BareTree {
+    SphereTree tree;
+
+    explicit BareTree(const std::vector<SceneSphere>& spheres) {
+        std::vector<Box> boxes;
+        for (const SceneSphere& sphere : spheres) {
+            const Real r = sphere.shape.radius;
+            boxes.push_back(
+                {sphere.shape.center - Vec3{r, r, r}, sphere.shape.center + Vec3{r, r, r}});
+        }
+        tree = make_tree(spheres, boxes, split_in_half);
+    }
+    template <class AnyRay>
+    std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
+        Search search{tree.spheres, tree.order, {ray.origin, ray.direction}, within};
+        search.slabs.margin = 0;
+        find_nearest(*tree.root, search);
+        return hit_of(search);
+    }
+};
+
+// What a tree does to the pixels of the list's picture.
+void study_pixels(study::Report& report, const Scene& scene) {
+    const auto add = [&](const std::string& variant, Real times, const auto& world) {
+        View view = scene_view();
+        view.from = view.at + times * (view.from - view.at);
+        view.vertical_fov = 2 * std::atan(std::tan(view.vertical_fov / 2) / times);
+        const Camera camera = make_camera(view, 96, 68);
+        const auto draw = [&](const auto& any_world) {
+            std::vector<Color> pixels;
+            for (int y = 0; y < camera.height; ++y)
+                for (int x = 0; x < camera.width; ++x)
+                    pixels.push_back(render_pixel(camera, any_world, scene.materials, StudioSky{},
+                                                  SkyEnding{}, Quality{1, 4, 1}, x, y));
+            return pixels;
+        };
+        report.add(study::pixel_error(
+            variant, static_cast<double>(times), "distance / the picture's",
+            study::root_mean_square_error(draw(world), draw(PackedList{scene.spheres}))));
+    };
+    add("tree", 1, make_tree(scene.spheres, split_in_half));
+    add("8-wide, float boxes", 1, make_wide_tree<float>(scene.spheres));
+    const BareTree bare{scene.spheres};
+    add("no margin", 1, bare);
+    add("no margin, 1000 times as far away", 1000, bare);
+}
+
 }  // namespace
 
 void run_study(study::Report& report) {
@@ -148,6 +197,7 @@ void run_study(study::Report& report) {
     study_growth(report);
     study_few(report);
     study_cover(report);
+    study_pixels(report, scene);
 }
 
 }  // namespace bvh

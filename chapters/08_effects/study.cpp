@@ -8,6 +8,7 @@
 #include <study/classic.hpp>
 #include <study/cover.hpp>
 #include <study/double_double.hpp>
+#include <study/pixel_error.hpp>
 #include <study/timing.hpp>
 #include <study/ulp.hpp>
 
@@ -145,6 +146,29 @@ void study_light(study::Report& report) {
         }
 }
 
+// Pixels of a floor that the light makes white, each the mean of 100 samples.
+void study_pixels(study::Report& report) {
+    constexpr int pixels = 1000, samples = 100;
+    const auto add = [&](const std::string& name, Real (LightAbove::*way)(Rng&) const,
+                         Real distance) {
+        Rng random{8, 5};
+        std::vector<Color> found;
+        for (int i = 0; i < pixels; ++i) {
+            Real sum = 0;
+            for (int k = 0; k < samples; ++k) sum += (LightAbove{distance}.*way)(random);
+            const Real light = sum / samples * (distance * distance);
+            found.push_back({light, light, light});
+        }
+        report.add(study::pixel_error(
+            name, static_cast<double>(distance), "distance / radius",
+            study::root_mean_square_error(found, std::vector<Color>(pixels, Color{1, 1, 1}))));
+    };
+    add("by chance, 3 radii away", &LightAbove::by_chance, 3);
+    add("cone, 3 radii away", &LightAbove::by_cone, 3);
+    add("by chance, 100 radii away", &LightAbove::by_chance, 100);
+    add("cone, 100 radii away", &LightAbove::by_cone, 100);
+}
+
 // The height of the cap, 1 - cos a.
 template <class Formula>
 void study_cap(study::Report& report, const char* name, double power, Formula formula) {
@@ -239,6 +263,7 @@ void run_study(study::Report& report) {
     study_solid_angle(report);
     study_each_effect(report);
     study_cover(report);
+    study_pixels(report);
 }
 
 }  // namespace effects

@@ -61,10 +61,14 @@ void Report::print_table(std::FILE* out) const {
                          title.c_str(), precision().c_str(), "variant", row.x_name.c_str(),
                          row.error_name.c_str(), row.cost_name.c_str());
         }
-        char error[32] = "-";
-        if (!row.error_name.empty()) std::snprintf(error, sizeof error, "%.4g", row.error);
-        std::fprintf(out, "%-24s %18.6g %24s %14.4g\n", row.variant.c_str(), row.x, error,
-                     row.cost);
+        const auto measured = [](const std::string& name, double value) {
+            char text[32] = "-";
+            if (!name.empty()) std::snprintf(text, sizeof text, "%.4g", value);
+            return std::string{text};
+        };
+        std::fprintf(out, "%-24s %18.6g %24s %14s\n", row.variant.c_str(), row.x,
+                     measured(row.error_name, row.error).c_str(),
+                     measured(row.cost_name, row.cost).c_str());
     }
 }
 

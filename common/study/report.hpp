@@ -18,7 +18,7 @@ struct Row {
     double error = 0;
     std::string error_name;  // empty where the error was not measured
     double cost = 0;
-    std::string cost_name;
+    std::string cost_name = {};  // empty where nothing was timed
 };
 
 // The measurements of one run of a chapter's program, all in the precision it was built with.

@@ -25,9 +25,10 @@ std::string quoted(const std::string& text) {
     return result + '"';
 }
 
-// Whether this row measured the quantity: an error without a name was not.
+// Whether this row measured the quantity: an error or a cost without a name was not.
 bool measured(const Measurement& row, Quantity quantity) {
-    return quantity != &study::Row::error || !row.error_name.empty();
+    if (quantity == &study::Row::error) return !row.error_name.empty();
+    return quantity != &study::Row::cost || !row.cost_name.empty();
 }
 
 // How gnuplot shows one quantity: by its logarithm where it spans more than a factor of 16. What
@@ -56,6 +57,8 @@ class Axis {
     double at(double value) const {
         return !std::isfinite(value) ? infinite_ : value == 0 ? zero_ : value;
     }
+
+    double low() const { return low_; }
 
     // The settings of the axis "x" or "y".
     std::string settings(const std::string& name) const {
@@ -194,9 +197,68 @@ void plot(std::ostream& out, const std::vector<Measurement>& rows, const Panel& 
     out << curves.str() << '\n';
 }
 
+void begin(std::ostream& out, const std::string& svg_file, double height) {
+    out.precision(9);
+    out << "set terminal svg size 960," << height
+        << " enhanced font 'Helvetica,Arial,sans-serif,14' background '#ffffff'\nset output "
+        << quoted(svg_file) << "\nset border 3 lc rgb '#9a9a9a'\nset grid lc rgb '#e4e4e4' lt 1\n"
+        << "set tics nomirror scale 0.5 font ',11' textcolor rgb '#444444'\n";
+}
+
+// The errors alone as bars: a variant each, the largest on top, double above float.
+std::string bar_script(const std::vector<Measurement>& rows, const std::string& svg_file) {
+    using study::Row;
+    const Axis axis{rows, &Row::error};
+    std::map<std::string, double> longest;
+    std::size_t letters = 0;
+    for (const Measurement& row : rows) {
+        double& bar = longest.try_emplace(row.variant, axis.at(row.error)).first->second;
+        bar = std::max(bar, axis.at(row.error));
+        letters = std::max(letters, row.variant.size());
+    }
+    std::vector<std::pair<double, std::string>> order;
+    for (const auto& [variant, bar] : longest) order.emplace_back(bar, variant);
+    std::sort(order.begin(), order.end());
+
+    std::ostringstream out;
+    const double count = static_cast<double>(order.size()), height = 120 + 30 * count;
+    begin(out, svg_file, height);
+    out << axis.settings("x") << "set title " << quoted(rows.front().study)
+        << " font ',17' noenhanced\nset xlabel " << quoted(rows.front().error_name)
+        << " noenhanced\nset grid noytics\nset lmargin at screen "
+        << std::min(0.6, (8.0 * static_cast<double>(letters) + 20) / 960)
+        << "\nset rmargin at screen 0.97\nset yrange [0.4:" << count + 0.6
+        << "]\nset style fill solid 0.85 noborder\nset key bottom right Left reverse\n"
+           "set ytics scale 0 font ',13' (";
+    for (std::size_t i = 0; i < order.size(); ++i)
+        out << (i ? ", " : "") << quoted(order[i].second) << ' ' << i + 1;
+    out << ") noenhanced\n";
+    std::ostringstream bars;
+    for (const std::string precision : {"double", "float"}) {
+        if (!has(rows, precision)) continue;
+        const bool is_float = precision == "float";
+        out << '$' << precision << " << END\n";
+        for (std::size_t i = 0; i < order.size(); ++i)
+            for (const Measurement& row : rows)
+                if (row.variant == order[i].second && row.precision == precision)
+                    out << axis.at(row.error) << ' ' << static_cast<double>(i + 1) << '\n';
+        out << "END\n";
+        bars << (bars.str().empty() ? "plot " : ", ") << '$' << precision << " using ("
+             << axis.low() << "):2:(" << axis.low()
+             << "):1:" << (is_float ? "($2-0.36):2" : "2:($2+0.36)") << " with boxxyerror lc rgb '"
+             << colors[is_float] << "' title '" << precision << '\'';
+    }
+    out << bars.str() << "\nset output\n";
+    return out.str();
+}
+
 }  // namespace
 
 std::string plot_script(const std::vector<Measurement>& rows, const std::string& svg_file) {
+    if (std::all_of(rows.begin(), rows.end(), [](const Measurement& row) {
+            return measured(row, &study::Row::error) && !measured(row, &study::Row::cost);
+        }))
+        return bar_script(rows, svg_file);
     std::set<double> xs;
     for (const Measurement& row : rows) xs.insert(row.x);
     const std::vector<Panel> panels = all_panels(rows, xs.size() >= 3);
@@ -214,14 +276,10 @@ std::string plot_script(const std::vector<Measurement>& rows, const std::string&
     const double key_height = 22 * static_cast<double>(key_rows) + 10, height = 420 + key_height;
 
     std::ostringstream out;
-    out.precision(9);
-    out << "set terminal svg size 960," << height
-        << " enhanced font 'Helvetica,Arial,sans-serif,14' background '#ffffff'\nset output "
-        << quoted(svg_file) << "\nset border 3 lc rgb '#9a9a9a'\nset grid lc rgb '#e4e4e4' lt 1\n"
-        << "set tics nomirror scale 0.5 font ',11' textcolor rgb '#444444'\nset multiplot layout 1,"
-        << panels.size() << " margins 0.09,0.98," << (70 + key_height) / height << ','
-        << 1 - 60 / height << " spacing 0.11 title " << quoted(rows.front().study)
-        << " font ',17' noenhanced\n";
+    begin(out, svg_file, height);
+    out << "set multiplot layout 1," << panels.size() << " margins 0.09,0.98,"
+        << (70 + key_height) / height << ',' << 1 - 60 / height << " spacing 0.11 title "
+        << quoted(rows.front().study) << " font ',17' noenhanced\n";
     for (const Panel& panel : panels) {
         out << "set key " << (&panel == &panels.back() ? "on" : "off")
             << " at screen 0.5, screen 0.01 center bottom Left reverse samplen 2.5 spacing 1.1 "

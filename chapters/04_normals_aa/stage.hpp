@@ -1,0 +1,79 @@
+#pragma once
+// The group drawn with samples of several kinds, and what is wrong with a picture.
+
+#include <rt/jitter.hpp>
+#include <rt/make_camera.hpp>
+#include <rt/path.hpp>
+#include <rt/render_pixel.hpp>
+#include <vector>
+
+#include "low_discrepancy.hpp"
+#include "scene.hpp"
+
+namespace normals_aa {
+
+struct Stage {
+    Scene scene = make_scene();
+    // A small picture of the middle of the group: bright tops, creases, edges and ground.
+    Camera camera = make_camera(group_view(), 16, 9);
+
+    template <class Ending, class Random>
+    Color sample(int x, int y, Vec2 offset, int depth, const Ending& ending, Random& random) const {
+        return path_radiance(make_ray(camera, x, y, offset, random), scene.world, scene.materials,
+                             scene.sky, ending, depth, random);
+    }
+};
+
+using Pixels = std::vector<Color>;
+
+// The picture with every sample independent of the others.
+inline Pixels draw_independent(const Stage& stage, int samples, int depth, std::uint64_t seed) {
+    Pixels pixels;
+    for (int y = 0; y < stage.camera.height; ++y)
+        for (int x = 0; x < stage.camera.width; ++x) {
+            Rng random = pixel_rng(seed, x, y);
+            Color sum;
+            for (int i = 0; i < samples; ++i)
+                sum += stage.sample(x, y, random_place(random), depth, SkyEnding{}, random);
+            pixels.push_back(sum / static_cast<Real>(samples));
+        }
+    return pixels;
+}
+
+// The chapter's own way: the places within the pixel are jittered, the bounces are not.
+template <class Ending>
+Pixels draw_jittered(const Stage& stage, const Quality& quality, const Ending& ending) {
+    Pixels pixels;
+    for (int y = 0; y < stage.camera.height; ++y)
+        for (int x = 0; x < stage.camera.width; ++x)
+            pixels.push_back(render_pixel(stage.camera, stage.scene.world, stage.scene.materials,
+                                          stage.scene.sky, ending, quality, x, y));
+    return pixels;
+}
+
+// Places and bounces from an Owen-scrambled Sobol sequence.
+template <class Ending>
+Pixels draw_low_discrepancy(const Stage& stage, int samples, int depth, std::uint64_t seed,
+                            const Ending& ending) {
+    Pixels pixels;
+    for (int y = 0; y < stage.camera.height; ++y)
+        for (int x = 0; x < stage.camera.width; ++x) {
+            Color sum;
+            for (int i = 0; i < samples; ++i) {
+                LowDiscrepancy random{seed, x, y, i};
+                sum += stage.sample(x, y, random_place(random), depth, ending, random);
+            }
+            pixels.push_back(sum / static_cast<Real>(samples));
+        }
+    return pixels;
+}
+
+inline double squared_error(const Pixels& a, const Pixels& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (const Real d : {a[i].r - b[i].r, a[i].g - b[i].g, a[i].b - b[i].b})
+            sum += static_cast<double>(d) * static_cast<double>(d);
+    return sum / (3 * static_cast<double>(a.size()));
+}
+
+}  // namespace normals_aa
