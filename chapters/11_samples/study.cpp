@@ -1,0 +1,7 @@
+#include "study.hpp"
+
+namespace samples {
+
+void run_study(study::Report&) {}
+
+}  // namespace samples
