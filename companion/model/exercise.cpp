@@ -17,6 +17,11 @@ std::string hash_over(const std::vector<fs::path>& files, const Read& read) {
     return hash_of(bytes);
 }
 
+// What is in a file now; nothing where it is gone.
+std::string present(const Course& course, const fs::path& file) {
+    return fs::exists(course.root / file) ? read_file(course.root / file) : "";
+}
+
 // Fills in what was shipped of a chapter's exercises.
 void add_shipped(const Course& course, const Chapter& chapter, std::vector<Exercise>& exercises) {
     const Stubs stubs = shipped_stubs(course, chapter);
@@ -26,7 +31,11 @@ void add_shipped(const Course& course, const Chapter& chapter, std::vector<Exerc
             throw app::Failure("course.json names " + file.string() + ", which was never shipped");
         return stub->second;
     };
+    std::vector<fs::path> shipped;
+    for (const auto& [file, source] : stubs)
+        shipped.push_back(fs::path{"exercises"} / chapter.name / file);
     std::map<fs::path, int> users;
+    for (Exercise& exercise : exercises) exercise.shipped = shipped;
     for (Exercise& exercise : exercises)
         for (const fs::path& file : exercise.files) {
             ++users[file];
@@ -80,15 +89,20 @@ Exercise find_exercise(const Course& course, const std::string& id) {
 }
 
 std::string hash_of(const Course& course, const Exercise& exercise) {
-    return hash_over(exercise.files, [&](const fs::path& file) {
-        return fs::exists(course.root / file) ? read_file(course.root / file) : "";
-    });
+    std::vector<fs::path> files = exercise.files;
+    const auto& shipped = exercise.shipped;
+    for (const fs::path& path : source_files(course.root / "exercises" / exercise.chapter.name))
+        if (const fs::path file = path.lexically_relative(course.root);
+            std::find(shipped.begin(), shipped.end(), file) == shipped.end())
+            files.push_back(file);
+    return hash_over(files, [&](const fs::path& file) { return present(course, file); });
 }
 
 bool is_begun(const Course& course, const Exercise& exercise) {
     if (todos_left(course, exercise) < exercise.shipped_todos) return true;
     const auto& files = exercise.files;
-    return !exercise.shipped_hash.empty() && hash_of(course, exercise) != exercise.shipped_hash &&
+    const auto read = [&](const fs::path& file) { return present(course, file); };
+    return !exercise.shipped_hash.empty() && hash_over(files, read) != exercise.shipped_hash &&
            std::all_of(files.begin(), files.end(),
                        [&](const fs::path& file) { return fs::exists(course.root / file); });
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <companion/system/files.hpp>
 #include <cstdint>
@@ -12,6 +13,18 @@ std::string read_file(const std::filesystem::path& path) {
     std::string bytes{std::istreambuf_iterator<char>{in}, {}};
     if (!in.is_open() || in.bad()) throw app::Failure("cannot read " + path.string());
     return bytes;
+}
+
+std::vector<std::filesystem::path> source_files(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator{folder, none}) {
+        const std::string name = entry.path().filename().string();
+        if (entry.is_regular_file(none) && name[0] != '.' && name[0] != '#' && name.back() != '~')
+            files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 std::string hash_of(const std::string& bytes) {

@@ -1,11 +1,16 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace companion {
 
 // All of a file. Throws app::Failure where it cannot be read.
 std::string read_file(const std::filesystem::path& path);
+
+// The files in a folder and in its folders, in order; none where it is not there. Not an editor's
+// own, whose names start with . or # or end with ~.
+std::vector<std::filesystem::path> source_files(const std::filesystem::path& folder);
 
 // A number that differs, all but certainly, where the bytes do: 16 hexadecimal digits.
 // Source: Fowler, Noll and Vo's FNV-1a.

@@ -131,12 +131,15 @@ class Companion(unittest.TestCase):
                  '>"$2/01_tiny.csv"\n[ "$3" != --fail ] || exit 3\n'
                  '[ "$3" != --crash ] || kill -SEGV $$\n')
         os.chmod(self.root / "program.sh", 0o755)
-        subprocess.run(["cmake", "-S", self.root, "-B", self.root / "build"], check=True,
-                       stdout=subprocess.DEVNULL)
+        self.configure()
         self.put("build/bin/course", f'#!/bin/sh\nexec "{COURSE}" "$@"\n')
         os.chmod(self.root / "build/bin/course", 0o755)
         self.environment = {**os.environ, "COURSE_TEST_FOLDER": str(self.root), "TERM": "xterm"}
         self.environment.pop("NO_COLOR", None)
+
+    def configure(self):
+        subprocess.run(["cmake", "-S", self.root, "-B", self.root / "build"], check=True,
+                       stdout=subprocess.DEVNULL)
 
     def chapter(self, name, facts):
         return {"name": name, "core": True, "uses_real": True, "title": "Tiny", "reading": 30,
@@ -458,6 +461,51 @@ class Companion(unittest.TestCase):
         self.write("one", STUB % (1, 1) + "int f() { return 1; }  // right\n")
         self.course("check", "01.1")
         self.assertRegex(self.course("list"), r"\+ 01.1 .* done")
+
+    # ---- what counts is what is in the files -------------------------------------------------
+
+    def build_by_time_stamps(self):
+        """As real targets do: nothing is built where no file is newer."""
+        cmake = (self.root / "CMakeLists.txt").read_text()
+        cmake = re.sub(r"add_custom_target\((check\.01\S+) (COMMAND .* (\S+)) VERBATIM\)",
+                       r"add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/check/\1 \2 DEPENDS \3 VERBATIM)\n"
+                       r"add_custom_target(\1 DEPENDS ${CMAKE_BINARY_DIR}/check/\1)", cmake)
+        self.put("CMakeLists.txt", cmake)
+        self.configure()
+
+    def test_an_older_time_stamp_hides_no_change(self):
+        self.build_by_time_stamps()
+        self.write("one", "right\n")
+        self.course("check", "01.1")
+        hour = 3600
+        for age, text, code in ((1, "wrong\n", 1), (2, "right\n", 0), (3, "wrong\n", 1)):
+            self.write("one", text)
+            then = time.time() - age * hour
+            os.utime(self.stub("one"), (then, then))
+            said = self.course("check", "01.1", code=code)
+            self.assertRegex(self.course("list"), r"x 01.1 .* failing" if code else r"\+ 01.1 .* done")
+        # The clock was set back: what was built is of tomorrow.
+        later = time.time() + 24 * hour
+        for path in (self.root / "build").rglob("*"):
+            os.utime(path, (later, later))
+        for text, code in (("right\n", 0), ("wrong\n", 1)):
+            self.write("one", text)
+            self.course("check", "01.1", code=code)
+
+    def test_what_a_learner_adds_counts(self):
+        self.build_by_time_stamps()
+        self.write("one", "right\n")
+        self.course("check", "01.1")
+        for name in ("one.hpp~", ".one.hpp.swp", "#one.hpp#"):
+            self.put("exercises/01_tiny/rt/" + name, "an editor's")
+        self.assertRegex(self.course("list"), r"\+ 01.1 .* done")
+        self.put("exercises/01_tiny/rt/mine.hpp", "")
+        self.assertRegex(self.course("list"), r"\? 01.1 .* not checked since it changed")
+        built = (self.root / "build/check/check.01.1").stat().st_ino
+        (self.root / "build/check/check.01.1").rename(self.root / "keep its inode")
+        os.link(self.root / "keep its inode", self.root / "build/check/check.01.1")
+        self.course("check", "01.1")
+        self.assertNotEqual((self.root / "build/check/check.01.1").stat().st_ino, built)
 
     # ---- hint, reset, run --------------------------------------------------------------------
 
