@@ -222,7 +222,10 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
         all.emplace_back().exercise = exercise;
         // Before the build: what is saved during it may or may not be what the verdict is about.
         hashes.push_back(hash_of(course, exercise));
-        if (is_begun(course, exercise)) begun.push_back(&all.back());
+        if (all.back().trouble = trouble_with_files(course, exercise); !all.back().trouble.empty())
+            all.back().verdict = Verdict::no_file;
+        else if (is_begun(course, exercise))
+            begun.push_back(&all.back());
     }
     const auto errors = build_all(course, begun);
     State before = read_state(course);

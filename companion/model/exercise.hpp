@@ -38,13 +38,18 @@ Exercise find_exercise(const Course& course, const std::string& id);
 // those that the learner has added to the chapter's folder, where the compiler finds them.
 std::string hash_of(const Course& course, const Exercise& exercise);
 
+// What is wrong with its files, in one line, where one is missing, a folder or a pipe:
+// "exercises/... is missing; ..."; else empty. Without a file of the learner's the compiler would
+// find the solution's.
+std::string trouble_with_files(const Course& course, const Exercise& exercise);
+
 // Whether the learner has begun it: an rt::todo is gone, or a file of it alone is not as shipped.
 bool is_begun(const Course& course, const Exercise& exercise);
 
 // Its functions in which an rt::todo is left, by name.
 std::vector<std::string> functions_left(const Course& course, const Exercise& exercise);
 
-// How many rt::todo of this exercise are left in its files. A file that is gone counts as one.
+// How many rt::todo of this exercise are left in its files.
 int todos_left(const Course& course, const Exercise& exercise);
 
 }  // namespace companion

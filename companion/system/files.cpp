@@ -8,7 +8,20 @@
 
 namespace companion {
 
+std::string why_no_file(const std::filesystem::path& path) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_regular_file(status)) return "";
+    if (fs::is_directory(status)) return "is a folder, not a file";
+    if (fs::exists(status)) return "is a pipe or a device, not a file";
+    if (!fs::is_symlink(fs::symlink_status(path, error))) return "is missing";
+    return "is a link to " + fs::read_symlink(path, error).string() + ", which is missing";
+}
+
 std::string read_file(const std::filesystem::path& path) {
+    if (const std::string why = why_no_file(path); !why.empty())
+        throw app::Failure("cannot read " + path.string() + ": it " + why);
     std::ifstream in{path, std::ios::binary};
     std::string bytes{std::istreambuf_iterator<char>{in}, {}};
     if (!in.is_open() || in.bad()) throw app::Failure("cannot read " + path.string());

@@ -5,6 +5,10 @@
 
 namespace companion {
 
+// Why there is no file to read at a path, "is missing", "is a folder, not a file"; empty where
+// there is one. To open a pipe would wait until somebody writes into it.
+std::string why_no_file(const std::filesystem::path& path);
+
 // All of a file. Throws app::Failure where it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 

@@ -507,6 +507,59 @@ class Companion(unittest.TestCase):
         self.course("check", "01.1")
         self.assertNotEqual((self.root / "build/check/check.01.1").stat().st_ino, built)
 
+    def test_a_missing_file_is_no_answer(self):
+        # Of several todos: with the solution's header none of them would be left.
+        self.put("companion/shipped_stubs/01_tiny.txt",
+                 "==> rt/one.hpp\n" + 2 * (STUB % (1, 1)) + "==> rt/two.hpp\n" + STUB % (2, 2))
+        self.write("one", "right\n")
+        self.course("check", "01.1")
+        words = ("exercises/01_tiny/rt/one.hpp is missing; ./course reset 01.1 brings the stub back, "
+                 "git checkout -- exercises/01_tiny/rt/one.hpp what you committed\n")
+        self.stub("one").rename(self.root / "elsewhere.hpp")
+        for said in (self.course("check", "01.1", code=1), self.course("check", code=1), self.course()):
+            self.assertIn("\n" + words, said)
+            self.assertRegex(said, "[!x] 01.1 .* a file is missing")
+            self.assertNotIn("Next", said)
+        self.assertIn("0 of 2 exercises", said)
+        self.assertIn("None of it is yours", subprocess.run(
+            [COURSE, "run", "01"], env=self.environment, text=True, stderr=subprocess.PIPE,
+            stdout=subprocess.DEVNULL).stderr)
+        (self.root / "exercises").rename(self.root / "moved")
+        said = self.course()
+        self.assertIn(words, said)
+        self.assertIn("0 of 2 exercises", said)
+        (self.root / "moved").rename(self.root / "exercises")
+        self.course("reset", "01.1")
+        self.assertRegex(self.course("list"), r"\. 01.1 .* to be written")
+        (self.root / "elsewhere.hpp").rename(self.stub("one"))
+        self.assertRegex(self.course("list"), r"[?] 01.1 .* not checked")
+
+    def test_what_is_no_file_is_no_answer(self):
+        self.write("one", "right\n")
+        self.course("check", "01.1")
+        self.stub("one").unlink()
+
+        def refused(what):
+            words = f"exercises/01_tiny/rt/one.hpp {what}; move it away"
+            self.assertIn(words, self.course("check", "01.1", code=1))
+            self.assertIn(words, self.course())
+            reset = subprocess.run([COURSE, "reset", "01.1"], env=self.environment, text=True,
+                                   stderr=subprocess.PIPE, timeout=20)
+            self.assertEqual(reset.returncode, 1)
+            self.assertEqual(reset.stderr.count("\n"), 1)
+            self.assertIn(words, reset.stderr)
+
+        self.stub("one").mkdir()
+        refused("is a folder, not a file")
+        self.stub("one").rmdir()
+        os.mkfifo(self.stub("one"))
+        refused("is a pipe or a device, not a file")
+        self.write("two", "right\n")
+        self.assertIn("one.hpp is a pipe", self.course("check", "01.2", code=1))
+        self.stub("one").unlink()
+        self.stub("one").symlink_to("/nowhere/one.hpp")
+        refused("is a link to /nowhere/one.hpp, which is missing")
+
     # ---- hint, reset, run --------------------------------------------------------------------
 
     def test_hints_come_one_by_one(self):
@@ -652,6 +705,17 @@ class Companion(unittest.TestCase):
         self.put(".course/state.json", "{broken")
         self.course("list")
         self.assertEqual((self.root / ".course/state.broken-1.json").read_text(), "{broken")
+
+    def test_a_state_that_is_no_file_is_set_aside(self):
+        self.write("one", "right\n")
+        state = self.root / ".course/state.json"
+        state.parent.mkdir()
+        for make in (state.mkdir, lambda: os.mkfifo(state), lambda: state.symlink_to("/nowhere/state.json")):
+            make()
+            self.course("check", "01.1")
+            self.assertTrue(state.is_file())
+            state.unlink()
+        self.assertEqual(len([p for p in state.parent.iterdir() if "broken" in p.name]), 3)
 
     def test_many_at_once(self):
         self.write("one", "right\n")
