@@ -399,6 +399,13 @@ class Companion(unittest.TestCase):
         self.assertRegex(said, r"\+ 01.2 .* done")
         self.assertNotIn("FAILED", said)
 
+    def test_compilers_speak_english(self):
+        check = (self.root / "check.sh").read_text()
+        self.put("check.sh", check.replace("#!/bin/sh\n", '#!/bin/sh\n[ "${LC_ALL-}" = C ] || exit 1\n', 1))
+        self.write("one", "right, warned\n")
+        self.environment.update(LANG="de_DE.UTF-8", LC_ALL="de_DE.UTF-8", LANGUAGE="de")
+        self.course("check", "01.1")
+
     def test_check_crashes_and_waits(self):
         self.write("one", "crash\n")
         said = self.course("check", "01.1", code=1)
