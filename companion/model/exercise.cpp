@@ -19,7 +19,7 @@ std::string hash_over(const std::vector<fs::path>& files, const Read& read) {
 
 // What is in a file now; nothing where there is none.
 std::string present(const Course& course, const fs::path& file) {
-    return why_no_file(course.root / file).empty() ? read_file(course.root / file) : "";
+    return why_no_file(course.root / file).empty() ? read_text(course.root / file) : "";
 }
 
 // Fills in what was shipped of a chapter's exercises.

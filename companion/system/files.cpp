@@ -28,6 +28,13 @@ std::string read_file(const std::filesystem::path& path) {
     return bytes;
 }
 
+std::string read_text(const std::filesystem::path& path) {
+    std::string text = read_file(path);
+    for (auto at = text.find("\r\n"); at != std::string::npos; at = text.find("\r\n", at))
+        text.erase(at, 1);
+    return text;
+}
+
 std::vector<std::filesystem::path> source_files(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     std::error_code none;

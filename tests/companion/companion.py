@@ -567,6 +567,23 @@ class Companion(unittest.TestCase):
         self.stub("one").symlink_to("/nowhere/one.hpp")
         refused("is a link to /nowhere/one.hpp, which is missing")
 
+    def test_line_ends_do_not_count(self):
+        def end_lines_as_windows_does(path):
+            path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+
+        end_lines_as_windows_does(self.stub("one"))
+        self.assertRegex(self.course("list"), r"\. 01.1 .* to be written")
+        self.assertIn("as it was shipped", self.course("reset", "01.1"))
+        self.write("two", "right\n")
+        self.course("check", "01.2")
+        for name in ("companion/shipped_stubs/01_tiny.txt", "docs/hints/01-tiny.md", "course.json",
+                     "exercises/01_tiny/rt/two.hpp"):
+            end_lines_as_windows_does(self.root / name)
+        said = self.course("list")
+        self.assertRegex(said, r"\. 01.1 .* to be written")
+        self.assertRegex(said, r"\+ 01.2 .* done")
+        self.assertIn("hint 1 of 3\nidea", self.course("hint", "01.1"))
+
     # ---- hint, reset, run --------------------------------------------------------------------
 
     def test_hints_come_one_by_one(self):
