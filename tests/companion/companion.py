@@ -7,6 +7,7 @@ import os
 import pty
 import re
 import select
+import shutil
 import signal
 import subprocess
 import sys
@@ -765,6 +766,60 @@ class Companion(unittest.TestCase):
         unknown = subprocess.run(["sh", SCRIPT, "nonsense"], text=True, stderr=subprocess.PIPE)
         self.assertEqual(unknown.returncode, 2)
         self.assertEqual(unknown.stderr.count("\n"), 1)
+
+    # ---- the script ---------------------------------------------------------------------------
+
+    def use_script(self):
+        """As in a checkout of the course: ./course builds the companion first."""
+        with open(self.root / "CMakeLists.txt", "a") as cmake:
+            cmake.write("file(GLOB none CONFIGURE_DEPENDS none/*)\n"  # as the course has some
+                        "add_custom_target(course COMMAND ${CMAKE_COMMAND} -E make_directory bin "
+                        "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/wrapper bin/course)\n")
+        (self.root / "build/bin/course").rename(self.root / "wrapper")
+        self.put("CMakePresets.json", json.dumps({"version": 3, "configurePresets": [
+            {"name": "release", "binaryDir": "${sourceDir}/build"}]}))
+        self.put("companion/help.txt", "  list   x\n  check   x\n")
+        self.put("course", Path(SCRIPT).read_text())
+
+    def script(self, *words, code=0):
+        done = subprocess.run(["sh", str(self.root / "course"), *words], env=self.environment, text=True,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              timeout=120)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def test_a_damaged_build_folder_heals(self):
+        self.use_script()
+        self.write("one", "right\n")
+        shutil.rmtree(self.root / "build")
+        self.assertNotIn("not whole", self.script("check", "01.1"))
+        self.assertNotIn("onfiguring", self.script("check", "01.1"))
+        build = self.root / "build"
+        rules = "build.ninja" if (build / "build.ninja").exists() else "Makefile"
+        for name in (rules, "CMakeCache.txt"):
+            for share in (0, 0.3, 0.9):
+                text = (build / name).read_bytes()
+                (build / name).write_bytes(text[:int(share * len(text))])
+                self.assertIn("done", self.script("check", "01.1"), (name, share))
+            (build / name).unlink()
+            self.assertIn("is not whole: configuring anew", self.script("check", "01.1"))
+        shutil.rmtree(build / "CMakeFiles")
+        self.assertIn("done", self.script("check", "01.1"))
+        self.assertNotIn("onfiguring", self.script("check", "01.1"))
+
+    def test_a_folder_that_cmake_cannot_build_in_is_said(self):
+        for name in ('a"b', "a;b", "a#b", "a$b", "a\\b", "a[b", "a]b", "a<b", "a>b", "a|b", "a\nb", "a\n"):
+            self.put(name + "/course", Path(SCRIPT).read_text())
+            self.put(name + "/companion/help.txt", "  check   x\n")
+            for script, folder in ((self.root / name / "course", "."), ("./course", self.root / name)):
+                if name[-1] == "\n" and folder == ".":
+                    continue
+                done = subprocess.run(["sh", str(script), "check"], cwd=folder, text=True, stderr=subprocess.PIPE,
+                                      stdout=subprocess.PIPE)
+                self.assertEqual(done.returncode, 1)
+                self.assertEqual(done.stdout, "")
+                self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+                self.assertIn("CMake cannot build in a folder whose name", done.stderr)
 
     # ---- watch -------------------------------------------------------------------------------
 
