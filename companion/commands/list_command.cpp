@@ -23,6 +23,7 @@ std::string marked(Progress progress) {
         case Progress::done:
             return green(text);
         case Progress::failing:
+        case Progress::no_file:
             return red(text);
         case Progress::to_write:
             return dim(text);
