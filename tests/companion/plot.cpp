@@ -59,6 +59,17 @@ TEST_CASE("an error that was not measured is not drawn", "[plot]") {
     CHECK(curves(all) == 4);
 }
 
+TEST_CASE("a study that timed nothing is drawn as bars", "[plot]") {
+    auto all = rows({1}, {1e-9});
+    all.front().error = 0.5;
+    for (Measurement& row : all) row.cost_name = "";
+    const std::string script = companion::plot_script(all, "plot.svg");
+    CHECK(script.find("with boxxyerror") != std::string::npos);
+    CHECK(script.find("\nset logscale x") != std::string::npos);
+    // The longest bar stands last, which is on top.
+    CHECK(script.find("\"a_b^{c}\" 2") != std::string::npos);
+}
+
 TEST_CASE("gnuplot draws every kind of study, whatever its names hold", "[plot]") {
     if (!companion::is_installed("gnuplot")) return;
     const double nan = std::nan("");
