@@ -281,6 +281,10 @@ TEST_CASE("11.1 numbers of all sizes", "[11.1][hard]") {
                     "the squares of these numbers fit into a Real, their fourth powers do not. "
                     "Nothing here is too small to count");
     }
+    for (int i = 0; i < 100; ++i) {
+        const RunningVariance known{3, 0, any_size(rng, -2 * most, 2 * most)};
+        check_variance(known, Exact(known.squares) / Exact(2), divisor_hint);
+    }
     // One that is far brighter than all others, first and last.
     Numbers numbers(60, 1);
     numbers.front() = 1000;

@@ -251,6 +251,9 @@ TEST_CASE("11.2 counts of all sizes", "[11.2][hard]") {
     check_count(largest, smallest, 7, 7, overflow_hint);
     check_count(smallest, largest, any, 1, overflow_hint);
     check_count(smallest, 1, any, 1, overflow_hint);
+    const Real bit_more =
+        1 + for_this_precision(std::ldexp(Real(1), -20), std::ldexp(Real(1), -40));
+    check_count(bit_more, Real(0.5), any, 5, "the least bit more than 4 is 5");
     // The squares of these errors are 0 and infinite.
     const int low_power = for_this_precision(-80, -540), high_power = for_this_precision(70, 520);
     check_count(std::ldexp(Real(1), 10 + low_power), std::ldexp(Real(1), low_power), any, any,

@@ -368,6 +368,9 @@ TEST_CASE("11.3 errors and spreads of all sizes", "[11.3][hard]") {
         check_worth(spread, mean_spread, error, any,
                     exact_worth(spread, mean_spread, error, any, 1), overflow_hint);
     }
+    const Real bit_more =
+        1 + for_this_precision(std::ldexp(Real(1), -20), std::ldexp(Real(1), -40));
+    check_worth(4, bit_more, 1, any, {5, 5}, "the least bit more than 4 is 5");
     check_worth(largest, largest, smallest, any, {most_of_all, most_of_all}, overflow_hint);
     check_worth(largest, 1, smallest, any, {most_of_all, most_of_all}, overflow_hint);
     check_worth(smallest, smallest, largest, any, {1, 1}, overflow_hint);
