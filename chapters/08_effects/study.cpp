@@ -6,7 +6,7 @@
 #include <rt/light_sample.hpp>
 #include <rt/sphere_light.hpp>
 #include <study/classic.hpp>
-#include <study/cover.hpp>
+#include <study/cover_scene.hpp>
 #include <study/double_double.hpp>
 #include <study/pixel_error.hpp>
 #include <study/timing.hpp>
@@ -85,28 +85,6 @@ SceneDescription scene_with(const char* name) {
         if (effect == "lights" && sphere.material == 2 && i > 20) sphere.material = 1;
         if (effect == "motion" && i < 20) sphere.velocity = {0, radius, 0};
         scene.spheres.push_back(sphere);
-    }
-    return scene;
-}
-
-SceneDescription cover_scene(const study::Cover& cover) {
-    SceneDescription scene;
-    scene.camera.view = cover.view;
-    scene.sky = {cover.horizon, cover.above};
-    for (const study::CoverSphere& sphere : cover.spheres) {
-        const auto number = static_cast<int>(scene.spheres.size());
-        scene.spheres.push_back({{sphere.center, sphere.radius}, number, {}});
-        switch (sphere.material) {
-            case study::CoverMaterial::matte:
-                scene.materials.push_back(Lambertian{sphere.color});
-                break;
-            case study::CoverMaterial::metal:
-                scene.materials.push_back(Metal{sphere.color, sphere.fuzz});
-                break;
-            case study::CoverMaterial::glass:
-                scene.materials.push_back(Dielectric{study::cover_glass_index});
-                break;
-        }
     }
     return scene;
 }
@@ -240,7 +218,7 @@ void study_each_effect(study::Report& report) {
 void study_cover(study::Report& report) {
     const study::Cover cover = study::make_cover();
     const auto classic = study::classic::make_world(cover);
-    const SceneDescription scene = cover_scene(cover);
+    const SceneDescription scene = study::cover_scene(cover);
     const auto ns = study::in_turns_ns(
         {[&] { study::keep(study::classic::mean_color(cover, *classic)); },
          [&] {

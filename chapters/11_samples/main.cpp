@@ -2,12 +2,10 @@
 
 #include <app/figure.hpp>
 #include <app/run.hpp>
-#include <array>
 #include <atomic>
 #include <iomanip>
 #include <rt/canvas.hpp>
 #include <rt/denoise.hpp>
-#include <rt/refinement.hpp>
 #include <rt/standard_error.hpp>
 #include <rt/tone_curve.hpp>
 #include <sstream>
@@ -16,6 +14,7 @@
 #include "features.hpp"
 #include "scene.hpp"
 #include "study.hpp"
+#include "ways.hpp"
 
 namespace {
 
@@ -44,23 +43,6 @@ struct Drawn {
     Real error = infinity;
 };
 
-// Jittered samples, and what is known of their spread.
-struct WatchedSamples {
-    JitteredSamples samples;
-    std::array<RunningVariance, 3>& known;
-
-    template <class Eye, class Path>
-    Color average(const Eye& eye, int column, int row, const Path& path) const {
-        return samples.average(eye, column, row, [&](const auto& ray, auto& random) {
-            const Color light = path(ray, random);
-            add(known[0], light.r);
-            add(known[1], light.g);
-            add(known[2], light.b);
-            return light;
-        });
-    }
-};
-
 Drawn draw_jittered(Sampling& sampling, const Strip& strip) {
     if (strip.width == 0) return {};
     const app::Settings& settings = sampling.settings;
@@ -70,7 +52,7 @@ Drawn draw_jittered(Sampling& sampling, const Strip& strip) {
         std::uint64_t rays = 0;
         for_each_pixel(tile, [&](int x, int y) {
             std::array<RunningVariance, 3> known;
-            const WatchedSamples watched{{*settings.seed, settings.spp}, known};
+            const WatchedSamples<JitteredSamples> watched{{*settings.seed, settings.spp}, known};
             drawn.light.at(x, y) = sampling.renderer(watched, strip.left + x, y, rays);
             for (const RunningVariance& channel : known) {
                 const Real error = standard_error(channel);
@@ -91,18 +73,11 @@ Drawn draw_jittered(Sampling& sampling, const Strip& strip) {
 Drawn draw_halves(Sampling& sampling, const Strip& strip, int pilot, Canvas<int>& counts) {
     if (strip.width == 0) return {};
     const app::Settings& settings = sampling.settings;
-    const auto draw_pass = [&](const Tile& tile, const Pass& pass, Image& image,
-                               std::uint64_t& rays) {
-        const SobolSamples samples{pass.seed, 1, static_cast<std::uint32_t>(pass.number)};
-        for_each_pixel(tile, [&](int x, int y) {
-            image.at(x, y) = sampling.renderer(samples, strip.left + x, y, rays);
-        });
-    };
     RefinementPlan plan;
     plan.grid = sampling.grid(strip);
     plan.threads = settings.threads;
     plan.seed = *settings.seed;
-    plan.make_worker = [&] { return draw_pass; };
+    plan.make_worker = [&] { return sobol_pass(sampling.renderer, 1, strip.left); };
     Refinement refinement{plan};
     refinement.draw_pilot(pilot);
     refinement.refine_with(std::int64_t{tile_count(plan.grid)} * settings.spp);

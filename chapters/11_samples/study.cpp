@@ -1,7 +1,238 @@
 #include "study.hpp"
 
-namespace samples {
+#include <rt/standard_error.hpp>
+#include <study/pixel_error.hpp>
+#include <study/timing.hpp>
 
-void run_study(study::Report&) {}
+#include "equal_time.hpp"
+#include "features.hpp"
+#include "scene.hpp"
+#include "ways.hpp"
+
+namespace samples {
+namespace {
+
+double rmse(const Image& a, const Image& b) {
+    return study::root_mean_square_error(a.pixels(), b.pixels());
+}
+
+// The chapter's scene at some size, through a window: columns and rows of the picture.
+struct Stage {
+    SceneDescription description = make_scene(scene_view());
+    Tile window;
+    ReadyScene<scene_effects> ready;
+    Renderer<scene_effects> renderer;
+
+    Stage(int width, int height, const Tile& seen)
+        : window{seen},
+          ready{description, width, height},
+          renderer{description, width, height, {1, 8, 1}} {}
+
+    // shade(column, row) draws a pixel of the picture.
+    template <class Pixel, class Shade>
+    Canvas<Pixel> draw(const Shade& shade) const {
+        Canvas<Pixel> canvas{window.right - window.left, window.bottom - window.top};
+        for_each_pixel(window, [&](int x, int y) {
+            canvas.at(x - window.left, y - window.top) = shade(x, y);
+        });
+        return canvas;
+    }
+    template <class Samples>
+    Image draw_with(const Samples& samples) const {
+        std::uint64_t rays = 0;
+        return draw<Color>([&](int x, int y) { return renderer(samples, x, y, rays); });
+    }
+};
+
+// A picture, and how far off it says that it is.
+struct Judged {
+    Image image;
+    double estimate = 0;
+};
+
+template <class Samples>
+Judged draw_watched(const Stage& stage, const Samples& samples) {
+    double sum = 0;
+    std::array<RunningVariance, 3> known;
+    std::uint64_t rays = 0;
+    Judged judged;
+    judged.image = stage.draw<Color>([&](int x, int y) {
+        known = {};
+        const Color color = stage.renderer(WatchedSamples<Samples>{samples, known}, x, y, rays);
+        for (const RunningVariance& channel : known)
+            sum += std::pow(static_cast<double>(standard_error(channel)), 2);
+        return color;
+    });
+    judged.estimate = std::sqrt(sum / (3 * static_cast<double>(judged.image.pixels().size())));
+    return judged;
+}
+
+// The window must be all of the picture.
+Judged draw_twins(const Stage& stage, int samples, std::uint64_t seed) {
+    const TileGrid grid{stage.window.right, stage.window.bottom, 4};
+    const Refined refined =
+        refine(grid, seed, samples, [&](int count) { return sobol_pass(stage.renderer, count); });
+    return {refined.image, refined.error};
+}
+
+// The error over the number of samples, and how well each way knows its own.
+void study_samples(study::Report& report) {
+    const Stage stage{64, 36, {0, 0, 64, 36}};
+    const Image truth = stage.draw_with(SobolSamples{77, 2048});
+    using Draw = Judged (*)(const Stage&, int samples, std::uint64_t seed);
+    constexpr std::array<std::pair<const char*, Draw>, 4> ways{
+        {{"independent",
+          [](const Stage& in, int samples, std::uint64_t seed) {
+              return draw_watched(in, IndependentSamples{seed, samples});
+          }},
+         {"jittered",
+          [](const Stage& in, int samples, std::uint64_t seed) {
+              return draw_watched(in, JitteredSamples{seed, samples});
+          }},
+         {"Sobol",
+          [](const Stage& in, int samples, std::uint64_t seed) {
+              return draw_watched(in, SobolSamples{seed, samples});
+          }},
+         {"Sobol in twin halves", draw_twins}}};
+    for (const auto& [name, draw] : ways)
+        for (int samples = 4; samples <= 256; samples *= 4) {
+            const int seeds = std::clamp(128 / samples, 1, 8);
+            double squares = 0, estimates = 0;
+            const double ns = study::time_ns(
+                [&, draw = draw] {
+                    for (int seed = 1; seed <= seeds; ++seed) {
+                        const Judged one = draw(stage, samples, static_cast<std::uint64_t>(seed));
+                        squares += std::pow(rmse(one.image, truth), 2);
+                        estimates += std::pow(one.estimate, 2);
+                    }
+                },
+                {.rounds = 1});
+            const double error = std::sqrt(squares / seeds), ms = 1e-6 * ns / seeds;
+            const double x = samples;
+            report.add({"Samples", name, x, "samples per pixel", error, "RMSE in a pixel", ms,
+                        "time / ms"});
+            report.add({"Estimate", name, x, "samples per pixel", std::sqrt(estimates / squares),
+                        "estimated error / error", ms, "time / ms"});
+        }
+}
+
+// A sample of a pixel where one path in ten finds a lamp.
+Real lamp_or_dark(Rng& random) {
+    return random.uniform() < Real(0.1) ? 10 : 0;
+}
+constexpr double lamp_mean = 1;
+constexpr Real wanted_error = Real(0.2);
+constexpr int most_samples = 4096;
+
+// The mean that a rule to stop leads to, and the samples that it took.
+struct Stop {
+    double mean = 0, samples = 0;
+};
+
+RunningVariance draw_lamps(Rng& random, std::int64_t count) {
+    RunningVariance known;
+    for (std::int64_t i = 0; i < count; ++i) add(known, lamp_or_dark(random));
+    return known;
+}
+Stop to_stop(const RunningVariance& known) {
+    return {static_cast<double>(known.mean), static_cast<double>(known.count)};
+}
+
+// As soon as the error that the samples tell is small enough.
+Stop stop_by_own_error(Rng& random, int pilot) {
+    RunningVariance known = draw_lamps(random, pilot);
+    while (known.count < most_samples && standard_error(known) > wanted_error)
+        add(known, lamp_or_dark(random));
+    return to_stop(known);
+}
+// After as many as the first ones say.
+Stop stop_by_own_pilot(Rng& random, int pilot) {
+    RunningVariance known = draw_lamps(random, pilot);
+    const std::int64_t count = samples_for(variance(known), wanted_error, most_samples);
+    while (known.count < count) add(known, lamp_or_dark(random));
+    return to_stop(known);
+}
+// Two halves, each of which takes as many as the other one's first ones say.
+Stop stop_by_other_half(Rng& random, int pilot) {
+    Halves<RunningVariance> half{draw_lamps(random, pilot / 2), draw_lamps(random, pilot / 2)};
+    const Halves<Real> spread{std::sqrt(variance(half.first)), std::sqrt(variance(half.second))};
+    const Halves<int> counts =
+        crossed_counts(spread, spread, wanted_error, {pilot / 2, most_samples});
+    while (half.first.count < counts.first) add(half.first, lamp_or_dark(random));
+    while (half.second.count < counts.second) add(half.second, lamp_or_dark(random));
+    return {static_cast<double>(twin_mean({half.first.mean, half.second.mean})),
+            static_cast<double>(half.first.count + half.second.count)};
+}
+
+// What comes of rules to stop, in many runs: the mean of all, and how often each mean came.
+void study_stopping(study::Report& report) {
+    using Rule = Stop (*)(Rng&, int pilot);
+    constexpr std::array<std::pair<const char*, Rule>, 3> rules{
+        {{"stops by its own error", stop_by_own_error},
+         {"its pilot decides", stop_by_own_pilot},
+         {"the other half's pilot decides", stop_by_other_half}}};
+    constexpr int runs = 10'000;
+    for (const auto& [name, rule] : rules) {
+        for (int pilot = 8; pilot <= 128; pilot *= 2) {
+            double sum = 0, squares = 0, samples = 0;
+            std::array<int, 24> bins{};
+            Rng random{11, 5};
+            for (int run = 0; run < runs; ++run) {
+                const Stop stop = rule(random, pilot);
+                sum += stop.mean - lamp_mean;
+                squares += std::pow(stop.mean - lamp_mean, 2);
+                samples += stop.samples / runs;
+                ++bins[std::min(static_cast<std::size_t>(10 * stop.mean), bins.size() - 1)];
+            }
+            report.add({"Bias", name, static_cast<double>(pilot), "samples in the pilot",
+                        sum / runs, "mean error", samples, "samples"});
+            report.add({"Stopping error", name, static_cast<double>(pilot), "samples in the pilot",
+                        std::sqrt(squares / runs), "RMSE", samples, "samples"});
+            if (pilot != 16) continue;
+            for (std::size_t i = 0; i < bins.size(); ++i)
+                report.add({"Means", name, (static_cast<double>(i) + 0.5) / 10,
+                            "mean (true: 1), in bins of 0.1", static_cast<double>(bins[i]) / runs,
+                            "share of 10 000 runs", samples, "samples"});
+        }
+    }
+}
+
+// What a denoiser takes away, and what is lost. The window shows a part of the picture in full
+// size: in a small picture every pixel is an edge.
+void study_denoiser(study::Report& report) {
+    const Stage stage{960, 540, {540, 390, 604, 438}};
+    const Image truth = stage.draw_with(SobolSamples{77, 1024});
+    const auto features = stage.draw<Features>([&](int x, int y) {
+        return features_at(stage.ready, {1, 16}, x, y, Real(0.1));
+    });
+    const double lost = rmse(denoised(truth, features, {}), truth);
+    for (int samples = 1; samples <= 256; samples *= 4) {
+        Image before;
+        const double ns = study::time_ns(
+            [&] {
+                before = stage.draw_with(SobolSamples{1, samples});
+            },
+            {.rounds = 1});
+        Image after;
+        const double more =
+            study::time_ns([&] { after = denoised(before, features, {}); }, {.rounds = 1});
+        const auto add_row = [&](const char* variant, double error, double cost) {
+            report.add({"Denoiser", variant, static_cast<double>(samples), "samples per pixel",
+                        error, "RMSE in a pixel", 1e-6 * cost, "time / ms"});
+        };
+        add_row("as drawn", rmse(before, truth), ns);
+        add_row("denoised", rmse(after, truth), ns + more);
+        add_row("the converged picture denoised", lost, more);
+    }
+}
+
+}  // namespace
+
+void run_study(study::Report& report) {
+    study_samples(report);
+    study_stopping(report);
+    study_denoiser(report);
+    study_equal_time(report);
+}
 
 }  // namespace samples

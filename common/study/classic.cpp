@@ -68,21 +68,34 @@ std::shared_ptr<const Hittable> make_world(const study::Cover& cover) {
     return std::make_shared<List>(Objects{tree});
 }
 
-rt::Color mean_color(const study::Cover& cover, const Hittable& world) {
+namespace {
+
+// shade(column, row) draws a pixel.
+auto make_shade(const study::Cover& cover, const Hittable& world) {
     const Camera camera{cover.width,
                         cover.height,
                         static_cast<double>(cover.view.vertical_fov),
                         in_double(cover.view.from),
                         in_double(cover.view.at),
                         in_double(cover.view.up)};
-    return study::mean_color(cover, [&](int x, int y) {
+    return [camera, &cover, &world](int x, int y) {
         Vec sum;
         for (int i = 0; i < cover.samples_per_pixel; ++i)
             sum = sum + ray_color(camera.ray(x, y), cover.depth, world);
         const Vec mean = sum / cover.samples_per_pixel;
         return rt::Color{static_cast<rt::Real>(mean.x()), static_cast<rt::Real>(mean.y()),
                          static_cast<rt::Real>(mean.z())};
-    });
+    };
+}
+
+}  // namespace
+
+rt::Color mean_color(const study::Cover& cover, const Hittable& world) {
+    return study::mean_color(cover, make_shade(cover, world));
+}
+
+rt::Image picture(const study::Cover& cover, const Hittable& world) {
+    return rt::make_image(cover.width, cover.height, make_shade(cover, world));
 }
 
 }  // namespace study::classic

@@ -5,6 +5,7 @@
 // whatever rt::Real is; chance is std::rand. It is compiled with the same flags as all else.
 
 #include <memory>
+#include <rt/image.hpp>
 #include <study/cover.hpp>
 
 namespace study::classic {
@@ -15,5 +16,8 @@ std::shared_ptr<const Hittable> make_world(const study::Cover& cover);
 
 // The mean color of the cover picture, as study::mean_color has it.
 rt::Color mean_color(const study::Cover& cover, const Hittable& world);
+
+// The whole picture. The random numbers go on where the last picture's ended.
+rt::Image picture(const study::Cover& cover, const Hittable& world);
 
 }  // namespace study::classic

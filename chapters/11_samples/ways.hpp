@@ -1,0 +1,82 @@
+#pragma once
+// Ways to take samples that the studies compare, and pictures drawn with them.
+
+#include <array>
+#include <rt/refinement.hpp>
+#include <rt/renderer.hpp>
+#include <rt/running_variance.hpp>
+#include <rt/sobol_samples.hpp>
+
+namespace samples {
+
+using namespace rt;
+
+// Every sample anywhere in the pixel, whatever the others are.
+struct IndependentSamples {
+    std::uint64_t seed = 1;
+    int count = 1;
+
+    template <class Eye, class Path>
+    Color average(const Eye& eye, int column, int row, const Path& path) const {
+        return average_samples(seed, column, row, count, [&](int, Rng& random) {
+            const Vec2 offset = random_place(random);
+            return path(make_ray(eye, column, row, offset, random), random);
+        });
+    }
+};
+
+// Other samples, and what their values tell of their spread, channel by channel.
+template <class Samples>
+struct WatchedSamples {
+    Samples samples;
+    std::array<RunningVariance, 3>& known;
+
+    template <class Eye, class Path>
+    Color average(const Eye& eye, int column, int row, const Path& path) const {
+        return samples.average(eye, column, row, [&](const auto& ray, auto& random) {
+            const Color light = path(ray, random);
+            add(known[0], light.r);
+            add(known[1], light.g);
+            add(known[2], light.b);
+            return light;
+        });
+    }
+};
+
+// A pass of one tile with `count` of Sobol's points in each pixel; the picture's first column is
+// column `left` of the renderer's.
+template <class Renderer>
+DrawPass sobol_pass(const Renderer& renderer, int count, int left = 0) {
+    return [&renderer, count, left](const Tile& tile, const Pass& pass, Image& image,
+                                    std::uint64_t& rays) {
+        const SobolSamples samples{pass.seed, count,
+                                   static_cast<std::uint32_t>(pass.number * count)};
+        for_each_pixel(
+            tile, [&](int x, int y) { image.at(x, y) = renderer(samples, left + x, y, rays); });
+    };
+}
+
+// A picture that was refined, and how far off its halves say that it is.
+struct Refined {
+    Image image;
+    double error = 0;
+};
+
+// A picture in twin halves with about this many samples in a pixel on the average: in passes of a
+// 32nd of them, of which the pilot takes a quarter. make_pass(count) gives a DrawPass for passes of
+// that many samples.
+template <class MakePass>
+Refined refine(const TileGrid& grid, std::uint64_t seed, int samples, const MakePass& make_pass) {
+    const int count = std::max(1, samples / 32);
+    RefinementPlan plan;
+    plan.grid = grid;
+    plan.seed = seed;
+    plan.make_worker = [&] { return make_pass(count); };
+    Refinement refinement{std::move(plan)};
+    refinement.draw_pilot(std::clamp(samples / count / 4, 1, 4));
+    refinement.refine_with(std::int64_t{tile_count(grid)} * samples / count);
+    return {refinement.picture(Canvas<Color>{grid.width, grid.height}),
+            static_cast<double>(refinement.error())};
+}
+
+}  // namespace samples
