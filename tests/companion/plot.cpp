@@ -85,9 +85,9 @@ TEST_CASE("gnuplot draws every kind of study, whatever its names hold", "[plot]"
         {{-3, 5, nan}, {-1e200, 0, 1e200}},
         {{5e-324, 1, 2}, {0, 5, infinity}},
         {{7, 7}, {7, 7}}};
-    for (const auto& [xs, errors] : kinds) {
+    const auto draw = [](const std::vector<Measurement>& all) {
         const TemporaryFolder folder;
-        write_file(folder / "script", companion::plot_script(rows(xs, errors), "plot.svg"));
+        write_file(folder / "script", companion::plot_script(all, "plot.svg"));
         const auto result =
             companion::run_process({.command = {"gnuplot", "script"}, .folder = folder.path()});
         INFO(result.output);
@@ -97,6 +97,12 @@ TEST_CASE("gnuplot draws every kind of study, whatever its names hold", "[plot]"
         CHECK(svg.find("</svg>") != std::string::npos);
         CHECK(svg.find("a_b^{c}") != std::string::npos);
         CHECK(folder.count() == 2);
+    };
+    for (const auto& [xs, errors] : kinds) {
+        auto all = rows(xs, errors);
+        draw(all);
+        for (Measurement& row : all) row.cost_name = "";
+        draw(all);
     }
 }
 
