@@ -14,8 +14,8 @@ struct RunningVariance {
 };
 
 // Exercise 11.1. Takes one more number into account: count, mean and squares are then those of all
-// numbers so far. It remembers no number, and the numbers may lie far from 0 and close together
-// (cancellation). The number and its square are finite.
+// numbers so far. It stores no number. The digits of squares survive where the numbers lie far
+// from 0 and close together (no cancellation). The number and its square are finite.
 // Source: Welford, "Note on a method for calculating corrected sums of squares and products",
 // Technometrics 1962.
 inline void add(RunningVariance& known, Real number) {
@@ -23,8 +23,8 @@ inline void add(RunningVariance& known, Real number) {
 }
 
 // The variance of what the numbers were drawn from, estimated without bias: squares / (count - 1),
-// since the numbers lie nearer to their own mean than to the true one. Infinite with fewer than two
-// numbers: they say nothing about it.
+// since the numbers lie nearer to their own mean than to the true one. Infinite with fewer than
+// two numbers: they say nothing about it.
 inline Real variance(const RunningVariance& known) {
     return rt::todo("11.1", known);
 }

@@ -6,9 +6,9 @@
 
 namespace rt {
 
-// Exercise 11.2. The standard error of the mean: how far the mean of the numbers so far is from the
-// true mean, as a root mean square, that is sqrt(variance / count). Infinite with fewer than two
-// numbers.
+// Exercise 11.2. The standard error of the mean: how far the mean of the numbers so far is from
+// the true mean, as a root mean square. It is sqrt(variance / count), and infinite with fewer than
+// two numbers.
 inline Real standard_error(const RunningVariance& known) {
     return rt::todo("11.2", known);
 }
@@ -21,10 +21,11 @@ inline Real chance_within(Real distance, Real error) {
     return rt::todo("11.2", distance, error);
 }
 
-// How many numbers are needed until their mean has at most this standard error: variance / error^2,
-// rounded up, at least 1 and at most `most`, which is 1 or more. Both are 0 or more. Any number
-// does where the variance is 0, even with error 0; `most` where the variance is infinite or the
-// error is too small. error is finite; its square need not fit into a Real.
+// How many numbers are needed until their mean has at most this standard error: variance /
+// error^2, rounded up, at least 1 and at most `most`. variance is 0 or more and may be infinite;
+// error is 0 or more and finite, and its square need not fit into a Real; most is 1 or more. With
+// a variance of 0 one number is enough, even for error 0. Otherwise error 0 takes `most`, and so
+// does an infinite variance.
 inline std::int64_t samples_for(Real variance, Real error, std::int64_t most) {
     return rt::todo("11.2", variance, error, most);
 }

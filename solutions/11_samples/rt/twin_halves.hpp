@@ -16,13 +16,13 @@ struct CountLimits {
     int least = 1, most = 1;
 };
 
-// How many samples a place of the picture is worth, so that the mean square error of the
-// whole picture is error^2 and the work is least: spread * mean_spread / error^2, rounded up and
-// kept within the limits. spread is the standard deviation of the place's samples, mean_spread the
-// mean of that over all places; both are 0 or more and may be infinite: then it is worth the most.
-// A spread of 0 is worth the least, whatever the others are. error is greater than 0 and finite;
-// its square need not fit into a Real. Source: Neyman, "On the two different aspects of the
-// representative method", 1934.
+// How many samples a place of the picture is worth, so that the mean square error of the whole
+// picture is error^2 and the work is least: spread * mean_spread / error^2, rounded up and kept
+// within the limits. spread is the standard deviation of the place's samples, mean_spread the mean
+// of that over all places; both are 0 or more. A spread of 0 gets limits.least, whatever the mean
+// is; otherwise an infinite spread or mean gets limits.most. error is greater than 0 and finite;
+// its square need not fit into a Real.
+// Source: Neyman, "On the two different aspects of the representative method", 1934.
 inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limits) {
     const Real wanted = spread == 0 ? Real(0) : std::ceil(spread / error * (mean_spread / error));
     if (!(wanted < static_cast<Real>(limits.most))) return limits.most;
@@ -32,8 +32,8 @@ inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limit
 
 // How many samples each half takes of a place in all. What one half has seen, spread and
 // mean_spread, decides for the other: no number decides when its own mean is good enough, so both
-// means stay unbiased. The mean of both halves is to have the error that is asked for; each half
-// may then have an error of sqrt(2) times that, since the halves err independently.
+// means stay unbiased. The mean of both halves is to have the error that is asked for. Each half
+// may then have sqrt(2) times that error, since the halves err independently.
 inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error,
                                   CountLimits limits) {
     const Real of_each = error * std::numbers::sqrt2_v<Real>;
@@ -41,8 +41,9 @@ inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread,
             worth_of(spread.first, mean_spread.first, of_each, limits)};
 }
 
-// The mean of both halves. Each counts the same however many samples it took: these depend on what
-// the other one has seen. It is finite where both means are.
+// The mean of both halves. Each counts the same however many samples it took: weights that follow
+// the counts would follow what the halves have seen, which is a bias again. It is finite where
+// both means are.
 inline Real twin_mean(Halves<Real> mean) {
     return mean.first / 2 + mean.second / 2;
 }
