@@ -346,8 +346,8 @@ TEST_CASE("11.6 any picture", "[11.6]") {
 
 TEST_CASE("11.6 one pixel or one row and a radius of any size", "[11.6][hard]") {
     rt::Rng rng{116, 5};
-    for (const auto& [width, height] : {std::pair{1, 1}, {6, 1}, {1, 7}, {3, 4}})
-        for (const int radius : {0, 1, 5, 1000})
+    for (const auto& [width, height] : {std::pair{1, 1}, {20, 1}, {1, 17}, {3, 4}})
+        for (const int radius : {0, 1, 9, 1000})
             check_denoised(any_scene(rng, width, height), any_widths(rng, radius),
                            "the box around the pixel ends at the border of the picture");
 }
