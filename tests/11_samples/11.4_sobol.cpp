@@ -275,6 +275,28 @@ TEST_CASE("11.4 each flip depends on each bit before it", "[11.4][hard]") {
     }
 }
 
+TEST_CASE("11.4 three flips do not tell a fourth one", "[11.4][hard]") {
+    constexpr int trials = 256;
+    rt::Rng random{114, 7};
+    for (int bit = 4; bit < 32; ++bit) {
+        int odd = 0;
+        for (int i = 0; i < trials; ++i) {
+            const std::uint32_t a = random(), b = random(), c = random(), seed = random();
+            odd += static_cast<int>(flip({a, bit}, seed) ^ flip({b, bit}, seed) ^
+                                    flip({c, bit}, seed) ^ flip({a ^ b ^ c, bit}, seed));
+        }
+        if (is_one_half(odd, trials)) continue;
+        INFO("bit " << bit << " (0 is the first one) of four fractions a, b, c and a ^ b ^ c: "
+                    << "expected an odd number of them to be flipped about half of the time, but "
+                       "with yours that happens "
+                    << odd << " times of " << trials);
+        INFO(
+            "Hint: a flip that is an exclusive or of bits of the fraction and of the seed is not "
+            "random enough; a product carries, and mixes them");
+        REQUIRE(is_one_half(odd, trials));
+    }
+}
+
 TEST_CASE("11.4 each bit of the seed counts", "[11.4][hard]") {
     rt::Rng random{114, 8};
     for (int bit = 0; bit < 32; ++bit) {

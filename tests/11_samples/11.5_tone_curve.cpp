@@ -12,19 +12,23 @@ namespace {
 
 using Wide = long double;
 
+constexpr Wide wide(Real x) {
+    return static_cast<Wide>(x);
+}
+
 struct WideColor {
     Wide r, g, b;
 };
 
 WideColor wide(const Color& c) {
-    return {c.r, c.g, c.b};
+    return {wide(c.r), wide(c.g), wide(c.b)};
 }
 WideColor operator*(WideColor c, Wide s) {
     return {c.r * s, c.g * s, c.b * s};
 }
 
 Wide expected_luminance(const Color& c) {
-    return 0.2126L * c.r + 0.7152L * c.g + 0.0722L * c.b;
+    return 0.2126L * wide(c.r) + 0.7152L * wide(c.g) + 0.0722L * wide(c.b);
 }
 
 // Divides before it multiplies: a long double may be no wider than a double.
@@ -43,8 +47,8 @@ std::string text(const WideColor& c) {
 
 // Within so many roundings.
 bool is_near(Real actual, Wide expected, int roundings) {
-    return std::abs(actual - expected) <=
-           static_cast<Wide>(rt::rounding_bound(roundings)) * std::abs(expected);
+    return std::abs(wide(actual) - expected) <=
+           wide(rt::rounding_bound(roundings)) * std::abs(expected);
 }
 bool is_near(const Color& actual, const WideColor& expected, int roundings) {
     return is_near(actual.r, expected.r, roundings) && is_near(actual.g, expected.g, roundings) &&
@@ -53,7 +57,7 @@ bool is_near(const Color& actual, const WideColor& expected, int roundings) {
 
 void check_exposed(const Color& color, Real stops) {
     const Color actual = rt::exposed(color, stops);
-    const WideColor expected = wide(color) * std::exp2(static_cast<Wide>(stops));
+    const WideColor expected = wide(color) * std::exp2(wide(stops));
     // A power by exp(stops log 2) has this much error.
     if (is_near(actual, expected, 8 + static_cast<int>(2 * std::abs(stops)))) return;
     INFO("exposed(" << text(color) << ", " << checkpoint::text(stops) << "): expected "
@@ -82,7 +86,7 @@ constexpr int few_digits = 4000;
 
 void check_curve(Real luminance, Real white, int roundings = 16) {
     const Real actual = rt::tone_curve(luminance, white);
-    const Wide expected = expected_curve(luminance, white);
+    const Wide expected = expected_curve(wide(luminance), wide(white));
     if (is_near(actual, expected, roundings)) return;
     INFO("tone_curve(" << checkpoint::text(luminance) << ", white " << checkpoint::text(white)
                        << "): expected " << checkpoint::text(static_cast<Real>(expected))
@@ -95,8 +99,7 @@ void check_curve(Real luminance, Real white, int roundings = 16) {
             "a step on the way, such as luminance * luminance, is too large or too small for a "
             "Real, or takes all digits away: divide before you multiply, and start with L / (1 + "
             "L)";
-    else if (is_near(actual, static_cast<Wide>(luminance) / (1 + static_cast<Wide>(luminance)),
-                     few_digits))
+    else if (is_near(actual, wide(luminance) / (1 + wide(luminance)), few_digits))
         hint = "this is L / (1 + L), in which nothing becomes white: 1 + L / white^2 is missing";
     INFO("Hint: " << hint);
     REQUIRE(checkpoint::text(actual) == checkpoint::text(static_cast<Real>(expected)));
@@ -106,7 +109,8 @@ void check_mapped(const Color& color, Real white, int roundings = 40) {
     const Color actual = rt::tone_mapped(color, white);
     const Wide luminance = expected_luminance(color);
     const WideColor expected =
-        luminance > 0 ? wide(color) * (expected_curve(luminance, white) / luminance) : WideColor{};
+        luminance > 0 ? wide(color) * (expected_curve(luminance, wide(white)) / luminance)
+                      : WideColor{};
     if (is_near(actual, expected, roundings)) return;
     INFO("tone_mapped(" << text(color) << ", white " << checkpoint::text(white) << "): expected "
                         << text(expected) << ", but yours gives " << text(actual));
@@ -115,8 +119,8 @@ void check_mapped(const Color& color, Real white, int roundings = 40) {
         "result's luminance is then what the curve says";
     if (luminance == 0)
         hint = "the luminance of black is 0, and 0 / 0 is no number: black stays black";
-    else if (is_near(actual.r, expected_curve(color.r, white), few_digits) &&
-             is_near(actual.g, expected_curve(color.g, white), few_digits))
+    else if (is_near(actual.r, expected_curve(wide(color.r), wide(white)), few_digits) &&
+             is_near(actual.g, expected_curve(wide(color.g), wide(white)), few_digits))
         hint = "each channel went through the curve by itself: that changes the hue";
     INFO("Hint: " << hint);
     REQUIRE(text(actual) == text(expected));

@@ -59,7 +59,7 @@ inline Image denoised(const Image& picture, const Canvas<Features>& features,
         return Color{std::max(albedo.r, widths.darkest), std::max(albedo.g, widths.darkest),
                      std::max(albedo.b, widths.darkest)};
     };
-    Image smooth = Canvas<Color>(picture.width(), picture.height());
+    Canvas<Color> smooth(picture.width(), picture.height());
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x) {
             const Features& here = features.at(x, y);
@@ -70,7 +70,8 @@ inline Image denoised(const Image& picture, const Canvas<Features>& features,
             for (int j = std::max(y - widths.radius, 0); j <= bottom; ++j)
                 for (int i = std::max(x - widths.radius, 0); i <= right; ++i) {
                     const Features& there = features.at(i, j);
-                    const Color light = picture.at(i, j), albedo = divisor(there.albedo);
+                    const Color& light = picture.at(i, j);
+                    const Color albedo = divisor(there.albedo);
                     const Real weight = bilateral_weight(i - x, j - y, here, there, widths);
                     sum +=
                         weight * Color{light.r / albedo.r, light.g / albedo.g, light.b / albedo.b};
