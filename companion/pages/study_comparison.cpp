@@ -53,9 +53,11 @@ bool differs(double mine, double solution, double again, double factor) {
     return differs(mine, solution, factor * wander) && differs(mine, again, factor * wander);
 }
 
-// An error that is itself a time says no more than the cost does, and wanders more.
-bool is_time(const std::string& error_name) {
-    return error_name.find("time") != std::string::npos;
+// An error that is itself a time says no more than the cost does, and wanders more. Others are
+// chance by their name.
+bool wanders(const std::string& error_name) {
+    return error_name.find("time") != std::string::npos ||
+           error_name.find("by chance") != std::string::npos;
 }
 
 std::string line(const std::string& name, double mine, double solution) {
@@ -85,7 +87,7 @@ std::string study_comparison(const std::vector<Measurement>& mine,
     for (const auto& [key, v] : variants) {
         const double my_cost = study::median(v.mine.costs), cost = study::median(v.solution.costs);
         const bool error_differs =
-            !v.error_name.empty() && !is_time(v.error_name) &&
+            !v.error_name.empty() && !wanders(v.error_name) &&
             differs(v.mine.worst_error, v.solution.worst_error, v.again.worst_error, 1.1);
         if (!error_differs && !differs(my_cost, cost, study::median(v.again.costs), 1.5)) continue;
         const auto& [study, variant, precision] = key;
