@@ -200,11 +200,18 @@ int draw_picture(const Program& program, const Request& request) {
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
-    write_image(program, path, picture.image);
+    // Nothing is not worth an older picture.
+    const bool keeps_older =
+        picture.stopped && picture.stopped->share_done < 0.01 && fs::is_regular_file(path, none);
+    if (!keeps_older) write_image(program, path, picture.image);
     if (picture.stopped) {
-        std::fprintf(stderr, "%s: stopped by %s; %s shows the %.0f %% that are done\n",
-                     program.name.c_str(), picture.stopped->signal == SIGINT ? "Ctrl-C" : "SIGTERM",
-                     path.string().c_str(), std::floor(100 * picture.stopped->share_done));
+        const std::string is_done =
+            std::to_string(static_cast<int>(100 * picture.stopped->share_done));
+        std::fprintf(stderr, "%s: stopped by %s; %s %s\n", program.name.c_str(),
+                     picture.stopped->signal == SIGINT ? "Ctrl-C" : "SIGTERM",
+                     path.string().c_str(),
+                     keeps_older ? "is as it was, as nothing is done yet"
+                                 : ("shows the " + is_done + " % that are done").c_str());
         return stopped_by + picture.stopped->signal;
     }
     if (request.quiet) return done;

@@ -130,7 +130,10 @@ class Companion(unittest.TestCase):
         self.put("program.sh", '#!/bin/sh\necho "program $*"\n'
                  '[ "$1" != --study ] || echo study,variant,precision,x,x_name,error,error_name,cost,cost_name '
                  '>"$2/01_tiny.csv"\n[ "$3" != --fail ] || exit 3\n'
-                 '[ "$3" != --crash ] || kill -SEGV $$\n')
+                 '[ "$3" != --crash ] || kill -SEGV $$\n'
+                 '[ "$3" != --long ] || { trap \'echo a part >"$2"; kill %1; exit 130\' INT; sleep 60 & '
+                 'echo x >"${2%/*}/started"; wait; }\n'
+                 '[ "$3" != --longer ] || { echo x >"${2%/*}/started"; exec sleep 60; }\n')
         os.chmod(self.root / "program.sh", 0o755)
         self.configure()
         self.put("build/bin/course", f'#!/bin/sh\nexec "{COURSE}" "$@"\n')
@@ -654,6 +657,44 @@ class Companion(unittest.TestCase):
                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.assertEqual(crashed.returncode, 1)
         self.assertIn("./course check 01", crashed.stderr)
+
+    def test_ctrl_c_reaches_what_runs(self):
+        started = self.root / "out/started"
+
+        def wait_for_start():
+            for _ in range(400):
+                if started.exists():
+                    return started.unlink()
+                time.sleep(0.05)
+            self.fail("it does not start")
+
+        def stopped(*words):
+            process = subprocess.Popen([COURSE, "run", "01", *words], env=self.environment,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            wait_for_start()
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(20), 130)
+
+        stopped("--long")
+        self.assertEqual((self.root / "out/01_tiny_mine.png").read_text(), "a part\n")
+        # What has nothing to keep ends at once.
+        stopped("--longer")
+        with self.watched("01") as terminal:
+            terminal.expect("q quit")
+            self.put("program.sh", (self.root / "program.sh").read_text().replace('"$3" != --long ', '1 = 2 '))
+            (self.root / "out/01_tiny_mine.png").unlink()
+            terminal.press("r")
+            wait_for_start()
+            terminal.press("\x03")
+            self.assertEqual(terminal.end(), -signal.SIGINT)
+            self.assertTrue(terminal.echoes())
+        self.assertEqual((self.root / "out/01_tiny_mine.png").read_text(), "a part\n")
+
+    def test_mine_keeps_the_older_picture(self):
+        self.put("out/mine.png", "a picture")
+        self.put("program.sh", "#!/bin/sh\nexit 1\n")
+        self.course("mine", code=1)
+        self.assertEqual((self.root / "out/mine.png").read_text(), "a picture")
 
     def put_questions(self):
         self.put("docs/x.png", "a picture")
