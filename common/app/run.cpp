@@ -200,13 +200,12 @@ int draw_picture(const Program& program, const Request& request) {
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
+    const int percent = picture.stopped ? static_cast<int>(100 * picture.stopped->share_done) : 100;
     // Nothing is not worth an older picture.
-    const bool keeps_older =
-        picture.stopped && picture.stopped->share_done < 0.01 && fs::is_regular_file(path, none);
+    const bool keeps_older = percent == 0 && fs::is_regular_file(path, none);
     if (!keeps_older) write_image(program, path, picture.image);
     if (picture.stopped) {
-        const std::string is_done =
-            std::to_string(static_cast<int>(100 * picture.stopped->share_done));
+        const std::string is_done = std::to_string(percent);
         std::fprintf(stderr, "%s: stopped by %s; %s %s\n", program.name.c_str(),
                      picture.stopped->signal == SIGINT ? "Ctrl-C" : "SIGTERM",
                      path.string().c_str(),

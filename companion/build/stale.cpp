@@ -4,7 +4,6 @@
 #include <companion/system/files.hpp>
 #include <limits>
 #include <map>
-#include <set>
 #include <sstream>
 
 namespace companion {

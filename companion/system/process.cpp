@@ -198,7 +198,7 @@ Result run_process(const Run& run) {
     if (id < 0) fail("fork");
     if (id == 0) become(command.data(), run.folder.c_str(), into.value, err, run.most_memory);
     ::setpgid(id, id);  // here and there, since nobody knows who is first
-    passed_on = 0;
+    if (run.passes_signals) passed_on = 0;
     const EndedOnInterrupt guard{id, run.passes_signals};
     into.close();
     Result result = Child{id, from.value}.wait(run.timeout, run.most_output);
