@@ -14,7 +14,7 @@ namespace samples {
 namespace {
 
 constexpr Effects cover_effects{.mirror = true, .fuzz = true, .glass = true};
-constexpr int width = 192, height = 108, tile_side = 12;
+constexpr int width = 192, height = 108;
 
 // The cover, made ready for all ways. Each draws it with some samples in a pixel.
 class Cover {
@@ -31,36 +31,36 @@ class Cover {
     }
 
     std::vector<Way> ways() {
-        return {{"classic", [this](int n, std::uint64_t) { return draw_classic(n); }},
-                {"chapter 08",
-                 [this](int n, std::uint64_t seed) {
-                     return draw_with(JitteredSamples{seed, n});
-                 }},
-                {"Sobol",
-                 [this](int n, std::uint64_t seed) {
-                     return draw_with(SobolSamples{seed, n});
-                 }},
-                {"twin halves",
-                 [this](int n, std::uint64_t seed) {
-                     return refine(grid(), seed, n,
-                                   [this](int count) { return jittered_pass(count); })
-                         .image;
-                 }},
-                {"Sobol in twin halves",
-                 [this](int n, std::uint64_t seed) {
-                     return refine(grid(), seed, n,
-                                   [this](int count) { return sobol_pass(renderer_, count); })
-                         .image;
-                 }},
-                {"batches", [this](int n, std::uint64_t seed) { return draw_batches(n, seed); }},
-                {"batches in twin halves", [this](int n, std::uint64_t seed) {
-                     return refine(grid(), seed, n, [this](int count) { return batch_pass(count); })
-                         .image;
-                 }}};
+        return {
+            {"classic", [this](int n, std::uint64_t) { return draw_classic(n); }},
+            {"chapter 08",
+             [this](int n, std::uint64_t seed) {
+                 return draw_with(JitteredSamples{seed, n});
+             }},
+            {"Sobol",
+             [this](int n, std::uint64_t seed) {
+                 return draw_with(SobolSamples{seed, n});
+             }},
+            {"twin halves",
+             [this](int n, std::uint64_t seed) {
+                 return refine(grid(), seed, n, [this](int count) { return jittered_pass(count); })
+                     .image;
+             }},
+            {"Sobol in twin halves",
+             [this](int n, std::uint64_t seed) {
+                 return refine(grid(), seed, n,
+                               [this](int count) { return sobol_pass(renderer_, count); })
+                     .image;
+             }},
+            {"batches", [this](int n, std::uint64_t seed) { return draw_batches(n, seed); }},
+            {"batches in twin halves", [this](int n, std::uint64_t seed) {
+                 return refine(grid(16), seed, n, [this](int count) { return batch_pass(count); })
+                     .image;
+             }}};
     }
 
   private:
-    static TileGrid grid() { return {width, height, tile_side}; }
+    static TileGrid grid(int tile_side = 4) { return {width, height, tile_side}; }
     static Image blank() { return Canvas<Color>{width, height}; }
 
     Image draw_classic(int samples) {

@@ -160,7 +160,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     Canvas<int> counts{both.width, settings.height};
     const Drawn jittered = draw_jittered(sampling, strips[0]);
     const Drawn sobol = draw_halves(sampling, strips[1], std::max(1, settings.spp / 2), counts);
-    const Drawn worth = draw_halves(sampling, both, std::max(1, settings.spp / 4), counts);
+    const Drawn worth =
+        draw_halves(sampling, both, settings.spp < 4 ? 1 : std::max(2, settings.spp / 4), counts);
     put(jittered.light, strips[0].left);
     put(sobol.light, strips[1].left);
     put(worth.light, both.left);

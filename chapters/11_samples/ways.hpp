@@ -62,18 +62,17 @@ struct Refined {
     double error = 0;
 };
 
-// A picture in twin halves with about this many samples in a pixel on the average: in passes of a
-// 32nd of them, of which the pilot takes a quarter. make_pass(count) gives a DrawPass for passes of
-// that many samples.
+// A picture in twin halves with about this many samples in a pixel on the average: in 16 passes, of
+// which the pilot takes half. make_pass(count) gives a DrawPass for passes of that many samples.
 template <class MakePass>
 Refined refine(const TileGrid& grid, std::uint64_t seed, int samples, const MakePass& make_pass) {
-    const int count = std::max(1, samples / 32);
+    const int count = std::max(1, samples / 16);
     RefinementPlan plan;
     plan.grid = grid;
     plan.seed = seed;
     plan.make_worker = [&] { return make_pass(count); };
     Refinement refinement{std::move(plan)};
-    refinement.draw_pilot(std::clamp(samples / count / 4, 1, 4));
+    refinement.draw_pilot(samples < 4 ? 1 : std::clamp(samples / count / 4, 2, 4));
     refinement.refine_with(std::int64_t{tile_count(grid)} * samples / count);
     return {refinement.picture(Canvas<Color>{grid.width, grid.height}),
             static_cast<double>(refinement.error())};
