@@ -252,6 +252,9 @@ function(course_chapter chapter)
   endforeach()
   file(GLOB course_sources RELATIVE ${root}/solutions/${chapter}/rt CONFIGURE_DEPENDS
        ${root}/solutions/${chapter}/rt/*.cpp)
+  # A source that the learner takes away or brings back changes which one is compiled.
+  file(GLOB learners CONFIGURE_DEPENDS
+       ${root}/exercises/${chapter}/*.cpp ${root}/exercises/${chapter}/rt/*.cpp)
   set(ids ${course_ids_${chapter}})
   set(checkpoints "")
   foreach(id ${ids})

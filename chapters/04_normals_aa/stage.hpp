@@ -1,5 +1,5 @@
 #pragma once
-// The group drawn with samples of several kinds, and what is wrong with a picture.
+// The group drawn with samples of several kinds.
 
 #include <rt/jitter.hpp>
 #include <rt/make_camera.hpp>
@@ -66,14 +66,6 @@ Pixels draw_low_discrepancy(const Stage& stage, int samples, int depth, std::uin
             pixels.push_back(sum / static_cast<Real>(samples));
         }
     return pixels;
-}
-
-inline double squared_error(const Pixels& a, const Pixels& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (const Real d : {a[i].r - b[i].r, a[i].g - b[i].g, a[i].b - b[i].b})
-            sum += static_cast<double>(d) * static_cast<double>(d);
-    return sum / (3 * static_cast<double>(a.size()));
 }
 
 }  // namespace normals_aa

@@ -3,6 +3,7 @@
 // bounces.
 
 #include <cmath>
+#include <study/pixel_error.hpp>
 #include <study/report.hpp>
 #include <study/timing.hpp>
 
@@ -26,8 +27,11 @@ Measured measure(const Pixels& reference, Draw draw) {
     constexpr int seeds = 5;
     std::uint64_t seed = 100;
     double sum = 0;
-    const double ns =
-        study::time_ns([&] { sum += squared_error(draw(seed++), reference); }, {.rounds = seeds});
+    const auto judge = [&] {
+        const double error = study::root_mean_square_error(draw(seed++), reference);
+        sum += error * error;
+    };
+    const double ns = study::time_ns(judge, {.rounds = seeds});
     return {std::sqrt(sum / seeds), 1e-6 * ns};
 }
 

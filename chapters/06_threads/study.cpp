@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <mutex>
+#include <string_view>
 #include <study/pixel_error.hpp>
 
 #include "schedule.hpp"
@@ -13,6 +14,12 @@ namespace {
 
 int core_count() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// The name of an error that is chance where threads race: ./course study takes it for no
+// difference.
+std::string error_of(const std::string& name, bool races) {
+    return name + (races ? " by chance / %" : " / %");
 }
 
 struct Trial {
@@ -84,7 +91,7 @@ void study_streams(study::Report& report, const Scene& scene) {
         return sum / static_cast<Real>(shader.samples);
     };
     std::vector<study::Row> in_a_pixel;
-    const auto add = [&](const char* variant, auto draw) {
+    const auto add = [&](const char* variant, bool races, auto draw) {
         constexpr std::array all_workers{1, 2, 4};
         Image alone;
         std::array<std::vector<double>, all_workers.size()> differ, off;
@@ -106,18 +113,19 @@ void study_streams(study::Report& report, const Scene& scene) {
                         .x = static_cast<double>(all_workers[i]),
                         .x_name = "workers",
                         .error = study::median(differ[i]),
-                        .error_name = "pixels that differ / %",
+                        .error_name = error_of("pixels that differ", races),
                         .cost = 1e-6 * times[i],
                         .cost_name = "time / ms"});
         in_a_pixel.push_back(study::pixel_error(std::string{variant} + ", 2 workers", 2, "workers",
                                                 study::median(off[1])));
+        if (races) in_a_pixel.back().error_name += " by chance";
     };
-    add("one for all, locked", [&](int workers) {
+    add("one for all, locked", true, [&](int workers) {
         LockedRng random;
         return render_image(render_tiles, grid, workers,
                             [&](int x, int y, int) { return average(x, y, random); });
     });
-    add("one a worker", [&](int workers) {
+    add("one a worker", true, [&](int workers) {
         struct alignas(64) OwnRng {
             Rng random;
         };
@@ -127,13 +135,13 @@ void study_streams(study::Report& report, const Scene& scene) {
             return average(x, y, own[static_cast<std::size_t>(worker)].random);
         });
     });
-    add("one a pixel", [&](int workers) {
+    add("one a pixel", false, [&](int workers) {
         return render_image(render_tiles, grid, workers, [&](int x, int y, int) {
             Rng random = pixel_rng(1, x, y);
             return average(x, y, random);
         });
     });
-    add("one a sample", [&](int workers) {
+    add("one a sample", false, [&](int workers) {
         return render_image(render_tiles, grid, workers, [&](int x, int y, int) {
             return average_samples(1, x, y, shader.samples, [&](int number, Rng& random) {
                 return shader.sample(scene.world, x, y, number, random);
@@ -231,7 +239,8 @@ void study_counter(study::Report& report) {
                     .x = static_cast<double>(workers),
                     .x_name = "workers",
                     .error = study::median(lost),
-                    .error_name = "numbers taken twice / %",
+                    .error_name = error_of("numbers taken twice",
+                                           std::string_view{variant} == "read, then write"),
                     .cost = ns / count / workers,
                     .cost_name = "time per number / ns"});
     };

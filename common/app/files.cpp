@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <app/errors.hpp>
@@ -18,9 +19,14 @@ namespace fs = std::filesystem;
     throw std::system_error(error ? error : EIO, std::generic_category());
 }
 
-// mode "w" writes to what is there, "wx" to a new file only.
-void write_to(const fs::path& path, const std::string& bytes, const char* mode) {
-    std::FILE* const file = std::fopen(path.c_str(), mode);
+// flags is O_EXCL for a new file only.
+void write_to(const fs::path& path, const std::string& bytes, int flags) {
+    // To open a pipe would wait for a reader, who may never come; to write to it may wait.
+    const int descriptor =
+        ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK | flags, 0666);
+    if (descriptor < 0) fail(errno);
+    ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+    std::FILE* const file = ::fdopen(descriptor, "w");
     if (!file) fail(errno);
     errno = 0;
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
@@ -30,15 +36,6 @@ void write_to(const fs::path& path, const std::string& bytes, const char* mode) 
     const bool closed = std::fclose(file) == 0;
     if (!written) fail(write_error);
     if (!closed) fail(errno);
-}
-
-// The file that a path means: through links the one that they point to, there or not.
-fs::path behind_links(fs::path path) {
-    for (int links = 0; fs::is_symlink(fs::symlink_status(path)); ++links) {
-        if (links == 40) fail(ELOOP);
-        path = path.parent_path() / fs::read_symlink(path);
-    }
-    return path;
 }
 
 // The file that Ctrl-C and the like must not leave behind, while there is one.
@@ -61,9 +58,17 @@ class RemovedOnInterrupt {
 
 }  // namespace
 
+fs::path behind_links(fs::path path) {
+    for (int links = 0; fs::is_symlink(fs::symlink_status(path)); ++links) {
+        if (links == 40) fail(ELOOP);
+        path = path.parent_path() / fs::read_symlink(path);
+    }
+    return path;
+}
+
 void replace_file(const fs::path& path, const std::string& bytes) {
     const fs::file_status status = fs::status(path);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, bytes, "w");
+    if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, bytes, 0);
 
     const fs::path target = behind_links(path);
     // A name of its own, so that two programs that write the same image do not meet.
@@ -71,7 +76,7 @@ void replace_file(const fs::path& path, const std::string& bytes) {
         target.parent_path() / ("." + std::to_string(std::random_device{}()) + ".part");
     const RemovedOnInterrupt guard{temporary};
     try {
-        write_to(temporary, bytes, "wx");
+        write_to(temporary, bytes, O_EXCL);
         if (fs::exists(status)) fs::permissions(temporary, status.permissions());
         fs::rename(temporary, target);
     } catch (const std::system_error&) {

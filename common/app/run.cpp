@@ -1,12 +1,14 @@
+#include <fcntl.h>
 #include <unistd.h>
-#include <app/files.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <app/files.hpp>
 #include <app/json.hpp>
 #include <app/limits.hpp>
 #include <app/nearest_word.hpp>
 #include <app/run.hpp>
+#include <app/threads.hpp>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -101,9 +103,11 @@ void check_output(const fs::path& path) {
     const std::string extension = path.extension().string();
     if (extension != ".png" && extension != ".ppm" && !is_device)
         throw UsageError(name + " has no extension that is known; use .png or .ppm");
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path{"."};
+    const fs::path target = is_device ? path : behind_links(path);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path{"."};
     if (!fs::is_directory(folder, error))
         throw Failure("--out: the folder " + folder.string() +
+                      (target == path ? "" : ", to which the link " + path.string() + " leads,") +
                       " is not there; make it, or name another one");
     if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
         throw Failure(name + " is there and cannot be replaced (" + std::strerror(errno) +
@@ -134,15 +138,55 @@ std::string count(double number, const char* unit) {
     return text;
 }
 
+// A pipe that is held open for writing, so that its reader stays. Without a reader it would be
+// waited for without end.
+class HeldPipe {
+  public:
+    explicit HeldPipe(const fs::path& path) {
+        if (!fs::is_fifo(path)) return;
+        // A reader that was started at the same time may take a moment.
+        for (int tries = 0; descriptor_ < 0 && tries < 100; ++tries) {
+            if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            descriptor_ = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+        }
+        if (descriptor_ < 0)
+            throw Failure(
+                "--out: " + path.string() +
+                " is a pipe that nobody reads from; start the reader first, or name a file");
+    }
+    ~HeldPipe() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    HeldPipe(const HeldPipe&) = delete;
+    HeldPipe& operator=(const HeldPipe&) = delete;
+
+  private:
+    int descriptor_ = -1;
+};
+
+// Takes fewer threads where the system does not give as many, and says so.
+void check_threads(const Program& program, const Request& request, Settings& settings) {
+    if (settings.threads == 0) return;
+    const int wanted = settings.threads;
+    settings.threads = threads_that_start(wanted);
+    if (settings.threads == 0)
+        throw Failure("no thread can be started: the system has too many already (ulimit -u)");
+    if (settings.threads < wanted && !request.quiet)
+        std::fprintf(stderr, "%s: only %d of %d threads can be started; it goes on with these\n",
+                     program.name.c_str(), settings.threads, wanted);
+}
+
 // Returns the program's exit code.
 int draw_picture(const Program& program, const Request& request) {
     const fs::path path = request.out;
     check_output(path);
+    const HeldPipe pipe{path};
     // The report must not end up in an image that goes to the standard output.
     std::error_code none;
     std::FILE* const out =
         !fs::exists(path, none) || fs::is_regular_file(path, none) ? stdout : stderr;
     Settings settings = request.settings;
+    check_threads(program, request, settings);
     if (request.explain && !request.quiet)
         settings.explain = [out](const std::string& words) {
             std::fputs(words.c_str(), out);
@@ -156,11 +200,17 @@ int draw_picture(const Program& program, const Request& request) {
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
-    write_image(program, path, picture.image);
+    const int percent = picture.stopped ? static_cast<int>(100 * picture.stopped->share_done) : 100;
+    // Nothing is not worth an older picture.
+    const bool keeps_older = percent == 0 && fs::is_regular_file(path, none);
+    if (!keeps_older) write_image(program, path, picture.image);
     if (picture.stopped) {
-        std::fprintf(stderr, "%s: stopped by %s; %s shows the %.0f %% that are done\n",
-                     program.name.c_str(), picture.stopped->signal == SIGINT ? "Ctrl-C" : "SIGTERM",
-                     path.string().c_str(), std::floor(100 * picture.stopped->share_done));
+        const std::string is_done = std::to_string(percent);
+        std::fprintf(stderr, "%s: stopped by %s; %s %s\n", program.name.c_str(),
+                     picture.stopped->signal == SIGINT ? "Ctrl-C" : "SIGTERM",
+                     path.string().c_str(),
+                     keeps_older ? "is as it was, as nothing is done yet"
+                                 : ("shows the " + is_done + " % that are done").c_str());
         return stopped_by + picture.stopped->signal;
     }
     if (request.quiet) return done;

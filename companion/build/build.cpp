@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
+#include <companion/build/stale.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/file_lock.hpp>
 #include <companion/system/process.hpp>
@@ -40,7 +41,9 @@ BuildResult build(const Course& course, const std::vector<std::string>& targets)
         command.insert(
             command.end(),
             {"-k", "-j" + std::to_string(std::max(1u, std::thread::hardware_concurrency()))});
+    remove_stale(course);
     const Result result = run_process({.command = command});
+    note_built(course);
     return {result.ok(), result.output};
 }
 

@@ -220,9 +220,12 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
     std::vector<Checked*> begun;
     for (const Exercise& exercise : exercises) {
         all.emplace_back().exercise = exercise;
-        // Before the build: what is saved during it is not what the verdict is about.
+        // Before the build: what is saved during it may or may not be what the verdict is about.
         hashes.push_back(hash_of(course, exercise));
-        if (is_begun(course, exercise)) begun.push_back(&all.back());
+        if (all.back().trouble = trouble_with_files(course, exercise); !all.back().trouble.empty())
+            all.back().verdict = Verdict::no_file;
+        else if (is_begun(course, exercise))
+            begun.push_back(&all.back());
     }
     const auto errors = build_all(course, begun);
     State before = read_state(course);
@@ -258,7 +261,9 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
             Record& record = state[all[i].exercise.id];
             record.passed = verdict == Verdict::passed;
             // What waits for another exercise says nothing yet of its own answer.
-            record.hash = verdict == Verdict::waiting ? "" : hashes[i];
+            const bool is_known =
+                verdict != Verdict::waiting && hash_of(course, all[i].exercise) == hashes[i];
+            record.hash = is_known ? hashes[i] : "";
             record.warning = all[i].warning;
             record.stars = all[i].stars;
             record.open_stars = static_cast<int>(all[i].open_stars.size());
@@ -307,6 +312,7 @@ int check_in_float(const Course& course, std::vector<Checked>& all) {
     change_state(course, [&](State& state) {
         for (const Try& one : tries) {
             Record& record = state[one.in_double->exercise.id];
+            if (record.hash != hash_of(course, one.in_double->exercise)) record.hash.clear();
             if (one.in_double->in_float) record.passed = false;
             record.open_stars = static_cast<int>(one.in_double->open_stars.size());
         }

@@ -10,6 +10,7 @@ namespace companion {
 enum class Verdict {
     passed,        // the core; stars may be open
     failing,       // an assertion of the core does not hold, or an exception came
+    no_file,       // trouble says what is missing
     to_write,      // its own rt::todo is still there; trouble says what that may come from
     waiting,       // an exercise that it needs is still to be written
     not_compiled,  // trouble is the first error

@@ -17,6 +17,22 @@ const Meaning meanings[]{
      "The braces do not match: each { needs its own }. Count them from here upwards."},
     {"expected .;.|expected .,. or .;.",
      "A semicolon is missing, at the end of this line or of the one before."},
+    {"incompatible vector types in conditional|vector operands to the vector conditional|"
+     "inferred scalar type|vector condition type",
+     "Both choices of `mask ? a : b` must be packs of the same type. `pack_of(x)` is x in all "
+     "lanes, `PackMask{} + n` a whole number. For vectors there is `pick(mask, a, b)`."},
+    {"(__vector|vector of).* to .bool|type .bool. with .*vector of",
+     "A mask is true or false in each lane, but here one answer is needed. `bits_of(mask) != 0` "
+     "asks whether it is true in any lane, and `mask ? a : b` chooses in each."},
+    {"call to .(sqrt|abs|min|max|copysign|fma)\\(.*rt::Pack",
+     "The functions of std:: take single numbers. Those for packs have the same names without "
+     "std:: in front."},
+    {"(convert|conversion|initialize|assigning to).*(rt::Pack(Mask)?\\b|__vector|vector of)",
+     "One of them is a pack, and the other is not, or it is another kind of pack. `pack_of(x)` is "
+     "x in all lanes, `PackMask{} + n` a whole number; `p[i]` is the number in lane i."},
+    {"invalid operands.*(__vector|vector of)",
+     "A mask and a pack of numbers do not go together. `&` and `|` join two masks, and "
+     "`mask ? a : b` chooses between two packs."},
     {"result type must be constructible|construct_at",
      "Something that cannot be copied, such as a unique_ptr, would be copied here: leave the "
      "vector empty, and `push_back(std::move(it))`."},
@@ -75,6 +91,8 @@ const Meaning meanings[]{
     {"undefined reference|Undefined symbol",
      "The function is declared and called, but nowhere defined with these very parameters."},
     {"multiple definition", "The function is defined in two files: in a header it needs `inline`."},
+    {"expected primary-expression before .\\{|initializer list cannot be used on",
+     "Braces need their type before them here, such as `Vec3{}` or `Pack{}`."},
     {"expected primary-expression|expected expression|expected unqualified-id|expected .\\).",
      "Something is missing or too much just before this place: an operator, a value, a bracket."},
 };

@@ -10,6 +10,8 @@ const char* reason(Verdict verdict) {
             return "passes";
         case Verdict::failing:
             return "fails";
+        case Verdict::no_file:
+            return "has a file that is missing";
         case Verdict::to_write:
             return "is still to be written";
         case Verdict::waiting:

@@ -27,15 +27,6 @@ std::string files_of(const Exercise& exercise) {
     return files;
 }
 
-// Says so where a file is gone.
-std::string missing_files(const Course& course, const Exercise& exercise) {
-    for (const fs::path& file : exercise.files)
-        if (!fs::exists(course.root / file))
-            return "  " + red(file.string() + " is gone") + ": ./course reset " + exercise.id +
-                   " brings it back\n";
-    return "";
-}
-
 // "; 2 of 3 functions are written, next: normalize".
 std::string functions_done(const Checked& checked) {
     const int all = checked.exercise.functions, left = static_cast<int>(checked.left.size());
@@ -61,6 +52,8 @@ std::string verdict_text(const Checked& checked) {
                        std::to_string(failing) + " of " + cases(all)) +
                    (missing == 0 ? ""
                                  : yellow(", " + std::to_string(missing) + " still to be written"));
+        case Verdict::no_file:
+            return red("a file is missing");
         case Verdict::to_write:
             if (all == 0) return dim("to be written");
             return yellow(passed == 0 ? "begun: all of its " + cases(all) + " meet an rt::todo"
@@ -275,6 +268,7 @@ std::string float_lines(const Course& course, std::vector<Checked>& all) {
 
 std::string details(const Course& course, const Checked& checked) {
     const Exercise& exercise = checked.exercise;
+    if (checked.verdict == Verdict::no_file) return red(checked.trouble) + '\n';
     std::string text = bold(exercise.id + ' ' + exercise.title) + ", " + files_of(exercise) + "\n";
     // The test case in which it crashed or did not end.
     std::string where;
@@ -315,6 +309,7 @@ std::string details(const Course& course, const Checked& checked) {
                                              : wrapped(checked.trouble, "  ")) +
                     warned(checked);
             break;
+        case Verdict::no_file:
         case Verdict::passed:
             break;
     }
@@ -379,12 +374,14 @@ std::string next_step(const Course& course, const Exercise* next) {
         return (electives_left(course).empty() ? "Every exercise passes. "
                                                : "Every exercise of the core passes. ") +
                step_after_the_exercises(course);
+    if (const std::string trouble = trouble_with_files(course, *next); !trouble.empty())
+        return red(trouble) + '\n';
     return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
            std::to_string(next->minutes) + " minutes" +
            (next->star_minutes > 0 ? " (its stars: " + std::to_string(next->star_minutes) + " more)"
                                    : "") +
            "\n  read   " + next->section() + "\n  write  " + files_of(*next) +
-           "\n  check  ./course check " + next->id + '\n' + missing_files(course, *next);
+           "\n  check  ./course check " + next->id + '\n';
 }
 
 std::string chapter_done(const Chapter& chapter, int open_stars) {

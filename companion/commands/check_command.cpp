@@ -92,6 +92,8 @@ int check_sanitized(const Course& course, const std::string& name, const std::st
         throw app::UsageError("--sanitize: takes nothing, address or thread, not '" + sanitizer +
                               '\'');
     const Exercise exercise = find_exercise(course, name);
+    if (const std::string trouble = trouble_with_files(course, exercise); !trouble.empty())
+        throw app::Failure(trouble);
     const SanitizedRun run = run_sanitized(course, exercise, sanitizer == "thread");
     print(run.words);
     return run.passed ? app::done : app::could_not;

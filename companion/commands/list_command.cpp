@@ -23,6 +23,7 @@ std::string marked(Progress progress) {
         case Progress::done:
             return green(text);
         case Progress::failing:
+        case Progress::no_file:
             return red(text);
         case Progress::to_write:
             return dim(text);
@@ -79,7 +80,7 @@ Work work_of(const Course& course, const State& state, const Chapter& chapter,
 
 int list(const Course& course) {
     const State state = read_state(course);
-    Work total;
+    Work total, electives;
     std::vector<Exercise> every;
     for (const Chapter& chapter : every_chapter(course)) {
         if (!chapter.has_exercises()) {
@@ -105,7 +106,11 @@ int list(const Course& course) {
                             : "");
             if (chapter.core) every.push_back(exercise);
         }
-        if (!chapter.core) continue;
+        if (!chapter.core) {
+            electives.done += part.done;
+            electives.exercises += part.exercises;
+            continue;
+        }
         total.done += part.done;
         total.exercises += part.exercises;
         total.minutes += part.minutes;
@@ -114,11 +119,14 @@ int list(const Course& course) {
         total.open_stars += part.open_stars;
         total.minutes_left += part.minutes_left;
     }
-    std::printf("\n%s %d of %d exercises, %s of %s left; %s\n\n%s",
+    std::printf("\n%s %d of %d exercises, %s of %s left; %s\n",
                 bar(total.done, total.exercises, 30).c_str(), total.done, total.exercises,
                 hours(total.minutes_left).c_str(), hours(total.minutes).c_str(),
-                stars_of(total).c_str(),
-                next_step(course, first_open(course, state, every)).c_str());
+                stars_of(total).c_str());
+    if (electives.done > 0)
+        std::printf("Beyond the course: %d of %d exercises of electives\n", electives.done,
+                    electives.exercises);
+    std::printf("\n%s", next_step(course, first_open(course, state, every)).c_str());
     return app::done;
 }
 

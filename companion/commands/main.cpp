@@ -7,6 +7,7 @@
 #include <companion/commands/commands.hpp>
 #include <companion/system/files.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <sstream>
 #include <utility>
@@ -147,5 +148,7 @@ int obey(Words words) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    // Compilers and CMake speak the language of the machine, and their words are read here.
+    ::setenv("LC_ALL", "C", true);
     return app::run_or_explain("course", [&] { return obey({argv + 1, argv + argc}); });
 }

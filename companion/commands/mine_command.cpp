@@ -15,12 +15,13 @@ int mine(const Course& course) {
     std::fflush(stdout);
     must_build(course, last.name + "_mine");
     app::make_folder(course.out());
-    fs::remove(course.out() / "mine.png");
     const Result result =
         run_process({.command = {course.program(last.name + "_mine").string(), "--out", "mine.png"},
                      .folder = course.out(),
                      .output = Output::shown,
+                     .passes_signals = true,
                      .timeout = 900});
+    if (result.passed_on) return app::stopped_by + result.passed_on;
     if (!result.ok()) throw app::Failure("the final scene: " + how_it_ended(result));
     std::puts("The picture is in out/mine.png.");
     return app::done;

@@ -35,8 +35,12 @@ int reset(const Course& course, const std::string& id) {
 
     std::vector<fs::path> changed;
     for (const fs::path& file : exercise.files)
+        if (fs::exists(fs::symlink_status(course.root / file)) &&
+            !why_no_file(course.root / file).empty())
+            throw app::Failure(trouble_with_files(course, exercise));
+    for (const fs::path& file : exercise.files)
         if (!fs::exists(course.root / file) ||
-            read_file(course.root / file) != stubs.at(file.lexically_relative(chapter)))
+            read_text(course.root / file) != stubs.at(file.lexically_relative(chapter)))
             changed.push_back(file);
     if (changed.empty()) {
         std::printf("%s is as it was shipped.\n", exercise.id.c_str());

@@ -51,7 +51,9 @@ int run(const Course& course, const std::string& name, const std::vector<std::st
         command.insert(command.end(), {"--out", picture.string()});
     }
     command.insert(command.end(), options.begin(), options.end());
-    const Result result = run_process({.command = command, .output = Output::shown});
+    const Result result =
+        run_process({.command = command, .output = Output::shown, .passes_signals = true});
+    if (result.passed_on && result.signal) return app::stopped_by + result.signal;
     if (result.signal != 0)
         throw app::Failure(chapter.name + " crashed, " + how_it_ended(result) +
                            "; in which exercise: ./course check " + chapter.number());

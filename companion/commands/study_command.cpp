@@ -20,30 +20,38 @@ int study(const Course& course, const Named& name, bool mine) {
     std::vector<Chapter> chosen = chapters(course);
     if (name) chosen = {find_chapter(course, *name)};
     std::string words = "The solution's code was measured.";
-    std::vector<Whose> codes{Whose::solution};
+    const Whose shown = mine ? Whose::mine : Whose::solution;
     if (mine) {
         words = put_yours_in_place(course, chosen.back()).words();
-        codes = {Whose::mine, Whose::solution};
         for (const Chapter& chapter : chosen)
-            for (const Whose whose : codes)
+            for (const Whose whose : {Whose::mine, Whose::solution})
                 for (const std::string& program : study_programs(chapter, whose))
                     must_build(course, program);
     }
     const bool with_plots = is_installed("gnuplot");
     int drawn = 0;
-    for (const Chapter& chapter : chosen) {
-        // One after the other, for what the machine does at another time is another measurement.
-        for (const Whose whose : codes) {
-            measure(course, chapter, whose == codes.front(), whose);
-            if (with_plots) drawn += draw_plots(course, chapter, whose);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const Chapter& chapter = chosen[i];
+        // Yours between two runs of the solution: what those differ by is no difference.
+        std::printf("study %s, %zu of %zu, about %d s\n", chapter.name.c_str(), i + 1,
+                    chosen.size(), (mine ? 3 : 1) * chapter.study_seconds);
+        std::fflush(stdout);
+        std::vector<Measurement> solution;
+        if (mine) {
+            measure(course, chapter, false);
+            solution = measured(course, chapter, Whose::solution);
         }
-        if (mine)
-            std::printf("\n%s", study_comparison(measured(course, chapter, Whose::mine),
-                                                 measured(course, chapter, Whose::solution))
-                                    .c_str());
+        measure(course, chapter, true, shown);
+        if (with_plots) drawn += draw_plots(course, chapter, shown);
+        if (!mine) continue;
+        measure(course, chapter, false);
+        if (with_plots) drawn += draw_plots(course, chapter);
+        std::printf("\n%s\n", study_comparison(measured(course, chapter, Whose::mine), solution,
+                                               measured(course, chapter, Whose::solution))
+                                  .c_str());
     }
     std::printf("\n%s Tables%s are in %s\n", words.c_str(), drawn ? " and plots" : "",
-                study_folder(course, codes.front()).string().c_str());
+                study_folder(course, shown).string().c_str());
     if (!with_plots) std::puts("No plots: gnuplot is not installed.");
     return app::done;
 }

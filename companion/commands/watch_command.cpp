@@ -10,6 +10,7 @@
 #include <companion/system/keyboard.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/terminal.hpp>
+#include <csignal>
 #include <cstdio>
 #include <map>
 #include <optional>
@@ -179,7 +180,9 @@ class Watch {
     void call(std::vector<std::string> command) {
         command.insert(command.begin(), course_.program("course").string());
         if (on_terminal_) print("\n");
-        run_process({.command = std::move(command), .output = Output::shown});
+        const Result result = run_process(
+            {.command = std::move(command), .output = Output::shown, .passes_signals = true});
+        if (result.passed_on) std::raise(result.passed_on);
         print_keys();
     }
 

@@ -32,6 +32,7 @@ struct Chapter {
     int reading = 0;         // minutes for the text
     int minutes = 0;         // for the core, with reading
     int star_minutes = 0;    // beyond that
+    int study_seconds = 1;   // that its study takes, in both precisions
     fs::path text = {}, hints = {};
     std::string caption = {};  // what its picture shows
     bool uses_real = true;     // rt::Real, so that its exercises are checked in float, too

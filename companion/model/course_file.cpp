@@ -39,6 +39,7 @@ CourseFile read_course_file(const Course& course) {
         }
         chapter.hints = fact["hints"].text();
         chapter.uses_real = fact["uses_real"].yes();
+        if (fact.has("study_seconds")) chapter.study_seconds = fact["study_seconds"].count();
         std::vector<Exercise> exercises;
         for (const Fact& exercise : fact["exercises"].list())
             exercises.push_back(read_exercise(exercise, chapter));

@@ -17,6 +17,11 @@ std::string hash_over(const std::vector<fs::path>& files, const Read& read) {
     return hash_of(bytes);
 }
 
+// What is in a file now; nothing where there is none.
+std::string present(const Course& course, const fs::path& file) {
+    return why_no_file(course.root / file).empty() ? read_text(course.root / file) : "";
+}
+
 // Fills in what was shipped of a chapter's exercises.
 void add_shipped(const Course& course, const Chapter& chapter, std::vector<Exercise>& exercises) {
     const Stubs stubs = shipped_stubs(course, chapter);
@@ -26,7 +31,11 @@ void add_shipped(const Course& course, const Chapter& chapter, std::vector<Exerc
             throw app::Failure("course.json names " + file.string() + ", which was never shipped");
         return stub->second;
     };
+    std::vector<fs::path> shipped;
+    for (const auto& [file, source] : stubs)
+        shipped.push_back(fs::path{"exercises"} / chapter.name / file);
     std::map<fs::path, int> users;
+    for (Exercise& exercise : exercises) exercise.shipped = shipped;
     for (Exercise& exercise : exercises)
         for (const fs::path& file : exercise.files) {
             ++users[file];
@@ -80,24 +89,44 @@ Exercise find_exercise(const Course& course, const std::string& id) {
 }
 
 std::string hash_of(const Course& course, const Exercise& exercise) {
-    return hash_over(exercise.files, [&](const fs::path& file) {
-        return fs::exists(course.root / file) ? read_file(course.root / file) : "";
-    });
+    std::vector<fs::path> files = exercise.files;
+    const auto& shipped = exercise.shipped;
+    for (const fs::path& path : source_files(course.root / "exercises" / exercise.chapter.name))
+        if (const fs::path file = path.lexically_relative(course.root);
+            std::find(shipped.begin(), shipped.end(), file) == shipped.end())
+            files.push_back(file);
+    return hash_over(files, [&](const fs::path& file) { return present(course, file); });
+}
+
+std::string trouble_with_files(const Course& course, const Exercise& exercise) {
+    for (const fs::path& file : exercise.files) {
+        const fs::path path = course.root / file;
+        const std::string why = why_no_file(path);
+        if (why.empty()) continue;
+        const bool in_the_way = fs::exists(fs::symlink_status(path));
+        return file.string() + ' ' + why + "; " + (in_the_way ? "move it away, and " : "") +
+               "./course reset " + exercise.id + " brings the stub back, git checkout -- " +
+               file.string() + " what you committed";
+    }
+    // The chapter's others may be included: a compiler would wait at a pipe.
+    for (const fs::path& file : exercise.shipped)
+        if (const fs::path path = course.root / file;
+            fs::exists(path) && !why_no_file(path).empty())
+            return file.string() + ' ' + why_no_file(path) + "; move it away";
+    return "";
 }
 
 bool is_begun(const Course& course, const Exercise& exercise) {
     if (todos_left(course, exercise) < exercise.shipped_todos) return true;
-    const auto& files = exercise.files;
-    return !exercise.shipped_hash.empty() && hash_of(course, exercise) != exercise.shipped_hash &&
-           std::all_of(files.begin(), files.end(),
-                       [&](const fs::path& file) { return fs::exists(course.root / file); });
+    const auto read = [&](const fs::path& file) { return present(course, file); };
+    return !exercise.shipped_hash.empty() &&
+           hash_over(exercise.files, read) != exercise.shipped_hash;
 }
 
 std::vector<std::string> functions_left(const Course& course, const Exercise& exercise) {
     std::vector<std::string> names;
     for (const fs::path& file : exercise.files) {
-        if (!fs::exists(course.root / file)) continue;
-        const auto more = functions_to_write(read_file(course.root / file), exercise.id);
+        const auto more = functions_to_write(present(course, file), exercise.id);
         names.insert(names.end(), more.begin(), more.end());
     }
     return names;
@@ -106,9 +135,7 @@ std::vector<std::string> functions_left(const Course& course, const Exercise& ex
 int todos_left(const Course& course, const Exercise& exercise) {
     int count = 0;
     for (const fs::path& file : exercise.files)
-        count += fs::exists(course.root / file)
-                     ? count_todos(read_file(course.root / file), exercise.id)
-                     : 1;
+        count += count_todos(present(course, file), exercise.id);
     return count;
 }
 

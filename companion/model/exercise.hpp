@@ -18,6 +18,7 @@ struct Exercise {
     int shipped_todos = 0;       // in these files, for this exercise
     int functions = 0;           // that the learner writes: those with an rt::todo
     std::string shipped_hash{};  // of these files; empty where another exercise is in them, too
+    std::vector<fs::path> shipped{};  // all files of its chapter
 
     // "docs/01-vectors.md, section 01.3"
     std::string section() const { return chapter.text.string() + ", section " + id; }
@@ -33,8 +34,14 @@ std::vector<Exercise> exercises(const Course& course, const std::vector<Chapter>
 // The exercise "NN.k". Throws app::UsageError, which says which there are.
 Exercise find_exercise(const Course& course, const std::string& id);
 
-// What the learner has written for an exercise: a hash over its files as they are now.
+// What the learner has written for an exercise: a hash over its files as they are now, and over
+// those that the learner has added to the chapter's folder, where the compiler finds them.
 std::string hash_of(const Course& course, const Exercise& exercise);
+
+// What is wrong with its files, in one line, where one is missing, a folder or a pipe:
+// "exercises/... is missing; ..."; else empty. Without a file of the learner's the compiler would
+// find the solution's.
+std::string trouble_with_files(const Course& course, const Exercise& exercise);
 
 // Whether the learner has begun it: an rt::todo is gone, or a file of it alone is not as shipped.
 bool is_begun(const Course& course, const Exercise& exercise);
@@ -42,7 +49,7 @@ bool is_begun(const Course& course, const Exercise& exercise);
 // Its functions in which an rt::todo is left, by name.
 std::vector<std::string> functions_left(const Course& course, const Exercise& exercise);
 
-// How many rt::todo of this exercise are left in its files. A file that is gone counts as one.
+// How many rt::todo of this exercise are left in its files.
 int todos_left(const Course& course, const Exercise& exercise);
 
 }  // namespace companion

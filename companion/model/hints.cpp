@@ -8,7 +8,7 @@ std::vector<std::string> hints(const Course& course, const Exercise& exercise) {
     const fs::path file = course.root / exercise.chapter.hints;
     std::vector<std::string> found;
     if (!fs::exists(file)) return found;
-    std::istringstream text{read_file(file)};
+    std::istringstream text{read_text(file)};
     bool in_section = false;
     for (std::string line; std::getline(text, line);) {
         if (line.rfind("## ", 0) == 0) {

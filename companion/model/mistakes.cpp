@@ -19,7 +19,7 @@ const std::set<std::string> with_value{
 class Reader {
   public:
     explicit Reader(const fs::path& file) : file_{file} {
-        std::istringstream in{read_file(file)};
+        std::istringstream in{read_text(file)};
         for (std::string line; std::getline(in, line);) lines_.push_back(line);
     }
 
@@ -179,7 +179,7 @@ std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs
     for (const Edit& edit : mistake.edits) {
         const fs::path path = solution / edit.file;
         if (!fs::exists(path)) throw app::Failure(edit.place + ": there is no " + path.string());
-        std::string& text = files.try_emplace(edit.file, read_file(path)).first->second;
+        std::string& text = files.try_emplace(edit.file, read_text(path)).first->second;
         const auto found = places(text, edit.before);
         if (found.empty())
             throw app::Failure(edit.place + ": these lines are not in " + path.string() +

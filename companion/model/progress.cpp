@@ -3,6 +3,7 @@
 namespace companion {
 
 Progress progress_of(const Course& course, const State& state, const Exercise& exercise) {
+    if (!trouble_with_files(course, exercise).empty()) return Progress::no_file;
     if (!is_begun(course, exercise)) return Progress::to_write;
     const auto found = state.find(exercise.id);
     const bool known = found != state.end() && found->second.hash == hash_of(course, exercise);
@@ -18,6 +19,8 @@ bool passes(Progress progress) {
 
 const char* text(Progress progress) {
     switch (progress) {
+        case Progress::no_file:
+            return "a file is missing";
         case Progress::to_write:
             return "to be written";
         case Progress::begun:
@@ -36,6 +39,8 @@ const char* text(Progress progress) {
 
 char symbol(Progress progress) {
     switch (progress) {
+        case Progress::no_file:
+            return '!';
         case Progress::to_write:
             return '.';
         case Progress::begun:

@@ -7,6 +7,7 @@
 namespace companion {
 
 enum class Progress {
+    no_file,    // of the learner's: it is missing, or something else is in its place
     to_write,   // as it was shipped, or nothing of it written yet
     begun,      // some of it written, some still rt::todo
     unchecked,  // written, and changed since the last check
@@ -20,7 +21,8 @@ bool passes(Progress progress);
 
 Progress progress_of(const Course& course, const State& state, const Exercise& exercise);
 
-// "done", "core passes", "failing", "not checked since it changed", "begun", "to be written"
+// "done", "core passes", "failing", "not checked since it changed", "begun", "to be written", "a
+// file is missing"
 const char* text(Progress progress);
 
 // A character that says the same where there are no colors.

@@ -134,7 +134,7 @@ fs::path private_folder(const Course& course) {
 
 State read_state(const Course& course) {
     const fs::path file = folder_of(course) / "state.json";
-    if (!fs::exists(file)) return {};
+    if (!fs::exists(fs::symlink_status(file))) return {};
     try {
         return parse(read_file(file));
     } catch (const std::runtime_error& error) {

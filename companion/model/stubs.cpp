@@ -44,7 +44,7 @@ Stubs shipped_stubs(const Course& course, const Chapter& chapter) {
     if (!fs::exists(file))
         throw app::Failure(file.string() +
                            " is missing: cmake --build build --target shipped_stubs makes it");
-    return stubs_from_text(read_file(file));
+    return stubs_from_text(read_text(file));
 }
 
 Stubs present_stubs(const Course& course, const Chapter& chapter) {
@@ -54,7 +54,7 @@ Stubs present_stubs(const Course& course, const Chapter& chapter) {
     for (const auto& entry : fs::recursive_directory_iterator{folder}) {
         const std::string kind = entry.path().extension().string();
         if (entry.is_regular_file() && (kind == ".hpp" || kind == ".cpp"))
-            stubs[entry.path().lexically_relative(folder)] = read_file(entry.path());
+            stubs[entry.path().lexically_relative(folder)] = read_text(entry.path());
     }
     return stubs;
 }

@@ -230,8 +230,11 @@ std::string bar_script(const std::vector<Measurement>& rows, const std::string& 
         << "\nset rmargin at screen 0.97\nset yrange [0.4:" << count + 0.6
         << "]\nset style fill solid 0.85 noborder\nset key bottom right Left reverse\n"
            "set ytics scale 0 font ',13' (";
-    for (std::size_t i = 0; i < order.size(); ++i)
-        out << (i ? ", " : "") << quoted(order[i].second) << ' ' << i + 1;
+    int place = 0;
+    for (const auto& [bar, variant] : order) {
+        out << (place ? ", " : "") << quoted(variant) << ' ' << place + 1;
+        ++place;
+    }
     out << ") noenhanced\n";
     std::ostringstream bars;
     for (const std::string precision : {"double", "float"}) {

@@ -10,63 +10,97 @@
 namespace companion {
 namespace {
 
-// What was measured of a variant in one precision, on both codes.
-struct Both {
-    double my_error = 0, error = 0;  // the worst
-    std::vector<double> my_costs, costs;
+using Key = std::tuple<std::string, std::string, std::string>;  // study, variant, precision
+using Rows = std::map<std::pair<Key, double>, const Measurement*>;
+
+Rows by_key(const std::vector<Measurement>& all) {
+    Rows rows;
+    for (const Measurement& row : all)
+        rows[{Key{row.study, row.variant, row.precision}, row.x}] = &row;
+    return rows;
+}
+
+// What one run says of a variant in one precision.
+struct Figures {
+    double worst_error = 0;
+    std::vector<double> costs;
+
+    void add(const Measurement& row) {
+        worst_error = std::max(worst_error, row.error);
+        costs.push_back(row.cost);
+    }
+};
+
+// The learner's, and two runs of the solution's.
+struct Variant {
+    Figures mine, solution, again;
     std::string error_name, cost_name;
 };
 
-using Key = std::tuple<std::string, std::string, std::string>;  // study, variant, precision
-
-bool differs(double a, double b, double factor) {
-    if (a == b || (std::isnan(a) && std::isnan(b))) return false;
-    return !(a <= factor * b && b <= factor * a);
+bool same(double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-std::string figures(const std::string& name, double mine, double solution) {
+bool differs(double a, double b, double factor) {
+    return !same(a, b) && !(a <= factor * b && b <= factor * a);
+}
+
+// Whether mine is off by more than this factor times what the solution's own runs differ by.
+bool differs(double mine, double solution, double again, double factor) {
+    const double wander =
+        same(solution, again) ? 1 : std::max(solution, again) / std::min(solution, again);
+    if (!(wander > 0 && std::isfinite(wander))) return false;  // it is all chance
+    return differs(mine, solution, factor * wander) && differs(mine, again, factor * wander);
+}
+
+// An error that is itself a time says no more than the cost does, and wanders more. Others are
+// chance by their name.
+bool wanders(const std::string& error_name) {
+    return error_name.find("time") != std::string::npos ||
+           error_name.find("by chance") != std::string::npos;
+}
+
+std::string line(const std::string& name, double mine, double solution) {
     char text[200];
-    std::snprintf(text, sizeof text, "%s %.3g, the solution's %.3g", name.c_str(), mine, solution);
+    std::snprintf(text, sizeof text, "    %-44s %12.3g %12.3g\n", name.c_str(), mine, solution);
     return text;
 }
 
 }  // namespace
 
 std::string study_comparison(const std::vector<Measurement>& mine,
-                             const std::vector<Measurement>& solution) {
-    std::map<std::pair<Key, double>, const Measurement*> known;
-    const auto key_of = [](const Measurement& row) {
-        return Key{row.study, row.variant, row.precision};
-    };
-    for (const Measurement& row : solution) known[{key_of(row), row.x}] = &row;
-    std::map<Key, Both> all;
-    for (const Measurement& row : mine) {
-        const auto found = known.find({key_of(row), row.x});
-        if (found == known.end()) continue;
-        const Measurement& other = *found->second;
-        Both& both = all[key_of(row)];
-        both.my_error = std::max(both.my_error, row.error);
-        both.error = std::max(both.error, other.error);
-        both.my_costs.push_back(row.cost);
-        both.costs.push_back(other.cost);
-        both.error_name = row.error_name;
-        both.cost_name = row.cost_name;
+                             const std::vector<Measurement>& solution,
+                             const std::vector<Measurement>& solution_again) {
+    const Rows first = by_key(solution), second = by_key(solution_again);
+    std::map<Key, Variant> variants;
+    for (const auto& [key, row] : by_key(mine)) {
+        const auto one = first.find(key), other = second.find(key);
+        if (one == first.end() || other == second.end()) continue;
+        Variant& variant = variants[key.first];
+        variant.mine.add(*row);
+        variant.solution.add(*one->second);
+        variant.again.add(*other->second);
+        variant.error_name = row->error_name;
+        variant.cost_name = row->cost_name;
     }
     std::string text;
-    for (const auto& [key, both] : all) {
-        const double my_cost = study::median(both.my_costs), cost = study::median(both.costs);
+    for (const auto& [key, v] : variants) {
+        const double my_cost = study::median(v.mine.costs), cost = study::median(v.solution.costs);
         const bool error_differs =
-            !both.error_name.empty() && differs(both.my_error, both.error, 1.1);
-        if (!error_differs && !differs(my_cost, cost, 1.5)) continue;
+            !v.error_name.empty() && !wanders(v.error_name) &&
+            differs(v.mine.worst_error, v.solution.worst_error, v.again.worst_error, 1.1);
+        if (!error_differs && !differs(my_cost, cost, study::median(v.again.costs), 1.5)) continue;
         const auto& [study, variant, precision] = key;
         text += "  " + study + ", " + variant + ", " + precision + "\n";
-        if (!both.error_name.empty())
-            text += "    worst " + figures(both.error_name + ": yours", both.my_error, both.error) +
-                    '\n';
-        text += "    median " + figures(both.cost_name + ": yours", my_cost, cost) + '\n';
+        if (!v.error_name.empty())
+            text += line("worst " + v.error_name, v.mine.worst_error, v.solution.worst_error);
+        if (!v.cost_name.empty()) text += line("median " + v.cost_name, my_cost, cost);
     }
-    return text.empty() ? "Yours is as accurate and as fast as the solution's.\n"
-                        : "Where yours differs from the solution's:\n" + text;
+    if (text.empty()) return "Yours is as accurate and as fast as the solution's.\n";
+    char heading[100];
+    std::snprintf(heading, sizeof heading, "%-48s %12s %12s\n", "Where yours differs:", "yours",
+                  "solution's");
+    return heading + text;
 }
 
 }  // namespace companion

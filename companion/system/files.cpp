@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <companion/system/files.hpp>
 #include <cstdint>
@@ -7,11 +8,43 @@
 
 namespace companion {
 
+std::string why_no_file(const std::filesystem::path& path) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_regular_file(status)) return "";
+    if (fs::is_directory(status)) return "is a folder, not a file";
+    if (fs::exists(status)) return "is a pipe or a device, not a file";
+    if (!fs::is_symlink(fs::symlink_status(path, error))) return "is missing";
+    return "is a link to " + fs::read_symlink(path, error).string() + ", which is missing";
+}
+
 std::string read_file(const std::filesystem::path& path) {
+    if (const std::string why = why_no_file(path); !why.empty())
+        throw app::Failure("cannot read " + path.string() + ": it " + why);
     std::ifstream in{path, std::ios::binary};
     std::string bytes{std::istreambuf_iterator<char>{in}, {}};
     if (!in.is_open() || in.bad()) throw app::Failure("cannot read " + path.string());
     return bytes;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    std::string text = read_file(path);
+    for (auto at = text.find("\r\n"); at != std::string::npos; at = text.find("\r\n", at))
+        text.erase(at, 1);
+    return text;
+}
+
+std::vector<std::filesystem::path> source_files(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator{folder, none}) {
+        const std::string name = entry.path().filename().string();
+        if (entry.is_regular_file(none) && name[0] != '.' && name[0] != '#' && name.back() != '~')
+            files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 std::string hash_of(const std::string& bytes) {

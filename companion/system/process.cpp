@@ -27,35 +27,51 @@ using Clock = std::chrono::steady_clock;
 }
 
 // The process groups that run now; 0 is none.
-std::atomic<pid_t> running_groups[16];
+struct Running {
+    std::atomic<pid_t> group = 0;
+    std::atomic<bool> passes_signals = false;
+};
+Running running[16];
+std::atomic<int> passed_on = 0;
 
-bool end_running_groups(int) {
-    for (const auto& group : running_groups)
-        if (const pid_t id = group) ::kill(-id, SIGKILL);
-    return false;
+// True where a group is left to end by itself.
+bool end_running_groups(int signal) {
+    bool passed = false;
+    for (const Running& one : running) {
+        const pid_t id = one.group;
+        if (id == 0) continue;
+        const bool passes = one.passes_signals && (signal == SIGINT || signal == SIGTERM);
+        ::kill(-id, passes ? signal : SIGKILL);
+        passed = passed || passes;
+    }
+    if (passed) passed_on = signal;
+    return passed;
 }
 
-// While one lives, what interrupts the companion also ends the group. One beyond the sixteenth
-// would live on.
+// While one lives, what interrupts the companion also ends the group, or reaches it. One beyond the
+// sixteenth would live on.
 class EndedOnInterrupt {
   public:
-    explicit EndedOnInterrupt(pid_t id) {
+    EndedOnInterrupt(pid_t id, bool passes_signals) {
         static const app::OnSignal on_signal{app::ending_signals, end_running_groups};
-        for (auto& group : running_groups) {
+        for (Running& one : running) {
             pid_t none = 0;
-            if (!group.compare_exchange_strong(none, id)) continue;
-            group_ = &group;
+            if (!one.group.compare_exchange_strong(none, id)) continue;
+            one.passes_signals = passes_signals;
+            one_ = &one;
             return;
         }
     }
     ~EndedOnInterrupt() {
-        if (group_) *group_ = 0;
+        if (!one_) return;
+        one_->passes_signals = false;
+        one_->group = 0;
     }
     EndedOnInterrupt(const EndedOnInterrupt&) = delete;
     EndedOnInterrupt& operator=(const EndedOnInterrupt&) = delete;
 
   private:
-    std::atomic<pid_t>* group_ = nullptr;
+    Running* one_ = nullptr;
 };
 
 // Between fork and exec: only system calls.
@@ -182,9 +198,12 @@ Result run_process(const Run& run) {
     if (id < 0) fail("fork");
     if (id == 0) become(command.data(), run.folder.c_str(), into.value, err, run.most_memory);
     ::setpgid(id, id);  // here and there, since nobody knows who is first
-    const EndedOnInterrupt guard{id};
+    if (run.passes_signals) passed_on = 0;
+    const EndedOnInterrupt guard{id, run.passes_signals};
     into.close();
-    return Child{id, from.value}.wait(run.timeout, run.most_output);
+    Result result = Child{id, from.value}.wait(run.timeout, run.most_output);
+    if (run.passes_signals) result.passed_on = passed_on;
+    return result;
 }
 
 std::string how_it_ended(const Result& result) {

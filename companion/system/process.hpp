@@ -21,6 +21,9 @@ struct Run {
     std::vector<std::string> command;
     std::filesystem::path folder = ".";  // that it runs in
     Output output = Output::captured;
+    // SIGINT and SIGTERM go on to the program, which may want to keep what is done, and it is
+    // waited for; else they end it and the companion at once.
+    bool passes_signals = false;
     double timeout = 0;  // seconds after which it is asked to end, then killed with all that it
                          // started; 0 is never
     std::size_t most_memory = 0;  // bytes that it may have, where the system can tell; 0 is any
@@ -30,6 +33,7 @@ struct Run {
 struct Result {
     int exit_code = 0;  // 127 where the program could not be started
     int signal = 0;     // that ended it, else 0
+    int passed_on = 0;  // the last signal that was passed on to it, else 0
     bool timed_out = false;
     bool too_much = false;   // output: the rest is lost
     double seconds = 0;      // of wall time
@@ -40,8 +44,8 @@ struct Result {
 };
 
 // Runs a program to its end. Its standard input is empty. An interruption of the companion ends it,
-// too. Threads may run programs at the same time. Throws std::system_error where the system refuses
-// another process.
+// too, or reaches it. Threads may run programs at the same time. Throws std::system_error where the
+// system refuses another process.
 Result run_process(const Run& run);
 
 // How a run ended, for a person: "exit code 2", "it timed out after 20 s", "signal 11 (Segmentation

@@ -39,8 +39,8 @@ bool expected_hit(const Sphere& sphere, PackInteger number, OneRay& one) {
 }
 
 std::string state(bool hits, Real t, PackInteger sphere) {
-    return std::string(hits ? "meets it" : "does not meet it") + "; its nearest is sphere " +
-           std::to_string(sphere) + " at t = " + text(t);
+    return std::string(hits ? "the sphere counts as met" : "the sphere does not count as met") +
+           "; the ray's nearest is sphere " + std::to_string(sphere) + " at t = " + text(t);
 }
 
 void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, const char* hint) {
@@ -63,9 +63,8 @@ void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, cons
                        << text(sphere.radius) << "; ray " << i << " of the pack, from "
                        << text(rays[i].ray.origin) << " along " << text(rays[i].ray.direction)
                        << ", so far sphere " << rays[i].sphere << " at t = " << text(rays[i].t));
-        INFO("expected: the ray " << state(hits, expected.t, expected.sphere)
-                                  << "\nactual: the ray "
-                                  << state(hit[i] != 0, pack.t[i], pack.sphere[i]));
+        INFO("expected: " << state(hits, expected.t, expected.sphere)
+                          << "\nactual: " << state(hit[i] != 0, pack.t[i], pack.sphere[i]));
         INFO("Hint: " << hint);
         {
             INFO("the mask that is returned: -1 where the ray has met this sphere, else 0");
@@ -93,8 +92,10 @@ rt::Ray any_ray(rt::Rng& rng, const Sphere& sphere, Real largest_distance) {
     return {sphere.center + from, any_size(rng, -2, 2) / length * along};
 }
 
-// Rays of which some have this sphere as their nearest hit already, at the very same t.
-void check_ties(rt::Rng& rng, PackInteger number, PackInteger lowest, PackInteger count) {
+// Rays with another sphere as their nearest hit already, at the very same t. Its number is one of
+// `count`, from `lowest` on.
+void check_ties(rt::Rng& rng, PackInteger number, PackInteger lowest, PackInteger count,
+                const char* hint) {
     const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
     Rays rays;
     for (OneRay& one : rays) {
@@ -104,7 +105,7 @@ void check_ties(rt::Rng& rng, PackInteger number, PackInteger lowest, PackIntege
         one.t = found.t;
         one.sphere = lowest + static_cast<PackInteger>(rng() % static_cast<unsigned>(count));
     }
-    check_pack(sphere, number, rays, "at the very same t the sphere with the higher number stays");
+    check_pack(sphere, number, rays, hint);
 }
 
 }  // namespace
@@ -118,6 +119,18 @@ TEST_CASE("10.3 rays from all sides", "[10.3]") {
         for (OneRay& one : rays) one.ray = any_ray(rng, sphere, 2);
         check_pack(sphere, round, rays,
                    "hit_sphere's operations in its order, each with all rays at once");
+    }
+}
+
+TEST_CASE("10.3 rays from inside", "[10.3]") {
+    rt::Rng rng{103, 9};
+    for (int round = 0; round < 1000; ++round) {
+        const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
+        Rays rays;
+        for (OneRay& one : rays)
+            one.ray = {sphere.center + sphere.radius / 2 * in_cube(rng), any_direction(rng)};
+        check_pack(sphere, 7, rays,
+                   "from inside, the smaller solution is negative, and the larger one counts");
     }
 }
 
@@ -140,9 +153,22 @@ TEST_CASE("10.3 only what is nearer than before counts", "[10.3]") {
     }
 }
 
-TEST_CASE("10.3 of equally near spheres the highest number", "[10.3]") {
+TEST_CASE("10.3 an equally near sphere of a higher number stays", "[10.3]") {
     rt::Rng rng{103, 3};
-    for (int round = 0; round < 3000; ++round) check_ties(rng, 7, 0, 15);
+    for (int round = 0; round < 3000; ++round)
+        check_ties(rng, 7, 8, 7, "at the very same t a sphere with a higher number stays");
+}
+
+TEST_CASE("10.3 an equally near sphere of a lower number gives way", "[10.3]") {
+    rt::Rng rng{103, 7};
+    for (int round = 0; round < 3000; ++round)
+        check_ties(rng, 7, 0, 7, "at the very same t the higher number counts, here the new one");
+}
+
+TEST_CASE("10.3 the same sphere at the same place counts as met", "[10.3]") {
+    rt::Rng rng{103, 8};
+    for (int round = 0; round < 300; ++round)
+        check_ties(rng, 7, 7, 1, "only a higher number than this sphere's own keeps the ray");
 }
 
 TEST_CASE("10.3 one ray of a pack that meets it or one that does not", "[10.3]") {
@@ -201,7 +227,9 @@ TEST_CASE("10.3 far small grazing and touching", "[10.3][hard]") {
 TEST_CASE("10.3 high numbers of spheres", "[10.3][hard]") {
     rt::Rng rng{103, 6};
     for (const PackInteger number : {0, 1, 70'000, 16'777'217, 2'000'000'001})
-        for (int round = 0; round < 300; ++round) check_ties(rng, number, number - 1, 3);
+        for (int round = 0; round < 300; ++round)
+            check_ties(rng, number, number - 1, 3,
+                       "compare the numbers as whole numbers: rays.sphere is a pack of them");
 }
 
 TEST_CASE("10.3 what unused places hold does no harm", "[10.3][hard]") {

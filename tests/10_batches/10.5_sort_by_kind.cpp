@@ -37,17 +37,17 @@ void check_sort(const Kinds& kinds, std::uint8_t beside) {
     if (first == first_expected && sorted == sorted_expected && to.stands()) return;
 
     INFO(kinds.size() << " numbers of " << count << " kinds " << text(kinds));
-    {
-        INFO(
-            "Hint: `sorted` is as long as `kinds`, and the result has count + 1 places; neither "
-            "must be written beyond its ends");
-        REQUIRE(to.stands());
-    }
     for (std::size_t kind = 0; kind <= count; ++kind) {
         INFO("the result's [" << kind << "]: expected " << first_expected[kind]
                               << ", but yours gives " << first[kind]);
         INFO("Hint: [k] is how many numbers have a kind less than k; the last one counts all");
         REQUIRE(first[kind] == first_expected[kind]);
+    }
+    {
+        INFO(
+            "Hint: `sorted` is as long as `kinds`, and nothing must be written beyond its ends: "
+            "does each kind begin at its own place, and go on by one?");
+        REQUIRE(to.stands());
     }
     for (std::size_t place = 0; place < sorted.size(); ++place) {
         if (sorted[place] == sorted_expected[place]) continue;

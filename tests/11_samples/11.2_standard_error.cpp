@@ -1,2 +1,263 @@
-#include <catch.hpp>
+#include <rt/rng.hpp>
 #include <rt/standard_error.hpp>
+
+#include "checkpoint.hpp"
+#include "random_inputs.hpp"
+#include "statistics.hpp"
+
+using namespace checkpoint;
+using rt::RunningVariance;
+
+namespace {
+
+constexpr Real largest = std::numeric_limits<Real>::max();
+constexpr Real smallest = std::numeric_limits<Real>::min();  // of those with all digits
+
+std::string text(const RunningVariance& known) {
+    return "count " + std::to_string(known.count) + ", mean " + checkpoint::text(known.mean) +
+           ", squares " + checkpoint::text(known.squares);
+}
+
+// Some roundings, each of half a unit in the last place.
+constexpr double few_units = 6;
+
+void check_error(const RunningVariance& known, const char* hint) {
+    const auto count = static_cast<double>(known.count);
+    const Exact expected = study::sqrt(Exact(known.squares) / Exact(count - 1) / Exact(count));
+    const Real actual = rt::standard_error(known);
+    if (error_in_ulp(actual, expected) <= few_units) return;
+    INFO(text(known) << ": the variance is "
+                     << checkpoint::text(Exact(known.squares) / Exact(count - 1)));
+    HINT(expected, actual, hint);
+    REQUIRE(checkpoint::text(actual) == checkpoint::text(expected));
+}
+
+// erf(x / sqrt(2)) for x from 0 to 5, from its series at 0: 2 / sqrt(pi) times the sum of
+// (-1)^k z^(2k + 1) / (k! (2k + 1)).
+Exact exact_chance(Exact x) {
+    const Exact z = x / study::sqrt(2), square = z * z;
+    Exact power = z, sum = z;
+    for (int k = 1; k < 100; ++k) {
+        power = -power * square / Exact(k);
+        sum = sum + power / Exact(2 * k + 1);
+    }
+    const Exact pi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+    return Exact(2) / study::sqrt(pi) * sum;
+}
+
+void check_chance(Real distance, Real error, Exact expected, const char* hint) {
+    const Real actual = rt::chance_within(distance, error);
+    if (error_in_ulp(actual, expected) <= few_units) return;
+    INFO("distance " << checkpoint::text(distance) << ", standard error "
+                     << checkpoint::text(error));
+    HINT(expected, actual, hint);
+    REQUIRE(checkpoint::text(actual) == checkpoint::text(expected));
+}
+
+const char* const chance_hint =
+    "erf(distance / (sqrt(2) error)): a normal distribution lies within one standard error with "
+    "0.683, within two with 0.954 and within three with 0.997, both sides together";
+
+void check_count(Real variance, Real error, std::int64_t most, std::int64_t fewest,
+                 std::int64_t greatest, const char* hint) {
+    const std::int64_t actual = rt::samples_for(variance, error, most);
+    if (fewest <= actual && actual <= greatest) return;
+    INFO("variance " << checkpoint::text(variance) << ", error " << checkpoint::text(error)
+                     << ", at most " << most);
+    INFO("expected " << fewest << (fewest < greatest ? " to " + std::to_string(greatest) : "")
+                     << ", but yours gives " << actual << ".\nHint: " << hint);
+    REQUIRE(std::to_string(actual) == std::to_string(actual < fewest ? fewest : greatest));
+}
+void check_count(Real variance, Real error, std::int64_t most, std::int64_t expected,
+                 const char* hint) {
+    check_count(variance, error, most, expected, expected, hint);
+}
+
+// variance / error^2 within some roundings, as whole numbers from 1 to `most`. The exponents go
+// apart from the rest, which neither overflows nor underflows then.
+void check_rounded_count(Real variance, Real error, std::int64_t most, const char* hint) {
+    int of_variance = 0, of_error = 0;
+    const Exact a = std::frexp(variance, &of_variance), b = std::frexp(error, &of_error);
+    const double ratio = (a / (b * b)).high;
+    const auto limited = [&](double factor) -> std::int64_t {
+        const double needed = std::ceil(std::ldexp(ratio * factor, of_variance - 2 * of_error));
+        // What rounds to `most` may or may not be limited: it is the same number up to rounding.
+        if (!(needed < static_cast<double>(most))) return most;
+        return std::max(static_cast<std::int64_t>(needed), std::int64_t{1});
+    };
+    const double off = few_units * static_cast<double>(rt::epsilon);
+    check_count(variance, error, most, limited(1 - off), limited(1 + off), hint);
+}
+
+const char* const count_hint =
+    "the standard error is sqrt(variance / count). Set it equal to the error and solve for the "
+    "count; a part of a sample is a whole one more";
+const char* const overflow_hint =
+    "variance / error^2 may be far larger than a std::int64_t can be, and error * error may lose "
+    "its "
+    "digits. Compare with `most` before you turn a Real into a std::int64_t, and divide by the "
+    "error twice";
+
+}  // namespace
+
+TEST_CASE("11.2 the standard error of the mean", "[11.2]") {
+    const char* const hint =
+        "the variance of a mean is the variance of one number divided by how many there are: four "
+        "times the numbers, half the error. variance() already divides by count - 1; the mean "
+        "takes all of them";
+    check_error({2, 5, 8}, hint);     // variance 8, error 2
+    check_error({4, 10, 90}, hint);   // variance 30
+    check_error({9, -3, 72}, hint);   // variance 9, error 1
+    check_error({100, 0, 99}, hint);  // variance 1, error 0.1
+    check_error({101, 7, 0}, hint);
+    rt::Rng rng{112, 1};
+    for (int i = 0; i < 500; ++i) {
+        const auto count = static_cast<std::int64_t>(2 + rng() % (i < 100 ? 10 : 100'000));
+        check_error({count, any_number(rng, -3, 3), any_size(rng, -6, 6)}, hint);
+    }
+}
+
+TEST_CASE("11.2 fewer than two numbers leave the error open", "[11.2]") {
+    for (const RunningVariance& known :
+         {RunningVariance{}, {1, 5, 0}, {1, 0, 0}, {1, -2, 3}, {0, 1, 0}}) {
+        const Real actual = rt::standard_error(known);
+        INFO(text(known));
+        HINT(rt::infinity, actual,
+             "nothing is known of how far the numbers scatter: the error may be as large as you "
+             "like");
+        REQUIRE(checkpoint::text(actual) == checkpoint::text(rt::infinity));
+    }
+}
+
+TEST_CASE("11.2 the chance that the mean is near the true one", "[11.2]") {
+    check_chance(1, 1, exact_chance(1), chance_hint);
+    check_chance(2, 1, exact_chance(2), chance_hint);
+    check_chance(3, 1, exact_chance(3), chance_hint);
+    check_chance(Real(0.5), 2, exact_chance(Exact(1) / Exact(4)), chance_hint);
+    check_chance(0, 1, 0, chance_hint);
+    check_chance(100, 1, 1, chance_hint);
+    rt::Rng rng{112, 2};
+    for (int i = 0; i < 500; ++i) {
+        const Real error = any_size(rng, -4, 4);
+        const Real distance = error * rng.uniform(Real(0.1), 5);
+        check_chance(distance, error, exact_chance(Exact(distance) / Exact(error)), chance_hint);
+    }
+}
+
+TEST_CASE("11.2 how many numbers an error takes", "[11.2]") {
+    const std::int64_t most = 1'000'000;
+    check_count(4, 1, most, 4, count_hint);
+    check_count(4, Real(0.5), most, 16, count_hint);
+    check_count(1, Real(0.25), most, 16, count_hint);
+    check_count(9, 2, most, 3, count_hint);  // 2.25
+    check_count(1, Real(0.75), most, 2, count_hint);
+    check_count(16, 8, most, 1, count_hint);
+    check_count(1, 8, most, 1, "no number at all has no mean: at least 1");
+    check_count(0, 8, most, 1, "no number at all has no mean: at least 1");
+    check_count(4, Real(0.5), 10, 10, "never more than `most`");
+    check_count(4, Real(0.5), 16, 16, "never more than `most`");
+    check_count(4, Real(0.5), 15, 15, "never more than `most`");
+    check_count(4, Real(0.5), 17, 16, count_hint);
+    check_count(4, Real(0.5), 1, 1, "never more than `most`");
+    rt::Rng rng{112, 3};
+    for (int i = 0; i < 1000; ++i) {
+        const Real error = any_size(rng, -3, 3);
+        const Real wanted = any_size(rng, -1, i % 2 ? 2 : 6);
+        check_rounded_count(wanted * error * error, error, i % 5 ? most : 50, count_hint);
+    }
+}
+
+TEST_CASE("11.2 the error of billions of numbers", "[11.2][hard]") {
+    const char* const hint =
+        "the count is a std::int64_t: turn it into a Real, not into an int or a float, and turn it "
+        "before you multiply";
+    rt::Rng rng{112, 4};
+    for (const std::int64_t count :
+         {16'777'217LL, 123'456'789LL, 2'147'483'649LL, 4'294'967'297LL, 5'000'000'000'001LL})
+        for (int i = 0; i < 20; ++i) check_error({count, 1, any_size(rng, -3, 3)}, hint);
+    const Real most = for_this_precision(Real(30), Real(290));
+    for (int i = 0; i < 200; ++i) {
+        const auto size = any_size(rng, -most, most);
+        check_error({static_cast<std::int64_t>(2 + rng() % 1000), 0, size},
+                    "a variance of this size is a usual number, its square is not");
+    }
+}
+
+TEST_CASE("11.2 without an error the mean is surely right", "[11.2][hard]") {
+    const char* const hint = "0 / 0 is not a number: an error of 0 leaves nothing to chance";
+    for (const Real distance : {Real(0), -Real(0), smallest, Real(1), largest})
+        for (const Real error : {Real(0), -Real(0)}) check_chance(distance, error, 1, hint);
+    for (const Real distance : {Real(0), smallest, Real(1), largest})
+        check_chance(distance, rt::infinity, 0,
+                     "of a mean with an infinite error nothing is known: no distance is enough");
+}
+
+TEST_CASE("11.2 small chances and sizes of all kinds", "[11.2][hard]") {
+    rt::Rng rng{112, 5};
+    const Real low = for_this_precision(Real(-12), Real(-100));
+    for (int i = 0; i < 300; ++i) {
+        const Real error = any_size(rng, low, -low);
+        const Real distance = error * any_size(rng, low, 0);
+        check_chance(distance, error, exact_chance(Exact(distance) / Exact(error)),
+                     "a small chance is about 0.8 distance / error: 1 - erfc() of it has lost its "
+                     "digits");
+    }
+    const char* const hint =
+        "the quotient of distance and error is a usual number: divide them first, before anything "
+        "is multiplied or squared";
+    for (const Real size : {smallest, smallest * 8, largest / 4, largest / 2})
+        for (const Real ratio : {Real(0.5), Real(1), Real(2)})
+            if (ratio >= 1 || size > 1) check_chance(size * ratio, size, exact_chance(ratio), hint);
+    check_chance(largest, largest, exact_chance(1), hint);
+    check_chance(largest, smallest, 1, hint);
+    check_chance(largest, 1, 1, hint);
+    check_chance(1, smallest, 1, hint);
+    const Real tiny = rt::chance_within(smallest, largest);
+    INFO("distance " << checkpoint::text(smallest) << ", standard error "
+                     << checkpoint::text(largest));
+    REQUIRE(tiny >= 0);
+    REQUIRE(tiny <= smallest);
+}
+
+TEST_CASE("11.2 no variance and no error", "[11.2][hard]") {
+    for (const std::int64_t most :
+         {std::int64_t{1}, std::int64_t{1000}, std::numeric_limits<std::int64_t>::max()}) {
+        const char* const none = "0 / 0 is not a number. Without variance one number is enough";
+        for (const Real error : {Real(0), smallest, Real(1), largest})
+            check_count(0, error, most, 1, none);
+        const char* const all = "the count would be infinite: as many as there may be, `most`";
+        for (const Real variance : {smallest, Real(1), largest, rt::infinity})
+            check_count(variance, 0, most, most, all);
+        for (const Real error : {smallest, Real(1), largest})
+            check_count(rt::infinity, error, most, most, all);
+    }
+}
+
+TEST_CASE("11.2 counts of all sizes", "[11.2][hard]") {
+    rt::Rng rng{112, 6};
+    const Real low = for_this_precision(Real(-36), Real(-300));
+    const std::int64_t any = std::numeric_limits<std::int64_t>::max();
+    for (int i = 0; i < 2000; ++i) {
+        const Real error = any_size(rng, low, -low);
+        // Half of them about right, the others anything.
+        const Real half =
+            std::clamp(error, std::pow(Real(10), low / 2 + 2), std::pow(Real(10), -low / 2 - 5));
+        const Real variance =
+            i % 2 ? any_size(rng, low, -low) : half * (half * any_size(rng, -1, 10));
+        const std::int64_t most = i % 4 < 2 ? any : 1 + rng() % 1000;
+        check_rounded_count(variance, i % 2 ? error : half, most, overflow_hint);
+    }
+    check_count(largest, 1, any, any, overflow_hint);
+    check_count(largest, smallest, 7, 7, overflow_hint);
+    check_count(smallest, largest, any, 1, overflow_hint);
+    check_count(smallest, 1, any, 1, overflow_hint);
+    const Real bit_more =
+        1 + for_this_precision(std::ldexp(Real(1), -20), std::ldexp(Real(1), -40));
+    check_count(bit_more, Real(0.5), any, 5, "the least bit more than 4 is 5");
+    // The squares of these errors are 0 and infinite.
+    const int low_power = for_this_precision(-80, -540), high_power = for_this_precision(70, 520);
+    check_count(std::ldexp(Real(1), 10 + low_power), std::ldexp(Real(1), low_power), any, any,
+                overflow_hint);
+    check_count(std::ldexp(Real(1), 10 + high_power), std::ldexp(Real(1), high_power), any, 1,
+                overflow_hint);
+}

@@ -88,6 +88,10 @@ lines.bmp'
 refuses 1 'not there' --out nowhere/image.png
 refuses 1 'not there' --out old.png/image.png
 refuses 1 'loop.png' --out loop.png
+ln -s nowhere/image.png dangling.png
+refuses 1 'folder nowhere.*is not there' --out dangling.png
+mkfifo pipe
+refuses 1 'nobody reads' --out pipe
 
 # Places that cannot be written to. Permissions do not hold for root, who becomes nobody where that
 # user can run the program.
@@ -137,6 +141,18 @@ if mount -t tmpfs -o size=8k tmpfs full 2>/dev/null; then
     refuses 1 'room' --width 45 --height 45 --out full/old.ppm
 fi
 
+# A user who may start few threads: none of its own, so that no other test counts.
+somebody="setpriv --reuid=$((50000 + $$ % 10000)) --regid=65534 --clear-groups prlimit"
+if [ -n "${nobody:-}" ] && $somebody --nproc=3 "$program" --help >"$place/stdout" 2>&1 &&
+    grep -q -- --threads "$place/stdout"; then
+    wrapper="$somebody --nproc=1"
+    refuses 1 'no thread can be started' --width 9 --height 9 --threads 8
+    $somebody --nproc=3 "$program" --width 9 --height 9 --threads 8 --out few.png >"$place/stdout" \
+        2>"$place/stderr" || complain --threads 'failed with fewer threads'
+    grep -q 'only 2 of 8 threads' "$place/stderr" || complain --threads 'does not say how many there are'
+    wrapper=''
+fi
+
 # Studies.
 if "$program" --help | grep -q -- --study; then
     refuses 2 'folder' --study ''
@@ -159,6 +175,10 @@ ln -s target.png link.png
 draws $small --out link.png && draws $small --out link.png
 { [ -L link.png ] && [ -f target.png ]; } || complain link.png "was replaced by the image"
 draws --width 1 --height 1 --out tiny.png
+timeout 20 cat pipe >from_pipe &
+draws --width 1 --height 1 --out pipe
+wait
+[ -s from_pipe ] || complain pipe 'brought no image'
 if "$program" --help | grep -q -- --fov; then
     # From far and near, straight down, and through the narrowest and the widest lens.
     # shellcheck disable=SC2086

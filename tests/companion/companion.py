@@ -7,6 +7,7 @@ import os
 import pty
 import re
 import select
+import shutil
 import signal
 import subprocess
 import sys
@@ -129,14 +130,20 @@ class Companion(unittest.TestCase):
         self.put("program.sh", '#!/bin/sh\necho "program $*"\n'
                  '[ "$1" != --study ] || echo study,variant,precision,x,x_name,error,error_name,cost,cost_name '
                  '>"$2/01_tiny.csv"\n[ "$3" != --fail ] || exit 3\n'
-                 '[ "$3" != --crash ] || kill -SEGV $$\n')
+                 '[ "$3" != --crash ] || kill -SEGV $$\n'
+                 '[ "$3" != --long ] || { trap \'echo a part >"$2"; kill %1; exit 130\' INT; sleep 60 & '
+                 'echo x >"${2%/*}/started"; wait; }\n'
+                 '[ "$3" != --longer ] || { echo x >"${2%/*}/started"; exec sleep 60; }\n')
         os.chmod(self.root / "program.sh", 0o755)
-        subprocess.run(["cmake", "-S", self.root, "-B", self.root / "build"], check=True,
-                       stdout=subprocess.DEVNULL)
+        self.configure()
         self.put("build/bin/course", f'#!/bin/sh\nexec "{COURSE}" "$@"\n')
         os.chmod(self.root / "build/bin/course", 0o755)
         self.environment = {**os.environ, "COURSE_TEST_FOLDER": str(self.root), "TERM": "xterm"}
         self.environment.pop("NO_COLOR", None)
+
+    def configure(self):
+        subprocess.run(["cmake", "-S", self.root, "-B", self.root / "build"], check=True,
+                       stdout=subprocess.DEVNULL)
 
     def chapter(self, name, facts):
         return {"name": name, "core": True, "uses_real": True, "title": "Tiny", "reading": 30,
@@ -188,6 +195,12 @@ class Companion(unittest.TestCase):
         said = self.course("list")
         self.assertIn("02_more          [..........] 0 of 1, elective, 0.7 hours; stars: 0.0 hours\n", said)
         self.assertEqual(said.split("\n\n")[1], before)
+        self.put("exercises/02_more/rt/three.hpp", "right\n")
+        self.course("check", "02")
+        said = self.course("list")
+        self.assertRegex(said, r"\+ 02.1 .* done\n")
+        self.assertEqual(said.split("\n\n")[1],
+                         before + "\nBeyond the course: 1 of 1 exercises of electives")
 
     def test_an_elective_is_offered_after_the_core_alone(self):
         self.add_elective()
@@ -204,7 +217,7 @@ class Companion(unittest.TestCase):
         self.assertIn("Next: 02.1", self.course("check", "02", code=3))
         self.put("exercises/02_more/rt/three.hpp", "right\n")
         self.assertIn("Every exercise passes. The last step", self.course("check", "02"))
-        self.assertNotIn("Beyond", self.course())
+        self.assertNotIn("Beyond the course, an elective", self.course())
 
     def test_watch_goes_on_to_no_elective(self):
         self.add_elective()
@@ -396,6 +409,13 @@ class Companion(unittest.TestCase):
         self.assertRegex(said, r"\+ 01.2 .* done")
         self.assertNotIn("FAILED", said)
 
+    def test_compilers_speak_english(self):
+        check = (self.root / "check.sh").read_text()
+        self.put("check.sh", check.replace("#!/bin/sh\n", '#!/bin/sh\n[ "${LC_ALL-}" = C ] || exit 1\n', 1))
+        self.write("one", "right, warned\n")
+        self.environment.update(LANG="de_DE.UTF-8", LC_ALL="de_DE.UTF-8", LANGUAGE="de")
+        self.course("check", "01.1")
+
     def test_check_crashes_and_waits(self):
         self.write("one", "crash\n")
         said = self.course("check", "01.1", code=1)
@@ -458,6 +478,121 @@ class Companion(unittest.TestCase):
         self.write("one", STUB % (1, 1) + "int f() { return 1; }  // right\n")
         self.course("check", "01.1")
         self.assertRegex(self.course("list"), r"\+ 01.1 .* done")
+
+    # ---- what counts is what is in the files -------------------------------------------------
+
+    def build_by_time_stamps(self):
+        """As real targets do: nothing is built where no file is newer."""
+        cmake = (self.root / "CMakeLists.txt").read_text()
+        cmake = re.sub(r"add_custom_target\((check\.01\S+) (COMMAND .* (\S+)) VERBATIM\)",
+                       r"add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/check/\1 \2 DEPENDS \3 VERBATIM)\n"
+                       r"add_custom_target(\1 DEPENDS ${CMAKE_BINARY_DIR}/check/\1)", cmake)
+        self.put("CMakeLists.txt", cmake)
+        self.configure()
+
+    def test_an_older_time_stamp_hides_no_change(self):
+        self.build_by_time_stamps()
+        self.write("one", "right\n")
+        self.course("check", "01.1")
+        hour = 3600
+        for age, text, code in ((1, "wrong\n", 1), (2, "right\n", 0), (3, "wrong\n", 1)):
+            self.write("one", text)
+            then = time.time() - age * hour
+            os.utime(self.stub("one"), (then, then))
+            said = self.course("check", "01.1", code=code)
+            self.assertRegex(self.course("list"), r"x 01.1 .* failing" if code else r"\+ 01.1 .* done")
+        # The clock was set back: what was built is of tomorrow.
+        later = time.time() + 24 * hour
+        for path in (self.root / "build").rglob("*"):
+            os.utime(path, (later, later))
+        for text, code in (("right\n", 0), ("wrong\n", 1)):
+            self.write("one", text)
+            self.course("check", "01.1", code=code)
+
+    def test_what_a_learner_adds_counts(self):
+        self.build_by_time_stamps()
+        self.write("one", "right\n")
+        self.course("check", "01.1")
+        for name in ("one.hpp~", ".one.hpp.swp", "#one.hpp#"):
+            self.put("exercises/01_tiny/rt/" + name, "an editor's")
+        self.assertRegex(self.course("list"), r"\+ 01.1 .* done")
+        self.put("exercises/01_tiny/rt/mine.hpp", "")
+        self.assertRegex(self.course("list"), r"\? 01.1 .* not checked since it changed")
+        built = (self.root / "build/check/check.01.1").stat().st_ino
+        (self.root / "build/check/check.01.1").rename(self.root / "keep its inode")
+        os.link(self.root / "keep its inode", self.root / "build/check/check.01.1")
+        self.course("check", "01.1")
+        self.assertNotEqual((self.root / "build/check/check.01.1").stat().st_ino, built)
+
+    def test_a_missing_file_is_no_answer(self):
+        # Of several todos: with the solution's header none of them would be left.
+        self.put("companion/shipped_stubs/01_tiny.txt",
+                 "==> rt/one.hpp\n" + 2 * (STUB % (1, 1)) + "==> rt/two.hpp\n" + STUB % (2, 2))
+        self.write("one", "right\n")
+        self.course("check", "01.1")
+        words = ("exercises/01_tiny/rt/one.hpp is missing; ./course reset 01.1 brings the stub back, "
+                 "git checkout -- exercises/01_tiny/rt/one.hpp what you committed\n")
+        self.stub("one").rename(self.root / "elsewhere.hpp")
+        for said in (self.course("check", "01.1", code=1), self.course("check", code=1), self.course()):
+            self.assertIn("\n" + words, said)
+            self.assertRegex(said, "[!x] 01.1 .* a file is missing")
+            self.assertNotIn("Next", said)
+        self.assertIn("0 of 2 exercises", said)
+        self.assertIn("None of it is yours", subprocess.run(
+            [COURSE, "run", "01"], env=self.environment, text=True, stderr=subprocess.PIPE,
+            stdout=subprocess.DEVNULL).stderr)
+        (self.root / "exercises").rename(self.root / "moved")
+        said = self.course()
+        self.assertIn(words, said)
+        self.assertIn("0 of 2 exercises", said)
+        (self.root / "moved").rename(self.root / "exercises")
+        self.course("reset", "01.1")
+        self.assertRegex(self.course("list"), r"\. 01.1 .* to be written")
+        (self.root / "elsewhere.hpp").rename(self.stub("one"))
+        self.assertRegex(self.course("list"), r"[?] 01.1 .* not checked")
+
+    def test_what_is_no_file_is_no_answer(self):
+        self.write("one", "right\n")
+        self.course("check", "01.1")
+        self.stub("one").unlink()
+
+        def refused(what):
+            words = f"exercises/01_tiny/rt/one.hpp {what}; move it away"
+            self.assertIn(words, self.course("check", "01.1", code=1))
+            self.assertIn(words, self.course())
+            reset = subprocess.run([COURSE, "reset", "01.1"], env=self.environment, text=True,
+                                   stderr=subprocess.PIPE, timeout=20)
+            self.assertEqual(reset.returncode, 1)
+            self.assertEqual(reset.stderr.count("\n"), 1)
+            self.assertIn(words, reset.stderr)
+
+        self.stub("one").mkdir()
+        refused("is a folder, not a file")
+        self.stub("one").rmdir()
+        os.mkfifo(self.stub("one"))
+        refused("is a pipe or a device, not a file")
+        self.write("two", "right\n")
+        self.assertIn("one.hpp is a pipe", self.course("check", "01.2", code=1))
+        self.stub("one").unlink()
+        self.stub("one").symlink_to("/nowhere/one.hpp")
+        refused("is a link to /nowhere/one.hpp, which is missing")
+
+    def test_line_ends_do_not_count(self):
+        def end_lines_as_windows_does(path):
+            path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+
+        end_lines_as_windows_does(self.stub("one"))
+        self.assertRegex(self.course("list"), r"\. 01.1 .* to be written")
+        self.assertIn("as it was shipped", self.course("reset", "01.1"))
+        self.write("two", "right\n")
+        self.course("check", "01.2")
+        for name in ("companion/shipped_stubs/01_tiny.txt", "docs/hints/01-tiny.md", "course.json",
+                     "exercises/01_tiny/rt/two.hpp"):
+            end_lines_as_windows_does(self.root / name)
+        said = self.course("list")
+        self.assertRegex(said, r"\. 01.1 .* to be written")
+        self.assertRegex(said, r"\+ 01.2 .* done")
+        self.assertIn("hint 1 of 3\nidea", self.course("hint", "01.1"))
 
     # ---- hint, reset, run --------------------------------------------------------------------
 
@@ -522,6 +657,44 @@ class Companion(unittest.TestCase):
                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.assertEqual(crashed.returncode, 1)
         self.assertIn("./course check 01", crashed.stderr)
+
+    def test_ctrl_c_reaches_what_runs(self):
+        started = self.root / "out/started"
+
+        def wait_for_start():
+            for _ in range(400):
+                if started.exists():
+                    return started.unlink()
+                time.sleep(0.05)
+            self.fail("it does not start")
+
+        def stopped(*words):
+            process = subprocess.Popen([COURSE, "run", "01", *words], env=self.environment,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            wait_for_start()
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(20), 130)
+
+        stopped("--long")
+        self.assertEqual((self.root / "out/01_tiny_mine.png").read_text(), "a part\n")
+        # What has nothing to keep ends at once.
+        stopped("--longer")
+        with self.watched("01") as terminal:
+            terminal.expect("q quit")
+            self.put("program.sh", (self.root / "program.sh").read_text().replace('"$3" != --long ', '1 = 2 '))
+            (self.root / "out/01_tiny_mine.png").unlink()
+            terminal.press("r")
+            wait_for_start()
+            terminal.press("\x03")
+            self.assertEqual(terminal.end(), -signal.SIGINT)
+            self.assertTrue(terminal.echoes())
+        self.assertEqual((self.root / "out/01_tiny_mine.png").read_text(), "a part\n")
+
+    def test_mine_keeps_the_older_picture(self):
+        self.put("out/mine.png", "a picture")
+        self.put("program.sh", "#!/bin/sh\nexit 1\n")
+        self.course("mine", code=1)
+        self.assertEqual((self.root / "out/mine.png").read_text(), "a picture")
 
     def put_questions(self):
         self.put("docs/x.png", "a picture")
@@ -605,6 +778,17 @@ class Companion(unittest.TestCase):
         self.course("list")
         self.assertEqual((self.root / ".course/state.broken-1.json").read_text(), "{broken")
 
+    def test_a_state_that_is_no_file_is_set_aside(self):
+        self.write("one", "right\n")
+        state = self.root / ".course/state.json"
+        state.parent.mkdir()
+        for make in (state.mkdir, lambda: os.mkfifo(state), lambda: state.symlink_to("/nowhere/state.json")):
+            make()
+            self.course("check", "01.1")
+            self.assertTrue(state.is_file())
+            state.unlink()
+        self.assertEqual(len([p for p in state.parent.iterdir() if "broken" in p.name]), 3)
+
     def test_many_at_once(self):
         self.write("one", "right\n")
         self.write("two", "right\n")
@@ -629,6 +813,60 @@ class Companion(unittest.TestCase):
         unknown = subprocess.run(["sh", SCRIPT, "nonsense"], text=True, stderr=subprocess.PIPE)
         self.assertEqual(unknown.returncode, 2)
         self.assertEqual(unknown.stderr.count("\n"), 1)
+
+    # ---- the script ---------------------------------------------------------------------------
+
+    def use_script(self):
+        """As in a checkout of the course: ./course builds the companion first."""
+        with open(self.root / "CMakeLists.txt", "a") as cmake:
+            cmake.write("file(GLOB none CONFIGURE_DEPENDS none/*)\n"  # as the course has some
+                        "add_custom_target(course COMMAND ${CMAKE_COMMAND} -E make_directory bin "
+                        "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/wrapper bin/course)\n")
+        (self.root / "build/bin/course").rename(self.root / "wrapper")
+        self.put("CMakePresets.json", json.dumps({"version": 3, "configurePresets": [
+            {"name": "release", "binaryDir": "${sourceDir}/build"}]}))
+        self.put("companion/help.txt", "  list   x\n  check   x\n")
+        self.put("course", Path(SCRIPT).read_text())
+
+    def script(self, *words, code=0):
+        done = subprocess.run(["sh", str(self.root / "course"), *words], env=self.environment, text=True,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              timeout=120)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def test_a_damaged_build_folder_heals(self):
+        self.use_script()
+        self.write("one", "right\n")
+        shutil.rmtree(self.root / "build")
+        self.assertNotIn("not whole", self.script("check", "01.1"))
+        self.assertNotIn("onfiguring", self.script("check", "01.1"))
+        build = self.root / "build"
+        rules = "build.ninja" if (build / "build.ninja").exists() else "Makefile"
+        for name in (rules, "CMakeCache.txt"):
+            for share in (0, 0.9):
+                text = (build / name).read_bytes()
+                (build / name).write_bytes(text[:int(share * len(text))])
+                self.assertIn("done", self.script("check", "01.1"), (name, share))
+            (build / name).unlink()
+            self.assertIn("is not whole: configuring anew", self.script("check", "01.1"))
+        shutil.rmtree(build / "CMakeFiles")
+        self.assertIn("done", self.script("check", "01.1"))
+        self.assertNotIn("onfiguring", self.script("check", "01.1"))
+
+    def test_a_folder_that_cmake_cannot_build_in_is_said(self):
+        for name in ('a"b', "a;b", "a#b", "a$b", "a\\b", "a[b", "a]b", "a<b", "a>b", "a|b", "a\nb", "a\n"):
+            self.put(name + "/course", Path(SCRIPT).read_text())
+            self.put(name + "/companion/help.txt", "  check   x\n")
+            for script, folder in ((self.root / name / "course", "."), ("./course", self.root / name)):
+                if name[-1] == "\n" and folder == ".":
+                    continue
+                done = subprocess.run(["sh", str(script), "check"], cwd=folder, text=True, stderr=subprocess.PIPE,
+                                      stdout=subprocess.PIPE)
+                self.assertEqual(done.returncode, 1)
+                self.assertEqual(done.stdout, "")
+                self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+                self.assertIn("CMake cannot build in a folder whose name", done.stderr)
 
     # ---- watch -------------------------------------------------------------------------------
 

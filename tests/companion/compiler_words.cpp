@@ -40,3 +40,62 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("no return statement in function returning non-void [-Wreturn-type]", "return"));
     CHECK(plain_words("a.hpp:1:2: error: a thing that nobody has seen") == "");
 }
+
+TEST_CASE("errors with packs are told in plain words", "[compiler_words]") {
+    const std::string choices = "packs of the same type", one_answer = "one answer";
+    CHECK(
+        says("incompatible vector types in conditional expression: 'rt::PackMask' {aka "
+             "'__vector(2) long int'}, 'rt::Pack' {aka '__vector(2) double'} and 'rt::PackMask' "
+             "{aka '__vector(2) long int'}",
+             choices));
+    CHECK(
+        says("vector operands to the vector conditional must be the same type ('rt::Pack' "
+             "(vector of 2 'rt::Real' values) and 'rt::PackMask' (vector of 2 "
+             "'rt::PackInteger' values))}",
+             choices));
+    CHECK(
+        says("inferred scalar type 'rt::Vec3Pack' is not an integer or floating-point type of "
+             "the same size as 'long int'",
+             "pick("));
+    CHECK(
+        says("vector condition type 'rt::PackMask' (vector of 2 'rt::PackInteger' values) and "
+             "result type '__attribute__((__vector_size__(2 * sizeof(int)))) int' (vector of 2 "
+             "'int' values) do not have elements of the same size",
+             choices));
+    CHECK(says("could not convert 'm' from 'rt::PackMask' {aka '__vector(2) long int'} to 'bool'",
+               one_answer));
+    CHECK(
+        says("value of type 'rt::PackMask' (vector of 2 'rt::PackInteger' values) is not "
+             "contextually convertible to 'bool'",
+             one_answer));
+    CHECK(says("cannot convert '__vector(2) long int' to 'bool' in initialization", one_answer));
+    CHECK(
+        says("cannot initialize a variable of type 'bool' with an rvalue of type "
+             "'__attribute__((__vector_size__(2 * sizeof(long long)))) long long' (vector of 2 "
+             "'long long' values)",
+             one_answer));
+    CHECK(says("no matching function for call to 'sqrt(rt::Pack&)'", "without std::"));
+    CHECK(says("cannot convert 'bool' to 'rt::PackMask' {aka '__vector(2) long int'} in return",
+               "pack_of(x)"));
+    CHECK(says("cannot convert 'int' to 'rt::Pack' {aka '__vector(2) double'} in initialization",
+               "pack_of(x)"));
+    CHECK(
+        says("assigning to 'rt::Real' (aka 'double') from incompatible type 'rt::Pack' (vector "
+             "of 2 'rt::Real' values)",
+             "p[i]"));
+    CHECK(
+        says("conversion of scalar 'rt::PackInteger' {aka 'long int'} to vector 'rt::Pack' {aka "
+             "'__vector(2) double'} involves truncation",
+             "pack_of(x)"));
+    CHECK(
+        says("invalid operands to binary & (have 'rt::Pack' {aka '__vector(2) double'} and "
+             "'rt::PackMask' {aka '__vector(2) long int'})",
+             "two masks"));
+    CHECK(
+        says("invalid operands to binary expression ('rt::Pack' (vector of 2 'rt::Real' values) "
+             "and 'rt::PackMask' (vector of 2 'rt::PackInteger' values))",
+             "two masks"));
+    CHECK(says("expected primary-expression before '{' token", "their type"));
+    CHECK(says("initializer list cannot be used on the right hand side of operator ':'",
+               "their type"));
+}

@@ -59,6 +59,17 @@ TEST_CASE("an error that was not measured is not drawn", "[plot]") {
     CHECK(curves(all) == 4);
 }
 
+TEST_CASE("a study that timed nothing is drawn as bars", "[plot]") {
+    auto all = rows({1}, {1e-9});
+    all.front().error = 0.5;
+    for (Measurement& row : all) row.cost_name = "";
+    const std::string script = companion::plot_script(all, "plot.svg");
+    CHECK(script.find("with boxxyerror") != std::string::npos);
+    CHECK(script.find("\nset logscale x") != std::string::npos);
+    // The longest bar stands last, which is on top.
+    CHECK(script.find("\"a_b^{c}\" 2") != std::string::npos);
+}
+
 TEST_CASE("gnuplot draws every kind of study, whatever its names hold", "[plot]") {
     if (!companion::is_installed("gnuplot")) return;
     const double nan = std::nan("");
@@ -74,9 +85,9 @@ TEST_CASE("gnuplot draws every kind of study, whatever its names hold", "[plot]"
         {{-3, 5, nan}, {-1e200, 0, 1e200}},
         {{5e-324, 1, 2}, {0, 5, infinity}},
         {{7, 7}, {7, 7}}};
-    for (const auto& [xs, errors] : kinds) {
+    const auto draw = [](const std::vector<Measurement>& all) {
         const TemporaryFolder folder;
-        write_file(folder / "script", companion::plot_script(rows(xs, errors), "plot.svg"));
+        write_file(folder / "script", companion::plot_script(all, "plot.svg"));
         const auto result =
             companion::run_process({.command = {"gnuplot", "script"}, .folder = folder.path()});
         INFO(result.output);
@@ -86,6 +97,12 @@ TEST_CASE("gnuplot draws every kind of study, whatever its names hold", "[plot]"
         CHECK(svg.find("</svg>") != std::string::npos);
         CHECK(svg.find("a_b^{c}") != std::string::npos);
         CHECK(folder.count() == 2);
+    };
+    for (const auto& [xs, errors] : kinds) {
+        auto all = rows(xs, errors);
+        draw(all);
+        for (Measurement& row : all) row.cost_name = "";
+        draw(all);
     }
 }
 

@@ -6,21 +6,26 @@
 
 namespace rt {
 
-// Exercise 11.2. How far the mean of the numbers so far is from the true mean, as a root mean
-// square. Infinite with fewer than two numbers.
+// Exercise 11.2. The standard error of the mean: how far the mean of the numbers so far is from
+// the true mean, as a root mean square. It is sqrt(variance / count), and infinite with fewer than
+// two numbers.
 inline Real standard_error(const RunningVariance& known) {
     return rt::todo("11.2", known);
 }
 
-// The probability that a mean with this standard error lies within a distance of the true mean;
-// both are 0 or more. It is that of the normal distribution, which holds for means of many numbers.
-// Without an error it is 1, also at distance 0.
+// The probability that a mean with this standard error lies within a distance of the true mean, on
+// either side. It is that of the normal distribution, which holds for means of many numbers:
+// erf(distance / (sqrt(2) error)), with std::erf. distance is 0 or more and finite, error is 0 or
+// more. Without an error it is 1, also at distance 0; with an infinite one it is 0.
 inline Real chance_within(Real distance, Real error) {
     return rt::todo("11.2", distance, error);
 }
 
-// How many numbers are needed, so that their mean has at most this standard error, 0 or more: at
-// least 1, and never more than `most`.
+// How many numbers are needed until their mean has at most this standard error: variance /
+// error^2, rounded up, at least 1 and at most `most`. variance is 0 or more and may be infinite;
+// error is 0 or more and finite, and its square need not fit into a Real; most is 1 or more. With
+// a variance of 0 one number is enough, even for error 0. Otherwise error 0 takes `most`, and so
+// does an infinite variance.
 inline std::int64_t samples_for(Real variance, Real error, std::int64_t most) {
     return rt::todo("11.2", variance, error, most);
 }

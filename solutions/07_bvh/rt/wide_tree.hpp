@@ -20,6 +20,10 @@ struct WideTreeOf {
     std::vector<WideNode<Number>> nodes;  // the first is the root; none without spheres
     std::vector<WideLeaf> leaves;
 
+    // On the way down to a leaf: each stands for one split or more of the binary tree that it was
+    // made from.
+    static constexpr std::size_t most_nodes = most_levels + halvings(most_spheres, leaf_size);
+
     struct Found {
         WideHit best;
         const WideLeaf* leaf = nullptr;       // where its sphere is, if there is one
@@ -35,13 +39,11 @@ struct WideTreeOf {
         const auto scaled = [&](Real t) { return static_cast<Number>(t * wide.scale); };
         const Number min = scaled(with_origin(within).min);
         Number max = scaled(with_origin(within).max);
-        // What waits, the nearest on top. Of each node on the way down all children but one wait. A
-        // node stands for one split or more of the binary tree that it was made from.
+        // What waits, the nearest on top. Of each node on the way down all children but one wait.
         struct Waiting {
             Number entry;
             std::int32_t child;
         };
-        constexpr std::size_t most_nodes = most_levels + halvings(most_spheres, leaf_size);
         std::array<Waiting, (lanes - 1) * most_nodes> stack;
         std::size_t waiting = 0;
         for (;;) {

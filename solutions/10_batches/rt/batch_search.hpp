@@ -64,10 +64,8 @@ class BatchSearch {
     static constexpr unsigned octants = 8;
     // So few rays are faster one by one.
     static constexpr std::size_t few_rays = 8;
-    // Each node on the way down stands for one level of the binary tree or more; a leaf's list
-    // comes on top.
-    static constexpr std::size_t most_levels_waiting =
-        most_levels + halvings(most_spheres, leaf_size) + 1;
+    // On the way down; a leaf's list comes on top.
+    static constexpr std::size_t most_lists = WideTree::most_nodes + 1;
     using Order = std::array<std::uint8_t, lanes>;
     typedef float Eight RT_VECTOR_OF(lanes * sizeof(float));  // of eight boxes
 
@@ -100,8 +98,8 @@ class BatchSearch {
         if (rays_.size() >= paths) return;
         rays_.resize(paths);
         octants_.resize(paths + pack_size);
-        lists_.resize((most_levels_waiting + 1) * paths);
-        masks_.resize(most_levels_waiting * paths);
+        lists_.resize((most_lists + 1) * paths);
+        masks_.resize(most_lists * paths);
     }
     void make_ready(std::size_t from, std::size_t size);
     void test_leaf(std::size_t leaf, PathList list);

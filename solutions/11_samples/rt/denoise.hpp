@@ -14,41 +14,52 @@ struct Features {
     Vec3 normal;  // 0 for the sky
 };
 
-// How far a pixel's light may spread. A distance of one width takes away 1 - exp(-1/2), 39 %, of
-// the weight.
+// How far a pixel's light may spread. Where two pixels are one width apart, the weight is exp(-1/2)
+// of what it would be, 0.61. Widths are greater than 0; an infinite one switches its part off.
 struct DenoiseWidths {
-    int radius = 6;  // pixels; beyond it nothing counts
+    int radius = 6;  // pixels; what is farther away across or down does not count; 0 or more
     Real space = 3;  // pixels
     Real albedo = Real(0.1);
     Real normal = Real(0.2);
+    Real darkest = Real(0.02);  // an albedo less than that counts as that; greater than 0
 };
 
-// What a pixel this far away counts for another one's light, in (0, 1]: the less, the farther it is
-// and the more their surfaces differ. The pixel itself counts 1.
-// Source: Tomasi and Manduchi, "Bilateral filtering for gray and color images", ICCV 1998; with
-// features in place of colors: Petschnigg et al., "Digital photography with flash and no-flash
-// image pairs", SIGGRAPH 2004.
+// What the light of pixel b counts for pixel a, which is so many pixels away across and
+// down (either may be negative, and large): exp(-d / 2), where d is the sum of three squares, each
+// of a distance divided by its width: of the place (across^2 + down^2 is the square of the
+// distance), the albedo (its three channels as the components of a vector) and the normal. So a
+// pixel counts 1 for itself, and another one the less, the farther it is and the more its surface
+// differs. No square may overflow or vanish because a width is small. Source: Tomasi and Manduchi,
+// "Bilateral filtering for gray and color images", ICCV 1998; with features in place of colors:
+// Petschnigg et al., "Digital photography with flash and no-flash image pairs", SIGGRAPH 2004.
 inline Real bilateral_weight(int across, int down, const Features& a, const Features& b,
                              const DenoiseWidths& widths) {
-    const Color albedo = a.albedo - b.albedo;
-    const Vec3 normal = a.normal - b.normal;
+    // Divided before they are squared.
     const Real x = static_cast<Real>(across) / widths.space;
     const Real y = static_cast<Real>(down) / widths.space;
-    const Real color = (albedo.r * albedo.r + albedo.g * albedo.g + albedo.b * albedo.b) /
-                       (widths.albedo * widths.albedo);
-    const Real turn = dot(normal, normal) / (widths.normal * widths.normal);
-    return std::exp(-(x * x + y * y + color + turn) / 2);
+    const Color albedo = (a.albedo - b.albedo) / widths.albedo;
+    const Vec3 normal = (a.normal - b.normal) / widths.normal;
+    const Real color = albedo.r * albedo.r + albedo.g * albedo.g + albedo.b * albedo.b;
+    return std::exp(-(x * x + y * y + color + dot(normal, normal)) / 2);
 }
 
-// The picture with each pixel's light averaged over those around it, by their weights. What is
-// averaged is the light that falls on the surfaces, without their albedo, so that a texture stays
-// as sharp as it is. Where a channel of the albedo is 0, the picture's own channel takes the place
-// of the light.
+// The picture with the light of each pixel averaged over those around it. Pixel a takes all pixels
+// b of the picture that are at most `radius` columns and at most `radius` rows away, itself
+// included: the sum of weight times light, divided by the sum of the weights. At the border there
+// are fewer of them.
+//
+// What is averaged is the light that falls on the surfaces: in each channel the picture divided by
+// the albedo of b. The result is multiplied by the albedo of a. So a texture stays as sharp as it
+// is. An albedo less than `darkest` counts as `darkest`, in both places: there is no division by 0,
+// and what little light a dark surface sends back cannot make its neighbors bright. The weights
+// take the albedo as it is. `features` is as large as the picture.
 inline Image denoised(const Image& picture, const Canvas<Features>& features,
                       const DenoiseWidths& widths) {
-    const auto per = [](Real light, Real albedo) { return albedo > 0 ? light / albedo : light; };
-    const auto times = [](Real light, Real albedo) { return albedo > 0 ? light * albedo : light; };
-    Image smooth = Canvas<Color>(picture.width(), picture.height());
+    const auto divisor = [&](const Color& albedo) {
+        return Color{std::max(albedo.r, widths.darkest), std::max(albedo.g, widths.darkest),
+                     std::max(albedo.b, widths.darkest)};
+    };
+    Canvas<Color> smooth(picture.width(), picture.height());
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x) {
             const Features& here = features.at(x, y);
@@ -60,15 +71,13 @@ inline Image denoised(const Image& picture, const Canvas<Features>& features,
                 for (int i = std::max(x - widths.radius, 0); i <= right; ++i) {
                     const Features& there = features.at(i, j);
                     const Color& light = picture.at(i, j);
+                    const Color albedo = divisor(there.albedo);
                     const Real weight = bilateral_weight(i - x, j - y, here, there, widths);
                     sum +=
-                        weight * Color{per(light.r, there.albedo.r), per(light.g, there.albedo.g),
-                                       per(light.b, there.albedo.b)};
+                        weight * Color{light.r / albedo.r, light.g / albedo.g, light.b / albedo.b};
                     weights += weight;
                 }
-            const Color light = sum / weights;
-            smooth.at(x, y) = {times(light.r, here.albedo.r), times(light.g, here.albedo.g),
-                               times(light.b, here.albedo.b)};
+            smooth.at(x, y) = sum / weights * divisor(here.albedo);
         }
     return smooth;
 }

@@ -1,19 +1,20 @@
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <rt/real.hpp>
 
 namespace rt {
 
-// What is known of some numbers that come one by one: their mean, and the sum of their squared
-// distances from it.
+// What is known of some numbers that came one by one: how many they were, their mean, and the sum
+// of their squared distances from that mean. Before the first number all three are 0.
 struct RunningVariance {
     std::int64_t count = 0;
     Real mean = 0;
     Real squares = 0;
 };
 
-// Takes one more number into account, in constant memory and without cancellation.
+// Takes one more number into account: count, mean and squares are then those of all numbers so
+// far. It stores no number. The digits of squares survive where the numbers lie far from 0 and
+// close together (no cancellation). The number and its square are finite.
 // Source: Welford, "Note on a method for calculating corrected sums of squares and products",
 // Technometrics 1962.
 inline void add(RunningVariance& known, Real number) {
@@ -23,8 +24,9 @@ inline void add(RunningVariance& known, Real number) {
     known.squares += before * (number - known.mean);
 }
 
-// The variance of what the numbers were drawn from, estimated without bias. Infinite with fewer
-// than two numbers: they say nothing about it.
+// The variance of what the numbers were drawn from, estimated without bias: squares / (count - 1),
+// since the numbers lie nearer to their own mean than to the true one. Infinite with fewer than
+// two numbers: they say nothing about it.
 inline Real variance(const RunningVariance& known) {
     if (known.count < 2) return infinity;
     return known.squares / static_cast<Real>(known.count - 1);

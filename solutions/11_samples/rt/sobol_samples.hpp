@@ -43,7 +43,7 @@ class SobolRandom {
             return static_cast<Real>(bits >> (32 - std::numeric_limits<Real>::digits)) *
                    (epsilon / 2);
         else
-            return static_cast<Real>(bits) * Real(0x1p-32);
+            return static_cast<Real>(bits) / 4294967296;
     }
 
     std::uint64_t pixel_ = 0, pair_ = 0;

@@ -4,32 +4,36 @@
 
 namespace rt {
 
-// The same light with a longer or shorter exposure: each stop doubles it, each negative one halves
-// it.
+// The same light with a longer or shorter exposure, as photographers count it: each
+// stop doubles the light, each negative one halves it, and half a stop is a factor of the root
+// of 2. Between -100 and 100 stops.
 inline Color exposed(const Color& color, Real stops) {
     return color * std::exp2(stops);
 }
 
-// How bright a color looks: its channels, weighed as the eye weighs them. Source: ITU-R BT.709.
+// How bright a color looks: its channels, weighed as the eye weighs them, 0.2126 for red, 0.7152
+// for green and 0.0722 for blue. That is for linear light, which a Color is. Source: ITU-R BT.709.
 inline Real luminance(const Color& color) {
     return Real(0.2126) * color.r + Real(0.7152) * color.g + Real(0.0722) * color.b;
 }
 
-// The brightness that a screen shows for a luminance, 0 or more: dark tones hardly change, bright
-// ones are pressed together, and `white`, greater than 0, becomes 1. Infinite luminance gives
-// infinity, unless white is infinite. Source: Reinhard, Stark, Shirley and Ferwerda, "Photographic
-// tone reproduction for digital images", SIGGRAPH 2002.
+// The brightness that a screen shows for a luminance, which is finite and not negative:
+// L (1 + L / white^2) / (1 + L). Dark tones hardly change, bright ones are pressed together, and
+// `white`, greater than 0, becomes 1; what is brighter gets more than 1. With an infinite white
+// that is L / (1 + L), which never reaches 1. Light of 1e30 in float and of 1e200 in double is not
+// too bright, and as small a fraction is not too dark. Source: Reinhard, Stark, Shirley and
+// Ferwerda, "Photographic tone reproduction for digital images", SIGGRAPH 2002.
 inline Real tone_curve(Real luminance, Real white) {
-    // L (1 + L / white^2) / (1 + L), with no square that could overflow.
-    const Real pressed = luminance == infinity ? Real(1) : luminance / (1 + luminance);
-    return pressed * (1 + luminance / white / white);
+    const Real pressed = luminance / (1 + luminance);
+    return pressed + pressed / white * (luminance / white);
 }
 
-// The color with its luminance sent through the curve; its hue stays.
+// The color with its luminance sent through the curve. All three channels get the same factor, so
+// the hue stays; one channel of a vivid color may exceed 1 by that. Black stays black.
 inline Color tone_mapped(const Color& color, Real white) {
     const Real before = luminance(color);
     if (!(before > 0)) return {};
-    return color * (tone_curve(before, white) / before);
+    return color / before * tone_curve(before, white);
 }
 
 }  // namespace rt

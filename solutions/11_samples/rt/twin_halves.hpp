@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <numbers>
 #include <rt/real.hpp>
 
 namespace rt {
@@ -10,16 +11,18 @@ struct Halves {
     T first{}, second{};
 };
 
-// The fewest and the most samples that a place of the picture may get.
+// The fewest and the most samples that a place of the picture may get: 1 <= least <= most.
 struct CountLimits {
     int least = 1, most = 1;
 };
 
 // How many samples a place of the picture is worth, so that the mean square error of the whole
-// picture is error^2 and the work is least: in proportion to the place's spread, the standard
-// deviation of its samples. mean_spread is the mean over all places. error is greater than 0; all
-// may be infinite. Source: Neyman, "On the two different aspects of the representative method",
-// 1934.
+// picture is error^2 and the work is least: spread * mean_spread / error^2, rounded up and kept
+// within the limits. spread is the standard deviation of the place's samples, mean_spread the mean
+// of that over all places; both are 0 or more. A spread of 0 gets limits.least, whatever the mean
+// is; otherwise an infinite spread or mean gets limits.most. error is greater than 0 and finite;
+// its square need not fit into a Real.
+// Source: Neyman, "On the two different aspects of the representative method", 1934.
 inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limits) {
     const Real wanted = spread == 0 ? Real(0) : std::ceil(spread / error * (mean_spread / error));
     if (!(wanted < static_cast<Real>(limits.most))) return limits.most;
@@ -27,23 +30,27 @@ inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limit
     return static_cast<int>(wanted);
 }
 
-// How many samples the two halves take of a place. What a half has seen decides for the other one:
-// no number decides when its own mean is good enough, so both means stay unbiased. The mean of
-// the two has then the error that is asked for.
+// How many samples each half takes of a place in all. What one half has seen, spread and
+// mean_spread, decides for the other: no number decides when its own mean is good enough, so both
+// means stay unbiased. The mean of both halves is to have the error that is asked for. Each half
+// may then have sqrt(2) times that error, since the halves err independently.
 inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error,
                                   CountLimits limits) {
-    const Real of_each = error * std::sqrt(Real(2));
+    const Real of_each = error * std::numbers::sqrt2_v<Real>;
     return {worth_of(spread.second, mean_spread.second, of_each, limits),
             worth_of(spread.first, mean_spread.first, of_each, limits)};
 }
 
-// The mean of both halves. Each counts the same however many samples it took: these depend on the
-// other's samples.
+// The mean of both halves. Each counts the same however many samples it took: weights that follow
+// the counts would follow what the halves have seen, which is a bias again. It is finite where
+// both means are.
 inline Real twin_mean(Halves<Real> mean) {
     return mean.first / 2 + mean.second / 2;
 }
 
-// The square of what the halves' mean is wrong by, on the average: the halves err independently.
+// An estimate of the mean square error of twin_mean, without bias: the square of half the
+// difference of the halves. One place says little; the mean over many places says how wrong the
+// picture is.
 inline Real twin_square_error(Halves<Real> mean) {
     const Real half = (mean.first - mean.second) / 2;
     return half * half;

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <app/files.hpp>
+#include <companion/build/stale.hpp>
+#include <companion/system/files.hpp>
+#include <limits>
+#include <map>
+#include <sstream>
+
+namespace companion {
+namespace {
+
+using Time = long long;  // as the file system has it
+
+Time written(const fs::path& file) {
+    std::error_code gone;
+    const auto time = fs::last_write_time(file, gone);
+    return gone ? std::numeric_limits<Time>::min() : time.time_since_epoch().count();
+}
+
+struct Source {
+    std::string hash;
+    Time time = 0;
+
+    bool operator==(const Source&) const = default;
+};
+
+// The sources that a learner changes, and their copies in build/yours: by group, "03_sphere" or
+// "yours", and by path.
+using Sources = std::map<std::string, std::map<std::string, Source>>;
+
+Sources sources_of(const Course& course) {
+    Sources all;
+    const auto add = [&](const std::string& group, const fs::path& folder) {
+        for (const fs::path& file : source_files(folder)) {
+            const std::string name = file.lexically_relative(folder).string();
+            if (name.find('\n') != std::string::npos) continue;
+            all[group][name] = {hash_of(read_file(file)), written(file)};
+        }
+    };
+    for (const Chapter& chapter : chapters(course)) {
+        all[chapter.name];  // also where it is empty
+        add(chapter.name, course.root / "exercises" / chapter.name);
+    }
+    add("yours", course.build / "yours");
+    return all;
+}
+
+// What is known of the files that were compiled. Each is either what all that is there was built
+// from, or newer than that.
+struct Known {
+    bool finished = false;                           // the last build came to its end
+    Time latest = std::numeric_limits<Time>::min();  // nothing that was built is newer
+    Sources sources;
+};
+
+fs::path file_of(const Course& course) {
+    return course.build / "built-from.txt";
+}
+
+Known read_known(const Course& course) {
+    const fs::path file = file_of(course);
+    if (!fs::exists(file)) return {};
+    std::istringstream in{read_file(file)};
+    Known known;
+    std::string line, word, hash, group;
+    in >> word >> known.latest;
+    known.finished = word == "finished";
+    // All that was built was there when this was written, whatever the clock did before.
+    known.latest = std::max(known.latest, written(file));
+    for (Time time = 0; in >> hash >> time >> group && std::getline(in, line);)
+        if (hash == "group")
+            known.sources[group];
+        else
+            known.sources[group][line.substr(1)] = {hash, time};
+    return known;
+}
+
+void write_known(const Course& course, const Known& known) {
+    std::ostringstream text;
+    text << (known.finished ? "finished " : "begun ") << known.latest << '\n';
+    for (const auto& [group, files] : known.sources) {
+        text << "group 0 " << group << '\n';
+        for (const auto& [name, source] : files)
+            text << source.hash << ' ' << source.time << ' ' << group << ' ' << name << '\n';
+    }
+    app::replace_file(file_of(course), text.str());
+}
+
+// Whether the build would not see by itself that the files of a group are others than before.
+bool is_hidden(const Known& known, const std::string& group,
+               const std::map<std::string, Source>& now) {
+    const auto found = known.sources.find(group);
+    if (found == known.sources.end()) return true;
+    const auto& before = found->second;
+    // A file more or less changes which one an #include finds.
+    if (!std::equal(before.begin(), before.end(), now.begin(), now.end(),
+                    [](const auto& a, const auto& b) { return a.first == b.first; }))
+        return true;
+    return std::any_of(now.begin(), now.end(), [&](const auto& file) {
+        const auto& [name, source] = file;
+        return source != before.at(name) && (!known.finished || source.time <= known.latest);
+    });
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() &&
+           text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// Whether a target of the build compiles files of this group.
+bool compiles(const std::string& target, const std::string& group) {
+    if (group == "yours")
+        for (const std::string end : {"_mine", "_mine_float"})
+            if (ends_with(target, end) || ends_with(target, end + "_electives")) return true;
+    if (group == "yours" || ends_with(target, "_solution")) return false;
+    const std::string number = group.substr(0, 2), certify = "certify.";
+    // The certificate's programs, and what electives add to 08, take the code of other chapters as well.
+    if (target.rfind(certify, 0) == 0) return target.compare(certify.size(), 2, number) >= 0;
+    for (const std::string start : {"tests.", "check."})
+        if (target.rfind(start + number + '.', 0) == 0) return true;
+    return target == group || target == group + "_learners" || target == group + "_checkpoint" ||
+           target == "08_effects_electives";
+}
+
+// Removes what was compiled and linked of a group, so that it is made anew.
+void remove_built(const fs::path& build, const std::string& group) {
+    std::vector<fs::path> stale;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator{build / "CMakeFiles", none})
+        if (const fs::path& folder = entry.path();
+            folder.extension() == ".dir" && compiles(folder.stem().string(), group))
+            for (const auto& object : fs::recursive_directory_iterator{folder, none})
+                if (object.path().extension() == ".o") stale.push_back(object.path());
+    for (const char* const folder : {"bin", "check"})
+        for (const auto& entry : fs::directory_iterator{build / folder, none})
+            if (compiles(entry.path().filename().string(), group)) stale.push_back(entry.path());
+    for (const fs::path& path : stale) fs::remove(path);
+}
+
+}  // namespace
+
+void remove_stale(const Course& course) {
+    Known known = read_known(course);
+    const Sources now = sources_of(course);
+    for (const auto& [group, files] : now)
+        if (is_hidden(known, group, files)) remove_built(course.build, group);
+    known.finished = false;
+    known.sources = now;
+    write_known(course, known);
+}
+
+void note_built(const Course& course) {
+    Known known = read_known(course);
+    // Of what was saved during the build nobody knows whether it was compiled before or after that.
+    Sources now = sources_of(course);
+    for (auto& [group, files] : now)
+        for (auto& [name, source] : files)
+            if (const auto& before = known.sources[group];
+                before.count(name) == 0 || before.at(name) != source)
+                source.hash = "unknown";
+    known.finished = true;
+    known.sources = now;
+    write_known(course, known);
+}
+
+}  // namespace companion
