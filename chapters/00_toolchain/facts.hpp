@@ -6,6 +6,7 @@
 #include <memory>
 #include <rt/binary_tree.hpp>
 #include <rt/canvas.hpp>
+#include <rt/color.hpp>
 #include <rt/range_node.hpp>
 #include <string>
 

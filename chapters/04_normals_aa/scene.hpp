@@ -6,6 +6,7 @@
 #include <rt/lambertian.hpp>
 #include <rt/length.hpp>
 #include <rt/sphere_list.hpp>
+#include <rt/view.hpp>
 
 namespace normals_aa {
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <rt/hit.hpp>
+#include <rt/lambertian.hpp>
 #include <rt/rng.hpp>
 #include <rt/scatter.hpp>
 #include <utility>

@@ -4,6 +4,7 @@
 #include <rt/binned_split.hpp>
 #include <rt/directions.hpp>
 #include <rt/flat_tree.hpp>
+#include <rt/primary_ray.hpp>
 #include <rt/wide_leaf.hpp>
 #include <study/timing.hpp>
 

@@ -19,13 +19,6 @@ std::int64_t cell_of(double coordinate, double cell) {
     return static_cast<std::int64_t>(std::floor(coordinate / cell));
 }
 
-// Balls may touch: a thousandth of the smaller one's radius may be rounding.
-bool overlap(const Ball& a, const Ball& b) {
-    const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
-    const double apart = a.radius + b.radius - std::min(a.radius, b.radius) / 1000;
-    return x * x + y * y + z * z < apart * apart;
-}
-
 // At a distance from the middle of the space, in a random direction.
 Ball around(const Ball& space, double distance, double radius, rt::Rng& random) {
     const double y = uniform(random, -1, 1), angle = uniform(random, 0, 2 * std::numbers::pi);
@@ -43,43 +36,61 @@ double around_zero(rt::Rng& random) {
 
 }  // namespace
 
+bool overlap(const Ball& a, const Ball& b) {
+    const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    const double apart = a.radius + b.radius - std::min(a.radius, b.radius) / 1000;
+    return x * x + y * y + z * z < apart * apart;
+}
+
 void Neighbors::add(const Ball& ball) {
-    const double cell = std::exp2(std::ceil(std::log2(2 * ball.radius)));
-    auto grid =
-        std::find_if(grids_.begin(), grids_.end(), [&](const Grid& g) { return g.cell == cell; });
-    if (grid == grids_.end()) grid = grids_.insert(grids_.end(), {cell, {}});
-    grid->balls[key_of(cell_of(ball.x, cell), cell_of(ball.y, cell), cell_of(ball.z, cell))]
-        .push_back(static_cast<int>(balls_.size()));
+    const double diameter = std::exp2(std::ceil(std::log2(2 * ball.radius)));
+    auto size = std::find_if(sizes_.begin(), sizes_.end(),
+                             [&](const Size& s) { return s.diameter == diameter; });
+    if (size == sizes_.end()) size = sizes_.insert(sizes_.end(), {diameter, {}, {}});
+    size->numbers.push_back(static_cast<int>(balls_.size()));
     balls_.push_back(ball);
 }
 
-bool Neighbors::has_room_for(const Ball& ball) {
-    const auto all_clear = [&](const std::vector<int>& numbers) {
-        steps_ += static_cast<std::int64_t>(numbers.size());
-        return std::none_of(numbers.begin(), numbers.end(), [&](int i) {
-            return overlap(ball, balls_[static_cast<std::size_t>(i)]);
-        });
-    };
-    for (const Grid& grid : grids_) {
-        // The middles of this grid's balls that may overlap lie at most this far away.
-        const double reach = ball.radius + grid.cell / 2;
-        // Small balls around a large one: looking at all of them is quicker.
-        if (reach > 4 * grid.cell) {
-            for (const auto& [key, numbers] : grid.balls)
-                if (!all_clear(numbers)) return false;
-            continue;
-        }
+// A grid with all balls of a size, and not many cells as far as this.
+const Neighbors::Grid& Neighbors::grid_of(Size& size, double reach) const {
+    const double cell = std::max(size.diameter, std::exp2(std::ceil(std::log2(reach / 4))));
+    auto grid = std::find_if(size.grids.begin(), size.grids.end(),
+                             [&](const Grid& g) { return g.cell == cell; });
+    if (grid == size.grids.end()) grid = size.grids.insert(size.grids.end(), {cell, 0, {}});
+    for (; grid->entered < size.numbers.size(); ++grid->entered) {
+        const int number = size.numbers[grid->entered];
+        const Ball& b = balls_[static_cast<std::size_t>(number)];
+        grid->balls[key_of(cell_of(b.x, cell), cell_of(b.y, cell), cell_of(b.z, cell))].push_back(
+            number);
+    }
+    return *grid;
+}
+
+int Neighbors::find_near(const Ball& ball, const std::function<bool(int)>& test) {
+    for (Size& size : sizes_) {
+        // The middles of this size's balls that may overlap lie at most this far away.
+        const double reach = ball.radius + size.diameter / 2;
+        const Grid& grid = grid_of(size, reach);
         const auto low = [&](double c) { return cell_of(c - reach, grid.cell); };
         const auto high = [&](double c) { return cell_of(c + reach, grid.cell); };
         for (std::int64_t x = low(ball.x); x <= high(ball.x); ++x)
             for (std::int64_t y = low(ball.y); y <= high(ball.y); ++y)
                 for (std::int64_t z = low(ball.z); z <= high(ball.z); ++z) {
                     ++steps_;
-                    const auto found = grid.balls.find(key_of(x, y, z));
-                    if (found != grid.balls.end() && !all_clear(found->second)) return false;
+                    const auto cell = grid.balls.find(key_of(x, y, z));
+                    if (cell == grid.balls.end()) continue;
+                    for (const int number : cell->second) {
+                        ++steps_;
+                        if (test(number)) return number;
+                    }
                 }
     }
-    return true;
+    return -1;
+}
+
+bool Neighbors::has_room_for(const Ball& ball) {
+    return find_near(ball,
+                     [&](int i) { return overlap(ball, balls_[static_cast<std::size_t>(i)]); }) < 0;
 }
 
 Rule on_plane(Ball space) {

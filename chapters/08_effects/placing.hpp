@@ -34,22 +34,37 @@ inline double uniform(rt::Rng& random, double low, double high) {
     return low + (high - low) * uniform(random);
 }
 
-// Says whether a sphere keeps clear of those that are there: it looks only at what lies near, in a
-// grid of cubes for each size of spheres. Spheres may touch.
+// Balls may touch: a thousandth of the smaller one's radius may be rounding.
+bool overlap(const Ball& a, const Ball& b);
+
+// Says whether a sphere keeps clear of those that are there: it looks only at what lies near, in
+// grids of cubes for each size of spheres. Spheres may touch.
 class Neighbors {
   public:
     void add(const Ball& ball);
     bool has_room_for(const Ball& ball);
+    // The first ball near this one, by number in the order of add(), that passes a test; -1 if none
+    // does. All that overlap it are near.
+    int find_near(const Ball& ball, const std::function<bool(int)>& test);
     // How much was looked at so far, and whether that is more than anybody will wait for.
     bool is_tired() const { return steps_ > 100'000'000; }
 
   private:
-    // Spheres whose diameters lie between half a cell's side and all of it.
     struct Grid {
         double cell = 1;
+        std::size_t entered = 0;  // how many of its size's balls
         std::unordered_map<std::uint64_t, std::vector<int>> balls;
     };
-    std::vector<Grid> grids_;
+    // Spheres whose diameters lie between half of this one and all of it. Their grids are made when
+    // they are asked for: a large ball looks for small ones in a grid of larger cells.
+    struct Size {
+        double diameter = 1;
+        std::vector<int> numbers;
+        std::vector<Grid> grids;
+    };
+    const Grid& grid_of(Size& size, double reach) const;
+
+    std::vector<Size> sizes_;
     std::vector<Ball> balls_;
     std::int64_t steps_ = 0;
 };

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "glass_in_fog.hpp"
 #include "placing.hpp"
 #include "scene_value.hpp"
 
@@ -53,13 +54,28 @@ class Reader {
             materials_.emplace(key, read_material(material));
         if (const auto spheres = whole.find("spheres"))
             for (const Value& sphere : spheres->list("spheres")) read_sphere(sphere);
+        ends_.push_back(static_cast<int>(scene_.spheres.size()));
         if (const auto groups = whole.find("groups"))
-            for (const Value& group : groups->list("groups")) read_group(group);
+            for (const Value& group : groups->list("groups")) {
+                read_group(group);
+                ends_.push_back(static_cast<int>(scene_.spheres.size()));
+            }
+        if (const auto found = filled_glass_in_fog(scene_))
+            Value{json, place_of(found->first), name_}.fail(
+                "is glass, which the fog reaches, and " + place_of(found->second) +
+                " overlaps it; in fog nothing may stand in glass or cut into it");
         if (const auto render = whole.find("render")) read_render(*render);
         return std::move(scene_);
     }
 
   private:
+    // Where in the file a sphere comes from.
+    std::string place_of(int sphere) const {
+        const auto group = std::upper_bound(ends_.begin(), ends_.end(), sphere) - ends_.begin();
+        return group == 0 ? app::path_of_item("spheres", static_cast<std::size_t>(sphere))
+                          : app::path_of_item("groups", static_cast<std::size_t>(group - 1));
+    }
+
     void read_camera(const Value& camera) {
         camera.with_keys({"look_from", "look_at", "up", "vfov_deg", "lens", "shutter"});
         CameraDescription& to = scene_.camera;
@@ -75,8 +91,11 @@ class Reader {
             lens->with_keys({"aperture", "focus_distance"});
             to.lens.aperture = lens->at("aperture").number({0, lengths.high});
             const Vec3 ahead = to.view.at - to.view.from;
-            to.lens.focus_distance =
-                lens->number("focus_distance", lengths, std::hypot(ahead.x, ahead.y, ahead.z));
+            const Real distance = std::hypot(ahead.x, ahead.y, ahead.z);
+            if (!lens->find("focus_distance") && distance < static_cast<Real>(lengths.low))
+                lens->fail("needs \"focus_distance\", for look_at is nearer than " +
+                           number_text(lengths.low) + " to look_from");
+            to.lens.focus_distance = lens->number("focus_distance", lengths, distance);
         }
     }
 
@@ -364,6 +383,10 @@ class Reader {
             balls = placing::scatter(count, std::min(low, high), std::max(low, high),
                                      placing_rule(rule, group, space), there_,
                                      seed ? seed->whole(0, max_seed) : 1);
+            if (static_cast<int>(balls.size()) < count && there_.is_tired())
+                wanted.fail("is " + std::to_string(count) +
+                            ", and it takes too long to find room for them between " +
+                            "the others; ask for fewer spheres, or a larger extent");
             if (static_cast<int>(balls.size()) < count)
                 wanted.fail("is " + std::to_string(count) + ", but only " +
                             std::to_string(balls.size()) +
@@ -440,6 +463,7 @@ class Reader {
     int pixels_left_ = limits_.image_pixels;
     SceneDescription scene_;
     placing::Neighbors there_;  // all spheres so far
+    std::vector<int> ends_;     // how many spheres there were after "spheres" and after each group
     std::map<std::string, Texture> textures_;
     std::map<std::string, Material> materials_;
 };

@@ -71,6 +71,10 @@ index=0 scene index.json ''
 refuses index.json 'materials.glass.index must be a number from 0.1 to 10'
 scene many.json ', "groups": [{"rule": "plane", "count": 1000000000, "extent": 9, "radius": 0.1, "materials": ["gold"]}]'
 refuses many.json 'groups\[0\].count must be a whole number from 1 to 1000000'
+scene fog.json ", \"fog\": {$sphere, \"radius\": 9, \"density\": 1}, \"spheres\": [{$sphere, \"radius\": 1, \"material\": \"glass\"}, {$sphere, \"radius\": 0.5, \"material\": \"gold\"}]"
+refuses fog.json 'spheres\[0\] is glass.*spheres\[1\] overlaps it'
+sed 's/"look_at": \[0, 0, 0\]/"look_at": [1e-30, 0, 0], "lens": {"aperture": 1}/; s/5\], "look/0], "look/' good.json >lens.json
+refuses lens.json 'camera.lens needs "focus_distance"'
 scene moves.json ", \"spheres\": [{$sphere, \"radius\": 1, \"material\": \"gold\", \"velocity\": [1, 0, 0]}]"
 "$program" moves.json --width 9 --height 9 --out moves.png >stdout 2>stderr ||
     complain moves.json "it was not drawn"

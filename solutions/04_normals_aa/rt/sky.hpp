@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <rt/color.hpp>
 #include <rt/vec3.hpp>
 
@@ -16,7 +17,8 @@ struct GradientSky {
     Color below, above;
 
     constexpr Color operator()(Vec3 direction) const {
-        return mix(below, above, (direction.y + 1) / 2);
+        // A computed y may lie beyond 1 by a rounding, and light is never less than none.
+        return mix(below, above, std::clamp((direction.y + 1) / 2, Real(0), Real(1)));
     }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <optional>
+#include <rt/color.hpp>
 #include <rt/hit.hpp>
 #include <rt/interval.hpp>
 #include <rt/sphere_light.hpp>

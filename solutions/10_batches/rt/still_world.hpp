@@ -2,6 +2,7 @@
 #include <rt/effects.hpp>
 #include <rt/moving_spheres.hpp>
 #include <rt/path_record.hpp>
+#include <rt/timed_ray.hpp>
 #include <rt/two_worlds.hpp>
 #include <rt/wide_tree.hpp>
 #include <vector>

@@ -7,6 +7,7 @@
 #include <rt/mirror.hpp>
 #include <rt/scene_sphere.hpp>
 #include <rt/textures.hpp>
+#include <rt/wide_tree.hpp>
 #include <tuple>
 #include <vector>
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <placing.hpp>
 #include <rt/image_file.hpp>
+#include <rt/sky.hpp>
 #include <rt/transform.hpp>
 
 #include "checkpoint.hpp"
@@ -422,6 +423,75 @@ TEST_CASE("spheres that find no room are refused", "[scene_file]") {
     REFUSED(with(R"("groups": [{"rule": "ball", "count": 900, "extent": 2, "radius": 1,
                                 "materials": ["gold"]}])"),
             "groups[0].count", "without overlapping");
+}
+
+TEST_CASE("a sky never gives less than no light", "[scene_file]") {
+    // A direction's y may lie beyond 1 by a rounding.
+    const Real beyond = 1 + rt::epsilon;
+    const rt::GradientSky up{{0, 0, 0}, {1000, 1000, 1000}}, down{{1000, 1000, 1000}, {0, 0, 0}};
+    CHECK(up({0, -beyond, 0}) == Color{});
+    CHECK(down({0, beyond, 0}) == Color{});
+    CHECK(down({0, -beyond, 0}) == Color{1000, 1000, 1000});
+}
+
+TEST_CASE("there is room above a hundred thousand pebbles", "[scene_file]") {
+    const std::string text = with(R"("groups": [
+        {"rule": "plane", "count": 100000, "extent": 50, "radius": 0.01, "materials": ["gold"]},
+        {"rule": "plane", "count": 1001, "center": [0, 50, 0], "extent": 200, "radius": 1,
+         "materials": ["gold"]}])");
+    CHECK(effects::parse_scene(text, "s.json", ".").spheres.size() == 101001);
+}
+
+TEST_CASE("a lens needs a distance", "[scene_file]") {
+    const auto lens = [](const std::string& at, const std::string& members) {
+        return with_camera("\"look_from\": [0, 0, 0], \"look_at\": [0, 0, " + at +
+                           "], \"lens\": {\"aperture\": 1" + members + "}");
+    };
+    REFUSED(lens("1e-30", ""), "camera.lens", "needs \"focus_distance\"");
+    CHECK(refusal(lens("1e-30", ", \"focus_distance\": 1")).empty());
+    CHECK(refusal(lens("1e-8", "")).empty());
+}
+
+TEST_CASE("in fog nothing stands in glass or cuts into it", "[scene_file]") {
+    const auto scene = [](const std::string& spheres, const std::string& shutter = "0",
+                          const std::string& fog = "[0, 0, 0]") {
+        return R"({"camera": {"look_from": [0, 0, 5], "look_at": [0, 0, 0], "shutter": )" +
+               shutter + R"(}, "fog": {"center": )" + fog + R"(, "radius": 3, "density": 1},
+            "materials": {"air": {"type": "glass", "index": 0.67}, "glass": {"type": "glass"},
+                          "lamp": {"type": "light", "color": [1, 1, 1]},
+                          "red": {"type": "matte", "color": [1, 0, 0]}},
+            "spheres": [{"center": [0, 0, 0], "radius": 1, "material": "glass"}, )" +
+               spheres + "]}";
+    };
+    const std::string hollow = R"({"center": [0, 0, 0], "radius": 0.9, "material": "air"})";
+    const std::string stands = "spheres[0] is glass", allowed = "nothing may stand in glass";
+    REFUSED(scene(hollow), stands, allowed);
+    CHECK(refusal(scene(hollow, "0", "[9, 0, 0]")).empty());
+    REFUSED(scene(R"({"center": [0.2, 0, 0], "radius": 0.3, "material": "lamp"})"), stands,
+            allowed);
+    REFUSED(scene(R"({"center": [1.2, 0, 0], "radius": 0.3, "material": "red"})"), stands, allowed);
+    REFUSED(
+        scene(R"({"center": [0, 1.2, 0], "radius": 1, "scale": [1, 0.5, 1], "rotate_deg": [0, 0, 5],
+                      "material": "red"})"),
+        stands, allowed);
+    // A floor, a sky and a neighbor outside, which touch it.
+    for (const char* const other :
+         {R"({"center": [0, -1001, 0], "radius": 1000, "material": "red"})",
+          R"({"center": [0, 0, 0], "radius": 100, "material": "lamp"})",
+          R"({"center": [0, 9, 0], "radius": 10, "material": "red"})",
+          R"({"center": [0, 1.5, 0], "radius": 1, "scale": [1, 0.5, 1], "material": "glass"})",
+          R"({"center": [1.2, 1.2, 0], "radius": 1, "scale": [2, 0.1, 1], "rotate_deg": [0, 0, -45],
+              "material": "glass"})"})
+        CHECK(refusal(scene(other)) == "");
+    // What flies into it while the shutter is open.
+    const std::string flies =
+        R"({"center": [0, 3, 0], "radius": 1, "material": "red", "velocity": [0, -9, 0]})";
+    CHECK(refusal(scene(flies)) == "");
+    REFUSED(scene(flies, "1"), stands, allowed);
+    REFUSED(scene(R"({"center": [9, 9, 9], "radius": 1, "material": "red"}], "groups": [
+        {"rule": "sunflower", "count": 50, "center": [0, 1.5, 0], "extent": 1, "radius": 0.3,
+         "materials": ["air"]})"),
+            "groups[0] is glass", "groups[0] overlaps it");
 }
 
 TEST_CASE("images outside of the scene's folder are not read", "[scene_file]") {

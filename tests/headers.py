@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""headers.py COMPILER
+
+Compiles each header alone: it must include what it uses of the course. Reading the standard library
+would take most of the time, so that it is compiled once for all; what a header lacks of it goes unseen.
+A header that another file includes before anything else needs no check of its own.
+"""
+
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+# Not made to be compiled alone, and why.
+BODIES = {
+    "chapters/00_toolchain/sums_body.hpp": "included in a namespace, once for each instruction set",
+    "chapters/10_batches/lanes_body.hpp": "included in a namespace, once for each width",
+    "chapters/00_toolchain/by_hand/parts/shade.hpp": "an example, compiled by a script of its own",
+}
+FIRST = re.compile(r"\A(?:#pragma once\n|//.*\n|\n)*#include ([<\"])(.*)[>\"]")
+
+
+def first_include(file, text):
+    """What a file includes before all else."""
+    found = FIRST.match(text)
+    if not found:
+        return None
+    return found[2] if found[1] == "<" else str(file.parent / found[2])
+
+
+def include_order(header):
+    """The include folders of a header's chapter; see cmake/Chapter.cmake."""
+    room, chapter = header.parts[:2]
+    if room == "companion":
+        return [ROOT, ROOT / "common"]
+    if room == "common":  # the operators of Vec3 are those of the solution
+        chapter = "01_vectors" if header.parts[1] == "rt" else "08_effects"
+    solutions = [f for f in sorted((ROOT / "solutions").iterdir()) if f.name <= chapter]
+    return [(ROOT / header).parent, *solutions, ROOT / "common"]
+
+
+def main():
+    compiler = sys.argv[1]
+    flags = ["-std=c++20", "-O0", "-Wall", "-Werror"]
+    files = {
+        file.relative_to(ROOT): file.read_text()
+        for room in ("common", "companion", "solutions", "chapters")
+        for file in sorted((ROOT / room).rglob("*.[ch]pp"))
+    }
+    headers = [f for f in files if f.suffix == ".hpp" and str(f) not in BODIES]
+    standard = sorted(set(re.findall(r"^#include <([a-z_]+)>", "".join(files.values()), re.M)))
+    standard.remove("execution")  # another library, which may be missing
+    begun = {place for file, text in files.items() if (place := first_include(file, text))}
+    checked = [h for h in headers if not begun & {str(h), "/".join(h.parts[-2:])}]
+
+    with tempfile.TemporaryDirectory() as place:
+        first = pathlib.Path(place) / "standard.hpp"
+        first.write_text("".join(f"#include <{name}>\n" for name in standard))
+        command = [compiler, *flags, "-x", "c++-header", first, "-o", f"{first}.gch"]
+        subprocess.run(command, check=True)
+
+        def wrong(header):
+            include = [f"-I{folder}" for folder in include_order(header)]
+            command = [compiler, *flags, *include, "-include", first, "-fsyntax-only"]
+            command += ["-x", "c++", "-"]
+            text = f'#include "{ROOT / header}"\n'
+            done = subprocess.run(command, input=text, capture_output=True, text=True)
+            return f"{header} does not compile alone:\n{done.stderr}" if done.returncode else ""
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
+            found = [text for text in workers.map(wrong, checked) if text]
+    print("\n".join(found) or f"{len(headers)} headers compile alone; {len(checked)} were tried")
+    return bool(found) or len(headers) < 100
+
+
+sys.exit(main())
