@@ -172,7 +172,7 @@ class Picture {
         const EveningSky& sky = scene_.sky;
         const N height = std::max(N{0}, direction.y);
         const N cosine = std::max(N{0}, dot(direction, as<N>(sky.to_sun)));
-        const N blue = height / (height + N{0.25}), squared = cosine * cosine;
+        const N blue = height / (height + N{1} / 4), squared = cosine * cosine;
         return (1 - blue) * as<N>(sky.horizon) + blue * as<N>(sky.above) +
                squared * squared * as<N>(sky.glow);
     }

@@ -114,7 +114,8 @@ bool compiles(const std::string& target, const std::string& group) {
             if (ends_with(target, end) || ends_with(target, end + "_electives")) return true;
     if (group == "yours" || ends_with(target, "_solution")) return false;
     const std::string number = group.substr(0, 2), certify = "certify.";
-    // The certificate's programs, and what electives add to 08, take the code of other chapters as well.
+    // The certificate's programs, and what electives add to 08, take the code of other chapters as
+    // well.
     if (target.rfind(certify, 0) == 0) return target.compare(certify.size(), 2, number) >= 0;
     for (const std::string start : {"tests.", "check."})
         if (target.rfind(start + number + '.', 0) == 0) return true;

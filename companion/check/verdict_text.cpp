@@ -106,13 +106,15 @@ std::string without_hexadecimal(std::string text) {
     return text;
 }
 
-// Addresses as "address A", "address B": which are the same is all that they can say.
+// Addresses as "address A", "address B": which are the same is all that they can say. Numbers of 32
+// bits, eight digits, are none.
 std::string without_addresses(std::string text) {
     const char* const digits = "0123456789abcdefABCDEF";
     std::vector<std::string> seen;
     for (auto at = text.find("0x"); at != std::string::npos; at = text.find("0x", at + 1)) {
         const auto end = std::min(text.find_first_not_of(digits, at + 2), text.size());
-        if (end - at < 8 || (end < text.size() && (text[end] == '.' || text[end] == 'p'))) continue;
+        if (end - at < 2 + 9 || (end < text.size() && (text[end] == '.' || text[end] == 'p')))
+            continue;
         const std::string address = text.substr(at, end - at);
         auto known = std::find(seen.begin(), seen.end(), address);
         if (known == seen.end()) known = seen.insert(seen.end(), address);

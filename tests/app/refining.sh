@@ -44,7 +44,7 @@ start=$(date +%s%N)
 draw "$scenes/cover.json" --time-budget 0.5 --out "$place/timed.ppm" >"$place/said" ||
     complain "--time-budget: no picture"
 took=$((($(date +%s%N) - start) / 1000000))
-[ "$took" -ge 300 ] && [ "$took" -le 2500 ] || complain "--time-budget 0.5 took $took ms"
+if [ "$took" -lt 300 ] || [ "$took" -gt 2500 ]; then complain "--time-budget 0.5 took $took ms"; fi
 grep -q '^samples: .* a pixel on average' "$place/said" || complain "--time-budget does not say what it took"
 
 # What does not go together.
@@ -52,10 +52,11 @@ refused() {
     expected=$1
     shift
     draw "$@" --out "$place/none.ppm" >/dev/null 2>"$place/said"
-    [ $? -eq 2 ] && grep -q -e "$expected" "$place/said" || {
-        complain "$*: expected exit code 2 and: $expected"
+    code=$?
+    if [ $code -ne 2 ] || ! grep -q -e "$expected" "$place/said"; then
+        complain "$*: expected exit code 2 and: $expected, actual $code and:"
         cat "$place/said"
-    }
+    fi
     [ ! -e "$place/none.ppm" ] || complain "$*: left a picture"
 }
 refused "exclude each other" --target-error 0.1 --time-budget 1

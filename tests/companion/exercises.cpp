@@ -127,7 +127,8 @@ Reading reading_of(const std::string& markdown) {
 }  // namespace
 
 TEST_CASE("reading is counted in words and formulas", "[exercises]") {
-    const Reading some = reading_of("Two <!-- no --> words, $x$ and $a = b$.\n$$c$$\n\n$$\nd\n+ e\n$$\nend $5");
+    const Reading some =
+        reading_of("Two <!-- no --> words, $x$ and $a = b$.\n$$c$$\n\n$$\nd\n+ e\n$$\nend $5");
     CHECK(some.words == 7);
     CHECK(some.formulas == 3);
 }
