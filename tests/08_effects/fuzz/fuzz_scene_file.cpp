@@ -1,9 +1,10 @@
 // libFuzzer's target: whatever bytes a scene file or an image file holds, they make a scene that
-// keeps its promises, or one line that says what is wrong.
+// keeps its promises and can be drawn, or one line that says what is wrong.
 #include <app/errors.hpp>
 #include <cstdint>
 #include <cstdlib>
 #include <rt/image_file.hpp>
+#include <rt/renderer.hpp>
 #include <scene_file.hpp>
 
 namespace {
@@ -28,6 +29,19 @@ void check(const rt::SceneDescription& scene) {
     must(scene.settings.width >= 1 && scene.settings.height >= 1);
 }
 
+// A few samples by the renderer that has everything. Many spheres would take long.
+void draw(const rt::SceneDescription& scene) {
+    constexpr rt::Effects everything{true, true, true, true, true, true, true, true, true, true};
+    constexpr int side = 8;
+    if (scene.spheres.size() > 50) return;
+    const rt::Renderer<everything> renderer{scene, side, side, {2, 4, scene.settings.seed}};
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const rt::Color color = renderer(x, y);
+            must(is_finite(color) && color.r >= 0 && color.g >= 0 && color.b >= 0);
+        }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -36,10 +50,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const effects::Limits limits{.spheres = 500, .image_pixels = 1 << 14};
     try {
         // An image file and a scene file begin so differently that one target will do.
-        if (!bytes.empty() && bytes[0] == '\x89')
+        if (!bytes.empty() && bytes[0] == '\x89') {
             rt::decode_image(bytes, limits.image_pixels);
-        else
-            check(effects::parse_scene(bytes, "scene.json", FUZZ_FOLDER, limits));
+        } else {
+            const auto scene = effects::parse_scene(bytes, "scene.json", FUZZ_FOLDER, limits);
+            check(scene);
+            draw(scene);
+        }
     } catch (const app::UsageError& error) {
         must(std::string{error.what()}.size() < 1000);
     } catch (const std::length_error&) {
