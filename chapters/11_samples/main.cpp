@@ -124,13 +124,13 @@ std::string error_text(Real error) {
     return std::isfinite(error) ? out.str() : "";
 }
 
-// How many jittered samples would do as well as those that went where they are worth it.
+// How many independent samples would do as well as those that went where they are worth it: the
+// standard error takes the jittered ones for independent.
 std::string comparison(const Drawn& jittered, const Drawn& worth, int samples) {
     if (!std::isfinite(jittered.error) || !(worth.error > 0)) return "";
     const Real variance = jittered.error * jittered.error * static_cast<Real>(samples);
-    return "For the error of the third strip the first one would need " +
-           std::to_string(samples_for(variance, worth.error, 1'000'000)) +
-           " samples in each pixel.\n";
+    return "For the error of the third strip, independent samples would need " +
+           std::to_string(samples_for(variance, worth.error, 1'000'000)) + " in each pixel.\n";
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
