@@ -8,6 +8,7 @@
 #include <rt/effects_of.hpp>
 #include <utility>
 
+#include "few_effects.hpp"
 #include "tile_drawing.hpp"
 
 namespace batches {
@@ -16,18 +17,9 @@ namespace {
 using namespace rt;
 using effects::DrawSeededTile, effects::SeededDrawing, effects::TileDrawing;
 
-// Few sets of effects are compiled: a batch asks once which kernel it needs, not once a ray, so an
-// effect that is there in vain costs little. What does cost is leaving the kernels for packs, which
-// the last two sets do.
-constexpr std::array<Effects, 5> batch_effects = [] {
-    constexpr Effects materials{
-        .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
-    Effects moving = materials, lit = materials, all = materials;
-    moving.motion = moving.instances = true;
-    lit.lights = lit.instances = true;
-    for (const NamedEffect& effect : all_effects) all.*effect.member = true;
-    return std::array<Effects, 5>{{{}, materials, moving, lit, all}};
-}();
+// A batch asks once which kernel it needs, not once a ray, so an effect that is there in vain costs
+// little. What does cost is leaving the kernels for packs, which the last two sets do.
+using effects::few_effects;
 
 template <Effects effects>
 std::function<DrawSeededTile()> make_workers(const SceneDescription& description, int width,
@@ -44,9 +36,9 @@ std::function<DrawSeededTile()> make_workers(const SceneDescription& description
 }
 
 constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>) {
-    return std::array{make_workers<batch_effects[number]>...};
+    return std::array{make_workers<few_effects[number]>...};
 }
-(std::make_index_sequence<batch_effects.size()>{});
+(std::make_index_sequence<few_effects.size()>{});
 
 // The smallest tiles with paths enough for a batch.
 int tile_side(int samples_per_pixel) {
@@ -59,9 +51,9 @@ int tile_side(int samples_per_pixel) {
 
 SeededDrawing make_seeded(const SceneDescription& scene, int width, int height,
                           const Quality& quality) {
-    const std::size_t number = narrowest(effects_of(scene), batch_effects);
-    const Effects chosen = batch_effects[number];
-    return {{chosen, without(batch_effects.back(), chosen), batch_effects.size()},
+    const std::size_t number = narrowest(effects_of(scene), few_effects);
+    const Effects chosen = few_effects[number];
+    return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
             makers[number](scene, width, height, quality),
             tile_side(quality.samples_per_pixel)};
 }

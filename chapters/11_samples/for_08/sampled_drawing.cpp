@@ -14,6 +14,7 @@
 #include <rt/sobol_samples.hpp>
 #include <utility>
 
+#include "few_effects.hpp"
 #include "tile_drawing.hpp"
 
 namespace samples {
@@ -25,16 +26,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int samples_of_pass = 4;
 constexpr int pilot_passes = 2;  // of each half
 
-// Few sets of effects are compiled, as for batches.
-constexpr std::array<Effects, 5> sampled_effects = [] {
-    constexpr Effects materials{
-        .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
-    Effects moving = materials, lit = materials, all = materials;
-    moving.motion = moving.instances = true;
-    lit.lights = lit.instances = true;
-    for (const NamedEffect& effect : all_effects) all.*effect.member = true;
-    return std::array<Effects, 5>{{{}, materials, moving, lit, all}};
-}();
+using effects::few_effects;
 
 // Passes of samples from Sobol's sequence, or jittered ones.
 template <Effects effects>
@@ -55,9 +47,9 @@ DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
 }
 
 constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>) {
-    return std::array{make_draw_pass<sampled_effects[number]>...};
+    return std::array{make_draw_pass<few_effects[number]>...};
 }
-(std::make_index_sequence<sampled_effects.size()>{});
+(std::make_index_sequence<few_effects.size()>{});
 
 struct Drawing {
     effects::Choice choice;
@@ -67,10 +59,10 @@ struct Drawing {
 
 Drawing make_drawing(const SceneDescription& scene, int width, int height, const Quality& quality,
                      bool sobol) {
-    const std::size_t number = narrowest(effects_of(scene), sampled_effects);
-    const Effects chosen = sampled_effects[number];
+    const std::size_t number = narrowest(effects_of(scene), few_effects);
+    const Effects chosen = few_effects[number];
     const DrawPass draw = makers[number](scene, width, height, quality, sobol);
-    return {{chosen, without(sampled_effects.back(), chosen), sampled_effects.size()},
+    return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
             [draw] { return draw; }};
 }
 
