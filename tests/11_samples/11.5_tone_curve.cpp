@@ -110,10 +110,8 @@ void check_curve(Real luminance, Real white, int roundings = 16) {
              is_near(actual, expected, few_digits))
         hint =
             "a step on the way, such as luminance * luminance or white * white, is too large or "
-            "too "
-            "small for a Real, or takes all digits away: divide before you multiply, and start "
-            "with "
-            "L / (1 + L)";
+            "too small for a Real, or takes all digits away: divide before you multiply, and start "
+            "with L / (1 + L)";
     else if (is_near(actual, wide(luminance) / (1 + wide(luminance)), few_digits))
         hint = "this is L / (1 + L), in which nothing becomes white: 1 + L / white^2 is missing";
     INFO("Hint: " << hint);
@@ -139,8 +137,7 @@ void check_mapped(const Color& color, Real white, int roundings = 40) {
     else if (is_near(actual, wide(color), 1))
         hint =
             "the color came back as it was. Light of any size goes through the curve: it is dark "
-            "or "
-            "bright only beside `white`, and no light but 0 is black";
+            "or bright only beside `white`, and no light but 0 is black";
     else if (is_near(actual.r, expected_curve(wide(color.r), wide(white)), few_digits) &&
              is_near(actual.g, expected_curve(wide(color.g), wide(white)), few_digits))
         hint = "each channel went through the curve by itself: that changes the hue";
