@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <rt/real.hpp>
+#include <type_traits>
 
 namespace checkpoint {
 
@@ -12,11 +13,13 @@ inline constexpr const char* single_precision_hint =
     "type or by a constant such as 0.1f";
 
 // Whether a wrong number has the digits of a float, no more and hardly less, where Real is wider.
-inline bool only_single_precision(long double actual, long double expected) {
-    constexpr auto single = static_cast<long double>(std::numeric_limits<float>::epsilon());
-    const long double error = std::abs(actual - expected);
-    return std::numeric_limits<rt::Real>::digits > std::numeric_limits<float>::digits &&
-           error <= 8 * single * std::abs(expected) && error > single / 1024 * std::abs(expected);
+template <class A, class B>
+bool only_single_precision(A actual, B expected) {
+    if constexpr (std::is_same_v<rt::Real, float>) return false;
+    const auto right = static_cast<long double>(expected);
+    const auto single = static_cast<long double>(std::numeric_limits<float>::epsilon());
+    const long double error = std::abs(static_cast<long double>(actual) - right);
+    return single / 1024 * std::abs(right) < error && error <= 8 * single * std::abs(right);
 }
 
 }  // namespace checkpoint
