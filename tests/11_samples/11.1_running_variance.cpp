@@ -4,6 +4,7 @@
 
 #include "checkpoint.hpp"
 #include "random_inputs.hpp"
+#include "single_precision.hpp"
 #include "statistics.hpp"
 
 using namespace checkpoint;
@@ -46,6 +47,17 @@ Exactly exactly(const Numbers& numbers) {
     return all;
 }
 
+const char* const plain_hint =
+    "the squares grow by the product of two distances: that of the number from the mean before, "
+    "and that from the mean with it";
+const char* const cancels_hint =
+    "where the numbers are far larger than their distances, the sum of their squares and the "
+    "square of their sum are almost the same number, and their difference has no digits left. "
+    "Subtract the mean first, then multiply";
+const char* const divisor_hint =
+    "squares / (count - 1). The numbers lie nearer to their own mean than to the true one, and one "
+    "less makes up for that";
+
 // What is known of the numbers, against their exact mean and squares. Every step may round the mean
 // once or twice, which moves a mean by half a unit of the largest number and hardly shows in the
 // distances: their root mean square is off by 1.4 sqrt(n) units at most in four right ways on
@@ -63,15 +75,19 @@ void check_known(const RunningVariance& known, const Numbers& numbers, const cha
         REQUIRE(known.count == static_cast<std::int64_t>(numbers.size()));
     }
     if (!(std::abs((mean - Exact(known.mean)).high) <= (count + 4) * unit)) {
-        INFO("expected the mean "
-             << checkpoint::text(mean) << ", but yours is " << checkpoint::text(known.mean)
-             << ".\nHint: a new number moves the mean by its distance from it, divided by how many "
-                "numbers there are with the new one");
+        const char* words =
+            "a new number moves the mean by its distance from it, divided by how many numbers "
+            "there are with the new one";
+        if (only_single_precision(known.mean, mean.high)) words = single_precision_hint;
+        INFO("expected the mean " << checkpoint::text(mean) << ", but yours is "
+                                  << checkpoint::text(known.mean) << ".\nHint: " << words);
         REQUIRE("mean " + checkpoint::text(known.mean) == "mean " + checkpoint::text(mean));
     }
     const auto deviation = [&](double sum) { return std::sqrt(sum / count); };
     const double actual = deviation(static_cast<double>(known.squares));
     if (!(std::abs(actual - deviation(squares.high)) <= 6 * std::sqrt(count) * unit)) {
+        if (hint == plain_hint && only_single_precision(known.squares, squares.high))
+            hint = single_precision_hint;
         INFO("expected squares " << checkpoint::text(squares) << ", but yours are "
                                  << checkpoint::text(known.squares) << ".\nHint: " << hint);
         REQUIRE("squares " + checkpoint::text(known.squares) ==
@@ -82,21 +98,12 @@ void check_known(const RunningVariance& known, const Numbers& numbers, const cha
 void check_variance(const RunningVariance& known, Exact expected, const char* hint) {
     const Real actual = rt::variance(known);
     if (error_in_ulp(actual, expected) <= 2) return;
+    if (hint == divisor_hint && only_single_precision(actual, expected.high))
+        hint = single_precision_hint;
     INFO(text(known));
     HINT(expected, actual, hint);
     REQUIRE(checkpoint::text(actual) == checkpoint::text(expected));
 }
-
-const char* const plain_hint =
-    "the squares grow by the product of two distances: that of the number from the mean before, "
-    "and that from the mean with it";
-const char* const cancels_hint =
-    "where the numbers are far larger than their distances, the sum of their squares and the "
-    "square of their sum are almost the same number, and their difference has no digits left. "
-    "Subtract the mean first, then multiply";
-const char* const divisor_hint =
-    "squares / (count - 1). The numbers lie nearer to their own mean than to the true one, and one "
-    "less makes up for that";
 
 // Numbers of several kinds: spread evenly, only 0 and 1, mostly small and sometimes bright.
 Numbers some_numbers(rt::Rng& rng, std::size_t size, Real scale) {

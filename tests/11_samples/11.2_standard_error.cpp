@@ -3,6 +3,7 @@
 
 #include "checkpoint.hpp"
 #include "random_inputs.hpp"
+#include "single_precision.hpp"
 #include "statistics.hpp"
 
 using namespace checkpoint;
@@ -48,6 +49,8 @@ Exact exact_chance(Exact x) {
 void check_chance(Real distance, Real error, Exact expected, const char* hint) {
     const Real actual = rt::chance_within(distance, error);
     if (error_in_ulp(actual, expected) <= few_units) return;
+    if (expected.high > 0.01 && only_single_precision(actual, expected.high))
+        hint = single_precision_hint;
     INFO("distance " << checkpoint::text(distance) << ", standard error "
                      << checkpoint::text(error));
     HINT(expected, actual, hint);
@@ -248,6 +251,11 @@ TEST_CASE("11.2 counts of all sizes", "[11.2][hard]") {
         check_rounded_count(variance, i % 2 ? error : half, most, overflow_hint);
     }
     check_count(largest, 1, any, any, overflow_hint);
+    // One more than the greatest count, which is this number as a Real.
+    check_count(
+        std::ldexp(Real(1), 63), 1, any, any,
+        "as a Real `most` may be a little more than it is, here 2^63. So a Real that equals "
+        "it need not fit into a std::int64_t: ask with >=, not with >");
     check_count(largest, smallest, 7, 7, overflow_hint);
     check_count(smallest, largest, any, 1, overflow_hint);
     check_count(smallest, 1, any, 1, overflow_hint);

@@ -5,6 +5,7 @@
 
 #include "checkpoint.hpp"
 #include "random_inputs.hpp"
+#include "single_precision.hpp"
 #include "statistics.hpp"
 
 using namespace checkpoint;
@@ -101,7 +102,10 @@ void check_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error, Cou
     };
     const Halves<int> wanted{nearest(actual.first, expected.first),
                              nearest(actual.second, expected.second)};
-    const char* const fitting = Pair{expected.second, expected.first}.is(actual)    ? crossed_hint
+    const bool single = only_single_precision(actual.first, wanted.first) ||
+                        only_single_precision(actual.second, wanted.second);
+    const char* const fitting = hint == overflow_hint && single ? single_precision_hint
+                                : Pair{expected.second, expected.first}.is(actual)  ? crossed_hint
                                 : crossed(1).is(actual) || crossed(0.25).is(actual) ? each_hint
                                                                                     : hint;
     INFO("spread " << text(spread.first) << " in the first half and " << text(spread.second)
@@ -329,6 +333,7 @@ TEST_CASE("11.3 spreads that nobody knows and places without any", "[11.3][hard]
                 check_worth(0, mean_spread, error, limits, least, hint);
             }
             check_worth(0, 0, error, limits, least, hint);
+            check_worth(rt::infinity, 0, error, limits, most, hint);
             for (const Real spread : {smallest, Real(1), largest})
                 check_worth(spread, rt::infinity, error, limits, most, hint);
         }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdio>
@@ -239,6 +240,76 @@ TEST_CASE("11.4 points far on in the sequence", "[11.4][hard]") {
     }
     rt::Rng random{114, 5};
     for (int i = 0; i < 100; ++i) check_point(random());
+}
+
+TEST_CASE("11.4 neighboring seeds give other points", "[11.4][hard]") {
+    constexpr int seeds = 40;
+    constexpr std::uint32_t points = 64;
+    rt::Rng random{114, 9};
+    std::vector<std::uint32_t> all;
+    for (int i = 0; i < seeds; ++i) all.push_back(random());
+    // The places are those of Sobol's points, and their order, too.
+    const auto place = [](bool is_index, std::uint32_t i) { return is_index ? i : mirrored(i); };
+    for (const bool is_index : {false, true})
+        for (std::uint32_t shift = 0; shift < 3; ++shift)
+            for (const bool is_later : {false, true}) {
+                int same = 0;
+                for (const std::uint32_t seed : all)
+                    for (std::uint32_t i = 0; i < points; ++i) {
+                        const std::uint32_t a = place(is_index, is_later ? i : i + shift);
+                        const std::uint32_t b = place(is_index, is_later ? i + shift : i);
+                        same += rt::owen_scrambled(a, seed) == rt::owen_scrambled(b, seed + 1);
+                    }
+                // Two random numbers of 32 bits are the same once in 4 billion times.
+                if (same < seeds * static_cast<int>(points) / 8) continue;
+                const std::string other = shift ? "i + " + std::to_string(shift) : "i";
+                INFO("point " << (is_later ? "i" : other) << " with seed S and point "
+                              << (is_later ? other : "i") << " with seed S + 1, for " << seeds
+                              << " random S and " << points << " points");
+                INFO("expected numbers that have nothing to do with each other, but with yours "
+                     << same << " of " << seeds * static_cast<int>(points) << " are the same");
+                INFO(
+                    "Hint: if the seed is added first, S + 1 gives the points of S again, one "
+                    "place further on: the mirrored fraction of point i is i itself. Mix x by a "
+                    "multiplication before the seed comes in");
+                REQUIRE(same < seeds * static_cast<int>(points) / 8);
+            }
+}
+
+TEST_CASE("11.4 no flip of the first seven bits tells another one", "[11.4][hard]") {
+    constexpr int words = 32, seeds = 64 * words;
+    std::vector<Prefix> prefixes;
+    for (int length = 0; length < 7; ++length)
+        for (std::uint32_t i = 0; i < 1u << length; ++i)
+            prefixes.push_back({length == 0 ? 0 : i << (32 - length), length});
+    std::vector<std::array<std::uint64_t, words>> flips(prefixes.size());
+    rt::Rng random{114, 10};
+    for (int i = 0; i < seeds; ++i) {
+        const std::uint32_t seed = random();
+        for (std::size_t k = 0; k < prefixes.size(); ++k)
+            flips[k][i / 64u] |= std::uint64_t{flip(prefixes[k], seed)} << i % 64;
+    }
+    for (std::size_t k = 0; k < prefixes.size(); ++k)
+        for (std::size_t j = 0; j < k; ++j) {
+            int different = 0;
+            for (std::size_t i = 0; i < words; ++i)
+                different += std::popcount(flips[k][i] ^ flips[j][i]);
+            // A correlation of 0.25, which is 11 standard deviations: independent flips of 8001
+            // pairs have more once in 10^25 times.
+            const double correlation = 1 - 2.0 * different / seeds;
+            if (std::abs(correlation) < 0.25) continue;
+            INFO(text(prefixes[k])
+                 << " and " << text(prefixes[j]) << ", with " << seeds
+                 << " random seeds: expected one of them alone to be flipped about half of the "
+                    "time, but with yours that happens "
+                 << different << " times");
+            INFO(
+                "Hint: the one flip often tells the other. If you use the steps of the comment, do "
+                "all of them: the seed is added (+= and not ^=, a sum carries), and x is "
+                "multiplied "
+                "by the odd number of the seed's first half as well");
+            REQUIRE(std::abs(correlation) < 0.25);
+        }
 }
 
 TEST_CASE("11.4 each flip depends on each bit before it", "[11.4][hard]") {

@@ -46,8 +46,16 @@ Distances distances(int across, int down, const Features& a, const Features& b,
                 square(a.normal.z, b.normal.z, widths.normal)};
 }
 
+Color floored(const Color& albedo, Real darkest) {
+    return {std::max(albedo.r, darkest), std::max(albedo.g, darkest), std::max(albedo.b, darkest)};
+}
+
+const char* const weight_hint =
+    "exp(-d / 2), where d is the sum of the squares of three distances, each divided by its width: "
+    "across and down, the albedo with its three channels, the normal with x, y and z";
+
 void check_weight(int across, int down, const Features& a, const Features& b,
-                  const DenoiseWidths& widths) {
+                  const DenoiseWidths& widths, const char* hint = weight_hint) {
     const Real actual = rt::bilateral_weight(across, down, a, b, widths);
     const Distances d = distances(across, down, a, b, widths);
     const auto is = [&](Wide exponent) {
@@ -58,21 +66,22 @@ void check_weight(int across, int down, const Features& a, const Features& b,
                                                         wide(std::numeric_limits<Real>::min());
     };
     if (is(d.sum() / 2)) return;
-    const char* hint =
-        "exp(-d / 2), where d is the sum of the squares of three distances, each divided by its "
-        "width: across and down, the albedo with its three channels, the normal with x, y and z";
+    const Features floored_a{floored(a.albedo, widths.darkest), a.normal};
+    const Features floored_b{floored(b.albedo, widths.darkest), b.normal};
     if (!(actual >= 0))
         hint =
             "0 / 0 or infinity - infinity: divide a difference by its width, and square it then; "
             "the square of a small width is 0";
     else if (is(d.sum()))
         hint = "exp(-d / 2): the half is missing";
-    else if (is((d.albedo + d.normal) / 2))
+    else if (hint == weight_hint && is((d.albedo + d.normal) / 2))
         hint = "the distance across and down does not count";
-    else if (is((d.space + d.normal) / 2))
+    else if (hint == weight_hint && is((d.space + d.normal) / 2))
         hint = "the albedo does not count";
-    else if (is((d.space + d.albedo) / 2))
+    else if (hint == weight_hint && is((d.space + d.albedo) / 2))
         hint = "the normal does not count";
+    else if (is(distances(across, down, floored_a, floored_b, widths).sum() / 2))
+        hint = "the weights take the albedo as it is, even where it is less than widths.darkest";
     const Real expected = static_cast<Real>(std::exp(-d.sum() / 2));
     INFO("the weight of a pixel " << across << " across and " << down
                                   << " down, squares of the distances in widths: place "
@@ -105,23 +114,36 @@ enum class Slip {
     broad,
     albedo_stays,
     albedo_lost,
-    no_darkest
+    no_darkest,
+    circle,
+    floored_weight
 };
 
-Image reference(const Scene& scene, const DenoiseWidths& widths, Slip slip) {
+// Without the weights that are less than `least_weight`.
+Image reference(const Scene& scene, const DenoiseWidths& widths, Slip slip, Wide least_weight = 0) {
     const int radius = widths.radius + (slip == Slip::broad) - (slip == Slip::narrow);
     const Wide darkest = slip == Slip::no_darkest ? 0 : wide(widths.darkest);
     Image result(scene.width(), scene.height());
     Image source = scene.picture;
     for (int y = 0; y < scene.height(); ++y)
         for (int x = 0; x < scene.width(); ++x) {
-            const Features& a = scene.features.at(x, y);
+            const auto features = [&](int i, int j) {
+                const Features& f = scene.features.at(i, j);
+                return slip == Slip::floored_weight
+                           ? Features{floored(f.albedo, widths.darkest), f.normal}
+                           : f;
+            };
+            const Features a = features(x, y);
             Wide sum[3] = {}, weights = 0;
             for (int j = 0; j < scene.height(); ++j)
                 for (int i = 0; i < scene.width(); ++i) {
                     if (std::abs(i - x) > radius || std::abs(j - y) > radius) continue;
-                    const Features& b = scene.features.at(i, j);
+                    if (slip == Slip::circle &&
+                        (i - x) * (i - x) + (j - y) * (j - y) > radius * radius)
+                        continue;
+                    const Features b = features(i, j);
                     const Wide weight = std::exp(-distances(i - x, j - y, a, b, widths).sum() / 2);
+                    if (weight < least_weight) continue;
                     const auto light = [&](Real color, Real albedo) {
                         return slip == Slip::albedo_stays
                                    ? wide(color)
@@ -178,11 +200,21 @@ std::string suggestion(const Image& actual, const Scene& scene, const DenoiseWid
         {Slip::albedo_stays,
          "the picture itself was averaged: divide it by the albedo of each pixel first"},
         {Slip::albedo_lost, "this is the light: multiply it by the albedo of the pixel"},
-        {Slip::no_darkest, "an albedo less than widths.darkest counts as widths.darkest"}};
+        {Slip::no_darkest, "an albedo less than widths.darkest counts as widths.darkest"},
+        {Slip::circle,
+         "the pixels that count are at most radius columns and at most radius rows away: a square, "
+         "with its corners"},
+        {Slip::floored_weight,
+         "the weights take the albedo as it is, even where it is less than widths.darkest"}};
     const int all = scene.width() * scene.height();
     for (const auto& [slip, words] : slips)
         if (first_difference(actual, reference(scene, widths, slip), roundings) == all)
             return words;
+    for (const Wide least_weight :
+         {0.5L, 0.1L, 0.05L, 0.01L, 0.005L, 1e-3L, 1e-4L, 1e-5L, 1e-6L, 1e-8L, 1e-10L, 1e-12L})
+        if (first_difference(actual, reference(scene, widths, Slip::none, least_weight),
+                             roundings) == all)
+            return "no weight is dropped: a small one may belong to a bright pixel";
     return {};
 }
 
@@ -374,6 +406,18 @@ TEST_CASE("11.6 surfaces that send back no light", "[11.6][hard]") {
     check_denoised(Scene{4, 3, {}}, {}, hint);
 }
 
+TEST_CASE("11.6 an albedo of more than 1 counts as it is", "[11.6][hard]") {
+    rt::Rng rng{116, 8};
+    for (int i = 0; i < 5; ++i) {
+        Scene scene = any_scene(rng, 6, 5);
+        for (Features& f : scene.features)
+            if (rng() % 2) f.albedo = any_color(rng, real(0.5), 3);
+        check_denoised(scene, any_widths(rng, 2),
+                       "an albedo has no upper limit: only one less than widths.darkest counts as "
+                       "another one");
+    }
+}
+
 TEST_CASE("11.6 very bright and very dark light", "[11.6][hard]") {
     rt::Rng rng{116, 7};
     const Real power = for_this_precision(30, 200);
@@ -400,5 +444,18 @@ TEST_CASE("11.6 narrow and infinite widths and pixels far away", "[11.6][hard]")
             check_weight(0, 0, surface, b, widths);
             check_weight(-1, 2, surface, b, widths);
         }
+    // Almost equal, and as narrow a width.
+    const char* const hint =
+        "subtract first, then square: where two vectors are almost equal, the sum of their squares "
+        "and twice their product cancel";
+    rt::Rng rng{116, 9};
+    const auto near = real(for_this_precision(1e-4, 1e-9));
+    for (int i = 0; i < 50; ++i) {
+        const Features a{any_color(rng, real(0.2), 1), any_direction(rng)};
+        const Features b{a.albedo + near * any_color(rng, -1, 1),
+                         a.normal + near * any_direction(rng)};
+        check_weight(1, -1, a, b, {2, 2, 1, near}, hint);
+        check_weight(1, -1, a, b, {2, 2, near, 1}, hint);
+    }
     check_weight(50000, -70000, surface, surface, {100000, real(50000), 1, 1});
 }

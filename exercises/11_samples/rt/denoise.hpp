@@ -11,8 +11,8 @@ namespace rt {
 
 // What is known of a pixel without noise: the surface that its eye ray meets.
 struct Features {
-    Color albedo;
-    Vec3 normal;  // 0 for the sky
+    Color albedo;  // may be more than 1: that of a lamp
+    Vec3 normal;   // 0 for the sky
 };
 
 // How far a pixel's light may spread. Where two pixels are one width apart, the weight is exp(-1/2)

@@ -37,8 +37,8 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // on. So each bit of the fraction is flipped or not; that depends on the seed and on all bits
 // before it, and on nothing behind it. Two fractions whose first n bits are the same and the next
 // one is not are so afterwards, too. Flips behind different beginnings have nothing to do with each
-// other, and over all seeds each happens half of the time. The seed is 32 random bits, and all of
-// them count.
+// other, and over all seeds each happens half of the time. The seed has 32 bits, and all of them
+// count: the flips of seed + 1 have nothing to do with those of seed.
 //
 // It takes a hash, and any good one will do. This one (Vegdahl's) works on the mirrored fraction x,
 // where the bits before a bit are those to its right, and a product or a sum carries to the left

@@ -16,7 +16,8 @@ inline Real standard_error(const RunningVariance& known) {
 // The probability that a mean with this standard error lies within a distance of the true mean, on
 // either side. It is that of the normal distribution, which holds for means of many numbers:
 // erf(distance / (sqrt(2) error)), with std::erf. distance is 0 or more and finite, error is 0 or
-// more. Without an error it is 1, also at distance 0; with an infinite one it is 0.
+// more; both may be as large or as small as a Real can be. Without an error it is 1, also at
+// distance 0; with an infinite one it is 0.
 inline Real chance_within(Real distance, Real error) {
     return rt::todo("11.2", distance, error);
 }

@@ -21,8 +21,9 @@ inline Real luminance(const Color& color) {
 // The brightness that a screen shows for a luminance, which is finite and not negative:
 // L (1 + L / white^2) / (1 + L). Dark tones hardly change, bright ones are pressed together, and
 // `white`, greater than 0, becomes 1; what is brighter gets more than 1. With an infinite white
-// that is L / (1 + L), which never reaches 1. Light of 1e30 in float and of 1e200 in double is not
-// too bright, and as small a fraction is not too dark. Source: Reinhard, Stark, Shirley and
+// that is L / (1 + L), which never reaches 1. A luminance or a white of 1e30 in float and of 1e200
+// in double is not too bright, and as small a luminance is not too dark. A white may be as dark as
+// 1e-25 in float and 1e-170 in double: it becomes 1, too. Source: Reinhard, Stark, Shirley and
 // Ferwerda, "Photographic tone reproduction for digital images", SIGGRAPH 2002.
 inline Real tone_curve(Real luminance, Real white) {
     return rt::todo("11.5", luminance, white);
