@@ -3,6 +3,7 @@
 // printed.
 
 #include <app/run.hpp>
+#include <app/threads.hpp>
 #include <atomic>
 #include <rt/canvas.hpp>
 #include <rt/for_each_pixel.hpp>
@@ -50,6 +51,15 @@ Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers
     return all;
 }
 
+// OpenMP and TBB keep the threads that they have started, and neither can do with fewer.
+std::string speed_up_words(int threads) {
+    const int needed = 2 * threads + static_cast<int>(std::thread::hardware_concurrency());
+    if (app::threads_that_start(needed) < needed)
+        return "No speed-up was measured: fewer than " + std::to_string(needed) +
+               " threads can be started.\n";
+    return table(speed_ups(make_scene(), threads));
+}
+
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Scene scene = make_scene();
     Image image = Canvas<Color>{settings.width, settings.height, paper};
@@ -82,7 +92,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
                                 : take_time(shader, grid, settings.threads);
     draw_figure(figure, picture, shown);
     return {std::move(image), all_rays,
-            [threads = settings.threads] { return table(speed_ups(make_scene(), threads)); }};
+            [threads = settings.threads] { return speed_up_words(threads); }};
 }
 
 }  // namespace
