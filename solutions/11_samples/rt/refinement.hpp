@@ -175,8 +175,8 @@ class Refinement {
 
     std::size_t index(int x, int y) const {
         const int side = plan_.grid.tile_size;
-        return static_cast<std::size_t>(y / side) *
-                   static_cast<std::size_t>(tiles_along(plan_.grid.width, side)) +
+        const int columns = (plan_.grid.width - 1) / side + 1;
+        return static_cast<std::size_t>(y / side) * static_cast<std::size_t>(columns) +
                static_cast<std::size_t>(x / side);
     }
     const TileState& tile_of(int x, int y) const { return tiles_[index(x, y)]; }
