@@ -3,6 +3,7 @@
 
 #include <rt/color.hpp>
 #include <string>
+#include <study/far_view.hpp>
 #include <study/pixel_error.hpp>
 #include <type_traits>
 
@@ -14,14 +15,10 @@ namespace normals_aa {
 // A small picture of the group, with as many bounces as that of the chapter's program.
 constexpr int budget_width = 48, budget_height = 27, budget_depth = 16;
 
-// The group from this far away, through a lens that shows as much of it.
+// The group from this far away.
 inline View view_from(Real distance) {
-    View view = group_view();
-    const Vec3 back = view.from - view.at;
-    const Real times = distance / length(back);
-    view.from = view.at + times * back;
-    view.vertical_fov = 2 * std::atan(std::tan(view.vertical_fov / 2) / times);
-    return view;
+    const View view = group_view();
+    return study::from_afar(view, distance / length(view.from - view.at));
 }
 
 // What rounding does: the picture in Real by each formula, against that in the widest numbers that

@@ -5,6 +5,7 @@
 #include <rt/render_pixel.hpp>
 #include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
+#include <study/far_view.hpp>
 #include <study/pixel_error.hpp>
 #include <study/timing.hpp>
 
@@ -165,10 +166,7 @@ struct BareTree {
 // What a tree does to the pixels of the list's picture.
 void study_pixels(study::Report& report, const Scene& scene) {
     const auto add = [&](const std::string& variant, Real times, const auto& world) {
-        View view = scene_view();
-        view.from = view.at + times * (view.from - view.at);
-        view.vertical_fov = 2 * std::atan(std::tan(view.vertical_fov / 2) / times);
-        const Camera camera = make_camera(view, 96, 68);
+        const Camera camera = make_camera(study::from_afar(scene_view(), times), 96, 68);
         const auto draw = [&](const auto& any_world) {
             std::vector<Color> pixels;
             for (int y = 0; y < camera.height; ++y)

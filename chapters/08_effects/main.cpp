@@ -80,35 +80,41 @@ effects::TileDrawing one_by_one(const SceneDescription& scene, int width, int he
     return {effects::choose(needed), [draw] { return effects::DrawTile{draw}; }};
 }
 
+bool in_batches(const app::Settings& settings) {
+    return settings.given.count("batches") > 0;
+}
+bool by_sobol(const app::Settings& settings) {
+    return !settings.picked.empty() && settings.picked.front() == "sobol";
+}
+
 // The way to draw that the options ask for.
-effects::MakeTileDrawing way_to_draw(const app::Settings& settings) {
-    const bool in_batches = settings.given.count("batches") > 0;
-    if (!settings.picked.empty() && settings.picked.front() == "sobol") {
-        if (in_batches)
-            throw app::UsageError(
-                "--batches and --sampler sobol exclude each other: batches are "
-                "drawn with jittered samples");
-        return effects::refining->make_sobol_drawing;
-    }
-    return in_batches ? effects::make_batch_drawing : one_by_one;
+effects::TileDrawing make_drawing(const SceneDescription& scene, const app::Settings& settings) {
+    const RenderSettings& chosen = scene.settings;
+    const Quality quality{chosen.samples_per_pixel, chosen.depth, chosen.seed};
+    if (!by_sobol(settings) && !in_batches(settings))
+        return one_by_one(scene, chosen.width, chosen.height, quality);
+    const auto make =
+        by_sobol(settings) ? effects::refining->make_sobol_drawing : effects::make_batch_drawing;
+    return with_seed(make(scene, chosen.width, chosen.height, quality), quality.seed);
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = open_scene(settings);
     const RenderSettings& chosen = scene.settings;
-    const bool in_batches = settings.given.count("batches") > 0;
+    if (by_sobol(settings) && in_batches(settings))
+        throw app::UsageError(
+            "--batches and --sampler sobol exclude each other: batches are drawn with jittered "
+            "samples");
     const auto explain = [&](const effects::Choice& choice) {
         if (settings.explain)
-            settings.explain(explanation(scene, settings.file, choice, in_batches));
+            settings.explain(explanation(scene, settings.file, choice, in_batches(settings)));
     };
-    const effects::MakeTileDrawing make_drawing = way_to_draw(settings);
     if (!settings.numbers.empty()) {
         app::Picture picture = effects::refining->render(scene, settings, explain, progress);
         picture.words = [words = picture.words, note = note_on(scene)] { return words() + note; };
         return picture;
     }
-    const effects::TileDrawing drawing = make_drawing(
-        scene, chosen.width, chosen.height, {chosen.samples_per_pixel, chosen.depth, chosen.seed});
+    const effects::TileDrawing drawing = make_drawing(scene, settings);
     explain(drawing.choice);
 
     Image image = Canvas<Color>{chosen.width, chosen.height};

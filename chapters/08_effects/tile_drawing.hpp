@@ -14,38 +14,44 @@ namespace effects {
 using DrawTile =
     std::function<std::int64_t(const rt::Tile& tile, rt::Image& image, std::uint64_t& rays)>;
 
-// Another way to draw a scene, byte for byte as the Shader does.
-struct TileDrawing {
+// A way to draw a scene, which must outlive it.
+template <class Draw>
+struct Drawing {
     Choice choice;
-    std::function<DrawTile()> make_worker;  // one for each thread; may be called by all at once
-    int tile_side = 16;                     // in pixels
+    std::function<Draw()> make_worker;  // one for each thread; may be called by all at once
+    int tile_side = 16;                 // in pixels
 };
+using TileDrawing = Drawing<DrawTile>;
 
-// In batches of rays (--batches). Chapter 10 brings it along, and this chapter knows no more of it
-// than this: null in a program without chapter 10. The scene must outlive the drawing.
-using MakeTileDrawing = TileDrawing (*)(const rt::SceneDescription& scene, int width, int height,
-                                        const rt::Quality& quality);
-inline MakeTileDrawing make_batch_drawing = nullptr;
-
-// The same, and each tile may be drawn with another seed than that of the quality: chapter 11 draws
-// a picture in passes.
+// What the electives bring along draws whole tiles, with any seed: chapter 11 draws a picture in
+// passes. This chapter knows no more of it than this.
 using DrawSeededTile = std::function<void(const rt::Tile& tile, std::uint64_t seed,
                                           rt::Image& image, std::uint64_t& rays)>;
-struct SeededDrawing {
-    Choice choice;
-    std::function<DrawSeededTile()> make_worker;
-    int tile_side = 16;
-};
+using SeededDrawing = Drawing<DrawSeededTile>;
 using MakeSeededDrawing = SeededDrawing (*)(const rt::SceneDescription& scene, int width,
                                             int height, const rt::Quality& quality);
-inline MakeSeededDrawing make_seeded_batches = nullptr;
+
+// The same with one seed, until a signal comes.
+inline TileDrawing with_seed(const SeededDrawing& seeded, std::uint64_t seed) {
+    const auto make_worker = [make = seeded.make_worker, seed] {
+        return [draw = make(), seed](const rt::Tile& tile, rt::Image& image, std::uint64_t& rays) {
+            if (app::Interruption::signal() != 0) return std::int64_t{0};
+            draw(tile, seed, image, rays);
+            return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
+        };
+    };
+    return {seeded.choice, make_worker, seeded.tile_side};
+}
+
+// In batches of rays (--batches), byte for byte as the Shader does. Null without chapter 10.
+inline MakeSeededDrawing make_batch_drawing = nullptr;
 
 // How chapter 11 draws a scene, and the options that ask for it; null in a program without
 // chapter 11.
 struct Refining {
     std::vector<app::Choice> choices;  // the first: --sampler jittered|sobol
     std::vector<app::Number> numbers;
-    MakeTileDrawing make_sobol_drawing = nullptr;
+    MakeSeededDrawing make_sobol_drawing = nullptr;
     // Where one of the numbers is given: refines the picture. Says first what it draws with.
     app::Picture (*render)(const rt::SceneDescription& scene, const app::Settings& settings,
                            const std::function<void(const Choice&)>& explain,

@@ -31,32 +31,33 @@ class Cover {
     }
 
     std::vector<Way> ways() {
-        return {
-            {"classic", [this](int n, std::uint64_t) { return draw_classic(n); }},
-            {"chapter 08",
-             [this](int n, std::uint64_t seed) {
-                 return draw_with(JitteredSamples{seed, n});
-             }},
-            {"Sobol",
-             [this](int n, std::uint64_t seed) {
-                 return draw_with(SobolSamples{seed, n});
-             }},
-            {"twin halves",
-             [this](int n, std::uint64_t seed) {
-                 return refine(grid(), seed, n, [this](int count) { return jittered_pass(count); })
-                     .image;
-             }},
-            {"Sobol in twin halves",
-             [this](int n, std::uint64_t seed) {
-                 return refine(grid(), seed, n,
-                               [this](int count) { return sobol_pass(renderer_, count); })
-                     .image;
-             }},
-            {"batches", [this](int n, std::uint64_t seed) { return draw_batches(n, seed); }},
-            {"batches in twin halves", [this](int n, std::uint64_t seed) {
-                 return refine(grid(16), seed, n, [this](int count) { return batch_pass(count); })
-                     .image;
-             }}};
+        return {{"classic", [this](int n, std::uint64_t) { return draw_classic(n); }},
+                {"chapter 08",
+                 [this](int n, std::uint64_t seed) {
+                     return draw_with(renderer_, JitteredSamples{seed, n}, width, height);
+                 }},
+                {"Sobol",
+                 [this](int n, std::uint64_t seed) {
+                     return draw_with(renderer_, SobolSamples{seed, n}, width, height);
+                 }},
+                {"twin halves",
+                 [this](int n, std::uint64_t seed) {
+                     return refine(grid(), seed, n,
+                                   [this](int count) { return jittered_passes(renderer_, count); })
+                         .image;
+                 }},
+                {"Sobol in twin halves",
+                 [this](int n, std::uint64_t seed) {
+                     return refine(grid(), seed, n,
+                                   [this](int count) { return sobol_passes(renderer_, count); })
+                         .image;
+                 }},
+                {"batches", [this](int n, std::uint64_t seed) { return draw_batches(n, seed); }},
+                {"batches in twin halves", [this](int n, std::uint64_t seed) {
+                     return refine(grid(16), seed, n,
+                                   [this](int count) { return batch_pass(count); })
+                         .image;
+                 }}};
     }
 
   private:
@@ -67,28 +68,12 @@ class Cover {
         cover_.samples_per_pixel = samples;
         return study::classic::picture(cover_, *classic_);
     }
-    template <class Samples>
-    Image draw_with(const Samples& samples) const {
-        Image image = blank();
-        std::uint64_t rays = 0;
-        for_each_pixel({0, 0, width, height},
-                       [&](int x, int y) { image.at(x, y) = renderer_(samples, x, y, rays); });
-        return image;
-    }
     Image draw_batches(int samples, std::uint64_t seed) const {
         BatchRenderer<cover_effects> renderer{ready_, {samples, cover_.depth, seed}};
         Image image = blank();
         std::uint64_t rays = 0;
         renderer.draw({0, 0, width, height}, image, rays);
         return image;
-    }
-    DrawPass jittered_pass(int count) const {
-        return
-            [this, count](const Tile& tile, const Pass& pass, Image& image, std::uint64_t& rays) {
-                const JitteredSamples samples{seed_of(pass), count};
-                for_each_pixel(
-                    tile, [&](int x, int y) { image.at(x, y) = renderer_(samples, x, y, rays); });
-            };
     }
     DrawPass batch_pass(int count) const {
         return [renderer = BatchRenderer<cover_effects>{ready_, {count, cover_.depth, 1}}](

@@ -77,7 +77,7 @@ Drawn draw_halves(Sampling& sampling, const Strip& strip, int pilot, Canvas<int>
     plan.grid = sampling.grid(strip);
     plan.threads = settings.threads;
     plan.seed = *settings.seed;
-    plan.make_worker = [&] { return sobol_pass(sampling.renderer, 1, strip.left); };
+    plan.make_worker = [&] { return sobol_passes(sampling.renderer, 1, strip.left); };
     Refinement refinement{plan};
     refinement.draw_pilot(pilot);
     refinement.refine_with(std::int64_t{tile_count(plan.grid)} * settings.spp);

@@ -71,7 +71,7 @@ Judged draw_watched(const Stage& stage, const Samples& samples) {
 Judged draw_twins(const Stage& stage, int samples, std::uint64_t seed) {
     const TileGrid grid{stage.window.right, stage.window.bottom, 4};
     const Refined refined =
-        refine(grid, seed, samples, [&](int count) { return sobol_pass(stage.renderer, count); });
+        refine(grid, seed, samples, [&](int count) { return sobol_passes(stage.renderer, count); });
     return {refined.image, refined.error};
 }
 

@@ -2,10 +2,8 @@
 // Ways to take samples that the studies compare, and pictures drawn with them.
 
 #include <array>
-#include <rt/refinement.hpp>
-#include <rt/renderer.hpp>
+#include <rt/draw_passes.hpp>
 #include <rt/running_variance.hpp>
-#include <rt/sobol_samples.hpp>
 
 namespace samples {
 
@@ -43,17 +41,14 @@ struct WatchedSamples {
     }
 };
 
-// A pass of one tile with `count` of Sobol's points in each pixel; the picture's first column is
-// column `left` of the renderer's.
-template <class Renderer>
-DrawPass sobol_pass(const Renderer& renderer, int count, int left = 0) {
-    return [&renderer, count, left](const Tile& tile, const Pass& pass, Image& image,
-                                    std::uint64_t& rays) {
-        const SobolSamples samples{pass.seed, count,
-                                   static_cast<std::uint32_t>(pass.number * count)};
-        for_each_pixel(
-            tile, [&](int x, int y) { image.at(x, y) = renderer(samples, left + x, y, rays); });
-    };
+// A whole picture with the same samples in each pixel.
+template <class Renderer, class Samples>
+Image draw_with(const Renderer& renderer, const Samples& samples, int width, int height) {
+    Image image = Canvas<Color>{width, height};
+    std::uint64_t rays = 0;
+    for_each_pixel({0, 0, width, height},
+                   [&](int x, int y) { image.at(x, y) = renderer(samples, x, y, rays); });
+    return image;
 }
 
 // A picture that was refined, and how far off its halves say that it is.
@@ -62,7 +57,7 @@ struct Refined {
     double error = 0;
 };
 
-// A picture in twin halves with about this many samples in a pixel on the average: in 16 passes, of
+// A picture in twin halves with about this many samples in a pixel on average: in 16 passes, of
 // which the pilot takes half. make_pass(count) gives a DrawPass for passes of that many samples.
 template <class MakePass>
 Refined refine(const TileGrid& grid, std::uint64_t seed, int samples, const MakePass& make_pass) {

@@ -1,6 +1,5 @@
 // What chapter 08's program draws with where it is given --batches. It is linked into that program.
 
-#include <app/interrupt.hpp>
 #include <array>
 #include <memory>
 #include <rt/batch_renderer.hpp>
@@ -15,7 +14,7 @@ namespace batches {
 namespace {
 
 using namespace rt;
-using effects::DrawSeededTile, effects::SeededDrawing, effects::TileDrawing;
+using effects::DrawSeededTile, effects::SeededDrawing;
 
 // A batch asks once which kernel it needs, not once a ray, so an effect that is there in vain costs
 // little. What does cost is leaving the kernels for packs, which the last two sets do.
@@ -49,8 +48,8 @@ int tile_side(int samples_per_pixel) {
     return side;
 }
 
-SeededDrawing make_seeded(const SceneDescription& scene, int width, int height,
-                          const Quality& quality) {
+SeededDrawing make_drawing(const SceneDescription& scene, int width, int height,
+                           const Quality& quality) {
     const std::size_t number = narrowest(effects_of(scene), few_effects);
     const Effects chosen = few_effects[number];
     return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
@@ -58,23 +57,8 @@ SeededDrawing make_seeded(const SceneDescription& scene, int width, int height,
             tile_side(quality.samples_per_pixel)};
 }
 
-// The same with one seed.
-TileDrawing make_drawing(const SceneDescription& scene, int width, int height,
-                         const Quality& quality) {
-    const SeededDrawing seeded = make_seeded(scene, width, height, quality);
-    const auto make_worker = [make = seeded.make_worker, seed = quality.seed] {
-        return [draw = make(), seed](const Tile& tile, Image& image, std::uint64_t& rays) {
-            if (app::Interruption::signal() != 0) return std::int64_t{0};
-            draw(tile, seed, image, rays);
-            return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
-        };
-    };
-    return {seeded.choice, make_worker, seeded.tile_side};
-}
-
 // Before main() begins.
-[[maybe_unused]] const bool is_known =
-    (effects::make_batch_drawing = make_drawing, effects::make_seeded_batches = make_seeded, true);
+[[maybe_unused]] const bool is_known = (effects::make_batch_drawing = make_drawing, true);
 
 }  // namespace
 }  // namespace batches

@@ -112,12 +112,7 @@ class Subject {
         add_singly("list of spheres", list(), materials, lights, SkyEnding{}, usual_depth);
         const Renderer<every_effect> widest{description_, width, height, {1, usual_depth, 1}};
         add("every effect compiled in", [&](int n, std::uint64_t seed) {
-            Image image = Canvas<Color>{width, height};
-            std::uint64_t rays = 0;
-            for_each_pixel({0, 0, width, height}, [&](int x, int y) {
-                image.at(x, y) = widest(sobol(seed, n), x, y, rays);
-            });
-            return image;
+            return samples::draw_with(widest, sobol(seed, n), width, height);
         });
     }
 
@@ -168,7 +163,7 @@ class Subject {
     Image draw_twins(int n, std::uint64_t seed) const {
         const Renderer<effects> renderer{description_, width, height, {1, usual_depth, 1}};
         return samples::refine({width, height, 4}, seed, n,
-                               [&](int count) { return samples::sobol_pass(renderer, count); })
+                               [&](int count) { return sobol_passes(renderer, count); })
             .image;
     }
 

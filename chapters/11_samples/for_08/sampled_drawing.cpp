@@ -8,10 +8,8 @@
 #include <cstdio>
 #include <memory>
 #include <rt/choose_renderer.hpp>
+#include <rt/draw_passes.hpp>
 #include <rt/effects_of.hpp>
-#include <rt/refinement.hpp>
-#include <rt/renderer.hpp>
-#include <rt/sobol_samples.hpp>
 #include <utility>
 
 #include "few_effects.hpp"
@@ -33,16 +31,11 @@ template <Effects effects>
 DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
                         const Quality& quality, bool sobol) {
     const auto renderer = std::make_shared<const Renderer<effects>>(scene, width, height, quality);
-    return [=, count = quality.samples_per_pixel](const Tile& tile, const Pass& pass, Image& image,
-                                                  std::uint64_t& rays) {
-        const auto draw = [&](const auto& samples) {
-            for_each_pixel(
-                tile, [&](int x, int y) { image.at(x, y) = (*renderer)(samples, x, y, rays); });
-        };
-        if (sobol)
-            draw(SobolSamples{pass.seed, count, static_cast<std::uint32_t>(pass.number * count)});
-        else
-            draw(JitteredSamples{seed_of(pass), count});
+    const int count = quality.samples_per_pixel;
+    return [renderer,
+            draw = sobol ? sobol_passes(*renderer, count) : jittered_passes(*renderer, count)](
+               const Tile& tile, const Pass& pass, Image& image, std::uint64_t& rays) {
+        draw(tile, pass, image, rays);
     };
 }
 
@@ -51,14 +44,10 @@ constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>
 }
 (std::make_index_sequence<few_effects.size()>{});
 
-struct Drawing {
-    effects::Choice choice;
-    std::function<DrawPass()> make_worker;
-    int tile_side = 16;
-};
+using PassDrawing = effects::Drawing<DrawPass>;
 
-Drawing make_drawing(const SceneDescription& scene, int width, int height, const Quality& quality,
-                     bool sobol) {
+PassDrawing make_drawing(const SceneDescription& scene, int width, int height,
+                         const Quality& quality, bool sobol) {
     const std::size_t number = narrowest(effects_of(scene), few_effects);
     const Effects chosen = few_effects[number];
     const DrawPass draw = makers[number](scene, width, height, quality, sobol);
@@ -66,9 +55,10 @@ Drawing make_drawing(const SceneDescription& scene, int width, int height, const
             [draw] { return draw; }};
 }
 
-Drawing make_batches(const SceneDescription& scene, int width, int height, const Quality& quality) {
+PassDrawing make_batches(const SceneDescription& scene, int width, int height,
+                         const Quality& quality) {
     const effects::SeededDrawing seeded =
-        effects::make_seeded_batches(scene, width, height, quality);
+        effects::make_batch_drawing(scene, width, height, quality);
     return {seeded.choice,
             [make = seeded.make_worker] {
                 return [draw = make()](const Tile& tile, const Pass& pass, Image& image,
@@ -115,14 +105,13 @@ void check_together(const app::Settings& settings) {
 }
 
 // All samples of a pixel from Sobol's sequence: --sampler sobol without an aim.
-effects::TileDrawing make_sobol_drawing(const SceneDescription& scene, int width, int height,
-                                        const Quality& quality) {
-    const Drawing drawing = make_drawing(scene, width, height, quality, true);
-    const auto make_worker = [draw = drawing.make_worker(), seed = quality.seed] {
-        return [draw, seed](const Tile& tile, Image& image, std::uint64_t& rays) {
-            if (app::Interruption::signal() != 0) return std::int64_t{0};
+effects::SeededDrawing make_sobol_drawing(const SceneDescription& scene, int width, int height,
+                                          const Quality& quality) {
+    const PassDrawing drawing = make_drawing(scene, width, height, quality, true);
+    const auto make_worker = [make = drawing.make_worker] {
+        return [draw = make()](const Tile& tile, std::uint64_t seed, Image& image,
+                               std::uint64_t& rays) {
             draw(tile, {seed, 0}, image, rays);
-            return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
         };
     };
     return {drawing.choice, make_worker, drawing.tile_side};
@@ -148,9 +137,9 @@ app::Picture render(const SceneDescription& scene, const app::Settings& settings
     const int width = scene.settings.width, height = scene.settings.height;
     const Quality quality{samples_of_pass, scene.settings.depth, scene.settings.seed};
     const bool in_batches = settings.given.count("batches") > 0;
-    const Drawing drawing = in_batches ? make_batches(scene, width, height, quality)
-                                       : make_drawing(scene, width, height, quality,
-                                                      settings.picked.front() == "sobol");
+    const PassDrawing drawing = in_batches ? make_batches(scene, width, height, quality)
+                                           : make_drawing(scene, width, height, quality,
+                                                          settings.picked.front() == "sobol");
     explain(drawing.choice);
 
     // Writing the file takes time, too.

@@ -43,8 +43,8 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // A shuffling of all 32-bit fractions, Owen's scrambling. A random bit decides whether the two
 // halves of the interval change places, two more decide it for the two halves of each half, and so
 // on. So each bit of the fraction is flipped or not; that depends on the seed and on all bits
-// before it, and on nothing behind it. Two fractions whose first n bits are the same and the next
-// one is not are so afterwards, too. Flips behind different beginnings have nothing to do with each
+// before it, and on nothing behind it. If two fractions agree in their first n bits and differ in
+// the next one, so do their results. Flips behind different beginnings have nothing to do with each
 // other, and over all seeds each happens half of the time. The seed has 32 bits, and all of them
 // count: the flips of seed + 1 have nothing to do with those of seed.
 //

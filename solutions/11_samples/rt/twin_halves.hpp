@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// Something of each of two independent halves of the samples.
+// A value for each of two independent halves of the samples.
 template <class T>
 struct Halves {
     T first{}, second{};
@@ -48,9 +48,9 @@ inline Real twin_mean(Halves<Real> mean) {
     return mean.first / 2 + mean.second / 2;
 }
 
-// An estimate of the mean square error of twin_mean, without bias: the square of half the
-// difference of the halves. One place says little; the mean over many places says how wrong the
-// picture is.
+// An estimate of the mean square error of twin_mean: the square of half the difference of the
+// halves. It is without bias where the halves err independently, and nearly so where their counts
+// are crossed. One place says little; the mean over many places says how wrong the picture is.
 inline Real twin_square_error(Halves<Real> mean) {
     const Real half = (mean.first - mean.second) / 2;
     return half * half;

@@ -9,6 +9,7 @@
 #include <rt/renderer.hpp>
 #include <string>
 #include <study/classic.hpp>
+#include <study/cover_scene.hpp>
 #include <study/median.hpp>
 #include <study/timing.hpp>
 
@@ -163,23 +164,6 @@ void compare(const std::string& title, const SceneDescription& description, cons
     const ReadyScene<effects> scene{description, picture_width, picture_height};
     compare_pictures(title, description, scene, quality, rounds, cover);
     compare_searches(title, description, scene, quality, rounds);
-}
-
-SceneDescription cover_scene(const study::Cover& cover) {
-    SceneDescription scene;
-    scene.camera.view = cover.view;
-    scene.sky = {cover.horizon, cover.above};
-    for (const study::CoverSphere& sphere : cover.spheres) {
-        scene.spheres.push_back(
-            {{sphere.center, sphere.radius}, static_cast<int>(scene.materials.size())});
-        if (sphere.material == study::CoverMaterial::matte)
-            scene.materials.push_back(Lambertian{sphere.color});
-        else if (sphere.material == study::CoverMaterial::metal)
-            scene.materials.push_back(Metal{sphere.color, sphere.fuzz});
-        else
-            scene.materials.push_back(Dielectric{study::cover_glass_index});
-    }
-    return scene;
 }
 
 // The cover scene with so many spheres in all: more small ones on the ground, as densely, farther

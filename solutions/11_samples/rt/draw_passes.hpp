@@ -1,0 +1,37 @@
+#pragma once
+#include <rt/for_each_pixel.hpp>
+#include <rt/refinement.hpp>
+#include <rt/renderer.hpp>
+#include <rt/sobol_samples.hpp>
+
+namespace rt {
+
+// Passes of a renderer (given), which must outlive them. samples_of(pass) are those of a pixel. The
+// picture's first column is column `left` of the renderer's.
+template <class AnyRenderer, class SamplesOf>
+DrawPass draw_passes(const AnyRenderer& renderer, int left, const SamplesOf& samples_of) {
+    return [&renderer, left, samples_of](const Tile& tile, const Pass& pass, Image& image,
+                                         std::uint64_t& rays) {
+        const auto samples = samples_of(pass);
+        for_each_pixel(
+            tile, [&](int x, int y) { image.at(x, y) = renderer(samples, left + x, y, rays); });
+    };
+}
+
+// With so many jittered samples in each pixel.
+template <class AnyRenderer>
+DrawPass jittered_passes(const AnyRenderer& renderer, int count) {
+    return draw_passes(renderer, 0, [count](const Pass& pass) {
+        return JitteredSamples{seed_of(pass), count};
+    });
+}
+
+// With the next so many of Sobol's points in each pixel.
+template <class AnyRenderer>
+DrawPass sobol_passes(const AnyRenderer& renderer, int count, int left = 0) {
+    return draw_passes(renderer, left, [count](const Pass& pass) {
+        return SobolSamples{pass.seed, count, static_cast<std::uint32_t>(pass.number * count)};
+    });
+}
+
+}  // namespace rt
