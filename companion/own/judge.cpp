@@ -180,7 +180,7 @@ void judge(const JudgeRequest& request, const std::function<void(const JudgedLin
                           request.begins(line.what);
                           try {
                               look(line);
-                          } catch (const app::Failure& failure) {
+                          } catch (const std::exception& failure) {
                               line.passed = false;
                               line.actual = failure.what();
                           }

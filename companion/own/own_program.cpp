@@ -1,9 +1,12 @@
 #include <unistd.h>
 #include <app/errors.hpp>
 #include <atomic>
+#include <cerrno>
 #include <companion/own/own_program.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/files.hpp>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -11,11 +14,11 @@ namespace companion {
 namespace {
 
 fs::path new_folder() {
-    static std::atomic<int> count = 0;
-    const fs::path folder = fs::temp_directory_path() /
-                            ("own-" + std::to_string(getpid()) + '-' + std::to_string(count++));
-    fs::create_directories(folder);
-    return folder;
+    std::string name = fs::temp_directory_path() / "own-XXXXXX";
+    if (!::mkdtemp(name.data()))
+        throw app::Failure("cannot make a folder in " + fs::temp_directory_path().string() + ": " +
+                           std::strerror(errno));
+    return name;
 }
 
 // What a compiler or linker said, in one line: its first error.

@@ -9,7 +9,7 @@ namespace companion {
 struct Trial {
     const JudgeRequest& request;
     const OwnProgram &own, &reference;
-    // Fills in what was found, and reports the line. A look that throws app::Failure has failed.
+    // Fills in what was found, and reports the line. A look that throws has failed.
     std::function<void(JudgedLine line, const std::function<void(JudgedLine&)>& look)> line;
 };
 

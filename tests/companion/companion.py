@@ -139,7 +139,8 @@ class Companion(unittest.TestCase):
         self.put("build/bin/course", f'#!/bin/sh\nexec "{COURSE}" "$@"\n')
         os.chmod(self.root / "build/bin/course", 0o755)
         self.environment = {**os.environ, "COURSE_TEST_FOLDER": str(self.root), "TERM": "xterm"}
-        self.environment.pop("NO_COLOR", None)
+        for name in ("NO_COLOR", "COURSE_CMAKE_ARGS"):
+            self.environment.pop(name, None)
 
     def configure(self):
         subprocess.run(["cmake", "-S", self.root, "-B", self.root / "build"], check=True,
@@ -274,6 +275,7 @@ class Companion(unittest.TestCase):
         self.assertIn("--seed 5", said)
         self.assertIn("not judged yet", self.course())  # a part of the verdict is none
         said = self.course("own", "judge", str(folder), code=1)
+        self.assertRegex(said, r"(\d+ of \d+ lines) pass")
         lines = re.search(r"(\d+ of \d+ lines) pass", said)[1]
         self.assertIn("x rung 3: --seed\n    two seeds draw the same bytes", said)
         self.assertIn("09_own           [", self.course())
