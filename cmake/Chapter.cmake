@@ -56,8 +56,8 @@ function(course_sources_of out)
   set(${out} "${sources}" PARENT_SCOPE)
 endfunction()
 
-# course_program(target real sources... INCLUDE folders...): a program on common, in one precision.
-function(course_program target real)
+# course_executable(target real sources... INCLUDE folders...): a program on common, in one precision.
+function(course_executable target real)
   cmake_parse_arguments(arg "" "" "INCLUDE" ${ARGN})
   course_sources_of(sources ${arg_INCLUDE})
   add_executable(${target} ${arg_UNPARSED_ARGUMENTS} ${sources})
@@ -66,6 +66,13 @@ function(course_program target real)
   if(sources)
     target_link_libraries(${target} PRIVATE course_parallel)
   endif()
+endfunction()
+
+# course_program(target real sources... INCLUDE folders...): the same, and the standard library's headers
+# are read once for all such programs.
+function(course_program target real)
+  course_executable(${target} ${real} ${ARGN})
+  target_precompile_headers(${target} REUSE_FROM common_${real})
 endfunction()
 
 # course_own_program(target sources... INCLUDE folders...): exercise 00.1 is a program of its own,
@@ -92,11 +99,11 @@ function(course_own_program target)
   endforeach()
 endfunction()
 
-# course_program with Catch2's main: a program of test cases. The kind is double, float, or unoptimized,
+# course_executable with Catch2's main: a program of test cases. The kind is double, float, or unoptimized,
 # which is double.
 function(course_checkpoint target kind)
   string(REPLACE unoptimized double real ${kind})
-  course_program(${target} ${real} ${ARGN})
+  course_executable(${target} ${real} ${ARGN})
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tests/support)
   target_link_libraries(${target} PRIVATE checkpoint_${kind} catch_main)
   target_precompile_headers(${target} REUSE_FROM checkpoint_${kind})

@@ -214,3 +214,27 @@ TEST_CASE("04.5 no rounding moves a sample into the next cell", "[04.5][hard]") 
         check_offset(cell, n, {close, std::min(1 - close, largest)});
     }
 }
+
+TEST_CASE("04.5 a million samples are not off in float either", "[04.5][hard]") {
+    rt::Rng rng{44, 6};
+    for (const int samples : {1 << 18, 1'000'000}) {
+        double red = 0, blue = 0;
+        const Color average = rt::pixel_average(samples, rng, [&](Vec2) {
+            const Color color{real(0.7), 0, rng.uniform() < real(0.01) ? 90 : rng.uniform()};
+            red += static_cast<double>(color.r);
+            blue += static_cast<double>(color.b);
+            return color;
+        });
+        INFO(samples << " samples.\nHint: a float sum that is large has no digits left for a small "
+                        "sample. Add up with a ColorSum, or each row of cells on its own");
+        const auto check = [&](Real actual, double sum) {
+            const double expected = sum / samples;
+            INFO("expected " << expected << ", actual " << actual);
+            const auto float_epsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
+            REQUIRE(std::abs(static_cast<double>(actual) - expected) <=
+                    100 * float_epsilon * expected);
+        };
+        check(average.r, red);
+        check(average.b, blue);
+    }
+}

@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <rt/color.hpp>
+#include <rt/color_sum.hpp>
 #include <rt/directions.hpp>
 #include <rt/vec2.hpp>
 
@@ -22,16 +22,16 @@ inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
 
 // The average color of a pixel over this many samples, 1 or more: sample(offset) is called with
 // one random offset in each cell of the finest n x n grid that they suffice for; what is left goes
-// anywhere in the pixel.
+// anywhere in the pixel. ColorSum keeps the average of many samples right in float, too.
 template <class Random, class Sample>
 Color pixel_average(int samples, Random& random, Sample sample) {
     int n = 1;
     while ((n + 1) * (n + 1) <= samples) ++n;
-    Color sum;
+    ColorSum sum;
     for (int cell = 0; cell < n * n; ++cell)
-        sum += sample(jittered_offset(cell, n, random_place(random)));
-    for (int rest = n * n; rest < samples; ++rest) sum += sample(random_place(random));
-    return sum / static_cast<Real>(samples);
+        sum.add(sample(jittered_offset(cell, n, random_place(random))));
+    for (int rest = n * n; rest < samples; ++rest) sum.add(sample(random_place(random)));
+    return sum.mean(samples);
 }
 
 }  // namespace rt

@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <rt/color.hpp>
+#include <rt/color_sum.hpp>
 #include <rt/rng.hpp>
 
 namespace rt {
@@ -19,12 +19,12 @@ inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
 // generator of its own. draw returns a Color and takes its random numbers from `random`, an Rng&.
 template <class Draw>
 Color average_samples(std::uint64_t seed, int x, int y, int samples, const Draw& draw) {
-    Color sum;
+    ColorSum sum;
     for (int sample = 0; sample < samples; ++sample) {
         Rng random = sample_rng(seed, x, y, sample);
-        sum += draw(sample, random);
+        sum.add(draw(sample, random));
     }
-    return sum / static_cast<Real>(samples);
+    return sum.mean(samples);
 }
 
 }  // namespace rt

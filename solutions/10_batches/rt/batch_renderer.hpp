@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <rt/color_sum.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
 #include <rt/lit_batch.hpp>
@@ -38,13 +39,16 @@ class BatchRenderer {
 
     // Draws the pixels of a tile; the rays that it took are added to `rays`.
     void draw(const Tile& tile, Image& image, std::uint64_t& rays) {
+        const auto width = static_cast<std::size_t>(tile.right - tile.left);
+        sums_.assign(width * static_cast<std::size_t>(tile.bottom - tile.top), {});
+        ColorSum* next_sum = sums_.data();
         for_each_pixel(tile, [&](int column, int row) {
-            Color& pixel = image.at(column, row) = {};
+            ColorSum* const sum = next_sum++;
             Rng places = pixel_rng(quality_.seed, column, row);
             int sample = 0;
             const auto add = [&](Vec2 first, Vec2 end) {
                 if (started_ == pixels_.size()) trace(rays);
-                pixels_[started_] = &pixel;
+                pixels_[started_] = sum;
                 PathRecord& path = batch_.paths[started_];
                 path.random = sample_rng(quality_.seed, column, row, sample++);
                 path.sample = static_cast<std::int32_t>(started_++);
@@ -63,8 +67,10 @@ class BatchRenderer {
             while (sample < quality_.samples_per_pixel) add({}, {infinity, infinity});
         });
         trace(rays);
-        const auto samples = static_cast<Real>(quality_.samples_per_pixel);
-        for_each_pixel(tile, [&](int x, int y) { image.at(x, y) /= samples; });
+        next_sum = sums_.data();
+        for_each_pixel(tile, [&](int x, int y) {
+            image.at(x, y) = next_sum++->mean(quality_.samples_per_pixel);
+        });
     }
 
   private:
@@ -102,7 +108,7 @@ class BatchRenderer {
         for (int bounces = 1; left > 0; ++bounces)
             left = batch_.bounce(left, bounces == quality_.depth, rays);
         // Samples are added up in their order, as pixel_average does.
-        for (std::size_t i = 0; i < started_; ++i) *pixels_[i] += batch_.light[i];
+        for (std::size_t i = 0; i < started_; ++i) pixels_[i]->add(batch_.light[i]);
         started_ = 0;
     }
 
@@ -112,8 +118,9 @@ class BatchRenderer {
     std::vector<Real> ends_;  // the largest offset of each
     std::conditional_t<effects.lights || effects.fog, LitBatch<effects>, PlainBatch<effects>>
         batch_;
-    std::vector<Color*> pixels_;  // of the batch's samples
-    std::size_t started_ = 0;     // how many these are
+    std::vector<ColorSum> sums_;     // of the tile's pixels
+    std::vector<ColorSum*> pixels_;  // of the batch's samples
+    std::size_t started_ = 0;        // how many these are
 };
 
 }  // namespace rt

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <rt/canvas.hpp>
+#include <rt/color_sum.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
 #include <rt/render_tiles.hpp>
@@ -150,10 +151,6 @@ class Refinement {
     }
 
   private:
-    // Sums are double, whatever Real is, so that no number of passes biases them.
-    struct Light {
-        double r = 0, g = 0, b = 0;
-    };
     struct TileState {
         Halves<int> drawn;    // passes
         Halves<Real> spread;  // the standard deviation of a channel of a pass
@@ -187,14 +184,10 @@ class Refinement {
             for (int x = 0; x < sums_.width(); ++x) visit(x, y, tile_of(x, y));
     }
 
-    static Color mean(const Light& sum, int passes) {
-        const double count = std::max(passes, 1);
-        return {static_cast<Real>(sum.r / count), static_cast<Real>(sum.g / count),
-                static_cast<Real>(sum.b / count)};
-    }
     Halves<Color> means(int x, int y, const TileState& tile) const {
-        const Halves<Light>& sum = sums_.at(x, y);
-        return {mean(sum.first, tile.drawn.first), mean(sum.second, tile.drawn.second)};
+        const Halves<ColorSum>& sum = sums_.at(x, y);
+        return {sum.first.mean(std::max(tile.drawn.first, 1)),
+                sum.second.mean(std::max(tile.drawn.second, 1))};
     }
 
     // Draws what is missing until each tile has the passes that wanted(tile) asks for.
@@ -212,16 +205,16 @@ class Refinement {
             if (!draw_pass) draw_pass = plan_.make_worker();
             TileState& state = tiles_[index(tile.left, tile.top)];
             const Halves<int> passes = wanted(state);
-            draw_half<&Halves<Light>::first>(draw_pass, tile, plan_.seed, passes.first,
-                                             state.drawn.first, state.spread.first);
-            draw_half<&Halves<Light>::second>(draw_pass, tile, ~plan_.seed, passes.second,
-                                              state.drawn.second, state.spread.second);
+            draw_half<&Halves<ColorSum>::first>(draw_pass, tile, plan_.seed, passes.first,
+                                                state.drawn.first, state.spread.first);
+            draw_half<&Halves<ColorSum>::second>(draw_pass, tile, ~plan_.seed, passes.second,
+                                                 state.drawn.second, state.spread.second);
         });
     }
 
     // Up to `passes` passes of one half of a tile. As long as these are the pilot, they tell its
     // spread.
-    template <Light Halves<Light>::*half>
+    template <ColorSum Halves<ColorSum>::*half>
     void draw_half(const DrawPass& draw_pass, const Tile& tile, std::uint64_t seed, int passes,
                    int& drawn, Real& spread) {
         const bool is_pilot = drawn < 2 && passes >= 2;
@@ -237,20 +230,15 @@ class Refinement {
         if (is_pilot) {
             const auto width = static_cast<std::size_t>(tile.right - tile.left);
             channels.resize(3 * width * static_cast<std::size_t>(tile.bottom - tile.top));
-            for_each_pixel(
-                tile, [&](int x, int y) { pass_.at(x, y) = mean(sums_.at(x, y).*half, drawn); });
+            for_each_pixel(tile, [&](int x, int y) {
+                pass_.at(x, y) = (sums_.at(x, y).*half).mean(std::max(drawn, 1));
+            });
             if (drawn == 1) learn();
         }
         std::uint64_t rays = 0;
         for (; drawn < passes && !plan_.is_over(); ++drawn) {
             draw_pass(tile, {seed, drawn}, pass_, rays);
-            for_each_pixel(tile, [&](int x, int y) {
-                const Color& color = pass_.at(x, y);
-                Light& sum = sums_.at(x, y).*half;
-                sum.r += static_cast<double>(color.r);
-                sum.g += static_cast<double>(color.g);
-                sum.b += static_cast<double>(color.b);
-            });
+            for_each_pixel(tile, [&](int x, int y) { (sums_.at(x, y).*half).add(pass_.at(x, y)); });
             if (is_pilot) learn();
         }
         rays_ += rays;
@@ -262,8 +250,8 @@ class Refinement {
     }
 
     RefinementPlan plan_;
-    Canvas<Halves<Light>> sums_;  // of both halves' passes
-    Image pass_;                  // the pass that is being drawn; each tile is one worker's
+    Canvas<Halves<ColorSum>> sums_;  // of both halves' passes
+    Image pass_;                     // the pass that is being drawn; each tile is one worker's
     std::vector<TileState> tiles_;
     std::vector<DrawPass> workers_;
     std::atomic<std::uint64_t> rays_ = 0;

@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <rt/color.hpp>
+#include <rt/color_sum.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/rng.hpp>
 #include <rt/sobol.hpp>
@@ -60,13 +60,13 @@ struct SobolSamples {
 
     template <class Eye, class Path>
     Color average(const Eye& eye, int column, int row, const Path& path) const {
-        Color sum;
+        ColorSum sum;
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
             SobolRandom random{seed, column, row, first + i};
             const Vec2 offset = random_place(random);
-            sum += path(make_ray(eye, column, row, offset, random), random);
+            sum.add(path(make_ray(eye, column, row, offset, random), random));
         }
-        return sum / static_cast<Real>(count);
+        return sum.mean(count);
     }
 };
 

@@ -1,0 +1,27 @@
+#pragma once
+#include <rt/color.hpp>
+
+namespace rt {
+
+// Many colors added up, for their mean (given). It adds in double, whatever Real is: in float the
+// mean of a million equal colors would be off by about 1 %, since a sum that has grown so large
+// rounds off most digits of each color, and always in the same direction.
+class ColorSum {
+  public:
+    void add(const Color& color) {
+        r_ += static_cast<double>(color.r);
+        g_ += static_cast<double>(color.g);
+        b_ += static_cast<double>(color.b);
+    }
+
+    // The mean, if so many colors, 1 or more, were added.
+    Color mean(int count) const {
+        return {static_cast<Real>(r_ / count), static_cast<Real>(g_ / count),
+                static_cast<Real>(b_ / count)};
+    }
+
+  private:
+    double r_ = 0, g_ = 0, b_ = 0;
+};
+
+}  // namespace rt
