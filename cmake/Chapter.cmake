@@ -415,4 +415,7 @@ function(course_finish)
   add_custom_target(project_tests DEPENDS ${tested})
   # To run after a stub has changed: what it writes belongs to the sources.
   add_custom_target(shipped_stubs COMMAND stub_tool ${course_chapters})
+  if(COURSE_ALL_TESTS AND COURSE_MISTAKES)
+    course_mistakes_verified()
+  endif()
 endfunction()

@@ -88,11 +88,73 @@ function(course_mistake name chapter)
   endif()
 endfunction()
 
+# course_mistakes_hash(out chapter id): of all that decides what becomes of the mistakes of an exercise.
+function(course_mistakes_hash out chapter id)
+  set(tests ${CMAKE_SOURCE_DIR}/tests)
+  file(GLOB files ${tests}/mistakes/${chapter}/${id}.md ${tests}/mistakes/${chapter}/signatures.json
+       ${tests}/${chapter}/${id}_*.cpp ${tests}/${chapter}/*.hpp ${tests}/support/*
+       ${CMAKE_SOURCE_DIR}/common/rt/*)
+  foreach(solution ${course_solutions})
+    file(GLOB_RECURSE more ${solution}/*)
+    list(APPEND files ${more})
+  endforeach()
+  set(hashes "")
+  foreach(file ${files})
+    file(SHA256 ${file} hash)
+    string(APPEND hashes ${hash})
+  endforeach()
+  string(SHA256 hash "${hashes}")
+  string(SUBSTRING ${hash} 0 16 hash)
+  set(${out} ${hash} PARENT_SCOPE)
+endfunction()
+
+# course_chosen_mistakes(out chapter names...): the mistakes to be tried, of these. With CHANGED, those of
+# an exercise that is as verified.txt knows it are tried for a quarter of such exercises; which ones
+# they are changes with that file.
+function(course_chosen_mistakes out chapter)
+  set(record ${CMAKE_SOURCE_DIR}/tests/mistakes/verified.txt)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${record})
+  file(READ ${record} verified)
+  set(chosen "")
+  foreach(name ${ARGN})
+    string(REGEX MATCH "^[0-9]+\\.[0-9]+" id ${name})
+    if(NOT DEFINED is_chosen_${id})
+      course_mistakes_hash(hash ${chapter} ${id})
+      set_property(GLOBAL APPEND_STRING PROPERTY "mistakes verified" "${id} ${hash}\n")
+      string(SHA256 lot "${id} ${verified}")
+      if(COURSE_MISTAKES STREQUAL "CHANGED" AND verified MATCHES "${id} ${hash}\n" AND lot MATCHES "^[4-9a-f]")
+        set(is_chosen_${id} OFF)
+      else()
+        set(is_chosen_${id} ON)
+      endif()
+    endif()
+    if(is_chosen_${id})
+      list(APPEND chosen ${name})
+    endif()
+  endforeach()
+  set(${out} "${chosen}" PARENT_SCOPE)
+endfunction()
+
+# The target mistakes_verified tries all mistakes that are built, and writes verified.txt where none
+# fails.
+function(course_mistakes_verified)
+  if(COURSE_MISTAKES STREQUAL "CHANGED")
+    return()
+  endif()
+  get_property(lines GLOBAL PROPERTY "mistakes verified")
+  file(WRITE ${CMAKE_BINARY_DIR}/mistakes/verified.txt "${lines}")
+  add_custom_target(mistakes_verified
+    COMMAND ${CMAKE_CTEST_COMMAND} -R "^mistakes[.]" --no-tests=error --output-on-failure
+    COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_BINARY_DIR}/mistakes/verified.txt
+            ${CMAKE_SOURCE_DIR}/tests/mistakes/verified.txt VERBATIM)
+endfunction()
+
 # course_mistake_tests(chapter): each mistake is caught by the test case that it names, and recognized
 # by what fails; a test an exercise. And the target mistake_signatures.NN_topic, to run after a mistake
 # or a checkpoint has changed: what it writes belongs to the sources.
 function(course_mistake_tests chapter)
   get_property(names GLOBAL PROPERTY "mistakes of ${chapter}")
+  course_chosen_mistakes(names ${chapter} ${names})
   set(ids "")
   set(targets "")
   foreach(name ${names})
