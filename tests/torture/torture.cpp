@@ -160,6 +160,25 @@ double brightness(const Image& image) {
     return sum / static_cast<double>(image.pixels().size());
 }
 
+std::vector<checkpoint::Mean> pixel_means(const SceneDescription& description, const Frame& frame) {
+    const ReadyScene<everything> scene{description, frame.width, frame.height};
+    std::vector<checkpoint::Mean> pixels;
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x) {
+            checkpoint::Mean& mean = pixels.emplace_back();
+            JitteredSamples{seed, frame.samples}.average(
+                scene.eye, x, y, [&](const auto& ray, auto& random) {
+                    const Color light = lit_path_radiance(ray, scene.world, scene.materials,
+                                                          scene.sky, scene.lights, scene.fog,
+                                                          SkyEnding{}, frame.depth, random);
+                    check_light(light, std::numeric_limits<Real>::max());
+                    mean.add(static_cast<double>(light.r + light.g + light.b) / 3);
+                    return light;
+                });
+        }
+    return pixels;
+}
+
 void check_hits(const SceneDescription& scene, const std::vector<Ray>& rays) {
     const Trees trees{scene};
     const WideTree wide = make_wide_tree(trees.list.spheres);

@@ -5,6 +5,7 @@
 #include <rt/image.hpp>
 #include <rt/ray.hpp>
 #include <rt/scene.hpp>
+#include <statistics.hpp>
 #include <vector>
 
 #include "checkpoint.hpp"
@@ -38,6 +39,9 @@ SceneDescription whitened(SceneDescription scene);
 
 // The mean of all channels of all pixels.
 double brightness(const Image& image);
+
+// For each pixel the mean of its samples' brightness.
+std::vector<checkpoint::Mean> pixel_means(const SceneDescription& scene, const Frame& frame);
 
 // Fails unless a list, the two-wide trees, the eight-wide one and a batch of all rays find the same
 // hits, bit for bit.
