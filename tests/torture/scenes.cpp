@@ -104,6 +104,27 @@ TEST_CASE("a ray grazes a thousand spheres") {
     }
 }
 
+TEST_CASE("rays that graze spheres where these touch their boxes") {
+    SceneDescription scene = empty_scene({});
+    scene.materials = {glass};
+    Rng random{3, 3};
+    std::vector<Ray> rays;
+    const auto somewhere = [&] { return random.uniform(-1000, 1000); };
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 center{somewhere(), somewhere(), somewhere()};
+        const Real radius = random.uniform(Real(0.01), 5);
+        scene.spheres.push_back({{center, radius}, 0});
+        for (int ulps = -2; ulps <= 2; ++ulps) {
+            const Real reach = radius * (1 + static_cast<Real>(ulps) * epsilon);
+            rays.push_back({center + Vec3{reach, 0, 2000}, {0, 0, -1}});
+            rays.push_back({center + Vec3{-100, 0, -reach}, {1, Real(-0.0), 0}});
+            rays.push_back({center + Vec3{reach, -10, 0}, {0, 1, 0}});
+        }
+    }
+    check_hits(scene, rays);
+    light_along(scene, rays, 3);
+}
+
 TEST_CASE("two hundred nested shells of glass") {
     // A shell's distance from the next: wide, and a few units in the last place, where a ray that
     // leaves one of them starts beyond the next.
