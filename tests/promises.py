@@ -3,7 +3,8 @@
 
 The names are what stands in backticks in the last column of the table of promises, and in the gallery
 whatever looks like the name of a test; * stands for any letters. A name that this build lacks, such as
-one of the thread sanitizer's, must be that of an add_test in cmake/.
+one of the thread sanitizer's, must be that of an add_test in cmake/. The known mistakes that it names
+must be in tests/mistakes.
 """
 
 import doctest
@@ -39,12 +40,18 @@ def main():
     known = re.findall(r"Test\s+#\d+: (\S+)", listing.stdout)
     for file in (ROOT / "cmake").glob("*.cmake"):
         known += re.findall(r"add_test\(NAME ([\w.]+)\s", file.read_text(encoding="utf-8"))
-    in_prose, in_table, untested = names_of(PAGE.read_text(encoding="utf-8"))
+    page = PAGE.read_text(encoding="utf-8")
+    in_prose, in_table, untested = names_of(page)
     for promise in untested:
         print(f"the promise '{promise}' names no test")
     missing = [name for name in in_prose + in_table if not fnmatch.filter(known, name)]
     for name in missing:
         print(f"{PAGE.relative_to(ROOT)} names the test '{name}', which does not exist")
+    mistakes = "".join(file.read_text(encoding="utf-8") for file in (ROOT / "tests" / "mistakes").rglob("*.md"))
+    for name in re.findall(r"`(\d\d\.\d_\w+)`", page):
+        if f"## {name}\n" not in mistakes:
+            print(f"{PAGE.relative_to(ROOT)} names the mistake '{name}', which does not exist")
+            missing.append(name)
     print(f"{len(in_prose)} tests in the gallery, {len(in_table)} in the table of promises")
     return 1 if wrong or untested or missing or not in_prose or not in_table else 0
 

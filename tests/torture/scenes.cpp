@@ -248,16 +248,6 @@ SceneDescription still_life(Vec3 away = {}) {
     return scene;
 }
 
-SceneDescription scaled(SceneDescription scene, Real scale) {
-    scene.camera.view.from = scale * scene.camera.view.from;
-    scene.camera.view.at = scale * scene.camera.view.at;
-    for (SphereDescription& sphere : scene.spheres) {
-        sphere.shape.center = scale * sphere.shape.center;
-        sphere.shape.radius *= scale;
-    }
-    return scene;
-}
-
 // The length of a side of the scene is 4: this is 10^4 of them in float, 10^12 in double.
 const Real far_away =
     for_this_precision(std::ldexp(Real(1), 15) * Real(1.25), std::ldexp(Real(1), 41) * Real(1.875));

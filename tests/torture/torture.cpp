@@ -144,6 +144,28 @@ SceneDescription whitened(SceneDescription scene) {
     return scene;
 }
 
+SceneDescription scaled(SceneDescription scene, Real scale) {
+    scene.camera.view.from = scale * scene.camera.view.from;
+    scene.camera.view.at = scale * scene.camera.view.at;
+    scene.camera.lens.aperture *= scale;
+    scene.camera.lens.focus_distance *= scale;
+    for (SphereDescription& sphere : scene.spheres) {
+        sphere.shape = {scale * sphere.shape.center, scale * sphere.shape.radius};
+        sphere.velocity = scale * sphere.velocity;
+    }
+    for (Mat4& map : scene.maps)
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 4; ++column) map(row, column) *= scale;
+    for (MaterialDescription& material : scene.materials)
+        if (auto* const checker = std::get_if<CheckeredMatte>(&material)) checker->size *= scale;
+    if (scene.fog) {
+        Sphere& region = scene.fog->region;
+        region = {scale * region.center, scale * region.radius};
+        scene.fog->density /= scale;
+    }
+    return scene;
+}
+
 Image check_scene(const SceneDescription& scene, const Frame& frame) {
     const Image white{frame.width, frame.height, {1, 1, 1}};
     {

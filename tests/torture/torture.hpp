@@ -37,6 +37,9 @@ Image check_scene(const SceneDescription& scene, const Frame& frame = {});
 // The same scene all in white, as for check_scene.
 SceneDescription whitened(SceneDescription scene);
 
+// The same scene with all lengths times this.
+SceneDescription scaled(SceneDescription scene, Real scale);
+
 // The mean of all channels of all pixels.
 double brightness(const Image& image);
 
