@@ -5,7 +5,11 @@ set(app_tests ${CMAKE_SOURCE_DIR}/tests/app)
 
 add_test(NAME 08_effects.bad_scenes COMMAND sh ${app_tests}/bad_scenes.sh ${program})
 add_test(NAME 08_effects.stopped COMMAND sh ${app_tests}/stopped.sh ${program} ${scenes})
-set_tests_properties(08_effects.bad_scenes 08_effects.stopped PROPERTIES LABELS solution TIMEOUT 300)
+# Those of the page of hard cases.
+add_test(NAME 08_effects.hard_scenes
+  COMMAND sh ${app_tests}/all_scenes.sh ${program} ${CMAKE_SOURCE_DIR}/docs/hard-cases)
+set_tests_properties(08_effects.bad_scenes 08_effects.stopped 08_effects.hard_scenes
+                     PROPERTIES LABELS solution TIMEOUT 300)
 if(COURSE_ALL_TESTS)
   # In float, where numbers are sooner too large or too small.
   add_test(NAME 08_effects.scenes_in_float
