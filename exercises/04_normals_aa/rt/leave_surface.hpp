@@ -11,7 +11,7 @@ namespace rt {
 // surface again, whatever its size and place, as long as the radius is 2 units in the last place of
 // the center or more. A ray that goes into the sphere starts inside and meets its far side where
 // the radius times the cosine of direction and normal is 8 such units or more; in a smaller sphere
-// it may start beyond that side. Source of the idea: Pharr, Jakob and Humphreys, "Physically Based
+// it may start outside. Source of the idea: Pharr, Jakob and Humphreys, "Physically Based
 // Rendering", section 6.8.
 inline Vec3 leave_surface(const Hit& hit, Vec3 direction) {
     return rt::todo("04.6", hit, direction);
