@@ -99,6 +99,20 @@ TEST_CASE("01.5 tiny and huge vectors have a side too", "[01.5][hard]") {
     }
 }
 
+TEST_CASE("01.5 no angle that can be told from 90 degrees is edge-on", "[01.5][hard]") {
+    INFO("Hint: the sign of the dot product knows more than the angle itself, which is rounded");
+    // The two vectors share one component, which is small: the cosine is its square.
+    const int smallest = for_this_precision(-60, -500), far = for_this_precision(60, 500);
+    for (int power = -1; power >= smallest; --power)
+        for (const int size : {-far, 0, far}) {
+            const Real little = std::scalbn(Real(1), power);
+            const Vec3 n = scaled({1, 0, little}, size), v = scaled({0, -1, little}, -size / 2);
+            INFO("facing(" << text(n) << ", " << text(v) << ")");
+            REQUIRE(rt::facing(n, v) == 1);
+            REQUIRE(rt::facing(v, -n) == -1);
+        }
+}
+
 TEST_CASE("01.5 a zero vector faces nowhere", "[01.5][hard]") {
     const Real huge = std::numeric_limits<Real>::max();
     for (const Real zero : {Real(0), Real(-0.0)})

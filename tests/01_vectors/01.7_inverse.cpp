@@ -209,6 +209,29 @@ TEST_CASE("01.7 the inverse is as accurate as its determinant allows", "[01.7][h
     }
 }
 
+TEST_CASE("01.7 one determinant counts for all rows", "[01.7][hard]") {
+    // The bound takes the largest sum of terms that the determinant can be developed into. With
+    // each row's own, those of its column, it would be too tight for some of these rows.
+    rt::Rng rng{16, 4};
+    for (int i = 0; i < 1500; ++i) {
+        const auto any = [&] { return any_vector(rng, -1, 1); };
+        const auto power = [&] { return std::scalbn(Real(1), static_cast<int>(rng() % 12)); };
+        const Vec3 a = any(), b = any(), near = any();
+        const Vec3 c = rng.uniform(-2, 2) * a + rng.uniform(-2, 2) * b + real(0.01) * near;
+        const Vec3 stretch{power(), power(), power()};
+        const Exactly exact{stretch * a, stretch * b, stretch * c, 0, 0, 0, any()};
+        if (exact.is_clear()) check_inverse(exact, any());
+    }
+    // Columns of numbers as different in size as they may be.
+    const Real apart = for_this_precision<Real>(15, 140);
+    for (int i = 0; i < 500; ++i) {
+        const auto any = [&] { return rt::split_scale(any_vector(rng, -apart, 0)).v; };
+        const Vec3 a = any(), b = any(), c = any();
+        const Exactly exact{a, b, c, 0, 0, 0, any_vector(rng, -1, 1)};
+        if (exact.is_clear()) check_inverse(exact, any_vector(rng, -1, 1));
+    }
+}
+
 TEST_CASE("01.7 a singular matrix is refused", "[01.7][hard]") {
     const auto check_refused = [](const Mat4& m) {
         INFO("this matrix flattens space:\n"
@@ -279,4 +302,42 @@ TEST_CASE("01.7 small is not singular", "[01.7][hard]") {
     const Mat4 inverse = rt::inverse(rt::from_columns({1, 0, 0}, {0, smallest, 0}, {0, 0, 1}));
     INFO("the number " << text(smallest) << " in the matrix becomes one too large for Real");
     CHECK(inverse(1, 1) == rt::infinity);
+}
+
+TEST_CASE("01.7 a number too large for Real spoils no other", "[01.7][hard]") {
+    const char* const hint =
+        "infinity times 0 and infinity minus infinity are not numbers: where the last column is "
+        "not finite, add up its terms before the scale is undone";
+    const auto check = [&](const Mat4& m, const Mat4& expected) {
+        const Mat4 computed = rt::inverse(m);
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 4; ++column) {
+                INFO("the matrix:\n"
+                     << m << "number (" << row << ", " << column << ") of its inverse");
+                HINT(expected(row, column), computed(row, column), hint);
+                REQUIRE(computed(row, column) == expected(row, column));
+            }
+    };
+    // Powers of two, so that nothing is rounded. 1 / tiny is too large, 1 / small is not.
+    const Real tiny = real(for_this_precision(0x1p-140, 0x1p-1060)),
+               small = real(for_this_precision(0x1p-100, 0x1p-700)),
+               large = real(for_this_precision(0x1p60, 0x1p400));
+    const Real far = large * (large * tiny), infinite = rt::infinity;
+    check(rt::scaling({tiny, 1, 1}),
+          {{{{infinite, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}});
+    check(rt::from_columns({1, 0, 0}, {0, 0, 1}, {0, -tiny, 0}, {2, 0, -3}),
+          {{{{1, 0, 0, -2}, {0, 0, 1, 3}, {0, -infinite, 0, 0}, {0, 0, 0, 1}}}});
+    // What moves by little enough moves back by a number that is not infinite.
+    check(rt::from_columns({0, 0, tiny}, {0, 1, 0}, {1, 0, 0}, {5, large, far}),
+          {{{{0, 0, infinite, -large * large}, {0, 1, 0, -large}, {1, 0, 0, -5}, {0, 0, 0, 1}}}});
+    // A tiny number of a translation is not lost beside a large one.
+    check(rt::translation({small, large, 1}), rt::translation({-small, -large, -1}));
+    // A turn by 45 degrees, made small. Each product overflows, and their sum is 0 in one row.
+    const Real back = real(0.5) / small;
+    check(
+        rt::from_columns({small, small, 0}, {-small, small, 0}, {0, 0, small}, {large, -large, 1}),
+        {{{{back, back, 0, 0},
+           {-back, back, 0, infinite},
+           {0, 0, 1 / small, -1 / small},
+           {0, 0, 0, 1}}}});
 }

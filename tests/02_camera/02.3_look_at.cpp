@@ -196,6 +196,46 @@ TEST_CASE("02.3 the smallest and the largest up still point up", "[02.3][hard]")
     }
 }
 
+TEST_CASE("02.3 the camera and its target may be the largest numbers apart", "[02.3][hard]") {
+    constexpr int highest = std::numeric_limits<Real>::max_exponent;
+    rt::Rng rng{23, 5};
+    int tried = 0;
+    for (int i = 0; i < 400; ++i) {
+        // At least one coordinate of their difference is too large for Real.
+        const auto any = [&] { return rng.uniform(-1, 1); };
+        Vec3 from{any(), any(), any()}, at{any(), any(), any()};
+        (i % 3 == 0 ? from.x : i % 3 == 1 ? from.y : from.z) = 1 - rt::epsilon;
+        (i % 3 == 0 ? at.x : i % 3 == 1 ? at.y : at.z) = -rng.uniform(real(0.1), 1);
+        if (i % 2 == 0) std::swap(from, at);
+        const Vec3 up{any(), any(), any()};
+        const ExactVec3 back = exact_vector(from) - exact_vector(at);
+        const ExactVec3 right = exact_cross(exact_vector(up), back);
+        const double sine = exact_length(right).high / exact_length(back).high /
+                            exact_length(exact_vector(up)).high;
+        if (!(sine > 0.5)) continue;
+        ++tried;
+        const ExactBasis exact = exact_basis(back, up);
+        const Vec3 eye = scaled(from, highest), target = scaled(at, highest);
+        INFO("look_at(" << checkpoint::text(eye) << ", " << checkpoint::text(target) << ", "
+                        << checkpoint::text(up) << ")");
+        {
+            INFO(
+                "All of these numbers are finite, so there is a view.\nHint: from - at is too long "
+                "for a Real; from / 2 - at / 2 points the same way");
+            REQUIRE(refusal(eye, target, up) == "nothing was thrown");
+        }
+        const Basis b = rt::look_at(eye, target, up);
+        {
+            HINT(exact.w, b.w, "normalize(from / 2 - at / 2), where from - at is not finite");
+            REQUIRE(error_in_ulp_of_1(b.w, exact.w) <= 6);
+        }
+        HINT(exact.u, b.u, "the cross product of up and that difference, both scaled");
+        REQUIRE(error_in_ulp_of_1(b.u, exact.u) <= 12);
+        REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
+    }
+    REQUIRE(tried > 100);
+}
+
 TEST_CASE("02.3 a view parallel to up still has a basis", "[02.3][hard]") {
     // Whole numbers, so that the two are exactly parallel, of any lengths.
     rt::Rng rng{23, 2};

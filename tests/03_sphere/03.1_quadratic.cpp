@@ -34,8 +34,9 @@ void check_exactly(Real a, Real b, Real c, Real low, Real high, const char* hint
 }
 
 // The same for any numbers, by both functions. The discriminant that roots_from_discriminant gets
-// is rounded, but keeps its digits.
-void check_solutions(Real a, Real b, Real c, const char* hint) {
+// is rounded, but keeps its digits. The equation is solved with a 2^i, b 2^j and c 2^(2 j - i): its
+// solutions are those of a, b and c times 2^(j - i).
+void check_solutions(Real a, Real b, Real c, const char* hint, int i = 0, int j = 0) {
     const Exact ea(a), eb(b), ec(c);
     const Exact discriminant = eb * eb - Exact(4) * ea * ec;
     const Exact root = study::sqrt(discriminant);
@@ -47,24 +48,25 @@ void check_solutions(Real a, Real b, Real c, const char* hint) {
         high = a == 0 ? low : q / ea;
         if (high < low) std::swap(low, high);
     }
+    const Real a_i = std::scalbn(a, i), b_j = std::scalbn(b, j), c_k = std::scalbn(c, 2 * j - i);
+    const auto expected = [&](const Exact& t) { return std::scalbn(real(t.high), j - i); };
     const auto check = [&](const char* name, const std::optional<Roots>& roots) {
-        INFO(name << " for " << equation(a, b, c) << ": expected "
-                  << (any ? '(' + checkpoint::text(low) + ", " + checkpoint::text(high) + ')'
-                          : "no solution")
+        INFO(name << " for " << equation(a_i, b_j, c_k) << ": expected "
+                  << (any ? text(Roots{expected(low), expected(high)}) : "no solution")
                   << ", but yours gives " << text(roots) << ".\nHint: " << hint);
         const std::string count = roots ? "solutions" : "no solution";
         REQUIRE(count == (any ? "solutions" : "no solution"));
         if (!any) return;
-        REQUIRE(error_in_ulp(roots->low, low) <= 4);
-        REQUIRE(error_in_ulp(roots->high, high) <= 4);
+        REQUIRE(error_in_ulp(std::scalbn(roots->low, i - j), low) <= 4);
+        REQUIRE(error_in_ulp(std::scalbn(roots->high, i - j), high) <= 4);
         REQUIRE(roots->low <= roots->high);
     };
     // Before each a call with solutions: they are not those of the next one.
     rt::solve_quadratic(1, -3, 2);
-    check("solve_quadratic", rt::solve_quadratic(a, b, c));
-    const Real given = real(discriminant.high);
+    check("solve_quadratic", rt::solve_quadratic(a_i, b_j, c_k));
+    const Real given = std::scalbn(real(discriminant.high), 2 * j);
     rt::roots_from_discriminant(1, -3, 2, 1);
-    check("roots_from_discriminant", rt::roots_from_discriminant(a, b, c, given));
+    check("roots_from_discriminant", rt::roots_from_discriminant(a_i, b_j, c_k, given));
 }
 
 void check_none(const std::optional<Roots>& roots, const char* what) {
@@ -225,7 +227,7 @@ TEST_CASE("03.1 nearly equal solutions are told apart", "[03.1][hard]") {
     check_table(
         "nearly equal",
         "b b and 4 a c agree in most digits: rt::difference_of_products(b, b, 4 * a, c) keeps "
-        "them, as 4 * a is exact and a * c is not");
+        "them, as 4 * a is exact and a * c is not. (b / 2 is exact, too.)");
     check_table("exactly equal", "the discriminant is exactly 0");
 }
 
@@ -234,4 +236,20 @@ TEST_CASE("03.1 a huge discriminant is no trouble", "[03.1][hard]") {
         "huge discriminant",
         "get one solution as c / q; and b b - 4 a c is within range here, so let no other product "
         "of yours leave it");
+}
+
+TEST_CASE("03.1 a and c may be as large as any number", "[03.1][hard]") {
+    const char* const hint =
+        "4 a c is within range here, but 4 * a or 4 * c is not. With b / 2, which loses nothing, "
+        "difference_of_products gives a quarter of the discriminant, and needs no factor";
+    rt::Rng rng{31, 4};
+    const int most = std::numeric_limits<Real>::max_exponent - 2, j = for_this_precision(14, 140);
+    for (int n = 0; n < 1000; ++n) {
+        // a in the last two powers of two, or c; 4 a c is as large as b b, which is ordinary.
+        const int i = n % 2 == 0 ? most : 2 * j - most;
+        const auto size = [&] { return rng() % 2 == 0 ? rng.uniform(1, 3) : -rng.uniform(1, 3); };
+        check_solutions(size(), size(), size(), hint, i, j);
+        const Real p = rng.uniform(1, 2), q = n % 4 < 2 ? rng.uniform(1, 2) : p;
+        check_solutions(p * p, -2 * p * q, q * q, hint, i, j);
+    }
 }

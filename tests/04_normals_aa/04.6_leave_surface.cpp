@@ -201,6 +201,36 @@ TEST_CASE("04.6 a ray into the sphere meets its far side", "[04.6][hard]") {
     }
 }
 
+TEST_CASE("04.6 a ray starts inside a sphere of a few steps of the coordinates", "[04.6][hard]") {
+    rt::Rng rng{46, 9};
+    for (int i = 0; i < 200'000; ++i) {
+        // Many centers are next to a power of two, where the steps become twice as long.
+        const auto coordinate = [&]() -> Real {
+            if (rng() % 4 == 0) return rng.uniform(-2, 2);
+            const Real beside =
+                1 + static_cast<Real>(rng() % 9) * rt::epsilon / 2 - 3 * rt::epsilon;
+            return rng() % 2 == 0 ? beside : -beside;
+        };
+        const Vec3 center{coordinate(), coordinate(), coordinate()};
+        const Real step = std::scalbn(rt::epsilon, std::ilogb(rt::max_component(center)));
+        const Sphere sphere{center, step * 8 * any_size(rng, 0, 3)};
+        const Vec3 n = any_direction(rng);
+        const Place place{
+            sphere,
+            rt::surface_hit(sphere, {center + 2 * sphere.radius * n, -sphere.radius * n}, 1)};
+        const Vec3 in = -leaving(place.hit.normal, rng);
+        const double cosine = -exact_dot(in, place.hit.normal) / std::sqrt(exact_dot(in, in));
+        if (cosine * static_cast<double>(sphere.radius / step) < 8) continue;
+        if (rt::hit_sphere(sphere, {rt::leave_surface(place.hit, in), in}, {})) continue;
+        INFO(describe(place, in) << ": it does not meet the far side. The radius is "
+                                 << sphere.radius / step
+                                 << " steps of the coordinates there, the cosine " << cosine);
+        INFO(
+            "Hint: start inside, along the normal, by the error of the point and of the sum alone");
+        REQUIRE(rt::hit_sphere(sphere, {rt::leave_surface(place.hit, in), in}, {}));
+    }
+}
+
 TEST_CASE("04.6 a scene 2^30 times larger or smaller is left the same way", "[04.6][hard]") {
     rt::Rng rng{46, 7};
     for (int i = 0; i < 10'000; ++i) {

@@ -15,8 +15,10 @@ namespace rt {
 // may have left the point off the surface and also the rounding of hit_sphere for a ray that leaves
 // from there: with u = epsilon / 2 it is u (|Px nx| + |Py ny| + |Pz nz|) + 16 u radius. t must be
 // what hit_sphere returned for this sphere and ray. Where rounding makes origin + t * direction the
-// center itself, the sphere counts as hit head on. Source of the idea: Pharr, Jakob and Humphreys,
-// "Physically Based Rendering", section 6.8.
+// center itself, the sphere counts as hit head on. The side must be right where the cosine of
+// direction and normal is above 4 sqrt(epsilon (1 + distance / radius)), the distance being that
+// from the ray's origin to the center: from 1 / (16 epsilon) radii on it is a guess. Source of the
+// idea: Pharr, Jakob and Humphreys, "Physically Based Rendering", section 6.8.
 inline Hit surface_hit(const Sphere& sphere, const Ray& ray, Real t) {
     return rt::todo("04.1", sphere, ray, t);
 }

@@ -10,6 +10,11 @@ namespace rt {
 // The map that undoes m. Throws std::domain_error where m is singular: it flattens space (or comes
 // so near to it that rounding decides the result), or a number in it is not finite.
 // A number of the inverse that is too large for Real comes out infinite.
+// Each number of the linear part is within 4 + 6 k units in the last place, where k is the sum of
+// the absolute values of the determinant's terms divided by the determinant, at its largest over
+// the columns and rows that the determinant may be developed by: 1 where nothing cancels. It is one
+// k for all rows, since one determinant divides them all. No number of a column, unless it is 0,
+// may be 10^140 (float: 10^15) times smaller than the column's largest.
 inline Mat4 inverse(const Mat4& m) {
     // Columns of the linear part, each scaled so that no product of three can overflow.
     const auto [a, a_exponent] = split_scale({m(0, 0), m(1, 0), m(2, 0)});
@@ -28,20 +33,24 @@ inline Mat4 inverse(const Mat4& m) {
     if (!(std::abs(determinant) > rounding_bound(6) * size) || !is_finite(origin))
         throw std::domain_error("inverse: the matrix is singular, it cannot be undone");
 
-    const auto row = [&](Vec3 r, int exponent) {
-        r /= determinant;
-        return Vec3{std::scalbn(r.x, -exponent), std::scalbn(r.y, -exponent),
-                    std::scalbn(r.z, -exponent)};
+    const auto row = [&](Vec3 scaled, int exponent) -> std::array<Real, 4> {
+        scaled /= determinant;
+        const Vec3 r{std::scalbn(scaled.x, -exponent), std::scalbn(scaled.y, -exponent),
+                     std::scalbn(scaled.z, -exponent)};
+        Real move = -dot(r, origin);
+        // Infinity times 0, infinity minus infinity: so add up before the scale is undone.
+        if (!std::isfinite(move)) {
+            const auto [o, o_exponent] = split_scale(origin);
+            move = std::scalbn(-dot(scaled, o), o_exponent - exponent);
+        }
+        return {r.x, r.y, r.z, move};
     };
-    const Vec3 x = row(bc, a_exponent), y = row(ca, b_exponent), z = row(ab, c_exponent);
-    return {{{{x.x, x.y, x.z, -dot(x, origin)},
-              {y.x, y.y, y.z, -dot(y, origin)},
-              {z.x, z.y, z.z, -dot(z, origin)},
-              {0, 0, 0, 1}}}};
+    return {{{row(bc, a_exponent), row(ca, b_exponent), row(ab, c_exponent), {0, 0, 0, 1}}}};
 }
 
 // A point of the world as the object's own coordinates have it, given the map that places the
-// object in the world. Throws std::domain_error where that map is singular.
+// object in the world. Throws std::domain_error where that map is singular. Where its inverse holds
+// an infinite number, the coordinate that this number belongs to is infinite or not a number.
 inline Vec3 to_object(const Mat4& object_to_world, Vec3 world_point) {
     return transform_point(inverse(object_to_world), world_point);
 }

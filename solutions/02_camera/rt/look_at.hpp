@@ -12,7 +12,9 @@ namespace rt {
 // plane, and u and v are any that fit. Throws std::domain_error when from equals at, up is zero, or
 // a number is not finite.
 inline Basis look_at(Vec3 from, Vec3 at, Vec3 up) {
-    const Vec3 back = from - at;
+    Vec3 back = from - at;
+    // Too long for Real, but only its direction counts, and half of it fits.
+    if (!is_finite(back)) back = from / 2 - at / 2;
     if (back == Vec3{} || !is_finite(back))
         throw std::domain_error("look_at: the camera must look at a point other than its own");
     if (up == Vec3{} || !is_finite(up))

@@ -9,7 +9,9 @@ namespace rt {
 
 // All about the place where a ray meets a sphere at t: the point, moved onto the surface; the
 // outward normal; the side that was hit; and how far off the surface rounding may have left the
-// point. t must be what hit_sphere returned for this sphere and ray.
+// point. t must be what hit_sphere returned for this sphere and ray. The side is right where the
+// cosine of direction and normal is above 4 sqrt(epsilon (1 + distance / radius)), the distance
+// being that from the ray's origin to the center: from 1 / (16 epsilon) radii on it is a guess.
 inline Hit surface_hit(const Sphere& sphere, const Ray& ray, Real t) {
     Hit hit;
     hit.t = t;
