@@ -231,6 +231,16 @@ function(course_certificate chapter)
   endif()
 endfunction()
 
+# course_small_picture_test(name chapter precision): the solution still draws the same bytes. An emulator
+# runs programs for other processors, which CMake does for a test only where the test is the program.
+function(course_small_picture_test name chapter precision)
+  string(REPLACE _double "" program ${chapter}_solution_${precision})
+  add_test(NAME ${name}
+    COMMAND sh ${CMAKE_SOURCE_DIR}/tests/app/small_picture.sh ${chapter} ${precision}
+            ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${program}>)
+  set_tests_properties(${name} PROPERTIES LABELS solution TIMEOUT 300)
+endfunction()
+
 function(course_chapter chapter)
   set(root ${CMAKE_SOURCE_DIR})
   list(APPEND course_chapters ${chapter})
@@ -359,14 +369,13 @@ function(course_chapter chapter)
   endforeach()
 
   # The program still draws its picture, and refuses what it should.
-  add_test(NAME ${chapter}.small_picture
-    COMMAND sh ${root}/tests/app/small_picture.sh $<TARGET_FILE:${chapter}_solution> ${chapter})
+  course_small_picture_test(${chapter}.small_picture ${chapter} double)
   add_test(NAME ${chapter}.bad_input
     COMMAND sh ${root}/tests/app/bad_input.sh $<TARGET_FILE:${chapter}_solution>)
-  set_tests_properties(${chapter}.small_picture ${chapter}.bad_input
-                       PROPERTIES LABELS solution TIMEOUT 300)
+  set_tests_properties(${chapter}.bad_input PROPERTIES LABELS solution TIMEOUT 300)
   course_long_tests(${chapter}_solution_float)
   if(COURSE_ALL_TESTS)
+    course_small_picture_test(${chapter}.small_picture_in_float ${chapter} float)
     # It is the picture that the text shows.
     add_test(NAME ${chapter}.image
       COMMAND sh ${root}/tests/app/same_image.sh $<TARGET_FILE:${chapter}_solution>
@@ -407,7 +416,7 @@ function(course_finish)
       get_target_property(kind ${target} TYPE)
       get_target_property(of_learner ${target} COURSE_OF_LEARNER)
       get_target_property(left_out ${target} EXCLUDE_FROM_ALL)
-      if(kind STREQUAL "EXECUTABLE" AND NOT left_out AND (COURSE_CHECK_STUBS OR NOT of_learner))
+      if(kind MATCHES "EXECUTABLE|MODULE" AND NOT left_out AND (COURSE_CHECK_STUBS OR NOT of_learner))
         list(APPEND tested ${target})
       endif()
     endforeach()

@@ -6,7 +6,8 @@ add_executable(09_own_solution ${own_solution}/main.cpp)
 target_link_libraries(09_own_solution PRIVATE course_flags Threads::Threads)
 add_dependencies(companion_test 09_own_solution)  # which draws what the judge makes up
 
-# It draws the three scenes, small, and the list draws the same bytes.
+# It draws the three scenes, small: the bytes that it always drew, and the list draws the same.
+course_small_picture_test(09_own.small_picture 09_own double)
 add_test(NAME 09_own.small_pictures
   COMMAND sh ${CMAKE_SOURCE_DIR}/tests/09_own/small_pictures.sh $<TARGET_FILE:09_own_solution>
           ${own_start}/scenes)

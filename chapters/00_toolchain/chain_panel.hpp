@@ -2,6 +2,7 @@
 // The panel of one chain that is gone through in two memories: scattered and gathered.
 
 #include <functional>
+#include <rt/portable.hpp>
 #include <vector>
 
 #include "chains.hpp"
@@ -26,7 +27,7 @@ inline void draw_arc(Figure& figure, Real from, Real to, Real base, Real height,
     const auto distance = [&](Vec2 p) {
         // To first order: the ellipse's equation over its slope.
         const Real x = (p.x - middle) / a, y = (p.y - base) / b;
-        const Real slope = std::hypot(x / a, y / b);
+        const Real slope = rt::portable::hypot(x / a, y / b);
         return slope > 0 ? std::abs(x * x + y * y - 1) / (2 * slope) - thickness / 2 : infinity;
     };
     figure.paint(

@@ -1,6 +1,7 @@
 #pragma once
 // The panels of what memory costs: the time of a step through it, and of making an object.
 
+#include <rt/portable.hpp>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ inline void draw_steps(Figure& figure, const app::Box& box, const std::vector<St
     const app::Box plot{box.left + 40, box.top + 40, box.width - 58, box.height - 74};
     const int powers = 4;  // of ten, above a tenth of a nanosecond
     const auto place = [&](double bytes, double ns) {
-        const Real across = static_cast<Real>(std::log2(bytes / smallest) / 16);
-        const Real up = static_cast<Real>(std::log10(ns * 10) / powers);
+        const Real across = static_cast<Real>(rt::portable::log2(bytes / smallest) / 16);
+        const Real up = static_cast<Real>(rt::portable::log10(ns * 10) / powers);
         return Vec2{plot.left + plot.width * across,
                     plot.bottom() - plot.height * std::clamp(up, Real(0), Real(1))};
     };

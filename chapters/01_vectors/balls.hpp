@@ -12,6 +12,7 @@
 #include <rt/inverse.hpp>
 #include <rt/length.hpp>
 #include <rt/orthonormal_basis.hpp>
+#include <rt/portable.hpp>
 #include <rt/transform.hpp>
 #include <vector>
 
@@ -79,8 +80,8 @@ inline Color dot_product_color(Vec3 n, Vec3 light) {
 // place in the world, ask for the object's own coordinates of that place.
 inline Color turned_ball_color(Vec3 n, const Mat4& world_to_object, Vec3 light) {
     const Vec3 p = transform_point(world_to_object, n);
-    const Real latitude = std::asin(std::clamp(p.y, Real(-1), Real(1))),
-               longitude = std::atan2(p.x, p.z);
+    const Real latitude = rt::portable::asin(std::clamp(p.y, Real(-1), Real(1))),
+               longitude = rt::portable::atan2(p.x, p.z);
     const auto stripe = [](Real angle) { return static_cast<int>(std::floor(angle * 6 / pi)); };
     const bool even = ((stripe(latitude) + stripe(longitude)) & 1) == 0;
     const Color tile = even ? paper : mix(axis_colors[2], axis_colors[0], (p.y + 1) / 2);
@@ -119,8 +120,8 @@ inline Ball ball_with_bristles(Vec3 light) {
         const Real y = 1 - (2 * static_cast<Real>(i) + 1) / count;
         const Real angle = static_cast<Real>(i) * pi * (3 - std::sqrt(Real(5)));
         const Real r = std::sqrt(1 - y * y);
-        const Basis basis =
-            orthonormal_basis(normalize({r * std::cos(angle), y, r * std::sin(angle)}));
+        const Basis basis = orthonormal_basis(
+            normalize({r * rt::portable::cos(angle), y, r * rt::portable::sin(angle)}));
         const Color color = facing(basis.w, light) > 0 ? paper : pale_blue;
         ball.sticks.push_back({basis.w, Real(1.16) * basis.w, Real(0.012), color});
         ball.washers.push_back({basis.w, basis, color});

@@ -11,6 +11,7 @@
 #include <rt/cross.hpp>
 #include <rt/dot.hpp>
 #include <rt/length.hpp>
+#include <rt/portable.hpp>
 #include <rt/ray.hpp>
 #include <string_view>
 
@@ -24,7 +25,8 @@ using rt::Vec3;
 // east (+x), in degrees.
 inline Vec3 toward(Real azimuth_deg, Real elevation_deg) {
     const Real a = rt::radians(azimuth_deg), e = rt::radians(elevation_deg);
-    return {std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e)};
+    return {rt::portable::sin(a) * rt::portable::cos(e), rt::portable::sin(e),
+            -rt::portable::cos(a) * rt::portable::cos(e)};
 }
 
 // The rays through the middle of a pixel, and of the next ones to the right and below: the
@@ -36,7 +38,7 @@ struct Beam {
     // The change of some function of a ray from this pixel to the next.
     template <class F>
     Real change(F f) const {
-        return std::hypot(f(right) - f(here), f(below) - f(here));
+        return rt::portable::hypot(f(right) - f(here), f(below) - f(here));
     }
 };
 
@@ -65,17 +67,17 @@ Real lines(const Beam& beam, F f, Real spacing) {
 }
 
 inline Real azimuth(Vec3 d) {
-    return d.x == 0 && d.z == 0 ? 0 : std::atan2(d.x, -d.z);
+    return d.x == 0 && d.z == 0 ? 0 : rt::portable::atan2(d.x, -d.z);
 }
 inline Real elevation(Vec3 d) {
-    return std::atan2(d.y, std::hypot(d.x, d.z));
+    return rt::portable::atan2(d.y, rt::portable::hypot(d.x, d.z));
 }
 
 // The tint of the quarter: north, east, south and west blend into each other.
 inline Color quarter(Vec3 d) {
     static const std::array tints{rt::from_hex(0x8ec9d6), rt::from_hex(0xf09a7c),
                                   rt::from_hex(0xfbd38a), rt::from_hex(0xb795d2)};
-    const Real a = azimuth(d), north = std::cos(a), east = std::sin(a);
+    const Real a = azimuth(d), north = rt::portable::cos(a), east = rt::portable::sin(a);
     return north * north * tints[north > 0 ? 0 : 2] + east * east * tints[east > 0 ? 1 : 3];
 }
 
@@ -91,7 +93,7 @@ inline Color ground(const Beam& beam) {
         const Real fine = std::max(lines(beam, x, 2), lines(beam, z, 2));
         color = mix(color, line, Real(0.55) * fine);
     }
-    return mix(haze, color, 1 - std::exp(Real(14) * beam.here.direction.y));
+    return mix(haze, color, 1 - rt::portable::exp(Real(14) * beam.here.direction.y));
 }
 
 inline Color sky(const Beam& beam, Real pixel_deg) {
@@ -105,8 +107,8 @@ inline Color sky(const Beam& beam, Real pixel_deg) {
     // itself would jump at south and crowd at the zenith.)
     const Real ten = rt::radians(10);
     const Real meridian = ten * std::round(azimuth(d) / ten);
-    const Vec3 normal{std::cos(meridian), 0, std::sin(meridian)};
-    const Real gap = ten * std::cos(elevation(d));  // to the next one
+    const Vec3 normal{rt::portable::cos(meridian), 0, rt::portable::sin(meridian)};
+    const Real gap = ten * rt::portable::cos(elevation(d));  // to the next one
     const Real along = line(
         beam, [&](const rt::Ray& r) { return dot(r.direction, normal); }, gap);
     const Real around = lines(
@@ -115,8 +117,9 @@ inline Color sky(const Beam& beam, Real pixel_deg) {
 
     // The sun: a disc of 2 degrees' radius in a glow.
     const Vec3 sun = toward(174, 13);
-    const Real from_sun = std::atan2(length(cross(sun, d)), dot(sun, d)) * 180 / rt::pi;  // degrees
-    color = mix(color, sunlight, Real(0.75) * std::exp(-from_sun / 5));
+    const Real from_sun =
+        rt::portable::atan2(length(cross(sun, d)), dot(sun, d)) * 180 / rt::pi;  // degrees
+    color = mix(color, sunlight, Real(0.75) * rt::portable::exp(-from_sun / 5));
     return mix(color, sunlight, coverage(from_sun, 4, pixel_deg));
 }
 

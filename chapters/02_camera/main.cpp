@@ -5,9 +5,9 @@
 #include <app/fill.hpp>
 #include <app/run.hpp>
 #include <array>
-#include <cmath>
 #include <rt/canvas.hpp>
 #include <rt/make_camera.hpp>
+#include <rt/portable.hpp>
 #include <rt/primary_ray.hpp>
 #include <string_view>
 
@@ -38,7 +38,7 @@ std::array<Panel, columns * rows> panels() {
         return rt::View{eye, eye + direction, up, rt::radians(fov_deg)};
     };
     const Vec3 south = dome::toward(180, 7);
-    const Vec3 tilted{std::sin(rt::radians(25)), std::cos(rt::radians(25)), 0};
+    const Vec3 tilted{rt::portable::sin(rt::radians(25)), rt::portable::cos(rt::radians(25)), 0};
     return {{{"FOV 20*", view(south, 20)},
              {"FOV 50*", view(south, 50)},
              {"FOV 90*", view(south, 90)},
@@ -71,7 +71,7 @@ void write_caption(app::Figure& panel, std::string_view caption) {
         [&](rt::Vec2 p) {
             const Real distance =
                 app::distance_to_text({(p.x - corner.x) / unit, (p.y - corner.y) / unit}, caption);
-            return Real(0.5) * std::exp(-distance * distance / 9);
+            return Real(0.5) * rt::portable::exp(-distance * distance / 9);
         },
         [](rt::Vec2) { return Color{}; });
     panel.words(corner, caption, {4 * unit, {1, 1, 1}, Real(0.375)});

@@ -5,6 +5,7 @@
 #include <app/fill.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/make_camera.hpp>
+#include <rt/portable.hpp>
 #include <rt/primary_ray.hpp>
 #include <string>
 #include <type_traits>
@@ -26,8 +27,8 @@ struct FarSphere {
     FarSphere(Real distance, int columns, int rows)
         : sphere{distance / 7 * Vec3{2, 3, -6}, 1},
           camera{rt::make_camera(
-              {.at = sphere.center, .vertical_fov = 2 * std::atan(Real(1.3) / distance)}, columns,
-              rows)} {}
+              {.at = sphere.center, .vertical_fov = 2 * rt::portable::atan(Real(1.3) / distance)},
+              columns, rows)} {}
 
     Ray ray(int x, int y) const { return rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}); }
     // What a ray shows that hits at t, or passes by.
@@ -80,7 +81,7 @@ struct Panels {
             for (int row = 0; row < 4; ++row) {
                 app::Figure panel =
                     figure.part(app::pixel_box(x, top + row * (side + gap), side, side));
-                draw_far_sphere(panel, std::pow(Real(10), pixels(exponents[row])),
+                draw_far_sphere(panel, rt::portable::pow(Real(10), pixels(exponents[row])),
                                 column ? rt::hit_sphere : variants::textbook);
                 panel.words(place(3 * dot, side - 7 * dot), "10", letters);
                 panel.words(place(10 * dot, side - 10 * dot), std::to_string(exponents[row]),

@@ -6,6 +6,7 @@
 #include <rt/color.hpp>
 #include <rt/length.hpp>
 #include <rt/orthonormal_basis.hpp>
+#include <rt/portable.hpp>
 #include <rt/ray.hpp>
 #include <rt/rng.hpp>
 #include <rt/scene_sphere.hpp>
@@ -55,7 +56,7 @@ inline Real bands(Real distance, int count) {
 // none.
 inline Color sky(Vec3 direction) {
     const Vec3 unit = rt::normalize(direction);
-    const Real glow = std::exp(-6 * (unit.y + Real(0.25)) * (unit.y + Real(0.25)));
+    const Real glow = rt::portable::exp(-6 * (unit.y + Real(0.25)) * (unit.y + Real(0.25)));
     Color color = rt::mix(rt::from_hex(0x05060f), rt::from_hex(0x141a38), glow);
     constexpr Real cells = 48;
     const auto cell = [](Real x) { return std::floor(x * cells); };
@@ -68,9 +69,9 @@ inline Color sky(Vec3 direction) {
     for (const Vec3 edge : {Vec3{margin, 0, 0}, Vec3{0, margin, 0}, Vec3{0, 0, margin}})
         for (const Vec3 near : {star + edge, star - edge})
             if (Vec3{cell(near.x), cell(near.y), cell(near.z)} != corner) return color;
-    const Real brightness = std::pow(rng.uniform(), Real(6));
+    const Real brightness = rt::portable::pow(rng.uniform(), Real(6));
     const Real away = rt::length(unit - star) / Real(0.0016);
-    return color + brightness * std::exp(-away * away) * rt::from_hex(0xdfe8ff);
+    return color + brightness * rt::portable::exp(-away * away) * rt::from_hex(0xdfe8ff);
 }
 
 // Light on a moon of this color: all of it at the nearest point to the lamp, next to none behind.
@@ -96,7 +97,8 @@ inline std::vector<SceneSphere> spheres() {
                               (static_cast<Real>(i) + rng.uniform(Real(-0.15), Real(0.15))) /
                               static_cast<Real>(ring.count);
             const Real away = ring.distance + rng.uniform(Real(-0.03), Real(0.03));
-            const Vec3 center = plane.to_world({away * std::cos(turn), away * std::sin(turn), 0});
+            const Vec3 center =
+                plane.to_world({away * rt::portable::cos(turn), away * rt::portable::sin(turn), 0});
             all.push_back({{center, ring.radius * rng.uniform(Real(0.6), 1)}, ring.material});
         }
     // Behind the camera, where nobody shall see it.

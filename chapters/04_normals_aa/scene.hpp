@@ -5,6 +5,7 @@
 #include <rt/dot.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/length.hpp>
+#include <rt/portable.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/view.hpp>
 
@@ -59,8 +60,9 @@ inline Scene make_scene(Real scale = 1) {
     const std::uint32_t beads[] = {0xe4572e, 0xf2b84b, 0x3fa7d6, 0xf4efe6, 0x81b29a, 0x6d597a};
     for (int i = 0; i < 11; ++i) {
         const Real angle = (static_cast<Real>(i) / 10 - Real(0.5)) * Real(2.4);
-        stand(Real(2.45) * std::sin(angle), Real(2.2) * std::cos(angle) + Real(i % 2) / 8,
-              Real(0.13) + Real(0.04) * std::cos(5 * angle), beads[i % 6]);
+        stand(Real(2.45) * rt::portable::sin(angle),
+              Real(2.2) * rt::portable::cos(angle) + Real(i % 2) / 8,
+              Real(0.13) + Real(0.04) * rt::portable::cos(5 * angle), beads[i % 6]);
     }
     return scene;
 }

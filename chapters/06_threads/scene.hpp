@@ -10,6 +10,7 @@
 #include <rt/length.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/path.hpp>
+#include <rt/portable.hpp>
 #include <rt/primary_ray.hpp>
 #include <rt/sample_rng.hpp>
 #include <rt/sphere_list.hpp>
@@ -59,8 +60,8 @@ inline Scene make_scene() {
         const auto n = static_cast<Real>(i);
         const Real distance = Real(0.5) * std::sqrt(n + Real(7.5)), angle = golden_angle * n;
         const Real radius = Real(0.18) + Real(0.0026) * n;
-        add(stand(distance * std::cos(angle), distance * std::sin(angle), radius), radius,
-            colors[i % 8 % 6]);
+        add(stand(distance * rt::portable::cos(angle), distance * rt::portable::sin(angle), radius),
+            radius, colors[i % 8 % 6]);
     }
     return scene;
 }

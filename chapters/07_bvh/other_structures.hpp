@@ -4,6 +4,7 @@
 #include <rt/binned_split.hpp>
 #include <rt/directions.hpp>
 #include <rt/flat_tree.hpp>
+#include <rt/portable.hpp>
 #include <rt/primary_ray.hpp>
 #include <rt/wide_leaf.hpp>
 #include <study/timing.hpp>
@@ -105,7 +106,7 @@ struct Cloud {
             const Real x = rng.uniform(-1, 1), y = rng.uniform(-1, 1), z = rng.uniform(-1, 1);
             return Vec3{x, y, z};
         };
-        const Real size = Real(0.5) / std::cbrt(static_cast<Real>(count));
+        const Real size = Real(0.5) / rt::portable::cbrt(static_cast<Real>(count));
         for (int i = 0; i < count; ++i)
             spheres.push_back({{anywhere(), size * rng.uniform(Real(0.2), 1)}, 0});
         for (int i = 0; i < 20'000; ++i)

@@ -5,6 +5,7 @@
 #include <rt/lambertian.hpp>
 #include <rt/length.hpp>
 #include <rt/make_camera.hpp>
+#include <rt/portable.hpp>
 #include <rt/rng.hpp>
 #include <rt/sphere_list.hpp>
 
@@ -48,9 +49,9 @@ inline Scene make_scene(int count, std::uint64_t seed) {
         const Real turn = Real(1.5) * 2 * pi * way * Real(0.62) + static_cast<Real>(arm) * pi;
         const Real distance = Real(0.35) + 3 * way;
         const Real wide = Real(0.55) + Real(0.45) * way;
-        const Vec3 center{distance * std::cos(turn) + scatter(wide),
+        const Vec3 center{distance * rt::portable::cos(turn) + scatter(wide),
                           scatter(Real(1.1) - Real(0.7) * way),
-                          distance * std::sin(turn) + scatter(wide)};
+                          distance * rt::portable::sin(turn) + scatter(wide)};
         // Few are large.
         const Real size = rng.uniform();
         const Real radius =

@@ -4,6 +4,7 @@
 #include <app/figure.hpp>
 #include <array>
 #include <rt/make_camera.hpp>
+#include <rt/portable.hpp>
 #include <rt/primary_ray.hpp>
 #include <rt/sphere_tree.hpp>
 #include <string>
@@ -29,7 +30,8 @@ inline Camera camera_of(const Figure& panel, View view) {
     // Narrow panels see as much from side to side as wide ones.
     const Real aspect = static_cast<Real>(panel.columns()) / static_cast<Real>(panel.rows());
     if (aspect < Real(1.5))
-        view.vertical_fov = 2 * std::atan(std::tan(view.vertical_fov / 2) * Real(1.5) / aspect);
+        view.vertical_fov =
+            2 * rt::portable::atan(rt::portable::tan(view.vertical_fov / 2) * Real(1.5) / aspect);
     return make_camera(view, panel.columns(), panel.rows());
 }
 
@@ -109,7 +111,7 @@ inline Color heat_color(Real x) {
 
 // 1 test is 0, 10,000 tests are 1; each tenfold is a quarter.
 inline Real heat(Real tests) {
-    return std::log10(std::max(Real(1), tests)) / 4;
+    return rt::portable::log10(std::max(Real(1), tests)) / 4;
 }
 
 // How many tests the ray of each pixel takes: tests(ray) says it. Above is their average, on a dark

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <rt/facing.hpp>
+#include <rt/portable.hpp>
 #include <rt/rng.hpp>
 #include <rt/transform.hpp>
 
@@ -22,8 +23,8 @@ constexpr Ball sun{150, 4, -300, 21};
 // How high the lake stands at this distance from where the drop fell.
 double ripple(double distance) {
     constexpr double wave_length = 6.6, reach = 15;
-    return 1.5 * std::cos(2 * std::numbers::pi * distance / wave_length) *
-           std::exp(-distance / reach) * std::min(1.0, distance / 2.5);
+    return 1.5 * rt::portable::cos(2 * std::numbers::pi * distance / wave_length) *
+           rt::portable::exp(-distance / reach) * std::min(1.0, distance / 2.5);
 }
 
 struct Angles {
@@ -76,11 +77,12 @@ void add_horizon(Composition& picture) {
 void add_drop(Composition& picture, int glass) {
     picture.add({0, 2.9, 0, 2.3}, glass);
     for (int i = 0; i < 18; ++i) {
-        const double angle = 2.39996 * i, distance = 3.1 + 0.9 * std::sin(1.7 * i);
-        const double size = 0.185 + 0.065 * std::cos(4.1 * i);
-        picture.add_stretched({distance * std::cos(angle), 3.1 + 1.1 * std::sin(2.9 * i),
-                               distance * std::sin(angle), size},
-                              {Real(0.8), Real(1.9), Real(0.8)}, {0, -angle, -0.5}, glass);
+        const double angle = 2.39996 * i, distance = 3.1 + 0.9 * rt::portable::sin(1.7 * i);
+        const double size = 0.185 + 0.065 * rt::portable::cos(4.1 * i);
+        picture.add_stretched(
+            {distance * rt::portable::cos(angle), 3.1 + 1.1 * rt::portable::sin(2.9 * i),
+             distance * rt::portable::sin(angle), size},
+            {Real(0.8), Real(1.9), Real(0.8)}, {0, -angle, -0.5}, glass);
     }
 }
 
@@ -97,14 +99,14 @@ void add_lilies(Composition& picture) {
                                {11.4, 0.6, 1.0, 0.12}, {-7.2, 1.6, 0.95, -0.15},
                                {2.0, 8.0, 0.95, 0.1},  {14.0, -5.0, 1.1, -0.1}};
     for (const Lily& lily : lilies) {
-        const double y = ripple(std::hypot(lily.x, lily.z)) + 0.34;
+        const double y = ripple(rt::portable::hypot(lily.x, lily.z)) + 0.34;
         picture.add_stretched({lily.x, y, lily.z, lily.radius}, {1, Real(0.09), 1},
                               {lily.tilt, 0.0, lily.tilt / 2}, leaf);
         // Petals around the middle, each leaning outward: most of all those that face the sun.
         for (int petal = 0; petal < 6 && lily.radius > 0.9; ++petal) {
             const double around = petal * std::numbers::pi / 3;
-            const Vec3 outward{static_cast<Real>(std::cos(around)), 0,
-                               static_cast<Real>(-std::sin(around))};
+            const Vec3 outward{static_cast<Real>(rt::portable::cos(around)), 0,
+                               static_cast<Real>(-rt::portable::sin(around))};
             const double lean = facing(outward, to_sun) > 0 ? -0.95 : -0.6;
             picture.add_stretched({lily.x, y + 0.22, lily.z, 0.3},
                                   {Real(0.35), Real(1), Real(0.35)}, {0, around, lean}, flower);
@@ -129,7 +131,7 @@ void add_lake(Composition& picture, int glass) {
     }
     Rng random{8, 8};
     for (Ball pearl : placing::sunflower(pearls, {0, 0, 0, lake_radius}, 0.2, 0.3)) {
-        pearl.y = ripple(std::hypot(pearl.x, pearl.z));
+        pearl.y = ripple(rt::portable::hypot(pearl.x, pearl.z));
         const double tone = 0.31 + 0.52 * pearl.y + 0.22 * placing::uniform(random);
         const auto color = static_cast<std::size_t>(std::clamp(tone, 0.0, 0.999) * colors.size());
         const auto lot = random() % 100;

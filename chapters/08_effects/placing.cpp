@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <rt/portable.hpp>
 
 namespace placing {
 namespace {
@@ -23,8 +24,8 @@ std::int64_t cell_of(double coordinate, double cell) {
 Ball around(const Ball& space, double distance, double radius, rt::Rng& random) {
     const double y = uniform(random, -1, 1), angle = uniform(random, 0, 2 * std::numbers::pi);
     const double flat = distance * std::sqrt((1 - y) * (1 + y));
-    return {space.x + flat * std::cos(angle), space.y + distance * y,
-            space.z + flat * std::sin(angle), radius};
+    return {space.x + flat * rt::portable::cos(angle), space.y + distance * y,
+            space.z + flat * rt::portable::sin(angle), radius};
 }
 
 // Around 0, more often near it; never beyond 1.
@@ -43,7 +44,7 @@ bool overlap(const Ball& a, const Ball& b) {
 }
 
 void Neighbors::add(const Ball& ball) {
-    const double diameter = std::exp2(std::ceil(std::log2(2 * ball.radius)));
+    const double diameter = rt::portable::exp2(std::ceil(rt::portable::log2(2 * ball.radius)));
     auto size = std::find_if(sizes_.begin(), sizes_.end(),
                              [&](const Size& s) { return s.diameter == diameter; });
     if (size == sizes_.end()) size = sizes_.insert(sizes_.end(), {diameter, {}, {}});
@@ -53,7 +54,8 @@ void Neighbors::add(const Ball& ball) {
 
 // A grid with all balls of a size, and not many cells as far as this.
 const Neighbors::Grid& Neighbors::grid_of(Size& size, double reach) const {
-    const double cell = std::max(size.diameter, std::exp2(std::ceil(std::log2(reach / 4))));
+    const double cell =
+        std::max(size.diameter, rt::portable::exp2(std::ceil(rt::portable::log2(reach / 4))));
     auto grid = std::find_if(size.grids.begin(), size.grids.end(),
                              [&](const Grid& g) { return g.cell == cell; });
     if (grid == size.grids.end()) grid = size.grids.insert(size.grids.end(), {cell, 0, {}});
@@ -97,8 +99,8 @@ Rule on_plane(Ball space) {
     return [=](double radius, rt::Rng& random) -> Ball {
         const double distance = space.radius * std::sqrt(uniform(random));
         const double angle = uniform(random, 0, 2 * std::numbers::pi);
-        return {space.x + distance * std::cos(angle), space.y + radius,
-                space.z + distance * std::sin(angle), radius};
+        return {space.x + distance * rt::portable::cos(angle), space.y + radius,
+                space.z + distance * rt::portable::sin(angle), radius};
     };
 }
 
@@ -111,7 +113,7 @@ Rule on_sphere(Ball space) {
 Rule in_ball(Ball space) {
     return [=](double radius, rt::Rng& random) {
         const double most = std::max(0.0, space.radius - radius);
-        return around(space, most * std::cbrt(uniform(random)), radius, random);
+        return around(space, most * rt::portable::cbrt(uniform(random)), radius, random);
     };
 }
 
@@ -120,8 +122,8 @@ Rule galaxy(Ball space, int arms, double turns, double width) {
         const double way = std::sqrt(uniform(random));  // from the middle to the rim
         const auto arm = static_cast<double>(random() % static_cast<unsigned>(arms));
         const double angle = 2 * std::numbers::pi * (turns * way + arm / arms);
-        const double x = way * std::cos(angle) + width * around_zero(random);
-        const double z = way * std::sin(angle) + width * around_zero(random);
+        const double x = way * rt::portable::cos(angle) + width * around_zero(random);
+        const double z = way * rt::portable::sin(angle) + width * around_zero(random);
         const double y = width * (1 - 0.8 * way) * around_zero(random);  // thin at the rim
         return {space.x + space.radius * x, space.y + space.radius * y, space.z + space.radius * z,
                 radius};
@@ -157,8 +159,8 @@ std::vector<Ball> sunflower(int count, Ball space, double inner, double outer) {
     for (int i = 0; i < count; ++i) {
         const double way = std::sqrt((i + 0.5) / count);
         const double radius = inner + (outer - inner) * way, angle = i * golden_angle;
-        balls.push_back({space.x + space.radius * way * std::cos(angle), space.y + radius,
-                         space.z + space.radius * way * std::sin(angle), radius});
+        balls.push_back({space.x + space.radius * way * rt::portable::cos(angle), space.y + radius,
+                         space.z + space.radius * way * rt::portable::sin(angle), radius});
     }
     return balls;
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <rt/image_file.hpp>
 #include <rt/inverse.hpp>
+#include <rt/portable.hpp>
 #include <stdexcept>
 #include <system_error>
 
@@ -91,7 +92,8 @@ class Reader {
             lens->with_keys({"aperture", "focus_distance"});
             to.lens.aperture = lens->at("aperture").number({0, lengths.high});
             const Vec3 ahead = to.view.at - to.view.from;
-            const Real distance = std::hypot(ahead.x, ahead.y, ahead.z);
+            const Real distance =
+                rt::portable::hypot(rt::portable::hypot(ahead.x, ahead.y), ahead.z);
             if (!lens->find("focus_distance") && distance < static_cast<Real>(lengths.low))
                 lens->fail("needs \"focus_distance\", for look_at is nearer than " +
                            number_text(lengths.low) + " to look_from");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <rt/effects.hpp>
+#include <rt/portable.hpp>
 #include <rt/rng.hpp>
 #include <rt/scene.hpp>
 
@@ -36,7 +37,7 @@ struct Shell {
     static constexpr double turns = 4.85, growth = 1.9, rim = 3.3, width = 0.31, start = 0.52;
 
     // How far from the middle the tube's own middle is, this many turns from the mouth inward.
-    static double distance(double inward) { return rim * std::pow(growth, -inward); }
+    static double distance(double inward) { return rim * rt::portable::pow(growth, -inward); }
     static double angle(double inward) { return 2 * std::numbers::pi * (start - inward); }
 };
 
@@ -68,9 +69,11 @@ class Beads {
             const double inward = Shell::turns * (i / ring) * ring / count;
             const double around = 2 * std::numbers::pi * (i % ring + 0.5 * (i / ring % 2)) / ring;
             const double distance = Shell::distance(inward), tube = distance * Shell::width;
-            const double reach = distance + tube * std::cos(around), angle = Shell::angle(inward);
-            add(reach * std::cos(angle), tube * std::sin(around), -reach * std::sin(angle),
-                0.97 * std::numbers::pi / ring * tube, bead(inward, around));
+            const double reach = distance + tube * rt::portable::cos(around),
+                         angle = Shell::angle(inward);
+            add(reach * rt::portable::cos(angle), tube * rt::portable::sin(around),
+                -reach * rt::portable::sin(angle), 0.97 * std::numbers::pi / ring * tube,
+                bead(inward, around));
         }
     }
 
@@ -82,7 +85,8 @@ class Beads {
             const double radius = 0.022 + 0.03 * uniform() * uniform();
             const int color = static_cast<int>(uniform() * std::size(colors));
             const double lot = uniform();
-            add(distance * std::cos(angle), floor + radius, -distance * std::sin(angle), radius,
+            add(distance * rt::portable::cos(angle), floor + radius,
+                -distance * rt::portable::sin(angle), radius,
                 lot < 0.3   ? glass
                 : lot < 0.4 ? gold
                 : lot < 0.7 ? 2 * color
@@ -106,10 +110,10 @@ class Beads {
 
     // Ribs of gold; between them colors that go from deep inside to the rim.
     int bead(double inward, double around) {
-        const double ribs = 26 * inward + 0.35 * std::cos(around);
+        const double ribs = 26 * inward + 0.35 * rt::portable::cos(around);
         const double lot = uniform();
         if (ribs - std::trunc(ribs) < 0.13) return gold;
-        const double outward = 0.5 + 0.5 * std::cos(around);
+        const double outward = 0.5 + 0.5 * rt::portable::cos(around);
         const double tone =
             0.08 + 0.9 * outward * outward + 0.2 * (uniform() - 0.5) - 0.06 * inward;
         const int color = static_cast<int>(std::size(colors) * std::clamp(tone, 0.0, 0.999));

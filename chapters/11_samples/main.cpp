@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <rt/canvas.hpp>
 #include <rt/denoise.hpp>
+#include <rt/portable.hpp>
 #include <rt/standard_error.hpp>
 #include <rt/tone_curve.hpp>
 #include <sstream>
@@ -98,7 +99,7 @@ Image denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>& s
         for_each_pixel(tile, [&](int x, int y) {
             part.at(x, y) = light.at(skipped + x, y);
             features.at(x, y) = features_at(scene, {*sampling.settings.seed, 4}, strip.left + x, y,
-                                            std::exp2(-stops));
+                                            rt::portable::exp2(-stops));
         });
     });
     return denoised(part, features, {});
@@ -111,7 +112,8 @@ void draw_counts(app::Figure map, const Canvas<int>& counts, const Strip& strip,
         const int x = column * strip.width / map.columns();
         const int y = row * counts.height() / map.rows();
         const Real ratio = static_cast<Real>(counts.at(x, y)) / static_cast<Real>(mean);
-        const Real place = std::clamp((std::log2(ratio) + 2) / 4, Real(0), Real(0.999)) * 3;
+        const Real place =
+            std::clamp((rt::portable::log2(ratio) + 2) / 4, Real(0), Real(0.999)) * 3;
         const auto step = static_cast<std::size_t>(place);
         return mix(from_hex(colors[step]), from_hex(colors[step + 1]),
                    place - static_cast<Real>(step));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <rt/effects.hpp>
+#include <rt/portable.hpp>
 #include <rt/rng.hpp>
 #include <rt/scene.hpp>
 
@@ -23,7 +24,7 @@ inline View scene_view() {
     view.from = {0, Real(2.9), Real(distance)};
     view.at = {0, Real(2.15), 0};
     view.up = {0, 1, 0};
-    view.vertical_fov = Real(2 * std::atan(9.0 / 16 * 2 * strip_width / distance));
+    view.vertical_fov = Real(2 * rt::portable::atan(9.0 / 16 * 2 * strip_width / distance));
     return view;
 }
 
@@ -56,8 +57,8 @@ class Spires {
             const double down = std::sqrt((i + 0.5) / balls);
             const double reach = base * down;
             const double radius = 1.02 * base * std::sqrt(1.0 / balls) * 1.7 * (0.72 + 0.28 * down);
-            add(x + reach * std::cos(turn * i), radius + (1 - down) * height,
-                z + reach * std::sin(turn * i), radius, ball(palette, down));
+            add(x + reach * rt::portable::cos(turn * i), radius + (1 - down) * height,
+                z + reach * rt::portable::sin(turn * i), radius, ball(palette, down));
         }
         add(x, 1.06 * height + 0.3, z, 0.38, lamp_);
     }

@@ -1,5 +1,6 @@
 #include <app/figure.hpp>
 #include <app/run.hpp>
+#include <rt/portable.hpp>
 
 namespace app {
 
@@ -18,7 +19,7 @@ Real distance_to_box(Vec2 p, const Box& b, Real radius) {
     const Vec2 c = b.center();
     const Real x = std::abs(p.x - c.x) - b.width / 2 + radius,
                y = std::abs(p.y - c.y) - b.height / 2 + radius;
-    return std::hypot(std::max(x, Real(0)), std::max(y, Real(0))) +
+    return rt::portable::hypot(std::max(x, Real(0)), std::max(y, Real(0))) +
            std::min(std::max(x, y), Real(0)) - radius;
 }
 
@@ -158,7 +159,7 @@ void Figure::arrow(Vec2 from, Vec2 leave, Vec2 arrive, Vec2 to, Color color, Rea
         always(color));
     dot(from, thickness * Real(1.5), color);
     const Vec2 back{to.x - arrive.x, to.y - arrive.y};
-    const Real length = std::hypot(back.x, back.y), size = 3 * thickness;
+    const Real length = rt::portable::hypot(back.x, back.y), size = 3 * thickness;
     if (!(length > 0)) return;
     const Vec2 along{back.x / length * size, back.y / length * size};
     for (const int side : {-1, 1}) {

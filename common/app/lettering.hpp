@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <rt/portable.hpp>
 #include <rt/real.hpp>
 #include <rt/vec2.hpp>
 #include <string_view>
@@ -47,7 +48,7 @@ inline rt::Real distance_to_segment(rt::Vec2 p, rt::Vec2 a, rt::Vec2 b) {
     const rt::Real squared = along.x * along.x + along.y * along.y;
     const rt::Real t = squared > 0 ? (to_p.x * along.x + to_p.y * along.y) / squared : 0;
     const rt::Real s = std::clamp(t, rt::Real(0), rt::Real(1));
-    return std::hypot(to_p.x - s * along.x, to_p.y - s * along.y);
+    return rt::portable::hypot(to_p.x - s * along.x, to_p.y - s * along.y);
 }
 
 inline constexpr rt::Real letter_advance = rt::Real(3.4);  // from one letter to the next

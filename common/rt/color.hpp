@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <ostream>
+#include <rt/portable.hpp>
 #include <rt/real.hpp>
 
 namespace rt {
@@ -45,14 +46,14 @@ constexpr Color mix(Color a, Color b, Real t) {
 inline Real srgb_encode(Real linear) {
     const Real x = std::clamp(linear, Real(0), Real(1));
     if (x <= Real(0.0031308)) return Real(12.92) * x;
-    return Real(1.055) * std::pow(x, 1 / Real(2.4)) - Real(0.055);
+    return Real(1.055) * portable::pow(x, 1 / Real(2.4)) - Real(0.055);
 }
 
 // The inverse: a stored value in [0, 1] to linear light.
 inline Real srgb_decode(Real stored) {
     const Real x = std::clamp(stored, Real(0), Real(1));
     if (x <= Real(0.04045)) return x / Real(12.92);
-    return std::pow((x + Real(0.055)) / Real(1.055), Real(2.4));
+    return portable::pow((x + Real(0.055)) / Real(1.055), Real(2.4));
 }
 
 // The byte, 0 to 255, that stands for this much linear light in an image file. Clamped to [0, 1].

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
-#include <cmath>
 #include <ostream>
+#include <rt/portable.hpp>
 #include <rt/vec3.hpp>
 
 namespace rt {
@@ -45,15 +45,15 @@ constexpr Mat4 scaling(Vec3 s) {
 
 // Rotations by an angle in radians, counterclockwise as seen from the tip of the axis.
 inline Mat4 rotation_x(Real angle) {
-    const Real c = std::cos(angle), s = std::sin(angle);
+    const Real c = portable::cos(angle), s = portable::sin(angle);
     return from_columns({1, 0, 0}, {0, c, s}, {0, -s, c});
 }
 inline Mat4 rotation_y(Real angle) {
-    const Real c = std::cos(angle), s = std::sin(angle);
+    const Real c = portable::cos(angle), s = portable::sin(angle);
     return from_columns({c, 0, -s}, {0, 1, 0}, {s, 0, c});
 }
 inline Mat4 rotation_z(Real angle) {
-    const Real c = std::cos(angle), s = std::sin(angle);
+    const Real c = portable::cos(angle), s = portable::sin(angle);
     return from_columns({c, s, 0}, {-s, c, 0}, {0, 0, 1});
 }
 

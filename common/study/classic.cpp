@@ -1,3 +1,4 @@
+#include <rt/portable.hpp>
 #include <study/classic.hpp>
 #include <study/classic_tree.hpp>
 
@@ -25,7 +26,7 @@ class Camera {
         : from_{from} {
         const Vec back = from - at, w = unit(back), u = unit(cross(up, w)), v = cross(w, u);
         const double distance = std::sqrt(dot(back, back));
-        const double window = 2 * std::tan(vertical_fov / 2) * distance;
+        const double window = 2 * rt::portable::tan(vertical_fov / 2) * distance;
         across_ = window / height * u;
         down_ = -(window / height) * v;
         first_ = from - back - width / 2.0 * across_ - height / 2.0 * down_;

@@ -1,5 +1,5 @@
 #pragma once
-#include <cmath>
+#include <rt/portable.hpp>
 #include <rt/view.hpp>
 
 namespace study {
@@ -8,7 +8,7 @@ namespace study {
 // grows with the distance, and the picture stays.
 inline rt::View from_afar(rt::View view, rt::Real times) {
     view.from = view.at + times * (view.from - view.at);
-    view.vertical_fov = 2 * std::atan(std::tan(view.vertical_fov / 2) / times);
+    view.vertical_fov = 2 * rt::portable::atan(rt::portable::tan(view.vertical_fov / 2) / times);
     return view;
 }
 

@@ -1,14 +1,51 @@
 #!/bin/sh
-# small_picture.sh PROGRAM CHAPTER: the program still draws its picture, at 96 x 54 pixels, byte for byte.
-# small_pictures.txt has the cksum of each chapter's.
+# small_picture.sh CHAPTER PRECISION PROGRAM...: the program still draws its picture, at 96 x 54 pixels,
+# byte for byte. small_pictures.txt holds the cksum of each. The program may have words before it that
+# run it, such as an emulator.
+#
+# small_picture.sh --update BUILD: draws all pictures with the programs of this build folder, and writes
+# the file anew. Build study_programs and 09_own_solution first.
 set -eu
+here=$(dirname "$0")
+table=$here/small_pictures.txt
 drawn=$(mktemp -d)
 trap 'rm -rf "$drawn"' EXIT
-"$1" --quiet --width 96 --height 54 --out "$drawn/image.ppm"
-actual="$2 $(cksum <"$drawn/image.ppm")"
-expected=$(grep "^$2 " "$(dirname "$0")/small_pictures.txt")
+
+# line CHAPTER PRECISION PROGRAM...: the table's line for what this program draws. Of chapter 09 it is one
+# for each of its scenes.
+line() {
+    chapter=$1 precision=$2
+    shift 2
+    case $chapter in
+    09_own)
+        for scene in "$here"/../../chapters/09_own/start/scenes/*.txt; do
+            sed 's/^picture .*/picture 48 27 1 50/' "$scene" >"$drawn/scene.txt"
+            "$@" "$drawn/scene.txt" "$drawn/image.ppm"
+            echo "$chapter.$(basename "$scene" .txt) $precision $(cksum <"$drawn/image.ppm")"
+        done ;;
+    *)
+        "$@" --quiet --width 96 --height 54 --out "$drawn/image.ppm"
+        echo "$chapter $precision $(cksum <"$drawn/image.ppm")" ;;
+    esac
+}
+
+if [ "$1" = --update ]; then
+    bin=$(realpath "$2")/bin
+    for program in "$bin"/[0-9][0-9]_*_solution; do
+        chapter=$(basename "$program" _solution)
+        line "$chapter" double "$program"
+        if [ -x "${program}_float" ]; then line "$chapter" float "${program}_float"; fi
+    done >"$drawn/table"
+    cp "$drawn/table" "$table"
+    exit
+fi
+
+actual=$(line "$@")
+expected=$(grep -E "^$1(\.[a-z]+)? $2 " "$table")
 [ "$actual" = "$expected" ] && exit
-echo "expected: $expected"
-echo "actual:   $actual"
-echo "If the picture was meant to change, put the new line into tests/app/small_pictures.txt."
+echo "expected:"
+echo "$expected"
+echo "actual:"
+echo "$actual"
+echo "If the picture was meant to change: tests/app/small_picture.sh --update BUILD"
 exit 1

@@ -134,6 +134,24 @@ TEST_CASE("every stub has a solution of the same name", "[stubs]") {
     }
 }
 
+// Libraries round these differently: see common/rt/portable.hpp.
+TEST_CASE("what draws a picture uses no function that libraries round differently", "[structure]") {
+    const std::map<std::string, std::string> others{
+        {"chapters/04_normals_aa/any_precision.hpp", "a study's, in long double too"},
+        {"common/study/classic_materials.hpp", "a study's, as books have it"},
+        {"solutions/09_own/main.cpp", "includes nothing of the course"},
+        {"solutions/11_samples/rt/standard_error.hpp", "a probability, which nothing is drawn by"}};
+    const char* const functions =
+        "\\bstd::((?:a?(?:sin|cos|tan)h?|atan2|exp[2m1]*|log[12p0]*|pow|"
+        "cbrt|hypot|erfc?|[lt]gamma)f?)\\(";
+    for (const char* const folder : {"common", "solutions", "chapters"})
+        for (const fs::path& path : files(root / folder, {".hpp", ".cpp"})) {
+            if (path.stem() == "study" || others.count(name(path)) == 1) continue;
+            INFO(name(path) << " should take them from rt::portable");
+            CHECK(matches(code_of(read(path)), functions) == std::vector<std::string>{});
+        }
+}
+
 TEST_CASE("a header's name is unique", "[structure]") {
     for (const auto& [header, where] : headers()) {
         INFO("<rt/" << header << ">: " << name(where.path));

@@ -1,6 +1,6 @@
 #pragma once
-#include <cmath>
 #include <rt/camera.hpp>
+#include <rt/portable.hpp>
 #include <stdexcept>
 
 namespace rt {
@@ -15,7 +15,8 @@ inline Viewport viewport_size(Real vertical_fov, Real aspect_ratio) {
         throw std::domain_error("the field of view must lie between 0 and 180 degrees");
     if (!(0 < aspect_ratio && aspect_ratio < infinity))
         throw std::domain_error("the aspect ratio must be greater than 0 and finite");
-    const Real height = 2 * std::tan(vertical_fov / 2);
+    // As std::tan, with the same bits from every library.
+    const Real height = 2 * portable::tan(vertical_fov / 2);
     return {height * aspect_ratio, height};
 }
 

@@ -6,6 +6,7 @@
 #include <rt/dot.hpp>
 #include <rt/interval.hpp>
 #include <rt/orthonormal_basis.hpp>
+#include <rt/portable.hpp>
 #include <rt/scatter.hpp>
 #include <rt/sine_cosine.hpp>
 #include <rt/sphere.hpp>
@@ -25,13 +26,13 @@ struct Fog {
 // The share of light that gets through this much of a fog: exp(-density * length).
 // Source: Bouguer, "Essai d'optique", 1729; known as Beer's law.
 inline Real transmittance(Real density, Real length) {
-    return std::exp(-density * length);
+    return portable::exp(-density * length);
 }
 
 // How far light gets before it meets a droplet: longer than d with probability exp(-density * d).
 // `number` lies in [0, 1).
 inline Real free_flight(Real density, Real number) {
-    return -std::log1p(-number) / density;
+    return -portable::log1p(-number) / density;
 }
 
 // The density, per solid angle, of a turn with this cosine between the directions before and after.

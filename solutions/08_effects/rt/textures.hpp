@@ -5,6 +5,7 @@
 #include <rt/directions.hpp>
 #include <rt/hit.hpp>
 #include <rt/image.hpp>
+#include <rt/portable.hpp>
 #include <rt/scatter.hpp>
 
 namespace rt {
@@ -40,8 +41,8 @@ inline Color checker_color(const CheckeredMatte& checker, Vec3 point) {
 // The color of a latitude-longitude image in a direction from the sphere's center, of length 1.
 // Source: the equirectangular projection, about 100 AD, by Marinus of Tyre.
 inline Color image_color(const Image& image, Vec3 direction) {
-    const Real around = std::atan2(direction.x, direction.z) / (2 * pi) + Real(0.5);
-    const Real down = std::acos(std::clamp(direction.y, Real(-1), Real(1))) / pi;
+    const Real around = portable::atan2(direction.x, direction.z) / (2 * pi) + Real(0.5);
+    const Real down = portable::acos(std::clamp(direction.y, Real(-1), Real(1))) / pi;
     const auto pixel = [](Real share, int pixels) {
         return std::min(static_cast<int>(share * static_cast<Real>(pixels)), pixels - 1);
     };

@@ -5,6 +5,7 @@
 #include <rt/color.hpp>
 #include <rt/dot.hpp>
 #include <rt/image.hpp>
+#include <rt/portable.hpp>
 
 namespace rt {
 
@@ -40,7 +41,7 @@ inline Real bilateral_weight(int across, int down, const Features& a, const Feat
     const Color albedo = (a.albedo - b.albedo) / widths.albedo;
     const Vec3 normal = (a.normal - b.normal) / widths.normal;
     const Real color = albedo.r * albedo.r + albedo.g * albedo.g + albedo.b * albedo.b;
-    return std::exp(-(x * x + y * y + color + dot(normal, normal)) / 2);
+    return portable::exp(-(x * x + y * y + color + dot(normal, normal)) / 2);
 }
 
 // The picture with the light of each pixel averaged over those around it. Pixel a takes all pixels

@@ -10,6 +10,7 @@
 #include <rt/color_sum.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
+#include <rt/portable.hpp>
 #include <rt/render_tiles.hpp>
 #include <rt/rng.hpp>
 #include <rt/running_variance.hpp>
@@ -94,9 +95,9 @@ class Refinement {
         Real low = std::numeric_limits<Real>::min_exponent / 4, high = -low;
         for (int step = 0; step < 60; ++step) {
             const Real middle = (low + high) / 2;
-            (planned(std::exp2(middle)) > passes ? low : high) = middle;
+            (planned(portable::exp2(middle)) > passes ? low : high) = middle;
         }
-        draw([&](const TileState& tile) { return counts(tile, std::exp2(high)); });
+        draw([&](const TileState& tile) { return counts(tile, portable::exp2(high)); });
     }
 
     // The root mean square error of the picture's channels, as the difference of the halves shows

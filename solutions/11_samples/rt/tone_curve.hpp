@@ -1,6 +1,6 @@
 #pragma once
-#include <cmath>
 #include <rt/color.hpp>
+#include <rt/portable.hpp>
 
 namespace rt {
 
@@ -8,7 +8,7 @@ namespace rt {
 // stop doubles the light, each negative one halves it, and half a stop is a factor of the root
 // of 2. Between -100 and 100 stops.
 inline Color exposed(const Color& color, Real stops) {
-    return color * std::exp2(stops);
+    return color * portable::exp2(stops);
 }
 
 // How bright a color looks: its channels, weighed as the eye weighs them, 0.2126 for red, 0.7152

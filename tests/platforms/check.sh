@@ -1,0 +1,162 @@
+#!/usr/bin/env bash
+# The same bytes everywhere: with each configuration, a compiler, a processor and so on, all chapters'
+# solutions draw the pictures of tests/app/small_pictures.txt and pass their checkpoints, in both
+# precisions.
+#
+#   check.sh --list                 says which configurations there are, and what is left out
+#   check.sh [OPTIONS] all          checks all of them
+#   check.sh [OPTIONS] NAME...      checks these, such as clang++-baseline-O0-libc++-x86_64
+#
+#   --pictures PATTERN              of the chapters that match (grep -E), such as '0[38]'; default: all
+#   --checkpoints PATTERN           likewise; '-' for none
+#   --jobs N                        default: the number of cores
+#   --folder FOLDER                 to build in; default: build-platforms
+#
+# Each configuration has one line of output. Exit code 1 when one failed.
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit
+pictures=. checkpoints=. jobs=$(nproc) folder=build-platforms
+
+each_name() {
+    local compiler tuning level library processor
+    for processor in x86_64 aarch64; do
+        for library in libstdc++ libc++; do
+            for compiler in g++ clang++; do
+                for tuning in native baseline; do
+                    for level in O0 O3; do
+                        echo "$compiler-$tuning-$level-$library-$processor"
+                    done
+                done
+            done
+        done
+    done
+}
+
+# left_out NAME: says why there is no such configuration, or nothing.
+left_out() {
+    case $1 in
+    g++*-libc++-*) echo "g++ comes with libstdc++ alone" ;;
+    *-native-*-aarch64) echo "an emulator has no processor of its own" ;;
+    *-libc++-aarch64) echo "Debian has no libc++ for cross-compiling" ;;
+    esac
+}
+
+compiles() { echo 'int main() {}' | "$@" -x c++ -include vector - -o /dev/null 2>/dev/null; }
+
+# missing NAME: says which tool this machine lacks, or nothing.
+missing() {
+    local compiler=${1%%-*}
+    case $1 in
+    *-aarch64)
+        command -v aarch64-linux-gnu-g++ >/dev/null || echo "needs g++-aarch64-linux-gnu"
+        command -v "$emulator" >/dev/null || echo "needs qemu-user" ;;
+    esac
+    command -v "$compiler" >/dev/null || echo "needs $compiler"
+    case $1 in
+    *-libc++-*) compiles "$compiler" -stdlib=libc++ || echo "needs libc++-dev and libc++abi-dev" ;;
+    *-x86_64) [ "$(uname -m)" = x86_64 ] || echo "needs another processor" ;;
+    esac
+}
+
+# configure NAME BUILD
+configure() {
+    local compiler=${1%%-*} level flags=() native=ON
+    level=$(echo "$1" | grep -o -- '-O[0-9]')
+    case $1 in *-baseline-*) native=OFF ;; esac
+    case $1 in
+    *-libc++-*)
+        # The system's TBB is built for libstdc++.
+        flags+=(-DCMAKE_CXX_FLAGS=-stdlib=libc++ -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON) ;;
+    *-aarch64)
+        # Linked into each program: the emulator needs none of the other system's libraries.
+        flags+=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64
+                -DCMAKE_EXE_LINKER_FLAGS=-static "-DCMAKE_CROSSCOMPILING_EMULATOR=$(command -v "$emulator")"
+                -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenMP=ON)
+        if [ "$compiler" = g++ ]; then
+            compiler=aarch64-linux-gnu-g++
+        else
+            flags+=(-DCMAKE_CXX_COMPILER_TARGET=aarch64-linux-gnu)
+        fi ;;
+    esac
+    cmake -S . -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
+        -DRT_OPTIMIZE="$level" -DRT_NATIVE=$native -DRT_WERROR=ON \
+        -DCOURSE_ALL_TESTS=ON -DCOURSE_MISTAKES=OFF "${flags[@]}"
+}
+
+# check NAME BUILD
+check() {
+    local targets=() tests='^$' chapter
+    for chapter in solutions/*; do
+        chapter=${chapter#solutions/}
+        if echo "$chapter" | grep -qE -- "$pictures"; then
+            targets+=("${chapter}_solution")
+            [ "$chapter" = 09_own ] || targets+=("${chapter}_solution_float")
+            tests+="|^$chapter\.small_picture(_in_float)?$"
+        fi
+        if [ "$chapter" != 09_own ] && echo "$chapter" | grep -qE -- "$checkpoints"; then
+            targets+=("${chapter}_checkpoint_solution" "${chapter}_checkpoint_solution_float")
+            tests+="|^${chapter}_checkpoint_solution"
+        fi
+    done
+    configure "$1" "$2" && cmake --build "$2" -j "$jobs" --target "${targets[@]}" &&
+        ctest --test-dir "$2" -j "$jobs" --no-tests=error --output-on-failure -R "$tests" \
+            -E "$(excluded "$1")"
+}
+
+# excluded NAME: tests that say nothing there.
+excluded() {
+    case $1 in
+    *-aarch64)
+        # 00.1 starts a program of its own, which knows nothing of the emulator.
+        echo '00_toolchain_checkpoint_solution.*\.00\.1' ;;
+    *) echo '^$' ;;
+    esac
+}
+
+emulator=qemu-aarch64
+command -v $emulator >/dev/null || emulator=qemu-aarch64-static
+names=()
+while [ $# -gt 0 ]; do
+    case $1 in
+    --list)
+        for name in $(each_name); do
+            reason=$(left_out "$name")
+            [ -n "$reason" ] && reason="left out: $reason" || reason=$(missing "$name" | head -n 1)
+            printf '%-40s %s\n' "$name" "$reason"
+        done
+        exit ;;
+    --pictures) pictures=$2 && shift ;;
+    --checkpoints) checkpoints=$2 && shift ;;
+    --jobs) jobs=$2 && shift ;;
+    --folder) folder=$2 && shift ;;
+    all) for name in $(each_name); do [ -n "$(left_out "$name")" ] || names+=("$name"); done ;;
+    *)
+        if ! each_name | grep -qxF -- "$1" || [ -n "$(left_out "$1")" ]; then
+            echo "check.sh: no configuration '$1': see check.sh --list" >&2
+            exit 2
+        fi
+        names+=("$1") ;;
+    esac
+    shift
+done
+[ ${#names[@]} -gt 0 ] || { sed -n '2,/^set/{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" && exit 2; }
+
+failed=0
+TIMEFORMAT='%R s, of which the processors worked %U + %S s'
+for name in "${names[@]}"; do
+    reason=$(missing "$name" | head -n 1)
+    if [ -n "$reason" ]; then
+        echo "skipped $name: $reason"
+        continue
+    fi
+    log=$(mktemp)
+    if took=$({ time check "$name" "$folder/$name" >"$log" 2>&1; } 2>&1); then
+        echo "ok      $name: $(sed -n 's/.*tests failed out of //p' "$log") tests, $took"
+    else
+        echo "FAILED  $name: $took"
+        tail -n 60 "$log" | sed 's/^/    /'
+        failed=1
+    fi
+    rm -f "$log"
+done
+exit $failed
