@@ -56,6 +56,11 @@ function(course_sources_of out)
   set(${out} "${sources}" PARENT_SCOPE)
 endfunction()
 
+# course_compile_options(source option): of one file, which then cannot use what is precompiled without.
+function(course_compile_options source option)
+  set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS ${option} SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
 # course_executable(target real sources... INCLUDE folders...): a program on common, in one precision.
 function(course_executable target real)
   cmake_parse_arguments(arg "" "" "INCLUDE" ${ARGN})
@@ -251,20 +256,20 @@ function(course_chapter chapter)
   file(GLOB program CONFIGURE_DEPENDS ${root}/chapters/${chapter}/*.cpp)
   foreach(source ${program})
     if(source MATCHES "_fast_math\\.cpp$")  # measured beside the same code without
-      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -ffast-math)
+      course_compile_options(${source} -ffast-math)
     endif()
     # The same code for narrower registers, measured beside that for this machine's.
     if(RT_NATIVE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
       if(source MATCHES "/lanes_16\\.cpp$")
-        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -mno-avx)
+        course_compile_options(${source} -mno-avx)
       elseif(source MATCHES "/lanes_32\\.cpp$")
-        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -mno-avx512f)
+        course_compile_options(${source} -mno-avx512f)
       endif()
     endif()
     if(source MATCHES "/study\\.cpp$" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # A study holds many loops, each of which is timed: g++ would stop inlining where the file has
       # grown by 40 %, and the loops after that would be slower than they are in a program.
-      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS --param=inline-unit-growth=200)
+      course_compile_options(${source} --param=inline-unit-growth=200)
     endif()
   endforeach()
   file(GLOB course_sources RELATIVE ${root}/solutions/${chapter}/rt CONFIGURE_DEPENDS
