@@ -3,7 +3,7 @@
 
 The names are what stands in backticks in the last column of the table of promises, and in the gallery
 whatever looks like the name of a test; * stands for any letters. A name that this build lacks, such as
-one of the thread sanitizer's, must be that of an add_test in cmake/. The known mistakes that it names
+one of the thread sanitizer's, must be that of an add_test in cmake/ or tests/. The known mistakes that it names
 must be in tests/mistakes.
 """
 
@@ -38,7 +38,7 @@ def main():
     wrong = doctest.testmod()[0]
     listing = subprocess.run(["ctest", "--test-dir", sys.argv[1], "-N"], capture_output=True, text=True, check=True)
     known = re.findall(r"Test\s+#\d+: (\S+)", listing.stdout)
-    for file in (ROOT / "cmake").glob("*.cmake"):
+    for file in [*(ROOT / "cmake").glob("*.cmake"), ROOT / "tests" / "CMakeLists.txt"]:
         known += re.findall(r"add_test\(NAME ([\w.]+)\s", file.read_text(encoding="utf-8"))
     page = PAGE.read_text(encoding="utf-8")
     in_prose, in_table, untested = names_of(page)
