@@ -45,8 +45,8 @@ constexpr double nearest(double x) {
     return (x + shift) - shift;
 }
 
-// c[0] + c[1] x + c[2] x^2 ..., the even and the odd terms each for themselves: so a processor can work
-// on both at once.
+// c[0] + c[1] x + c[2] x^2 ... The even and the odd terms have a sum each, so that a processor can
+// work on both at once.
 template <std::size_t terms>
 constexpr double polynomial(const std::array<double, terms>& c, double x) {
     const double square = x * x;
