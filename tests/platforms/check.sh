@@ -41,7 +41,12 @@ left_out() {
     esac
 }
 
-compiles() { echo 'int main() {}' | "$@" -x c++ -include vector - -o /dev/null 2>/dev/null; }
+# compiles CODE COMPILER...
+compiles() {
+    local code=$1
+    shift
+    echo "$code" | "$@" -std=c++20 -x c++ - -o /dev/null 2>/dev/null
+}
 
 # missing NAME: says which tool this machine lacks, or nothing.
 missing() {
@@ -53,7 +58,9 @@ missing() {
     esac
     command -v "$compiler" >/dev/null || echo "needs $compiler"
     case $1 in
-    *-libc++-*) compiles "$compiler" -stdlib=libc++ || echo "needs libc++-dev and libc++abi-dev" ;;
+    *-libc++-*)
+        compiles $'#include <vector>\nint main() {}' "$compiler" -stdlib=libc++ ||
+            echo "needs libc++-dev and libc++abi-dev" ;;
     *-x86_64) [ "$(uname -m)" = x86_64 ] || echo "needs another processor" ;;
     esac
 }
@@ -83,24 +90,33 @@ configure() {
         -DCOURSE_ALL_TESTS=ON -DCOURSE_MISTAKES=OFF "${flags[@]}"
 }
 
+# without_jthread NAME: its library has no std::jthread, which 09 uses, as libc++ before 20.
+without_jthread() {
+    case $1 in
+    *-libc++-*) ! compiles $'#include <thread>\nint main() { std::jthread t; }' "${1%%-*}" -stdlib=libc++ ;;
+    *) return 1 ;;
+    esac
+}
+
 # check NAME BUILD
 check() {
-    local targets=() tests='^$' chapter
+    local targets=() drawn='' checked='' chapter
     for chapter in solutions/*; do
         chapter=${chapter#solutions/}
+        [ "$chapter" = 09_own ] && without_jthread "$1" && continue
         if echo "$chapter" | grep -qE -- "$pictures"; then
             targets+=("${chapter}_solution")
             [ "$chapter" = 09_own ] || targets+=("${chapter}_solution_float")
-            tests+="|^$chapter\.small_picture(_in_float)?$"
+            drawn+="|$chapter"
         fi
         if [ "$chapter" != 09_own ] && echo "$chapter" | grep -qE -- "$checkpoints"; then
             targets+=("${chapter}_checkpoint_solution" "${chapter}_checkpoint_solution_float")
-            tests+="|^${chapter}_checkpoint_solution"
+            checked+="|$chapter"
         fi
     done
     configure "$1" "$2" && cmake --build "$2" -j "$jobs" --target "${targets[@]}" &&
-        ctest --test-dir "$2" -j "$jobs" --no-tests=error --output-on-failure -R "$tests" \
-            -E "$(excluded "$1")"
+        ctest --test-dir "$2" -j "$jobs" --no-tests=error --output-on-failure -E "$(excluded "$1")" \
+            -R "^(-$drawn)\.small_picture(_in_float)?$|^(-$checked)_checkpoint_solution"
 }
 
 # excluded NAME: tests that say nothing there.
