@@ -1,0 +1,32 @@
+// The texts' pictures. Two of one scene are laid over each other, with a slider that uncovers the second.
+import { readFileSync } from 'node:fs';
+import { escape } from './markdown.mjs';
+
+// Pictures of mistakes that show a part of the chapter's picture, or another one.
+const alone = /(01-mistake-not_normalized|06-mistake-\w+)\.png$/;
+
+// Width and height stand in the header of a PNG file, and in an SVG's viewBox.
+export function sizeOf(file) {
+    const bytes = readFileSync(file);
+    if (file.endsWith('.png')) return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20) };
+    const [, width, height] = /viewBox="\S+ \S+ (\S+) (\S+)"/.exec(bytes);
+    return { width: +width, height: +height };
+}
+
+const sameShape = (a, b) => Math.abs(a.width * b.height - b.width * a.height) <= a.width + b.width;
+
+// The right picture for that of a mistake: the chapter's, unless the text has another beside it.
+export function rightPicture(file, chapterPicture) {
+    if (!/-mistake-/.test(file) || alone.test(file)) return undefined;
+    return sameShape(sizeOf(file), sizeOf(chapterPicture)) ? chapterPicture : undefined;
+}
+
+export const img = ({ src, text, size }) =>
+    `<img src="${src}" alt="${escape(text)}" width="${size.width}" height="${size.height}" loading="lazy">`;
+
+// Without scripts, and in print, both stand beside each other.
+export function compared(left, right) {
+    return `<span class="compare">${img(left)}<span class="over">${img({ ...right, size: left.size })}</span>` +
+        `<input type="range" min="0" max="100" value="50" aria-label="How much you see of the right picture">` +
+        `</span>`;
+}
