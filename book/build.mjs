@@ -82,9 +82,8 @@ function resolver(source) {
             if (rows) return plot(rows, text);
             const image = described(src, text);
             if (beside) return compared(image, described(beside.src, beside.text));
-            const right = chapter &&
-                rightPicture(join(root, file(src)), join(root, `docs/images/${chapter.name}.png`));
-            if (right) return compared(image, described(`images/${chapter.name}.png`, 'As it should be'));
+            const right = chapter && rightPicture(join(root, file(src)), chapter);
+            if (right) return compared(image, described(`images/${basename(right)}`, 'As it should be'));
             return img(image);
         },
     };

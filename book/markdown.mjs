@@ -14,7 +14,7 @@ export const escape = text =>
 export const mathLetters = new Set();
 
 function formula(source, displayMode) {
-    const math = temml.renderToString(source, { displayMode, throwOnError: true });
+    const math = temml.renderToString(source, { displayMode, throwOnError: true, wrap: displayMode ? 'none' : 'tex' });
     for (const letter of math.replace(/<[^>]*>/g, '')) mathLetters.add(letter);
     return displayMode ? `<div class="formula scroll">${math}</div>\n` : math;
 }
@@ -103,8 +103,8 @@ md.core.ruler.push('pictures', ({ tokens }) => {
         if (!first || more.length) continue;
         if (tokens[i - 1].type === 'paragraph_open' && tokens[i].children.length === 1)
             tokens[i - 1].hidden = tokens[i + 1].hidden = true;
-        if (tokens[i - 1].type !== 'td_open') continue;
-        const cells = [];  // of this row, from here on
+        if (tokens[i - 2].type !== 'tr_open') continue;
+        const cells = [];  // of this row
         for (let k = i; tokens[k - 1].type === 'td_open'; k += 3) cells.push(tokens[k]);
         if (cells.filter(cell => picturesOf(cell).length).length !== 2) continue;
         const [second] = picturesOf(cells[1]);

@@ -1,9 +1,7 @@
 // The texts' pictures. Two of one scene are laid over each other, with a slider that uncovers the second.
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { escape } from './markdown.mjs';
-
-// Pictures of mistakes that show a part of the chapter's picture, or another one.
-const alone = /(01-mistake-not_normalized|06-mistake-\w+)\.png$/;
 
 // Width and height stand in the header of a PNG file, and in an SVG's viewBox.
 export function sizeOf(file) {
@@ -15,10 +13,13 @@ export function sizeOf(file) {
 
 const sameShape = (a, b) => Math.abs(a.width * b.height - b.width * a.height) <= a.width + b.width;
 
-// The right picture for that of a mistake: the chapter's, unless the text has another beside it.
-export function rightPicture(file, chapterPicture) {
-    if (!/-mistake-/.test(file) || alone.test(file)) return undefined;
-    return sameShape(sizeOf(file), sizeOf(chapterPicture)) ? chapterPicture : undefined;
+// The right picture beside that of a mistake: the chapter's scene alone where its figure holds more than
+// that, else the chapter's picture. None where the mistake's shows something else, such as a part.
+export function rightPicture(file, chapter) {
+    if (!/-mistake-/.test(file) || file.endsWith('01-mistake-not_normalized.png')) return undefined;
+    const scene = join(dirname(file), `${chapter.number}-scene.png`);
+    const right = existsSync(scene) ? scene : join(dirname(file), `${chapter.name}.png`);
+    return sameShape(sizeOf(file), sizeOf(right)) ? right : undefined;
 }
 
 export const img = ({ src, text, size }) =>
