@@ -74,23 +74,37 @@ function sliders() {
         slider.addEventListener('input', () => slider.parentElement.style.setProperty('--at', `${slider.value}%`));
 }
 
-// The point of a plot that is nearest to the pointer says its values below the plot.
+// The point of a plot that is nearest to the pointer says its values below the plot. So does the one to which
+// the arrow keys lead.
 function plots() {
     for (const figure of document.querySelectorAll('.plot')) {
         const said = Object.assign(document.createElement('output'), { textContent: 'Point at a value to read it.' });
-        figure.append(said);
-        figure.addEventListener('pointermove', event => {
-            let nearest, least = 40;
-            for (const mark of figure.querySelectorAll('circle:has(title), rect.bar')) {
-                const box = mark.getBoundingClientRect();
-                const away = value => Math.max(value.low - value.at, value.at - value.high, 0);
-                const distance = Math.hypot(away({ low: box.left, high: box.right, at: event.clientX }),
-                                            away({ low: box.top, high: box.bottom, at: event.clientY }));
-                if (distance < least) [nearest, least] = [mark, distance];
-            }
+        const marks = [...figure.querySelectorAll('circle:has(title), rect.bar')];
+        const say = mark => {
             figure.querySelector('.near')?.classList.remove('near');
-            nearest?.classList.add('near');
-            if (nearest) said.textContent = nearest.querySelector('title').textContent;
+            mark?.classList.add('near');
+            if (mark) said.textContent = mark.querySelector('title').textContent;
+        };
+        const point = event => {
+            let nearest, least = 40;
+            for (const mark of marks) {
+                const box = mark.getBoundingClientRect();
+                const across = Math.max(box.left - event.clientX, event.clientX - box.right, 0);
+                const down = Math.max(box.top - event.clientY, event.clientY - box.bottom, 0);
+                if (Math.hypot(across, down) < least) [nearest, least] = [mark, Math.hypot(across, down)];
+            }
+            say(nearest);
+        };
+        figure.append(said);
+        figure.tabIndex = 0;
+        figure.addEventListener('pointermove', point);
+        figure.addEventListener('pointerdown', point);
+        figure.addEventListener('keydown', event => {
+            const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+            if (!step) return;
+            event.preventDefault();
+            const now = marks.findIndex(mark => mark.classList.contains('near'));
+            say(marks[now < 0 ? 0 : (now + step + marks.length) % marks.length]);
         });
     }
 }

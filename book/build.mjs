@@ -114,7 +114,12 @@ The <a href="${copy(`docs/studies/${name}.csv`)}">table</a> has every figure.</p
 }
 
 function textPage(page) {
-    const text = render(read(page.source), resolver(page.source));
+    let text;
+    try {
+        text = render(read(page.source), resolver(page.source));
+    } catch (error) {
+        throw new Error(`${page.source}: ${error.message}`);
+    }
     if (page.source === 'docs/studies/README.md')
         text.html += `<ul>${pages.filter(one => one.kind === 'studies').map(one =>
             `<li><a href="${one.out}">${escape(one.parent.name)}</a></li>`).join('')}</ul>`;
@@ -149,10 +154,14 @@ for (const file of ['book.css', 'book.js']) write(`assets/${file}`, readFileSync
 write('assets/search.js', readFileSync(packaged('minisearch').replace(/dist.*/, 'dist/umd/index.js'), 'utf8') +
     `\nwindow.bookIndex = ${JSON.stringify(JSON.stringify(index))};\n`);
 
+// What is not the course's own, and comes along.
+write('assets/licenses.txt', ['minisearch/LICENSE.txt', 'temml/LICENSE', '@fontsource/stix-two-math/LICENSE']
+    .map(file => `${file}\n\n${readFileSync(join(here, 'node_modules', file), 'utf8')}`).join('\n\n'));
+
 // The font of formulas, with the signs that occur. A letter of a formula is shown as a slanted one, which
 // is a sign of its own; no text holds the sign of a root.
-const others = [[0x1d434, 0x1d467], [0x1d6a4, 0x1d71b], [0x210e, 0x210e], [0x221a, 0x221a], [0x20, 0x7e]].flatMap(([from, to]) =>
-    Array.from({ length: to - from + 1 }, (_, i) => String.fromCodePoint(from + i)));
+const others = [[0x1d434, 0x1d467], [0x1d6a4, 0x1d71b], [0x210e, 0x210e], [0x221a, 0x221a], [0x20, 0x7e]]
+    .flatMap(([from, to]) => Array.from({ length: to - from + 1 }, (_, i) => String.fromCodePoint(from + i)));
 const font = packaged('@fontsource/stix-two-math').replace(/[^/]*$/, 'files/stix-two-math-latin-400-normal.woff2');
 write('assets/formulas.woff2',
     await subsetFont(readFileSync(font), [...mathLetters, ...others].join(''), { targetFormat: 'woff2' }));

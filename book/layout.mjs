@@ -9,15 +9,16 @@ const entry = (page, current) =>
 // The sections of the page that one reads, and the exercises in them.
 function outline(page) {
     const shown = page.headings.filter(h => h.level === 2 || (h.level === 3 && /^\d\d\.\d/.test(h.text)));
-    return shown.length === 0 ? '' : '<ul class="outline">' + shown.map(({ level, id, text }) =>
-        `<li class="level${level}"><a href="#${id}">${escape(text.replace(/ \(about.*\)$/, ''))}</a></li>`).join('') + '</ul>';
+    const items = shown.map(({ level, id, text }) =>
+        `<li class="level${level}"><a href="#${id}">${escape(text.replace(/ \(about.*\)$/, ''))}</a></li>`);
+    return items.length === 0 ? '' : `<ul class="outline">${items.join('')}</ul>`;
 }
 
 function contents(pages, current) {
     let html = '', group;
     for (const page of pages) {
         if (page.parent && page.parent !== (current.parent ?? current)) continue;
-        if (page.group !== group) html += `${group === undefined ? '' : '</ul>'}<h2>${escape(group = page.group)}</h2><ul>`;
+        if (page.group !== group) html += `${html && '</ul>'}<h2>${escape(group = page.group)}</h2><ul>`;
         html += entry(page, current) + (page === current ? outline(page) : '') + '</li>';
     }
     return html + '</ul>';
@@ -44,13 +45,19 @@ export function layout(page, pages, title) {
 <header>
 <button popovertarget="contents" class="menu">Contents</button>
 <a class="title" href="index.html">${escape(title)}</a>
-<search><input type="search" placeholder="Search" aria-label="Search the book" autocomplete="off"><ol hidden></ol></search>
+<search>
+<input type="search" placeholder="Search" aria-label="Search the book" autocomplete="off">
+<ol hidden></ol>
+</search>
 <button class="theme" hidden>Dark</button>
 </header>
 <nav id="contents" popover aria-label="Contents">${contents(pages, page)}</nav>
 <main id="text">
 ${page.html}
-<nav class="steps" aria-label="Previous and next">${step(pages[at - 1], 'prev', 'previous')}${step(pages[at + 1], 'next', 'next')}</nav>
+<nav class="steps" aria-label="Previous and next">
+${step(pages[at - 1], 'prev', 'previous')}
+${step(pages[at + 1], 'next', 'next')}
+</nav>
 </main>
 </body>
 </html>

@@ -17,7 +17,7 @@ export function studies(table) {
     return group(rows, row => row.study);
 }
 
-const superscript = digits => [...String(digits)].map(c => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c])).join('');
+const superscript = number => [...String(number)].map(c => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c])).join('');
 function shown(value) {
     if (!Number.isFinite(value)) return '∞';
     const size = Math.abs(value);
@@ -62,12 +62,13 @@ const round = value => +value.toFixed(1);
 const place = (axis, low, high) => value =>
     round(low + (high - low) * (value - axis.from) / (axis.to - axis.from));
 
-function frame(axis, x, y, width, bottom, top, left, vertical) {
-    return axis.marks.map(({ at, name }) => vertical
-        ? `<path class="grid" d="M${left} ${y(at)}H${width}"/><text x="${left - 6}" y="${y(at) + 4}" text-anchor="end">${name}</text>`
-        : `<path class="grid" d="M${x(at)} ${bottom}V${top}"/><text x="${x(at)}" y="${bottom + 16}" text-anchor="middle">${name}</text>`)
-        .join('');
-}
+// The lines of an axis' marks, with their names: x(at) or y(at) says where.
+const columns = (axis, x, bottom, top) => axis.marks.map(({ at, name }) =>
+    `<path class="grid" d="M${x(at)} ${bottom}V${top}"/>` +
+    `<text x="${x(at)}" y="${bottom + 16}" text-anchor="middle">${name}</text>`).join('');
+const lines = (axis, y, left, right) => axis.marks.map(({ at, name }) =>
+    `<path class="grid" d="M${left} ${y(at)}H${right}"/>` +
+    `<text x="${left - 6}" y="${y(at) + 4}" text-anchor="end">${name}</text>`).join('');
 
 // One panel: a line a variant and precision, double solid and float dashed.
 function panel(rows, xQuantity, yQuantity, curves, width) {
@@ -78,16 +79,18 @@ function panel(rows, xQuantity, yQuantity, curves, width) {
     const xName = nameOf(rows, xQuantity), yName = nameOf(rows, yQuantity);
     let drawn = '';
     for (const [name, { color, rows: own }] of curves)
-        for (const [precision, some] of group(own.filter(row => measured(row, yQuantity)), r => r.precision)) {
-            const points = some.map(row => ({ row, px: x(xAxis.at(row[xQuantity])), py: y(yAxis.at(row[yQuantity])) }))
-                .sort((a, b) => a.px - b.px || a.py - b.py);
+        for (const [precision, some] of group(own.filter(row => measured(row, yQuantity)), row => row.precision)) {
+            const points = some.map(row => ({
+                px: x(xAxis.at(row[xQuantity])),
+                py: y(yAxis.at(row[yQuantity])),
+                says: `${name}, ${precision}: ${xName} ${shown(row[xQuantity])}, ${yName} ${shown(row[yQuantity])}`,
+            })).sort((a, b) => a.px - b.px || a.py - b.py);
             drawn += `<g class="c${color} ${precision}"><path d="M${points.map(p => `${p.px} ${p.py}`).join('L')}"/>` +
-                points.map(({ row, px, py }) => `<circle cx="${px}" cy="${py}" r="3.5"><title>${escape(
-                    `${name}, ${precision}: ${xName} ${shown(row[xQuantity])}, ${yName} ${shown(row[yQuantity])}`)}</title></circle>`)
-                    .join('') + '</g>';
+                points.map(({ px, py, says }) =>
+                    `<circle cx="${px}" cy="${py}" r="3.5"><title>${escape(says)}</title></circle>`).join('') + '</g>';
         }
     return `<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="${escape(`${yName} over ${xName}`)}">` +
-        frame(xAxis, x, y, right, bottom, top, left, false) + frame(yAxis, x, y, right, bottom, top, left, true) +
+        columns(xAxis, x, bottom, top) + lines(yAxis, y, left, right) +
         `<text class="name" x="8" y="16">${escape(yName)}</text>` +
         `<text class="name" x="${(left + right) / 2}" y="${height - 8}" text-anchor="middle">${escape(xName)}</text>` +
         `${drawn}</svg>`;
@@ -102,17 +105,19 @@ function bars(rows) {
     const x = place(axis, left, width - 16), name = nameOf(rows, 'error');
     let drawn = '', y = 10;
     for (const [variant, some] of order) {
-        drawn += `<text x="${left - 8}" y="${y + thick * some.length / 2 + 4}" text-anchor="end">${escape(variant)}</text>`;
+        drawn += `<text x="${left - 8}" y="${y + thick * some.length / 2 + 4}" text-anchor="end">` +
+            `${escape(variant)}</text>`;
         for (const row of some) {
-            drawn += `<rect class="bar c${row.precision === 'float' ? 1 : 0}" x="${left}" y="${y}" height="${thick - 2}" ` +
-                `width="${Math.max(1, round(x(axis.at(row.error)) - left))}"><title>${escape(
-                    `${variant}, ${row.precision}: ${name} ${shown(row.error)}`)}</title></rect>`;
+            const length = Math.max(1, round(x(axis.at(row.error)) - left));
+            const says = `${variant}, ${row.precision}: ${name} ${shown(row.error)}`;
+            drawn += `<rect class="bar c${row.precision === 'float' ? 1 : 0}" x="${left}" y="${y}" width="${length}" ` +
+                `height="${thick - 2}"><title>${escape(says)}</title></rect>`;
             y += thick;
         }
         y += 8;
     }
     return `<svg viewBox="0 0 ${width} ${y + 44}" role="img" aria-label="${escape(name)}">` +
-        frame(axis, x, null, width, y, 4, left, false) + drawn +
+        columns(axis, x, y, 4) + drawn +
         `<text class="name" x="${(left + width) / 2}" y="${y + 38}" text-anchor="middle">${escape(name)}</text></svg>`;
 }
 

@@ -55,8 +55,8 @@ async function accessible(page, name, rules) {
         ...(rules && { runOnly: rules }),
     })).violations, rules);
     for (const { id, impact, help, nodes } of violations)
-        check(!['serious', 'critical'].includes(impact),
-              `${name}: ${impact}, ${id}: ${help}: ${nodes.slice(0, 3).map(node => node.html.slice(0, 120)).join(' | ')}`);
+        check(!['serious', 'critical'].includes(impact), `${name}: ${impact}, ${id}: ${help}: ` +
+              nodes.slice(0, 3).map(node => node.html.slice(0, 120)).join(' | '));
 }
 
 async function tryPage(name) {
@@ -156,7 +156,12 @@ async function tryPlot() {
     const plot = page.locator('.plot').first(), mark = plot.locator('circle:has(title)').nth(5);
     await mark.scrollIntoViewIfNeeded();
     await mark.hover({ force: true });
-    assert.match(await plot.locator('output').textContent(), /, (double|float): .* \d/);
+    const said = () => plot.locator('output').textContent();
+    const first = await said();
+    assert.match(first, /, (double|float): .* \d/);
+    await plot.press('ArrowRight');
+    assert.match(await said(), /, (double|float): .* \d/);
+    assert.notEqual(await said(), first, 'the arrow keys lead to the next value');
     await close(page);
 }
 
@@ -217,7 +222,7 @@ const behaviors = {
     'the search finds a word and leads to it': () => trySearch(root),
     'dark stays dark': tryTheme,
     'the slider uncovers the other picture': trySlider,
-    'a plot says the value under the pointer': tryPlot,
+    'a plot says its values': tryPlot,
     'the contents open on a phone': tryContents,
     'pages can be read without scripts': tryWithoutScripts,
     'pages can be printed': tryPrint,
