@@ -109,12 +109,15 @@ function tryLinks() {
 
 // ---- What the pages do -----------------------------------------------------------------------
 
-async function trySearch(from) {
-    const page = await opened('index.html', {}, from);
+async function trySearch(from, width = 1300) {
+    const page = await opened('index.html', { viewport: { width, height: 800 } }, from);
     await page.keyboard.press('/');
     await page.keyboard.type('cancellat');
-    await page.waitForSelector('search li a');
-    const [first] = await page.locator('search li a').evaluateAll(all => all.map(link => link.getAttribute('href')));
+    const link = page.locator('search li a').first();
+    await link.waitFor();
+    const box = await link.boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= width, 'what was found can be seen');
+    const first = await link.getAttribute('href');
     await page.keyboard.press('Enter');
     await page.waitForURL(from + first);
     assert.match(await page.textContent('main'), /cancellation/);
@@ -220,13 +223,14 @@ async function underPath(path, use) {
 
 const behaviors = {
     'the search finds a word and leads to it': () => trySearch(root),
+    'so it does on a phone': () => trySearch(root, 390),
     'dark stays dark': tryTheme,
     'the slider uncovers the other picture': trySlider,
     'a plot says its values': tryPlot,
     'the contents open on a phone': tryContents,
     'pages can be read without scripts': tryWithoutScripts,
     'pages can be printed': tryPrint,
-    'all works below a path of a host': () => underPath('/some/path/', trySearch),
+    'all works below a path of a host': () => underPath('/some/path/', at => trySearch(at)),
 };
 
 let largest = 0;
