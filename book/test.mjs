@@ -25,6 +25,7 @@ const browser = await chromium.launch({
 // A page that remembers what it asked for, and notes as faults what went wrong.
 async function opened(name, options = {}, from = root) {
     const context = await browser.newContext({ viewport: { width: 1300, height: 900 }, ...options });
+    context.setDefaultTimeout(120_000);  // other programs may use the machine, too
     const page = await context.newPage();
     page.asked = [];
     page.on('console', said => check(!['error', 'warning'].includes(said.type()), `${name}: console: ${said.text()}`));
@@ -49,7 +50,8 @@ const anchors = new Map();  // of each page, what can be linked to
 const links = [];
 
 async function accessible(page, name, rules) {
-    const violations = await page.evaluate(async rules => (await axe.run({
+    // Without the thousands of parts of formulas and plots, which are as their wholes are.
+    const violations = await page.evaluate(async rules => (await axe.run({ exclude: ['math', '.plot svg > *'] }, {
         preload: false,  // it would ask for the style sheets, which pages of a folder may not
         resultTypes: ['violations'],
         ...(rules && { runOnly: rules }),
@@ -236,7 +238,8 @@ const behaviors = {
 let largest = 0;
 const waiting = [...pages];
 const worker = async () => {
-    while (waiting.length) largest = Math.max(largest, await tryPage(waiting.shift()));
+    for (let name; (name = waiting.shift());)
+        largest = Math.max(largest, await tryPage(name).catch(error => check(false, `${name}: ${error.message}`)) ?? 0);
 };
 await Promise.all([worker(), worker()]);
 tryLinks();
