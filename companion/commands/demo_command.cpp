@@ -75,7 +75,8 @@ int demo(const Course& course) {
         std::fflush(stdout);
         exhibits.push_back(collect(course, chapter, said));
     }
-    app::replace_file(course.out() / "index.html", gallery_html(exhibits));
+    const bool with_book = fs::exists(course.out() / "book/index.html");
+    app::replace_file(course.out() / "index.html", gallery_html(exhibits, with_book));
     std::printf("The gallery is in %s\n", (course.out() / "index.html").string().c_str());
     return ok ? app::done : app::could_not;
 }

@@ -75,9 +75,12 @@ Exercise find_exercise(const Course& course, const std::string& id) {
     const bool is_chapter = dot == std::string::npos;
     // "1.3" is 01.3
     const std::string wanted = (is_chapter ? id.size() : dot) == 1 ? '0' + id : id;
+    const fs::path file = (course.root / id).lexically_normal().lexically_relative(course.root);
     std::string known;
     for (const Exercise& exercise : exercises(course)) {
-        if (exercise.id == wanted) return exercise;
+        const auto& files = exercise.files;
+        if (exercise.id == wanted || std::find(files.begin(), files.end(), file) != files.end())
+            return exercise;
         if (exercise.chapter.number() == wanted.substr(0, 2))
             known += (known.empty() ? "" : ", ") + exercise.id;
     }

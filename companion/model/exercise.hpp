@@ -31,7 +31,8 @@ std::vector<Exercise> exercises(const Course& course, const Chapter& chapter);
 std::vector<Exercise> exercises(const Course& course);
 std::vector<Exercise> exercises(const Course& course, const std::vector<Chapter>& some);
 
-// The exercise "NN.k". Throws app::UsageError, which says which there are.
+// The exercise "NN.k", or the one to which a file belongs: relative to the course's folder, or with
+// its full path. Throws app::UsageError, which says which there are.
 Exercise find_exercise(const Course& course, const std::string& id);
 
 // What the learner has written for an exercise: a hash over its files as they are now, and over

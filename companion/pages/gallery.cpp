@@ -101,7 +101,7 @@ Exhibit collect(const Course& course, const Chapter& chapter, const std::string&
     return exhibit;
 }
 
-std::string gallery_html(const std::vector<Exhibit>& exhibits) {
+std::string gallery_html(const std::vector<Exhibit>& exhibits, bool with_book) {
     std::ostringstream out;
     out << gallery_head
         << "<header>\n<h1>A ray tracer, chapter by chapter</h1>\n"
@@ -110,6 +110,7 @@ std::string gallery_html(const std::vector<Exhibit>& exhibits) {
            "before it.</p>\n<nav>";
     for (const Exhibit& exhibit : exhibits)
         out << link('#' + exhibit.chapter.name, escape_html(title_of(exhibit.chapter)));
+    if (with_book) out << link("book/index.html", "The texts, as a book");
     out << "</nav>\n</header>\n<main>\n";
     for (const Exhibit& exhibit : exhibits)
         add_exhibit(out, exhibit, &exhibit == &exhibits.front());

@@ -17,7 +17,8 @@ struct Exhibit {
 // What out/ and docs/ hold of a chapter.
 Exhibit collect(const Course& course, const Chapter& chapter, const std::string& rendered);
 
-// The page out/index.html, with paths relative to out/.
-std::string gallery_html(const std::vector<Exhibit>& exhibits);
+// The page out/index.html, with paths relative to out/, and a link to the web book where there is
+// one.
+std::string gallery_html(const std::vector<Exhibit>& exhibits, bool with_book);
 
 }  // namespace companion

@@ -28,7 +28,8 @@ TEST_CASE("the gallery shows what there is of a chapter", "[gallery]") {
                "study,variant,precision,x,x_name,error,error_name,cost,cost_name\n"
                "Far away,v,double,1,n,0,ulp,1,ns\n");
     write_file(folder / "out/study/03_sphere-far-away.svg", "");
-    const std::string html = companion::gallery_html({companion::collect(here, sphere, "in 2 s")});
+    const std::string html =
+        companion::gallery_html({companion::collect(here, sphere, "in 2 s")}, false);
     CHECK(holds(html, "<h2>Chapter 03: The &lt;sphere&gt;</h2>"));
     CHECK(holds(html, "<p>A &quot;ball&quot;.</p>"));
     CHECK(holds(html, "src=\"03_sphere.png\""));
@@ -36,6 +37,8 @@ TEST_CASE("the gallery shows what there is of a chapter", "[gallery]") {
     CHECK(holds(html, "href=\"../docs/03-sphere.md\""));
     CHECK(holds(html, "href=\"study/03_sphere.csv\""));
     CHECK(holds(html, "src=\"study/03_sphere-far-away.svg\""));
+    CHECK_FALSE(holds(html, "book/index.html"));
+    CHECK(holds(companion::gallery_html({}, true), "href=\"book/index.html\""));
     CHECK_FALSE(holds(html, "http:"));
     CHECK_FALSE(holds(html, "https:"));
 }
@@ -45,7 +48,7 @@ TEST_CASE("the gallery shows the plots of the texts where nothing was measured",
     const companion::Course here{folder.path(), folder / "build"};
     write_file(folder / "docs/plots/03_sphere-far-away.svg", "");
     write_file(folder / "docs/plots/04_normals_aa-samples.svg", "");
-    const std::string html = companion::gallery_html({companion::collect(here, sphere, "")});
+    const std::string html = companion::gallery_html({companion::collect(here, sphere, "")}, false);
     CHECK(holds(html, "src=\"../docs/plots/03_sphere-far-away.svg\""));
     CHECK(holds(html, "./course study"));
     CHECK_FALSE(holds(html, "04_normals_aa"));
@@ -54,7 +57,7 @@ TEST_CASE("the gallery shows the plots of the texts where nothing was measured",
 TEST_CASE("the gallery does without what is missing", "[gallery]") {
     const TemporaryFolder folder;
     const companion::Course here{folder.path(), folder / "build"};
-    const std::string html = companion::gallery_html({companion::collect(here, sphere, "")});
+    const std::string html = companion::gallery_html({companion::collect(here, sphere, "")}, false);
     CHECK(holds(html, "<h2>Chapter 03: The &lt;sphere&gt;</h2>"));
     CHECK(holds(html, "No picture"));
     CHECK_FALSE(holds(html, "<img"));

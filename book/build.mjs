@@ -1,0 +1,172 @@
+// Makes the web book from docs/ and course.json: node book/build.mjs [FOLDER], out/book if none is named.
+// Every page works from a folder, without a server, and under any path of one: all links are relative.
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { basename, dirname, join, normalize, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import MiniSearch from 'minisearch';
+import subsetFont from 'subset-font';
+import { escape, mathLetters, render } from './markdown.mjs';
+import { layout } from './layout.mjs';
+import { mistakesPage } from './mistakes.mjs';
+import { compared, img, rightPicture, sizeOf } from './pictures.mjs';
+import { plot, slug, studies } from './plots.mjs';
+
+const here = dirname(fileURLToPath(import.meta.url)), root = dirname(here);
+const out = resolve(process.argv[2] ?? join(root, 'out/book'));
+const read = file => readFileSync(join(root, file), 'utf8');
+const packaged = name => createRequire(import.meta.url).resolve(name);
+
+// ---- The pages, in the order in which one reads them -----------------------------------------
+
+const chapters = JSON.parse(read('course.json')).chapters
+    .map(chapter => ({ ...chapter, number: chapter.name.slice(0, 2) }));
+const tables = new Map(readdirSync(join(root, 'docs/studies')).filter(name => name.endsWith('.csv'))
+    .map(name => [name.slice(0, -4), studies(read(`docs/studies/${name}`))]));
+
+const titleOf = source => /^# (.*)/m.exec(read(source))[1];
+const pages = [
+    { source: 'README.md', out: 'index.html', name: 'Begin here', group: 'The course' },
+    { source: 'docs/README.md', out: 'map.html', name: titleOf('docs/README.md'), group: 'The course' },
+];
+for (const chapter of chapters) {
+    const page = {
+        source: chapter.text, out: basename(chapter.text, '.md') + '.html', chapter,
+        name: `${chapter.number} ${chapter.title}`, group: chapter.core ? 'Chapters' : 'Electives',
+    };
+    const part = (kind, name) => pages.push({
+        out: `${basename(chapter.text, '.md')}-${kind}.html`, chapter, kind, parent: page, group: page.group,
+        name: `${chapter.number} ${name}`, source: chapter.text,
+    });
+    pages.push(page);
+    if (existsSync(join(root, 'tests/mistakes', chapter.name))) part('mistakes', 'Known mistakes');
+    if (tables.has(chapter.name)) part('studies', 'Measured');
+}
+const listed = new Set(pages.map(page => page.source));
+for (const file of readdirSync(join(root, 'docs')).filter(name => name.endsWith('.md')).sort())
+    if (!listed.has(`docs/${file}`))
+        pages.push({ source: `docs/${file}`, out: basename(file, '.md') + '.html', name: titleOf(`docs/${file}`),
+                     group: 'Reference' });
+pages.push({ source: 'docs/studies/README.md', out: 'studies.html', name: titleOf('docs/studies/README.md'),
+             group: 'Reference' });
+const pageOf = new Map(pages.filter(page => !page.kind).map(page => [page.source, page]));
+
+// ---- What becomes of links and pictures ------------------------------------------------------
+
+// A copy of a file of the course, and where the pages find it.
+const copied = new Map();
+function copy(file) {
+    const to = file.startsWith('docs/') ? file.slice(5) : `files/${file}`;
+    copied.set(file, to);
+    return to;
+}
+
+// The two ways in which a page treats what its text names, relative to its source.
+function resolver(source) {
+    const file = href => normalize(join(dirname(source), href));
+    const existing = href => {
+        if (!existsSync(join(root, file(href)))) throw new Error(`${source} names ${href}, which is not there`);
+        return file(href);
+    };
+    const described = (src, text) => ({ src: copy(existing(src)), text, size: sizeOf(join(root, file(src))) });
+    const chapter = chapters.find(one => one.text === source);
+    return {
+        link(href) {
+            if (/^[a-z]+:|^#/.test(href)) return href;
+            const [path, anchor] = href.split('#');
+            const page = pageOf.get(file(path));
+            return (page ? page.out : copy(existing(path))) + (anchor ? `#${anchor}` : '');
+        },
+        picture(src, text, beside) {
+            const rows = rowsOfPlot(file(src));
+            if (rows) return plot(rows, text);
+            const image = described(src, text);
+            if (beside) return compared(image, described(beside.src, beside.text));
+            const right = chapter && rightPicture(join(root, file(src)), chapter);
+            if (right) return compared(image, described(`images/${basename(right)}`, 'As it should be'));
+            return img(image);
+        },
+    };
+}
+
+// docs/plots/03_sphere-far-spheres.svg shows the study "Far spheres" of 03_sphere.csv, where there is that.
+function rowsOfPlot(file) {
+    if (dirname(file) !== 'docs/plots') return undefined;
+    const name = basename(file, '.svg');
+    for (const [table, all] of tables)
+        for (const [study, rows] of all)
+            if (name === `${table}-${slug(study)}`) return rows;
+    return undefined;
+}
+
+// ---- Writing them ----------------------------------------------------------------------------
+
+function studiesPage(chapter, name = chapter.name) {
+    const headings = [];
+    let html = chapter.number ? `<h1>Chapter ${chapter.number}, measured</h1>
+<p>Point at a value to read it. <code>./course study ${chapter.number}</code> measures all this on your machine.
+The <a href="${copy(`docs/studies/${name}.csv`)}">table</a> has every figure.</p>\n` : '';
+    for (const [study, rows] of tables.get(name)) {
+        headings.push({ level: 2, id: slug(study), text: study });
+        html += `<h2 id="${slug(study)}">${escape(study)}</h2>\n${plot(rows)}\n`;
+    }
+    return { html, headings, sections: headings.map(({ id, text }) => ({ id, text, words: '' })) };
+}
+
+function textPage(page) {
+    let text;
+    try {
+        text = render(read(page.source), resolver(page.source));
+    } catch (error) {
+        throw new Error(`${page.source}: ${error.message}`);
+    }
+    if (page.source === 'docs/studies/README.md')
+        text.html += `<ul>${pages.filter(one => one.kind === 'studies').map(one =>
+            `<li><a href="${one.out}">${escape(one.parent.name)}</a></li>`).join('')}</ul>`;
+    const parts = pages.filter(one => one.parent === page);
+    if (parts.length)
+        text.html += `<p class="parts">More of this chapter: ${parts.map(one =>
+            `<a href="${one.out}">${escape(one.name.slice(3).toLowerCase())}</a>`).join(', ')}.</p>`;
+    return text;
+}
+
+const index = new MiniSearch({ fields: ['text', 'words'], storeFields: ['text', 'page', 'start'] });
+for (const page of pages) {
+    Object.assign(page, page.kind === 'studies' ? studiesPage(page.chapter)
+        : page.kind === 'mistakes' ? mistakesPage(page.chapter, join(root, 'tests/mistakes', page.chapter.name),
+                                                   read(page.source), resolver(page.source).picture)
+        : textPage(page));
+    for (const { id, text, words } of page.sections)
+        index.add({ id: `${page.out}#${id}`, text, words, page: page.name, start: words.slice(0, 120) });
+}
+
+rmSync(out, { recursive: true, force: true });
+const write = (file, content) => {
+    mkdirSync(dirname(join(out, file)), { recursive: true });
+    writeFileSync(join(out, file), content);
+};
+const title = titleOf('README.md');
+for (const page of pages) write(page.out, layout(page, pages, title));
+for (const [file, to] of copied) write(to, readFileSync(join(root, file)));
+
+for (const file of ['book.css', 'book.js']) write(`assets/${file}`, readFileSync(join(here, file)));
+// As a script: pages of a folder may not fetch other files.
+write('assets/search.js', readFileSync(packaged('minisearch').replace(/dist.*/, 'dist/umd/index.js'), 'utf8') +
+    `\nwindow.bookIndex = ${JSON.stringify(JSON.stringify(index))};\n`);
+
+// What is not the course's own, and comes along.
+write('assets/licenses.txt', ['minisearch/LICENSE.txt', 'temml/LICENSE', '@fontsource/stix-two-math/LICENSE']
+    .map(file => `${file}\n\n${readFileSync(join(here, 'node_modules', file), 'utf8')}`).join('\n\n'));
+
+// The font of formulas, with the signs that occur. A letter of a formula is shown as a slanted one, which
+// is a sign of its own; no text holds the sign of a root.
+const others = [[0x1d434, 0x1d467], [0x1d6a4, 0x1d71b], [0x210e, 0x210e], [0x221a, 0x221a], [0x20, 0x7e]]
+    .flatMap(([from, to]) => Array.from({ length: to - from + 1 }, (_, i) => String.fromCodePoint(from + i)));
+const font = packaged('@fontsource/stix-two-math').replace(/[^/]*$/, 'files/stix-two-math-latin-400-normal.woff2');
+write('assets/formulas.woff2',
+    await subsetFont(readFileSync(font), [...mathLetters, ...others].join(''), { targetFormat: 'woff2' }));
+write('assets/formulas.css', `@font-face {\n  font-family: STIX2;\n  src: url(formulas.woff2);\n}\n` +
+    readFileSync(packaged('temml').replace(/[^/]*$/, 'Temml-STIX2.css'), 'utf8')
+        .replace(/\/\*[^]*?\*\/\s*|@font-face\s*{[^}]*}\s*/g, ''));
+
+console.log(`${pages.length} pages: ${join(out, 'index.html')}`);

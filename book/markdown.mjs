@@ -1,0 +1,136 @@
+// From Markdown to HTML: what a code host shows of the texts, with formulas set and code highlighted now,
+// so that the page needs no script for them.
+import MarkdownIt from 'markdown-it';
+import { tex } from '@mdit/plugin-tex';
+import temml from 'temml';
+import hljs from 'highlight.js/lib/common';
+import GithubSlugger from 'github-slugger';
+import { instance as graphviz } from '@viz-js/viz';
+
+export const escape = text =>
+    text.replace(/[&<>"]/g, c => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
+
+// Every sign of every formula, for the font.
+export const mathLetters = new Set();
+
+function formula(source, displayMode) {
+    const math = temml.renderToString(source, { displayMode, throwOnError: true, wrap: displayMode ? 'none' : 'tex' });
+    for (const letter of math.replace(/<[^>]*>/g, '')) mathLetters.add(letter);
+    return displayMode ? `<div class="formula scroll">${math}</div>\n` : math;
+}
+
+const languages = { sh: 'bash', console: 'shell' };
+
+function highlighted(code, language) {
+    const name = languages[language] ?? language;
+    return hljs.getLanguage(name) ? hljs.highlight(code, { language: name }).value : escape(code);
+}
+
+// The subset of Mermaid that the texts use, left to right: A["name"] --> B["name"], -.-> for dots.
+const viz = await graphviz();
+function graph(source) {
+    const names = new Map(), edges = [];
+    for (const line of source.trim().split('\n').slice(1)) {
+        const match = /^\s*(\w+)(?:\["(.*?)"\])?(?: (-->|-\.->) (\w+)(?:\["(.*?)"\])?)?$/.exec(line);
+        if (!match) throw new Error(`not understood in a graph: ${line}`);
+        const [, from, fromName, arrow, to, toName] = match;
+        if (fromName) names.set(from, fromName);
+        if (toName) names.set(to, toName);
+        if (arrow) edges.push(`${from} -> ${to} [style=${arrow === '-->' ? 'solid' : 'dashed'}]`);
+    }
+    const nodes = [...names].map(([id, name]) => `${id} [label=${JSON.stringify(name)}]`);
+    const svg = viz.renderString(
+        `digraph { rankdir=LR; ranksep=0.3; bgcolor=transparent; edge [arrowsize=0.7];
+         node [shape=box, style=rounded, fontname="sans-serif", fontsize=12, height=0.35, margin=0.07];
+         ${nodes.join(';')}; ${edges.join(';')} }`, { format: 'svg' });
+    const label = 'What needs what: ' + [...names.values()].join('; ');
+    return `<div class="graph scroll">${svg.slice(svg.indexOf('<svg'))
+        .replace(/<title>.*?<\/title>|<!--[^]*?-->/g, '').replace(/#000000|black/g, 'currentColor')
+        .replace('<svg ', `<svg role="img" aria-label="${escape(label)}" `)}</div>\n`;
+}
+
+const md = new MarkdownIt({ html: true }).use(tex, { render: formula });
+const rules = md.renderer.rules;
+
+rules.fence = (tokens, index) => {
+    const { content, info } = tokens[index];
+    if (info === 'mermaid') return graph(content);
+    return `<pre class="scroll"><code>${highlighted(content, info)}</code></pre>\n`;
+};
+rules.code_block = (tokens, index) =>
+    `<pre class="scroll"><code>${escape(tokens[index].content)}</code></pre>\n`;
+rules.table_open = () => '<div class="scroll"><table>\n';
+rules.table_close = () => '</table></div>\n';
+rules.html_block = rules.html_inline = (tokens, index) =>
+    tokens[index].content.replace(/<!--[^]*?-->/g, '');
+rules.heading_open = (tokens, index, options, env, self) => {
+    env.slugger ??= new GithubSlugger();
+    const token = tokens[index], text = plain(tokens[index + 1]);
+    token.attrSet('id', env.slugger.slug(text));
+    env.headings.push({ level: +token.tag[1], id: token.attrGet('id'), text });
+    return self.renderToken(tokens, index, options);
+};
+rules.heading_close = (tokens, index, options, env, self) => {
+    const { id, text } = env.headings.at(-1);
+    return ` <a class="anchor" href="#${id}" aria-label="Link to: ${escape(text)}">#</a>` +
+        self.renderToken(tokens, index, options);
+};
+rules.image = (tokens, index, options, env) => {
+    const token = tokens[index];
+    return env.picture(token.attrGet('src'), token.content, token.meta?.beside);
+};
+rules.link_open = (tokens, index, options, env, self) => {
+    tokens[index].attrSet('href', env.link(tokens[index].attrGet('href')));
+    return self.renderToken(tokens, index, options);
+};
+
+// What a reader sees of an inline token, without the formulas.
+function plain(token) {
+    return (token.children ?? []).map(child => {
+        if (child.type === 'softbreak') return ' ';
+        return child.type === 'text' || child.type === 'code_inline' ? child.content : '';
+    }).join('');
+}
+
+const picturesOf = token => (token.children ?? []).filter(child => child.type === 'image');
+
+// A picture alone is a figure, not a paragraph. Two pictures in neighboring cells of a row are one
+// figure, whose second picture lies beside the first.
+md.core.ruler.push('pictures', ({ tokens }) => {
+    for (let i = 1; i + 1 < tokens.length; ++i) {
+        if (tokens[i].type !== 'inline') continue;
+        const [first, ...more] = picturesOf(tokens[i]);
+        if (!first || more.length) continue;
+        if (tokens[i - 1].type === 'paragraph_open' && tokens[i].children.length === 1)
+            tokens[i - 1].hidden = tokens[i + 1].hidden = true;
+        if (tokens[i - 2].type !== 'tr_open') continue;
+        const cells = [];  // of this row
+        for (let k = i; tokens[k - 1].type === 'td_open'; k += 3) cells.push(tokens[k]);
+        if (cells.filter(cell => picturesOf(cell).length).length !== 2) continue;
+        const [second] = picturesOf(cells[1]);
+        if (!second) continue;
+        first.meta = { beside: { src: second.attrGet('src'), text: second.content } };
+        tokens[i - 1].attrSet('colspan', '2');
+        tokens.splice(i + 2, 3);
+    }
+});
+
+// The parts of a text between its headings, for the search.
+function sections(tokens, headings) {
+    const parts = [];
+    tokens.forEach((token, i) => {
+        if (token.type === 'heading_open') parts.push({ ...headings[parts.length], words: [] });
+        else if (token.type === 'inline' && parts.length && tokens[i - 1].type !== 'heading_open')
+            parts.at(-1).words.push(plain(token));
+    });
+    return parts.map(({ id, text, words }) => ({ id, text, words: words.join(' ').trim() }));
+}
+
+// picture(src, text, beside) and link(href) say what becomes of a picture and where a link leads.
+export function render(source, { picture, link }) {
+    const env = { headings: [], picture, link };
+    const tokens = md.parse(source, env);
+    const html = md.renderer.render(tokens, md.options, env)
+        .replace(/<thead>\s*<tr>\s*(<th[^>]*><\/th>\s*)+<\/tr>\s*<\/thead>/g, '');
+    return { html, headings: env.headings, sections: sections(tokens, env.headings) };
+}

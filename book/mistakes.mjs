@@ -1,0 +1,52 @@
+// The known mistakes of a chapter, from tests/mistakes: what is wrong, the picture that it draws, and the cure.
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { escape } from './markdown.mjs';
+
+// The pictures of mistakes in a chapter's text: by the mistake's name, "03.2_far_side", what shows it.
+export function picturesOfMistakes(text) {
+    const found = new Map();
+    for (const row of text.split('\n').filter(line => line.startsWith('|'))) {
+        const pictures = [...row.matchAll(/!\[([^\]]*)\]\(([^)]*)\)/g)].map(([, text, src]) => ({ text, src }));
+        const name = /-mistake-(\w+)\.png/.exec(pictures[0]?.src), exercise = /\*\*(\d\d\.\d+)\*\*/.exec(row);
+        if (name && exercise) found.set(`${exercise[1]}_${name[1]}`, { picture: pictures[0], beside: pictures[1] });
+    }
+    return found;
+}
+
+// The sections of one file: a heading, lines "key: value", the explanation, and edits, which stay untold.
+function parsed(source) {
+    return source.split(/^## /m).slice(1).map(section => {
+        const [id, ...lines] = section.split('\n'), end = lines.findIndex(line => line === '');
+        const facts = Object.fromEntries(lines.slice(0, end).map(line => line.split(/: (.*)/s, 2)));
+        const explanation = lines.slice(end + 1).join('\n').split(/^(?:Replace in|```)/m)[0].trim();
+        return { id: id.trim(), title: facts.title, caught: facts['caught by'], explanation };
+    });
+}
+
+const prose = text => escape(text).replace(/`([^`]*)`/g, '<code>$1</code>').replace(/\n\n+/g, '</p><p>');
+
+// The page's parts: an exercise each. picture(src, text, beside) as for render.
+export function mistakesPage(chapter, folder, text, picture) {
+    const shown = picturesOfMistakes(text), headings = [], sections = [];
+    let html = `<h1>Known mistakes of chapter ${chapter.number}</h1>
+<p>Wrong answers that people give, or might. The checkpoints catch each of them; if your answer is one of these,
+<code>./course check</code> tells you so. The slider uncovers the right picture.</p>\n`;
+    for (const file of readdirSync(folder).filter(name => name.endsWith('.md')).sort()) {
+        const id = file.slice(0, -3), exercise = chapter.exercises?.find(one => one.id === id);
+        const title = exercise ? `${id} ${exercise.title}` : id[0].toUpperCase() + id.slice(1);
+        headings.push({ level: 2, id, text: title });
+        html += `<h2 id="${id}">${escape(title)}</h2>\n`;
+        const mistakes = parsed(readFileSync(join(folder, file), 'utf8'));
+        mistakes.sort((a, b) => shown.has(b.id) - shown.has(a.id));
+        for (const mistake of mistakes) {
+            const image = shown.get(mistake.id);
+            html += `<section class="mistake" id="${escape(mistake.id)}"><div><h3>${prose(mistake.title)}</h3>` +
+                `<p>${prose(mistake.explanation)}</p>` +
+                (mistake.caught ? `<p class="caught">Caught by “${prose(mistake.caught)}”</p>` : '') + '</div>' +
+                (image ? picture(image.picture.src, image.picture.text, image.beside) : '') + '</section>\n';
+        }
+        sections.push({ id, text: title, words: mistakes.map(m => `${m.title}. ${m.explanation}`).join(' ') });
+    }
+    return { html, headings, sections };
+}

@@ -1,0 +1,253 @@
+// Opens every page of the book in Chromium: node book/test.mjs FOLDER CHROMIUM. Pages are read from the folder
+// as a person would, without a server, and some of them from a server's sub-path.
+import assert from 'node:assert/strict';
+import { createServer } from 'node:http';
+import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const folder = resolve(process.argv[2]);
+const root = pathToFileURL(folder).href + '/';
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const pages = readdirSync(folder).filter(name => name.endsWith('.html'));
+const most = 300_000;  // bytes of a page without its pictures
+
+const faults = [];
+const check = (holds, what) => { if (!holds) faults.push(what); };
+
+const browser = await chromium.launch({
+    executablePath: process.argv[3],
+    args: process.getuid() === 0 ? ['--no-sandbox'] : [],
+});
+
+// A page that remembers what it asked for, and notes as faults what went wrong.
+async function opened(name, options = {}, from = root) {
+    const context = await browser.newContext({ viewport: { width: 1300, height: 900 }, ...options });
+    context.setDefaultTimeout(120_000);  // other programs may use the machine, too
+    const page = await context.newPage();
+    page.asked = [];
+    page.on('console', said => check(!['error', 'warning'].includes(said.type()), `${name}: console: ${said.text()}`));
+    page.on('pageerror', error => check(false, `${name}: ${error.message}`));
+    page.on('requestfailed', request =>  // one is aborted where the page is left before it came
+        check(request.failure().errorText === 'net::ERR_ABORTED', `${name}: could not load ${request.url()}`));
+    page.on('response', answer => check(answer.status() < 400, `${name}: ${answer.status()} for ${answer.url()}`));
+    page.on('request', request => {
+        if (request.url().startsWith('data:')) return;
+        page.asked.push(request.url());
+        check(request.url().startsWith(from), `${name}: asks another place: ${request.url()}`);
+    });
+    await page.goto(from + name);
+    return page;
+}
+
+const close = page => page.context().close();
+
+// ---- Every page ------------------------------------------------------------------------------
+
+const anchors = new Map();  // of each page, what can be linked to
+const links = [];
+
+async function accessible(page, name, rules) {
+    // Without the thousands of parts of formulas and plots, which are as their wholes are.
+    const violations = await page.evaluate(async rules => (await axe.run({ exclude: ['math', '.plot svg > *'] }, {
+        preload: false,  // it would ask for the style sheets, which pages of a folder may not
+        resultTypes: ['violations'],
+        ...(rules && { runOnly: rules }),
+    })).violations, rules);
+    for (const { id, impact, help, nodes } of violations)
+        check(!['serious', 'critical'].includes(impact), `${name}: ${impact}, ${id}: ${help}: ` +
+              nodes.slice(0, 3).map(node => node.html.slice(0, 120)).join(' | '));
+}
+
+async function tryPage(name) {
+    const page = await opened(name);
+    const found = await page.evaluate(async () => {
+        const images = [...document.images];
+        for (const image of images) image.loading = 'eager';
+        await Promise.all(images.map(image => image.decode().catch(() => {})));
+        return {
+            ids: [...document.querySelectorAll('[id]')].map(element => element.id),
+            links: [...document.querySelectorAll('a[href]')].map(link => link.getAttribute('href')),
+            broken: images.filter(image => !image.complete || !image.naturalWidth).map(image => image.src),
+            unnamed: images.filter(image => !image.alt).map(image => image.src),
+            titles: document.querySelectorAll('h1').length,
+        };
+    });
+    anchors.set(name, new Set(found.ids));
+    links.push(...found.links.map(href => ({ name, href })));
+    check(found.broken.length === 0, `${name}: broken pictures: ${found.broken}`);
+    check(found.unnamed.length === 0, `${name}: pictures without words: ${found.unnamed}`);
+    check(found.ids.length === anchors.get(name).size, `${name}: an id that is there twice`);
+    check(found.titles === 1, `${name}: ${found.titles} titles`);
+    const bytes = [...new Set(page.asked)].filter(url => !/\.(png|svg)$/.test(url))
+        .reduce((sum, url) => sum + statSync(new URL(url)).size, 0);
+    check(bytes < most, `${name}: ${bytes} bytes without pictures`);
+
+    await page.evaluate(axe);
+    await accessible(page, name);
+    if (!/-(mistakes|studies)/.test(name)) {  // which have no colors of their own
+        await page.emulateMedia({ colorScheme: 'dark' });
+        await accessible(page, `${name}, dark`, ['color-contrast']);
+    }
+
+    await page.setViewportSize({ width: 390, height: 800 });
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(width <= 390, `${name}: ${width} pixels wide on a phone of 390`);
+    await close(page);
+    return bytes;
+}
+
+function tryLinks() {
+    for (const { name, href } of links) {
+        if (/^(https?|mailto):/.test(href)) continue;
+        const [file, anchor] = decodeURIComponent(href).split('#');
+        check(existsSync(join(folder, file || name)), `${name}: leads to ${href}, which is not there`);
+        const ids = anchors.get(file || name);
+        check(!anchor || !ids || ids.has(anchor), `${name}: leads to ${href}, where there is no such place`);
+    }
+}
+
+// ---- What the pages do -----------------------------------------------------------------------
+
+async function trySearch(from, width = 1300) {
+    const page = await opened('index.html', { viewport: { width, height: 800 } }, from);
+    await page.keyboard.press('/');
+    await page.keyboard.type('cancellat');
+    const link = page.locator('search li a').first();
+    await link.waitFor();
+    const box = await link.boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= width, 'what was found can be seen');
+    const first = await link.getAttribute('href');
+    await page.keyboard.press('Enter');
+    await page.waitForURL(from + first);
+    assert.match(await page.textContent('main'), /cancellation/);
+    await close(page);
+}
+
+async function tryTheme() {
+    const page = await opened('index.html', { colorScheme: 'light' });
+    const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const light = await paper();
+    await page.click('.theme');
+    const dark = await paper();
+    assert.notEqual(light, dark);
+    await page.goto(root + 'map.html');
+    assert.equal(await paper(), dark, 'the next page is dark, too');
+    await close(page);
+}
+
+async function trySlider() {
+    const page = await opened('03-sphere.html');
+    const figure = page.locator('.compare').first(), slider = figure.locator('input');
+    await figure.scrollIntoViewIfNeeded();
+    await page.waitForFunction(() => [...document.querySelector('.compare').querySelectorAll('img')]
+        .every(image => image.complete && image.naturalWidth));
+    const shown = async value => {
+        await slider.fill(String(value));
+        return (await figure.screenshot()).toString('base64');
+    };
+    const pictures = new Set([await shown(0), await shown(50), await shown(100)]);
+    assert.equal(pictures.size, 3, 'each place of the slider shows another picture');
+    await slider.focus();
+    await page.keyboard.press('ArrowLeft');
+    assert.equal(await slider.inputValue(), '99', 'the keyboard moves it');
+    await close(page);
+}
+
+async function tryPlot() {
+    const page = await opened('03-sphere.html');
+    const plot = page.locator('.plot').first(), mark = plot.locator('circle:has(title)').nth(5);
+    await mark.scrollIntoViewIfNeeded();
+    await mark.hover({ force: true });
+    const said = () => plot.locator('output').textContent();
+    const first = await said();
+    assert.match(first, /, (double|float): .* \d/);
+    await plot.press('ArrowRight');
+    assert.match(await said(), /, (double|float): .* \d/);
+    assert.notEqual(await said(), first, 'the arrow keys lead to the next value');
+    await close(page);
+}
+
+async function tryContents() {
+    const page = await opened('03-sphere.html', { viewport: { width: 390, height: 800 } });
+    const contents = page.locator('#contents');
+    assert.equal(await contents.isVisible(), false);
+    await page.click('.menu');
+    assert.equal(await contents.isVisible(), true);
+    await contents.getByText('05 Metal and glass').click();
+    await page.waitForURL(root + '05-metal_glass.html');
+    const next = page.locator('a[rel=next]'), previous = page.locator('a[rel=prev]');
+    const here = page.url();
+    await next.click();
+    await previous.click();
+    assert.equal(page.url(), here, 'next, then previous');
+    await close(page);
+}
+
+async function tryWithoutScripts() {
+    const page = await opened('03-sphere.html', { javaScriptEnabled: false });
+    const figure = page.locator('.compare').first();
+    assert.equal(await figure.locator('input').isVisible(), false);
+    const [left, right] = await Promise.all([0, 1].map(i => figure.locator('img').nth(i).boundingBox()));
+    assert.ok(left.x + left.width <= right.x, 'both pictures stand beside each other');
+    assert.equal(await page.locator('math').first().isVisible(), true);
+    await close(page);
+}
+
+async function tryPrint() {
+    const page = await opened('03-sphere.html', { colorScheme: 'dark' });
+    await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+    for (const selector of ['header', '#contents', '.steps'])
+        assert.equal(await page.locator(selector).isVisible(), false, `${selector} is not printed`);
+    assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(255, 255, 255)');
+    await close(page);
+}
+
+// The book as some host shows it, below a path.
+async function underPath(path, use) {
+    const types = { html: 'text/html', css: 'text/css', js: 'text/javascript', png: 'image/png',
+                    svg: 'image/svg+xml', woff2: 'font/woff2' };
+    const server = createServer((request, response) => {
+        const { pathname } = new URL(request.url, 'http://host');
+        const file = join(folder, decodeURIComponent(pathname.slice(path.length)));
+        if (!pathname.startsWith(path) || !existsSync(file)) return response.writeHead(404).end();
+        response.writeHead(200, { 'content-type': types[file.split('.').at(-1)] ?? 'text/plain' });
+        response.end(readFileSync(file));
+    });
+    await new Promise(listening => server.listen(0, '127.0.0.1', listening));
+    await use(`http://127.0.0.1:${server.address().port}${path}`);
+    server.close();
+}
+
+// ---- All of it -------------------------------------------------------------------------------
+
+const behaviors = {
+    'the search finds a word and leads to it': () => trySearch(root),
+    'so it does on a phone': () => trySearch(root, 390),
+    'dark stays dark': tryTheme,
+    'the slider uncovers the other picture': trySlider,
+    'a plot says its values': tryPlot,
+    'the contents open on a phone': tryContents,
+    'pages can be read without scripts': tryWithoutScripts,
+    'pages can be printed': tryPrint,
+    'all works below a path of a host': () => underPath('/some/path/', at => trySearch(at)),
+};
+
+let largest = 0;
+const waiting = [...pages];
+const worker = async () => {
+    for (let name; (name = waiting.shift());)
+        largest = Math.max(largest, await tryPage(name).catch(error => check(false, `${name}: ${error.message}`)) ?? 0);
+};
+await Promise.all([worker(), worker()]);
+tryLinks();
+for (const [what, attempt] of Object.entries(behaviors))
+    await attempt().catch(error => check(false, `${what}: ${error.message}`));
+await browser.close();
+
+for (const fault of new Set(faults)) console.log(fault);
+console.log(`${pages.length} pages, the largest ${Math.round(largest / 1000)} kB without pictures; ` +
+            `${links.length} links; ${Object.keys(behaviors).length} behaviors; ${new Set(faults).size} faults`);
+process.exit(faults.length ? 1 : 0);

@@ -1,0 +1,33 @@
+#!/bin/sh
+# The web book in a real browser: no page may have an error, a broken link or picture, a request to another
+# host or a serious fault of accessibility, and what one can do there works: see book/test.mjs. Before that,
+# what needs no browser: see book/forms.mjs.
+# Ends with 77 where something that it needs is missing.
+set -eu
+cd "$(dirname "$0")/../.."
+
+skip() {
+    echo "skipped: $*"
+    exit 77
+}
+
+for tool in node npm; do
+    command -v "$tool" >/dev/null || skip "$tool is missing: install Node.js 18 or newer, with npm"
+done
+[ "$(node -p 'parseInt(process.versions.node)')" -ge 18 ] || skip "Node.js is older than 18"
+if [ ! -d book/node_modules/playwright-core ] ||
+    [ -n "$(find book/package-lock.json -newer book/node_modules/.package-lock.json)" ]; then
+    npm --prefix book ci --no-audit --no-fund ||
+        skip "npm could not get the packages that book/package-lock.json names"
+fi
+node book/forms.mjs
+
+for browser in "${CHROMIUM:-chromium}" chromium-browser google-chrome ''; do
+    [ -n "$browser" ] || skip "Chromium is missing: install it, or set CHROMIUM to a browser of its kind"
+    ! browser=$(command -v "$browser") || break
+done
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+node book/build.mjs "$folder/book"
+node book/test.mjs "$folder/book" "$browser"
