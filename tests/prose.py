@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+"""prose.py [FILE...]: checks the spelling and the wording of the texts that a learner reads.
+
+Reads the Markdown pages, the questions, the course's titles and captions and the companion's help, or
+the files that you name: of C++ headers it reads the comments. Leaves out code, formulas, the targets of
+links, HTML comments and names such as CMake.
+
+- Spelling: American, by hunspell's en_US and by tests/words.txt, the terms and names of this course.
+- Phrases that the texts do not use, such as "shall"; words that are there twice.
+- Lines over 125 columns, but for tables, images, code and HTML comments.
+
+Each finding is one line: file:line: what is wrong, and what would be right. Ends with 1 if there is one,
+and with 77 if hunspell or its dictionary is missing.
+"""
+
+import doctest
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FILES = ["README.md", "docs/**/*.md", "chapters/*/start/*.md", "chapters/*/questions.json", "course.json",
+         "companion/help.txt"]
+WORD_LIST = ROOT / "tests" / "words.txt"
+HUNSPELL = ["hunspell", "-d", "en_US", "-i", "utf-8", "-a"]
+COLUMNS = 125
+HIDDEN = "¤"  # stands for each character that is left out: lines and columns stay
+
+# What the pages have that is no prose, in the order in which it is hidden.
+CODE = re.compile(r"^( *)```.*?^\1```"  # fenced
+                  r"|(?<=\n\n) {7}.*(?:\n+ {7}.*)*"  # indented, in an item of a hint
+                  r"|<!--.*?-->", re.M | re.S)
+MARKUP = re.compile(r"(`+)[^`].*?\1|\$\$.*?\$\$|\$[^$]+\$|(?<=\])\([^)]*\)|<?https?://[^\s>]+>?|</?[a-z][^<>]*>", re.S)
+
+# A word of its own, not a part of first.cpp, sqrt(2) or std::vector.
+WORD = re.compile(r"(?<![\w./:¤])(?<! -)[^\W\d_]{2,}(?:['’](?:[a-rt-z]|s\w)\w*)?(?![\w(/+¤])(?![.:]\w)")
+
+# What the texts do not say, and what they say instead. A space may be the end of a line.
+SAID = {
+    r"shall": "must' or 'will",
+    r"on the average": "on average",
+    r"some (hundred|thousand|million)s?(?! of)": "several",
+    r"some (milliseconds|seconds|minutes|hours|days)": "a few",
+    r"by lot": "at random",
+    r"other ones": "others",
+    r"of which the": "whose",
+    r"(came|comes) as:": "actual:",
+    r"what came": "the actual value",
+    r"as many as there are": "all of them",
+    r"which one that is": "which one",
+    r"and be it": "even if it is",
+    r"no end after": "timed out after",
+    r"functions of school": "functions that you know from school",
+    r"towards": "toward",
+    r"for ever": "forever",
+}
+PHRASES = [(re.compile(rf"\b{said}(?!\w)".replace(" ", r"\s+"), re.I), better) for said, better in SAID.items()]
+START = r"(?:\A|(?<=[.!?:;]\s)|(?<=\n\n)|(?<=[-#|>\"(] )|(?<=\d\. ))"
+PHRASES += [
+    (re.compile(START + r"Who\b[^.!?]*[.!](?=\s)"), "If you …' or 'Whoever …"),
+    (re.compile(START + r"(Were|Had|Should) (it|you|they|the|a|there)\b[^.!?]*[.!](?=\s)"), "If …"),
+    (re.compile(r"\b(?!that\b|had\b)([^\W\d_]+)(?: | ?\n *)\1\b", re.I), "one of the two"),
+]
+
+
+def hide(pattern, text):
+    return pattern.sub(lambda found: re.sub(r"[^\n]", HIDDEN, found[0]), text)
+
+
+def prose(path, text):
+    """The text with all else hidden.
+
+    >>> prose("a.md", "See `$HOME`, $x+1$ and\\n[it](a.md).<!--\\n-->\\n")
+    'See ¤¤¤¤¤¤¤, ¤¤¤¤¤ and\\n[it]¤¤¤¤¤¤.¤¤¤¤\\n¤¤¤\\n'
+    >>> prose("a.json", '{"ask": "Which colour?", "picture": "colour.png"}')
+    '¤¤¤¤¤¤¤¤"Which colour?"¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤'
+    >>> prose("a.hpp", "int colour;  // A color, in `rgb`.\\n")
+    '¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤¤A color, in ¤¤¤¤¤.\\n'
+    """
+    if path.endswith(".md"):
+        text = hide(CODE, text)
+    elif path.endswith(".json"):  # its strings, but for names and paths
+        json.loads(text)
+        strings = re.compile(r'"(?:[^"\\\n]|\\.)*"|.')
+        text = strings.sub(lambda found: found[0] if " " in found[0].strip() else HIDDEN * len(found[0]), text)
+    elif path.endswith(".hpp"):
+        text = re.sub(r"^(.*?// ?|.*)(.*)$", lambda found: HIDDEN * len(found[1]) + found[2], text, flags=re.M)
+    return hide(MARKUP, text)
+
+
+def phrases(text):
+    """The phrases that a text should not have: where, and what would be right.
+
+    >>> for bad in ("It shall be.", "right on\\nthe average", "some hundred rays", "some milliseconds", "chosen by lot",
+    ...             "the other ones", "of which the first", "it came as: 3", "what came", "as many as there are",
+    ...             "Who calls it needs it. ", "So. Who asks\\nwaits.\\n", "Were it so, it would. ", "say the the",
+    ...             "say the\\n  the", "which one that is", "and be it one", "no end after 20 s", "functions of school"):
+    ...     assert len(list(phrases(bad))) == 1, bad
+    >>> for good in ("Who calls it? ", "the one who calls", "some hundreds of rays", "the ¤¤¤ the", "It had had one."):
+    ...     assert not list(phrases(good)), good
+    """
+    for pattern, better in PHRASES:
+        for found in pattern.finditer(text):
+            yield found.start(), f"'{' '.join(found[0].split())}': write '{better}'"
+
+
+def long_lines(text):
+    """The lines that are too long, and are no table, image or code.
+
+    >>> line = "A line that does not end. " * 5
+    >>> list(long_lines("\\n" + line)), list(long_lines("| " + line)), list(long_lines("![" + line))
+    ([(1, '130 columns: break the line before 125')], [], [])
+    """
+    for line in re.finditer(r".+", text):
+        if len(line[0]) > COLUMNS and not re.match(r" *\||.*!\[|[ ¤]*$", line[0]):
+            yield line.start(), f"{len(line[0])} columns: break the line before {COLUMNS}"
+
+
+def words(text):
+    """The words whose spelling counts, and where they are. Names with capitals inside are not.
+
+    >>> [word for _, word in words("CMake's first.cpp: the PPM of Sobol’s look-at, sqrt(x), and/or don't.")]
+    ['the', 'of', 'Sobol', 'look', 'at', "don't"]
+    """
+    for found in WORD.finditer(text):
+        if found[0][1:].lower() == found[0][1:]:
+            yield found.start(), found[0].replace("’", "'")
+
+
+def misspelled(candidates):
+    """The words that the dictionary lacks, each with what it suggests; None where there is no dictionary."""
+    try:
+        ran = subprocess.run(HUNSPELL, input="".join(f"^{word}\n" for word in candidates), text=True,
+                             encoding="utf-8", capture_output=True, check=False)
+    except OSError:
+        return None
+    if ran.returncode or not ran.stdout.startswith("@"):
+        return None
+    return {found[1]: found[2] or "" for found in re.finditer(r"^[&#] (\S+)[^:\n]*(?:: ([^,\n]*))?", ran.stdout, re.M)}
+
+
+def listed(findings):
+    """The project's own words. They are sorted, without capitals that only a sentence's start would give."""
+    own = WORD_LIST.read_text(encoding="utf-8").split()
+    for before, word in zip(own, own[1:]):
+        if before.lower() >= word.lower():
+            line = own.index(word) + 1
+            findings.append((WORD_LIST, line, f"'{word}' after '{before}': sort the words, each of them once"))
+    return own
+
+
+def main(named):
+    if doctest.testmod()[0]:
+        return 1
+    findings, uses = [], {}
+    every = {path for pattern in FILES for path in ROOT.glob(pattern)}
+    for path in sorted({pathlib.Path(name).resolve() for name in named} or every):
+        whole = path.read_text(encoding="utf-8")
+        text = prose(path.name, whole)
+        line = lambda start: text.count("\n", 0, start) + 1
+        found = list(phrases(text))
+        if path.suffix in (".md", ".txt"):
+            found += long_lines(text)
+        findings += [(path, line(start), what) for start, what in found]
+        for start, word in words(text):
+            uses.setdefault(word, []).append((path, line(start)))
+
+    own = listed(findings)
+    known = {*own, *(word.capitalize() for word in own)}
+    wrong = misspelled(word for word in uses if word not in known)
+    if wrong is None:
+        print("hunspell with its en_US dictionary is not there: the texts' spelling is not checked")
+        return 77
+    for word, better in wrong.items():
+        advice = (f"write '{better}', or" if better else "correct it, or") + " add it to tests/words.txt if it is right"
+        findings += [(path, line, f"'{word}': {advice}") for path, line in uses[word]]
+    for number, word in enumerate(own, 1):
+        if not named and word not in uses and word.capitalize() not in uses:
+            findings.append((WORD_LIST, number, f"'{word}' is in no text: take it from the list"))
+
+    for path, line, what in sorted(findings):
+        print(f"{path.relative_to(ROOT) if path.is_relative_to(ROOT) else path}:{line}: {what}")
+    print(f"{sum(map(len, uses.values()))} words of prose" + (f", {len(findings)} findings" if findings else ", no finding"))
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
