@@ -68,8 +68,7 @@ const Meaning meanings[]{
     {"of pointer type|is a pointer; did you mean to use",
      "It is a pointer: write `name->member`, or `(*name).member`."},
     {"use of deleted function|call to deleted|implicitly-deleted",
-     "A value of this type, such as a unique_ptr, cannot be copied: move it with std::move, or "
-     "take "
+     "A value of this type, such as a unique_ptr, cannot be copied: move it with std::move, or use "
      "a reference."},
     {"read-only|const-qualified|cannot assign to variable|discards qualifiers|not marked const",
      "It is const: it cannot be changed here."},

@@ -33,9 +33,8 @@ int hint(const Course& course, const std::string& id) {
     });
     if (number < 0 || number >= static_cast<int>(all.size())) {
         std::printf(
-            "There are no more hints for %s: all three are in %s. Read %s again; the solution is "
-            "in "
-            "%s.\n",
+            "There are no more hints for %s: all three are in %s. Read %s again. The "
+            "solution is in %s.\n",
             exercise.id.c_str(), exercise.chapter.hints.string().c_str(),
             exercise.section().c_str(), solution_of(exercise).c_str());
         return app::done;

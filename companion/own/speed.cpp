@@ -66,9 +66,8 @@ void judge_cores(const Trial& trial) {
     const double asked = 0.8 * trial.request.cores;
     trial.line(
         {false, "rung 8: all cores against one", "", "at least " + number(asked) + " times as fast",
-         "Are the tiles or rows small enough that no thread waits long for the last one? Does a "
-         "lock "
-         "make threads wait?"},
+         "Are the tiles or rows small enough that no thread waits long for the last one? Is "
+         "there a lock that makes threads wait?"},
         [&](JudgedLine& line) {
             const std::vector<std::string> one{"--threads", "1"},
                 all{"--threads", std::to_string(cores)};

@@ -532,7 +532,7 @@ class Companion(unittest.TestCase):
                  "==> rt/one.hpp\n" + 2 * (STUB % (1, 1)) + "==> rt/two.hpp\n" + STUB % (2, 2))
         self.write("one", "right\n")
         self.course("check", "01.1")
-        words = ("exercises/01_tiny/rt/one.hpp is missing; ./course reset 01.1 brings the stub back, "
+        words = ("exercises/01_tiny/rt/one.hpp is missing; ./course reset 01.1 restores the stub, "
                  "git checkout -- exercises/01_tiny/rt/one.hpp what you last committed\n")
         self.stub("one").rename(self.root / "elsewhere.hpp")
         for said in (self.course("check", "01.1", code=1), self.course("check", code=1), self.course()):
