@@ -59,7 +59,7 @@ std::string note_on(const SceneDescription& scene) {
     const auto count = std::count_if(scene.spheres.begin(), scene.spheres.end(), moves);
     if (count == 0 || scene.camera.shutter > 0) return "";
     return "note: " + std::to_string(count) + (count == 1 ? " sphere has" : " spheres have") +
-           " a velocity and no trail, for camera.shutter is 0\n";
+           " a velocity and no trail, because camera.shutter is 0\n";
 }
 
 // The usual way: pixel by pixel, each path to its end.

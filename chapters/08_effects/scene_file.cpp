@@ -27,7 +27,7 @@ struct Texture {
     PictureMatte picture;
 };
 
-// A named material. Where its color is drawn by lot, each sphere gets a material of its own.
+// A named material. If its color is random, each sphere gets a material of its own.
 struct Material {
     MaterialDescription description;
     std::optional<std::pair<Color, Color>> between = {};
@@ -63,8 +63,8 @@ class Reader {
             }
         if (const auto found = filled_glass_in_fog(scene_))
             Value{json, place_of(found->first), name_}.fail(
-                "is glass, which the fog reaches, and " + place_of(found->second) +
-                " overlaps it; in fog nothing may stand in glass or cut into it");
+                "is glass in the fog, and " + place_of(found->second) +
+                " overlaps it; in fog, nothing may lie in glass or cut into it");
         if (const auto render = whole.find("render")) read_render(*render);
         return std::move(scene_);
     }
@@ -95,7 +95,7 @@ class Reader {
             const Real distance =
                 rt::portable::hypot(rt::portable::hypot(ahead.x, ahead.y), ahead.z);
             if (!lens->find("focus_distance") && distance < static_cast<Real>(lengths.low))
-                lens->fail("needs \"focus_distance\", for look_at is nearer than " +
+                lens->fail("needs \"focus_distance\", because look_at is nearer than " +
                            number_text(lengths.low) + " to look_from");
             to.lens.focus_distance = lens->number("focus_distance", lengths, distance);
         }
@@ -131,8 +131,8 @@ class Reader {
         return result;
     }
 
-    // Only what lies in the scene's folder, so that a scene from someone else shows nothing that
-    // lies outside.
+    // Only files in the scene's folder, so that a scene from someone else cannot show files that
+    // lie outside it.
     Image read_image(const Value& file) {
         const std::string& given = file.text("the name of an image file");
         const fs::path path{given};
@@ -150,7 +150,7 @@ class Reader {
             std::mismatch(home.begin(), home.end(), found.begin(), found.end()).first == home.end();
         if (leaves || !inside)
             file.fail("is " + shown +
-                      ", which leads out of the scene's folder; only files in it "
+                      ", which leads out of the scene's folder; only files in that folder "
                       "are read");
         std::string bytes;
         try {
@@ -166,11 +166,11 @@ class Reader {
             file.fail("is " + shown + ", which is too large; all images of a scene may have " +
                       std::to_string(limits_.image_pixels) + " pixels together");
         } catch (const std::runtime_error&) {
-            file.fail("is " + shown + ", which is no PNG image that can be read; only PNG is");
+            file.fail("is " + shown + ", which is not a readable PNG image; only PNG is read");
         }
     }
 
-    // The one that is named, or an error that says which there are.
+    // The named one, or an error that lists the names that exist.
     template <class Table>
     static auto& named(Table& table, const Value& name, const std::string& kind) {
         const std::string& wanted = name.text("the name of a " + kind);
@@ -216,7 +216,7 @@ class Reader {
             material.description = Emitter{strength * value.at("color").color(light)};
         } else if (const auto texture =
                        value.with_keys({"type", "color", "texture"}).find("texture")) {
-            if (value.find("color")) value.fail("has both color and texture; it may have one");
+            if (value.find("color")) value.fail("has both color and texture; it may have only one");
             const Texture& chosen = named(textures_, *texture, "texture");
             if (chosen.checker)
                 material.description = *chosen.checker;
@@ -319,7 +319,7 @@ class Reader {
             for (const char* other : {"center", "radius", "scale", "rotate_deg"})
                 if (sphere.find(other))
                     sphere.fail("has both matrix and " + std::string{other} +
-                                "; a matrix says all");
+                                "; the matrix alone says everything");
             add_map(*matrix, read_matrix(*matrix), to);
             return;
         }
@@ -341,8 +341,8 @@ class Reader {
         if (to.map >= 0 && to.velocity != Vec3{})
             sphere.at("velocity")
                 .fail(
-                    "must be [0, 0, 0] or absent: what is stretched or turned "
-                    "does not move");
+                    "must be [0, 0, 0] or absent: a sphere that is stretched or "
+                    "turned does not move");
         if (to.map >= 0 && std::holds_alternative<Emitter>(material.description))
             sphere.at("material")
                 .fail(
@@ -369,8 +369,8 @@ class Reader {
         const auto count =
             static_cast<int>(wanted.whole(1, static_cast<std::uint64_t>(limits_.spheres)));
         if (count > room())
-            wanted.fail("is " + std::to_string(count) + ", and a scene may have " +
-                        std::to_string(limits_.spheres) + " spheres, of which " +
+            wanted.fail("is " + std::to_string(count) + ", but a scene may have only " +
+                        std::to_string(limits_.spheres) + " spheres, and " +
                         std::to_string(room()) + " are left");
         const Vec3 center = group.vec3("center", {});
         const placing::Ball space = placing::ball_of({center, group.at("extent").number(lengths)});
@@ -387,12 +387,12 @@ class Reader {
                                      seed ? seed->whole(0, max_seed) : 1);
             if (static_cast<int>(balls.size()) < count && there_.is_tired())
                 wanted.fail("is " + std::to_string(count) +
-                            ", and it takes too long to find room for them between " +
+                            ", but it takes too long to find room for them between " +
                             "the others; ask for fewer spheres, or a larger extent");
             if (static_cast<int>(balls.size()) < count)
                 wanted.fail("is " + std::to_string(count) + ", but only " +
                             std::to_string(balls.size()) +
-                            " find room without overlapping; ask for fewer or smaller spheres, or "
+                            " fit without overlapping; ask for fewer or smaller spheres, or "
                             "a larger extent");
         }
         add(balls, group);

@@ -27,8 +27,7 @@ int run_or_explain(const std::string& program, const std::function<int()>& work)
     try {
         const int code = work();
         if (std::fflush(stdout) != 0)
-            return fail(std::string{"what it prints does not reach the standard output: "} +
-                            std::strerror(errno),
+            return fail(std::string{"cannot write to the standard output: "} + std::strerror(errno),
                         could_not);
         return code;
     } catch (const UsageError& error) {
@@ -36,7 +35,7 @@ int run_or_explain(const std::string& program, const std::function<int()>& work)
     } catch (const rt::NotImplemented& error) {
         return fail(error.what(), still_to_write);
     } catch (const std::bad_alloc&) {
-        return fail("there is not enough memory; ask for a smaller picture", could_not);
+        return fail("not enough memory; ask for a smaller picture", could_not);
     } catch (const std::exception& error) {
         return fail(error.what(), could_not);
     }

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 // flags is O_EXCL for a new file only.
 void write_to(const fs::path& path, const std::string& bytes, int flags) {
-    // To open a pipe would wait for a reader, who may never come; to write to it may wait.
+    // Opening a pipe must not wait for a reader, who may never come; writing to it may wait.
     const int descriptor =
         ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK | flags, 0666);
     if (descriptor < 0) fail(errno);
@@ -71,7 +71,7 @@ void replace_file(const fs::path& path, const std::string& bytes) {
     if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, bytes, 0);
 
     const fs::path target = behind_links(path);
-    // A name of its own, so that two programs that write the same image do not meet.
+    // A unique name, so that two programs that write the same image do not collide.
     const fs::path temporary =
         target.parent_path() / ("." + std::to_string(std::random_device{}()) + ".part");
     const RemovedOnInterrupt guard{temporary};
@@ -89,7 +89,7 @@ void replace_file(const fs::path& path, const std::string& bytes) {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw Failure(folder.string() + " cannot be made: " + error.message());
+    if (error) throw Failure(folder.string() + " cannot be created: " + error.message());
 }
 
 }  // namespace app

@@ -75,8 +75,8 @@ std::string broken_text(const Slip& slip) {
     const auto last = static_cast<unsigned char>(slip.token.back());
     if (slip.ended) return "a closing quote is missing";
     if (last < ' ') return "a closing quote is missing, or \\n for a line break, \\t for a tab";
-    if (last >= 0x80) return "this is no UTF-8";
-    return "after \\ may stand one of \" \\ / b f n r t, or u and four hexadecimal digits";
+    if (last >= 0x80) return "this is not valid UTF-8";
+    return "after \\ there must be one of \" \\ / b f n r t, or u and four hexadecimal digits";
 }
 
 // A slip that people make often, by the token and what could stand there; "" if it is another one.
@@ -87,19 +87,17 @@ std::string named(const Slip& slip) {
     const bool wants_key = slip.expected == a_key || slip.expected == first_key;
     if (first == '"' && (wants_value || wants_key)) return broken_text(slip);
     if (slip.token.empty()) return "";
-    if (first == '/' || first == '#')
-        return "JSON has no comments; \"about\": \"...\" takes their place";
+    if (first == '/' || first == '#') return "JSON has no comments; use \"about\": \"...\" instead";
     for (const char* const quote : {"'", "\xe2", "`"})
-        if (slip.token.rfind(quote, 0) == 0)
-            return "texts stand in straight double quotes, \"...\"";
+        if (slip.token.rfind(quote, 0) == 0) return "texts need straight double quotes, \"...\"";
     if (last == ',' && (first == '}' || first == ']'))
-        return std::string{"a comma too many before "} + first;
+        return std::string{"one comma too many before "} + first;
     if (wants_key && is_digit(first) && last == ',' && slip.touches && slip.before.size() > 1 &&
         is_digit(slip.before[slip.before.size() - 2]))
         return "a number has a decimal point, not a comma";
     if (wants_key && std::isalpha(static_cast<unsigned char>(first)))
-        return "keys stand in double quotes, \"...\"";
-    if (first == ';') return "commas stand between values";
+        return "keys need double quotes, \"...\"";
+    if (first == ';') return "values are separated by commas";
     if (wants_value && (first == '.' || first == '+'))
         return "a number begins with a digit or with -";
     if (wants_value && (first == '-' || is_digit(first))) return "expected a digit";
@@ -156,7 +154,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
         const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
         if (twice != sorted.end())
             throw UsageError(name_ + ": " + path_of_member(path(), std::string{*twice}) +
-                             " is there twice; every key may stand in its object once");
+                             " appears twice; each key may appear only once in its object");
         return close();
     }
     bool key(std::string& value) override {
@@ -212,8 +210,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     bool open(Json::Kind kind) {
         open_.push_back({kind});
         if (open_.size() > max_json_depth)
-            throw UsageError(name_ + ": " + path() + " lies too deep; objects and lists may lie " +
-                             std::to_string(max_json_depth) + " deep in each other");
+            throw UsageError(name_ + ": " + path() +
+                             " is nested too deeply; objects and lists may be nested " +
+                             std::to_string(max_json_depth) + " deep");
         return true;
     }
     bool close() {
@@ -245,8 +244,8 @@ std::string read_input_file(const fs::path& path, const std::string& name, std::
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) {
         if (error && error != std::errc::no_such_file_or_directory)
-            refuse("cannot be read (" + error.message() + "); name a file that can");
-        refuse("is not there; name a file that is");
+            refuse("cannot be read (" + error.message() + "); name a readable file");
+        refuse("does not exist; name an existing file");
     }
     if (fs::is_directory(status)) refuse("is a folder; name a file in it");
     if (!fs::is_regular_file(status)) refuse("is a device or a pipe; name a regular file");
@@ -256,7 +255,7 @@ std::string read_input_file(const fs::path& path, const std::string& name, std::
     };
     const std::unique_ptr<std::FILE, Close> file{std::fopen(path.c_str(), "rb")};
     if (!file)
-        refuse(std::string{"cannot be read ("} + std::strerror(errno) + "); name a file that can");
+        refuse(std::string{"cannot be read ("} + std::strerror(errno) + "); name a readable file");
     std::string bytes;
     char buffer[1 << 14];
     for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {
@@ -264,17 +263,17 @@ std::string read_input_file(const fs::path& path, const std::string& name, std::
         if (bytes.size() > most)
             refuse("is too large; " + std::to_string(most >> 20) + " MiB are allowed");
     }
-    if (std::ferror(file.get())) refuse("cannot be read; name a file that can");
+    if (std::ferror(file.get())) refuse("cannot be read; name a readable file");
     return bytes;
 }
 
 Json parse_json(const std::string& text, const std::string& name) {
     if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-        throw UsageError(name + " is empty; a JSON object { ... } is wanted");
+        throw UsageError(name + " is empty; expected a JSON object { ... }");
     // The parser would take it for the end.
     if (const auto zero = text.find('\0'); zero != std::string::npos)
         throw UsageError(name + ':' + line_and_column(text, zero + 1) +
-                         ": a byte of zero; a JSON text has none");
+                         ": a zero byte; a JSON text has none");
     Builder builder{text, name};
     nlohmann::json::sax_parse(text, &builder);
     return std::move(builder.result);

@@ -28,14 +28,14 @@ namespace fs = std::filesystem;
 
 constexpr int max_side = 65'536;
 
-// What the command line asks for.
+// What the command line requests.
 struct Request {
     Settings settings;
     std::string out, study_folder;
     bool explain = false, quiet = false, describe = false;
 };
 
-// Refuses what is not a whole number within the range, and says what would be right.
+// Rejects everything except whole numbers within the range, and says what would be right.
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
     return {[=](const std::string& text) -> std::string {
                 std::uint64_t value = 0;
@@ -91,7 +91,7 @@ std::string text_of(rt::Vec3 p) {
     return text_of(p.x) + ',' + text_of(p.y) + ',' + text_of(p.z);
 }
 
-// Checks before the work starts that the image can be written, so that none is lost at its end.
+// Checks before the work starts that the image can be written, so that no finished image is lost.
 void check_output(const fs::path& path) {
     const std::string name = "--out: " + path.string();
     if (path.empty()) throw UsageError("--out: needs a file name that ends in .png or .ppm");
@@ -102,18 +102,18 @@ void check_output(const fs::path& path) {
     const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
     const std::string extension = path.extension().string();
     if (extension != ".png" && extension != ".ppm" && !is_device)
-        throw UsageError(name + " has no extension that is known; use .png or .ppm");
+        throw UsageError(name + " has an unknown extension, or none; use .png or .ppm");
     const fs::path target = is_device ? path : behind_links(path);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path{"."};
     if (!fs::is_directory(folder, error))
         throw Failure("--out: the folder " + folder.string() +
-                      (target == path ? "" : ", to which the link " + path.string() + " leads,") +
-                      " is not there; make it, or name another one");
+                      (target == path ? "" : ", to which the link " + path.string() + " points,") +
+                      " does not exist; create it, or name another one");
     if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
-        throw Failure(name + " is there and cannot be replaced (" + std::strerror(errno) +
+        throw Failure(name + " exists and is not writable (" + std::strerror(errno) +
                       "); name another file");
     if (!is_device && ::access(folder.c_str(), W_OK) != 0)
-        throw Failure("--out: the folder " + folder.string() + " cannot be written to (" +
+        throw Failure("--out: the folder " + folder.string() + " is not writable (" +
                       std::strerror(errno) + "); name another one");
 }
 
@@ -125,7 +125,7 @@ void write_image(const Program& program, const fs::path& path, const rt::Image& 
         app::replace_file(path, bytes);
     } catch (const std::system_error& error) {
         throw Failure("--out: " + path.string() + " cannot be written (" + error.code().message() +
-                      "); make room there, or name another place");
+                      "); free some space there, or name another file");
     }
 }
 
@@ -138,8 +138,8 @@ std::string count(double number, const char* unit) {
     return text;
 }
 
-// A pipe that is held open for writing, so that its reader stays. Without a reader it would be
-// waited for without end.
+// A pipe that is held open for writing, so that its reader stays. Without a reader, the program
+// would wait forever.
 class HeldPipe {
   public:
     explicit HeldPipe(const fs::path& path) {
@@ -170,9 +170,9 @@ void check_threads(const Program& program, const Request& request, Settings& set
     const int wanted = settings.threads;
     settings.threads = threads_that_start(wanted);
     if (settings.threads == 0)
-        throw Failure("no thread can be started: the system has too many already (ulimit -u)");
+        throw Failure("no thread can be started: the system already has too many (ulimit -u)");
     if (settings.threads < wanted && !request.quiet)
-        std::fprintf(stderr, "%s: only %d of %d threads can be started; it goes on with these\n",
+        std::fprintf(stderr, "%s: only %d of %d threads can be started; it continues with these\n",
                      program.name.c_str(), settings.threads, wanted);
 }
 
@@ -201,7 +201,7 @@ int draw_picture(const Program& program, const Request& request) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
     const int percent = picture.stopped ? static_cast<int>(100 * picture.stopped->share_done) : 100;
-    // Nothing is not worth an older picture.
+    // An empty picture must not replace an older one.
     const bool keeps_older = percent == 0 && fs::is_regular_file(path, none);
     if (!keeps_older) write_image(program, path, picture.image);
     if (picture.stopped) {
@@ -209,7 +209,7 @@ int draw_picture(const Program& program, const Request& request) {
         std::fprintf(stderr, "%s: stopped by %s; %s %s\n", program.name.c_str(),
                      picture.stopped->signal == SIGINT ? "Ctrl-C" : "SIGTERM",
                      path.string().c_str(),
-                     keeps_older ? "is as it was, as nothing is done yet"
+                     keeps_older ? "is unchanged, since nothing is done yet"
                                  : ("shows the " + is_done + " % that are done").c_str());
         return stopped_by + picture.stopped->signal;
     }
@@ -228,14 +228,14 @@ int draw_picture(const Program& program, const Request& request) {
 void run_study(const Program& program, const Request& request) {
     const fs::path folder = request.study_folder;
     const auto fail = [&](const std::error_code& error) {
-        throw Failure("--study: " + folder.string() + " cannot be written to (" + error.message() +
+        throw Failure("--study: " + folder.string() + " is not writable (" + error.message() +
                       "); name another folder");
     };
     if (folder.empty()) throw UsageError("--study: needs the name of a folder");
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) fail(error);
-    // Before the work starts, so that none is lost at its end.
+    // Checked before the work starts, so that no result is lost.
     if (::access(folder.c_str(), W_OK) != 0) fail({errno, std::generic_category()});
     study::Report report{program.name};
     program.study(report);
@@ -249,10 +249,10 @@ void run_study(const Program& program, const Request& request) {
 
 std::string exit_codes(const Program& program) {
     std::string codes =
-        "Exit codes: 0 done, 1 could not, 2 bad usage or input, 3 an exercise is "
+        "Exit codes: 0 success, 1 something failed, 2 bad usage or input, 3 an exercise is "
         "still to be written";
     if (program.can_be_stopped)
-        codes += ", 130 stopped by Ctrl-C (143 by SIGTERM): the image shows what was done";
+        codes += ", 130 stopped by Ctrl-C (143 by SIGTERM): the image shows the part that was done";
     return codes;
 }
 
@@ -267,10 +267,10 @@ void add_numbers(CLI::App& options, Settings& settings) {
     add("--width", settings.width, "Width in pixels", max_side);
     add("--height", settings.height, "Height in pixels", max_side);
     add("--spp", settings.spp, "Samples per pixel", 1'000'000);
-    add("--depth", settings.depth, "The most bounces of a path", 1'000'000);
-    add("--threads", settings.threads, "Threads that render", 1024);
+    add("--depth", settings.depth, "Maximum number of bounces of a path", 1'000'000);
+    add("--threads", settings.threads, "Number of threads that render", 1024);
     if (settings.seed)
-        options.add_option("--seed", *settings.seed, "Seed of everything random")
+        options.add_option("--seed", *settings.seed, "Seed of the random numbers")
             ->check(whole_number(0, UINT64_MAX))
             ->capture_default_str();
 }
@@ -291,8 +291,8 @@ void add_view(CLI::App& options, rt::View& view) {
             ->type_name("X,Y,Z")
             ->default_str(text_of(point));
     };
-    add_point("--from", view.from, "Where the camera stands");
-    add_point("--at", view.at, "The point that it looks at");
+    add_point("--from", view.from, "Position of the camera");
+    add_point("--at", view.at, "The point that the camera looks at");
     options
         .add_option_function<std::string>(
             "--fov", [&view](const std::string& text) { view.vertical_fov = *angle_in(text); },
@@ -310,7 +310,7 @@ void add_view(CLI::App& options, rt::View& view) {
 // they are parsed.
 void add_options(CLI::App& options, Request& request, const Program& program) {
     Settings& settings = request.settings;
-    options.set_help_flag("--help", "Show this text and stop");
+    options.set_help_flag("--help", "Show this help and exit");
     options.footer(exit_codes(program));
     options.add_option("--out", request.out, "The image file, .png or .ppm")->capture_default_str();
     add_numbers(options, settings);
@@ -341,12 +341,13 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
     if (!program.reads.empty()) options.add_option("file", settings.file, program.reads);
     if (program.explains)
         options.add_flag("--explain", request.explain,
-                         "Say what the program is about to do, and why");
-    options.add_flag("--quiet", request.quiet, "Print nothing but errors");
+                         "Explain what the program is about to do, and why");
+    options.add_flag("--quiet", request.quiet, "Print only errors");
     options.add_flag("--describe", request.describe)->group("");  // not in --help
     if (program.study)
         options.add_option("--study", request.study_folder,
-                           "Measure accuracy against time instead; tables go to this folder");
+                           "Measure accuracy against time instead of drawing; write the tables to "
+                           "this folder");
 }
 
 // What no option can check by itself.
@@ -366,7 +367,7 @@ Request default_request(const Program& program) {
     return {program.defaults, program.name + ".png", {}};
 }
 
-// What to say of an argument that the parser does not know.
+// What to say about an argument that the parser does not know.
 std::string advice(const CLI::App& options, int argc, const char* const* argv) {
     std::vector<std::string> known;
     for (const CLI::Option* const option : options.get_options())
@@ -377,7 +378,7 @@ std::string advice(const CLI::App& options, int argc, const char* const* argv) {
         if (const std::string meant = nearest_word(word, known); !meant.empty())
             return "; did you mean " + meant + '?';
     }
-    return "; --help lists what there is";
+    return "; --help lists the options";
 }
 
 int run_or_throw(int argc, const char* const* argv, const Program& program) {

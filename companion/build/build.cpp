@@ -16,7 +16,7 @@ bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-// A path of the course as a person of the course knows it.
+// A path as the learner knows it: relative to the course.
 std::string relative(const Course& course, std::string line) {
     for (const fs::path& folder : {course.root, fs::weakly_canonical(course.root)}) {
         const std::string prefix = folder.string() + '/';
@@ -37,7 +37,7 @@ BuildResult build(const Course& course, const std::vector<std::string>& targets)
     command.push_back("--");
     if (fs::exists(course.build / "build.ninja"))
         command.insert(command.end(), {"-k", "0"});
-    else  // make, which builds one thing at a time where it is not told otherwise
+    else  // make builds one target at a time unless told otherwise
         command.insert(
             command.end(),
             {"-k", "-j" + std::to_string(std::max(1u, std::thread::hardware_concurrency()))});
@@ -101,7 +101,7 @@ std::string first_error(const Course& course, const std::string& output,
     }
     for (const Error& error : errors)
         if (error.is_within) return error.text;
-    // What follows a brace that is never closed is all wrong, and the last thing that is said.
+    // After a brace that is never closed, every error is misleading, and this is the last message.
     if (!open_brace.empty())
         return open_brace.substr(0, open_brace.find(": note: ")) +
                ": error: the brace { here is never closed";

@@ -152,7 +152,7 @@ void remove_stale(const Course& course) {
 
 void note_built(const Course& course) {
     Known known = read_known(course);
-    // Of what was saved during the build nobody knows whether it was compiled before or after that.
+    // For a file saved during the build, nobody knows whether it was compiled before or after that.
     Sources now = sources_of(course);
     for (auto& [group, files] : now)
         for (auto& [name, source] : files)

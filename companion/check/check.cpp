@@ -12,15 +12,15 @@
 namespace companion {
 namespace {
 
-// What a program of test cases may print and take: an endless loop can do much in 20 seconds.
+// The most that a test program may print and allocate: an endless loop gets far in 20 seconds.
 constexpr std::size_t most_bytes = std::size_t{16} << 20, most_memory = std::size_t{2} << 30;
 
 std::string target_of(const Exercise& exercise, bool in_float = false) {
     return "check." + exercise.id + (in_float ? ".float" : "");
 }
 
-// Builds the targets of these exercises, by their precision, and leaves the compiler's warnings in
-// them. Returns those that cannot be built, and the first error of each.
+// Builds the targets of these exercises in their precision, and stores the compiler's warnings in
+// them. Returns the exercises that cannot be built, with the first error of each.
 std::map<std::string, std::string> build_all(const Course& course, std::vector<Checked*> some) {
     std::map<std::string, std::string> errors;
     if (some.empty()) return errors;
@@ -35,7 +35,7 @@ std::map<std::string, std::string> build_all(const Course& course, std::vector<C
         if (!checked->in_float)
             checked->warning = first_warning(course, together.output, exercise.files);
         if (together.ok) continue;
-        // What is built stays, and what was built alone need not be built again.
+        // What is built stays; an exercise that was built alone need not be built again.
         const BuildResult alone =
             some.size() == 1 ? together : build(course, {target_of_one(*checked)});
         if (alone.ok) continue;
@@ -48,7 +48,7 @@ std::map<std::string, std::string> build_all(const Course& course, std::vector<C
     return errors;
 }
 
-// What all test cases say beside the rt::todo that ended them.
+// The message that all test cases show besides the rt::todo that ended them.
 std::string said_by_all(const std::vector<TestCase>& tests) {
     std::string said;
     for (const TestCase& test : tests) {
@@ -60,27 +60,26 @@ std::string said_by_all(const std::vector<TestCase>& tests) {
     return said;
 }
 
-// What a program died of, given the test case in which it did, if that is known.
+// Why a program crashed, given the test case in which it crashed, if that is known.
 std::string cause_of(const Result& result, const TestCase* test) {
     const std::string memory = test ? test->memory : "";
     switch (result.signal) {
         case SIGSEGV:
         case SIGBUS:
             if (memory == "stack")
-                return "the stack is full: a function calls itself without end, or a local array "
-                       "is "
-                       "too large";
+                return "the stack overflowed: a function never stops calling itself, or a local "
+                       "array is too large";
             if (memory == "null")
-                return "it used what a null pointer points to: a pointer to nothing, or an empty "
+                return "it dereferenced a null pointer: a pointer to nothing, or an empty "
                        "unique_ptr";
-            return "it used memory that is not its own (segmentation fault): an index out of "
-                   "range, the value of an empty std::optional, or a reference to something that "
-                   "is gone, such as v.back() after v.pop_back()";
+            return "it accessed memory that does not belong to it (segmentation fault): an index "
+                   "out of range, the value of an empty std::optional, or a reference to something "
+                   "that no longer exists, such as v.back() after v.pop_back()";
         case SIGFPE:
-            return "it divided a whole number by 0";
+            return "it divided an integer by 0";
         case SIGABRT:
-            return "it was aborted: memory was released twice or written past its end, or an "
-                   "exception left a function that must not throw";
+            return "it was aborted: it freed memory twice, or wrote past the end of a block of "
+                   "memory, or an exception left a function that must not throw";
         case SIGILL:
             return "it executed invalid code: is a return missing?";
         default:
@@ -97,7 +96,7 @@ struct Tested {
     Result result;
     std::vector<TestCase> tests;
 
-    // The test case in which the program ended, null where it came to its end.
+    // The test case in which the program crashed or was stopped; null if it ran to its end.
     const TestCase* ended_in() const {
         const auto found = std::find_if(tests.begin(), tests.end(), [](const TestCase& test) {
             return !test.crash.empty() || !test.ended;
@@ -112,7 +111,7 @@ struct Tested {
     }
 };
 
-// Which test cases is said as Catch2 wants it, "[hard]~[x]"; all where it is empty.
+// `which` selects test cases in Catch2's notation, "[hard]~[x]"; empty selects all.
 Tested run_cases(const Course& course, const Checked& checked, const std::string& which = "") {
     // Sanitizers take address space by the terabyte.
     const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
@@ -159,9 +158,9 @@ void judge(const Course& course, Checked& checked, const Tested& tested) {
             checked.verdict = Verdict::failing;
             if (checked.trouble.empty())
                 checked.trouble =
-                    "Nothing of it says rt::todo any more, and still your function is not the one "
-                    "that the checkpoints call. Compare its name, namespace and parameters with "
-                    "those that were declared, down to each const and &.";
+                    "No rt::todo is left in it, but the checkpoints do not call your function. "
+                    "Compare its name, namespace and parameters with the declaration, down to "
+                    "each const and &.";
         }
     } else if (tests.empty()) {
         throw app::Failure(target_of(checked.exercise, checked.in_float) +
@@ -202,7 +201,7 @@ void run_tests(const Course& course, Checked& checked) {
         std::string others = "[hard]";
         for (; !tested.tests.empty(); tested = run_cases(course, checked, others)) {
             note_stars(checked, tested);
-            if (tested.was_stopped()) break;  // to be stopped once is enough to wait for
+            if (tested.was_stopped()) break;  // waiting for one timeout is enough
             for (const TestCase& test : tested.tests)
                 if (test.hard) others += "~\"" + test.name + '"';
         }

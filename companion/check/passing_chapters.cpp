@@ -11,11 +11,11 @@ const char* reason(Verdict verdict) {
         case Verdict::failing:
             return "fails";
         case Verdict::no_file:
-            return "has a file that is missing";
+            return "has a missing file";
         case Verdict::to_write:
             return "is still to be written";
         case Verdict::waiting:
-            return "waits for another exercise";
+            return "needs another exercise first";
         case Verdict::not_compiled:
             return "does not compile";
         case Verdict::crashed:

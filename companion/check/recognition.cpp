@@ -9,12 +9,13 @@ namespace {
 
 using app::Json;
 
-// All mistakes but one, which fails by luck, are recognized as themselves or as one with the same
-// signature. When they were 247 and one was taken out of the list and then made, 4 were taken for
-// another one that differs little, and none for a pair; 8 more had a twin.
+// All mistakes except one, whose failure depends on chance, are recognized as themselves or as one
+// with the same signature. A trial left each of the 247 mistakes of that time out of the list in
+// turn, and then made it: 4 were taken for another that differs little, none for a pair; 8 more had
+// a twin.
 constexpr double alike_enough = 0.75, clearly_more = 0.1;
 
-// Mistakes of an exercise with one signature, and how much an answer is like it.
+// The mistakes of an exercise that share one signature, and how similar an answer is to it.
 struct Candidate {
     LookAlikes names;
     const Signature* signature;
@@ -89,7 +90,7 @@ Signatures read_signatures(const Course& course, const Chapter& chapter) {
     return signatures;
 }
 
-// A line a mistake, so that a change of one is a change of one line.
+// One line per mistake: a change to one mistake changes one line.
 std::string to_text(const Signatures& signatures) {
     std::string text;
     for (const auto& [name, signature] : signatures) {
@@ -113,7 +114,7 @@ std::vector<LookAlikes> recognize(const Signatures& known, const std::string& ex
     if (*single[0].signature == signature) return {single[0].names};
     if (most >= alike_enough && most - next >= clearly_more) return {single[0].names};
 
-    // Two at once, such as the same slip in two functions.
+    // Two mistakes at once, such as the same slip in two functions.
     std::vector<LookAlikes> pair;
     double best = 0;
     for (std::size_t a = 0; a < single.size(); ++a)

@@ -51,7 +51,8 @@ SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool 
         side_build(course, threads ? "sanitized-threads" : "sanitized",
                    {"-DCMAKE_BUILD_TYPE=Debug",
                     std::string{"-DRT_SANITIZE="} + (threads ? "thread" : "address,undefined")});
-    if (!fs::exists(side.build / "check")) print("The first time this builds for a minute.\n");
+    if (!fs::exists(side.build / "check"))
+        print("The first time, building takes about a minute.\n");
     must_build(side, target);
     std::vector<std::string> command = threads ? at_fixed_addresses() : std::vector<std::string>{};
     // Where the library crashes, the learner's line is further up.
@@ -69,8 +70,7 @@ SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool 
                     ".\n"};
     return {false, red("The sanitizer reports: ") + report.what + '\n' +
                        (report.where.empty() ? "" : "  at " + bold(report.where) + '\n') +
-                       "  The whole report: " + log.lexically_relative(course.root).string() +
-                       '\n'};
+                       "  The full report: " + log.lexically_relative(course.root).string() + '\n'};
 }
 
 }  // namespace companion

@@ -10,12 +10,12 @@ namespace {
 
 constexpr std::size_t most_kept = 32;
 
-// Eight digits tell apart what one exercise's tests can say.
+// Eight digits are enough to tell one exercise's failures apart.
 std::string short_hash(const std::string& text) {
     return hash_of(text).substr(8);
 }
 
-// Hints are advice, and are worded anew now and then: they are no part of what happened.
+// Hints are advice and may be reworded: they are not part of what happened.
 std::string without_hints(const std::string& message) {
     std::string kept;
     for (std::size_t at = 0; at < message.size();) {
@@ -27,7 +27,7 @@ std::string without_hints(const std::string& message) {
     return kept;
 }
 
-// Of an assertion's messages the one next to it: those before may speak of other functions.
+// The message nearest to the assertion: earlier ones may be about other functions.
 std::string last_message(const FailedAssertion& failure) {
     for (auto message = failure.messages.rbegin(); message != failure.messages.rend(); ++message)
         if (const std::string kept = without_hints(*message); !kept.empty()) return kept;
@@ -40,14 +40,14 @@ std::size_t common(const std::set<std::string>& a, const std::set<std::string>& 
     return count;
 }
 
-// The share that both have of what either has.
+// The size of the intersection divided by the size of the union (Jaccard index).
 double overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
     const std::size_t both = common(a, b), either = a.size() + b.size() - both;
     return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either);
 }
 
-// The same, estimated from samples of the smallest: the smallest of either are an even sample of
-// their union.
+// The same, estimated from the smallest hashes of each: together they are an even sample of the
+// union.
 double sampled_overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
     if (a.size() < most_kept && b.size() < most_kept) return overlap(a, b);
     std::set<std::string> either = a;
@@ -86,8 +86,8 @@ Signature signature_of(const std::vector<TestCase>& tests) {
 }
 
 double similarity(const Signature& a, const Signature& b) {
-    // Where it is a matter of luck which values come, none were written down, and of what fails
-    // only what fails always: that is there, and what else is counts less.
+    // If the values depend on chance, the file records none of them, and only the assertions that
+    // always fail. Those must be there; whatever else fails counts less.
     if (a.what.empty() || b.what.empty()) {
         const auto fewest = static_cast<double>(std::min(a.where.size(), b.where.size()));
         if (fewest == 0) return 0;
@@ -111,7 +111,7 @@ std::string with_rounded_numbers(const std::string& text) {
         const auto byte = [&](std::size_t at) {
             return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
         };
-        // The sign of what is not a number depends on the compiler.
+        // The sign of a NaN depends on the compiler.
         if (text.compare(i, 4, "-nan") == 0) ++i;
         const bool in_word = i > 0 && (std::isalnum(byte(i - 1)) || text[i - 1] == '_');
         const bool number = std::isdigit(byte(i)) || (text[i] == '.' && std::isdigit(byte(i + 1)));

@@ -10,7 +10,7 @@
 namespace companion {
 namespace {
 
-// A string that fills this many columns.
+// The text, padded with blanks to this many columns.
 std::string padded(std::string text, std::size_t width) {
     if (text.size() < width) text.resize(width, ' ');
     return text;
@@ -47,7 +47,7 @@ std::string verdict_text(const Checked& checked) {
             return green("core passes") + ", " +
                    yellow(stars_open(static_cast<int>(checked.open_stars.size())));
         case Verdict::failing:
-            if (failing == 0) return red("failing: no test case reaches it");
+            if (failing == 0) return red("failing: no test case reaches your code");
             return red((checked.in_float ? "failing in float: " : "failing: ") +
                        std::to_string(failing) + " of " + cases(all)) +
                    (missing == 0 ? ""
@@ -56,9 +56,9 @@ std::string verdict_text(const Checked& checked) {
             return red("a file is missing");
         case Verdict::to_write:
             if (all == 0) return dim("to be written");
-            return yellow(passed == 0 ? "begun: all of its " + cases(all) + " meet an rt::todo"
+            return yellow(passed == 0 ? "begun: all " + cases(all) + " hit an rt::todo"
                                       : "begun: " + std::to_string(passed) + " of " + cases(all) +
-                                            " pass, the rest is to be written") +
+                                            " pass, the rest is still to be written") +
                    functions_done(checked);
         case Verdict::waiting:
             return yellow("needs " + checked.missing + " first");
@@ -106,8 +106,8 @@ std::string without_hexadecimal(std::string text) {
     return text;
 }
 
-// Addresses as "address A", "address B": which are the same is all that they can say. Numbers of 32
-// bits, eight digits, are none.
+// Addresses as "address A", "address B": all that they can tell is which ones are equal. Numbers of
+// 32 bits, eight digits, are not addresses.
 std::string without_addresses(std::string text) {
     const char* const digits = "0123456789abcdefABCDEF";
     std::vector<std::string> seen;
@@ -126,7 +126,7 @@ std::string without_addresses(std::string text) {
     return text;
 }
 
-// Numbers with more digits than mean something, as "5.31e+303".
+// Numbers with more digits than are meaningful, as "5.31e+303".
 std::string without_long_numbers(std::string text) {
     constexpr std::size_t most = 30;
     const char* const digits = "0123456789";
@@ -150,7 +150,7 @@ std::string readable(const std::string& text) {
     return without_long_numbers(without_addresses(without_hexadecimal(text)));
 }
 
-// What Catch2 names the expression in which a program crashed.
+// Whether this is Catch2's name for the expression in which a program crashed.
 bool is_unknown(const FailedAssertion& failure) {
     return failure.expression.find("{Unknown expression") != std::string::npos;
 }
@@ -186,7 +186,7 @@ std::string describe(const FailedAssertion& failure) {
     return text;
 }
 
-// The first failure of a test case of which there is something to say.
+// The first failure of a test case that has something to show.
 std::string describe_all(const TestCase& test) {
     for (const FailedAssertion& failure : test.failures)
         if (const std::string text = describe(failure); !text.empty()) return text;
@@ -195,7 +195,7 @@ std::string describe_all(const TestCase& test) {
 
 // What failed before a program crashed or was stopped.
 std::string before_that(const std::string& failing) {
-    return failing.empty() ? "" : "\nBefore that:\n" + failing;
+    return failing.empty() ? "" : "\nBefore that, this failed:\n" + failing;
 }
 
 // The test cases that fail, those of the core before the stars: the first with all that is known,
@@ -208,7 +208,7 @@ std::string failing_cases(const Checked& checked) {
     for (const TestCase& test : tests) {
         if (test.passed || !missing_exercise(test).empty()) continue;
         const bool crashed = !test.ended || !test.crash.empty();
-        if (crashed && describe_all(test).empty()) continue;  // the crash is told elsewhere
+        if (crashed && describe_all(test).empty()) continue;  // the crash is described elsewhere
         if (!text.empty()) {
             others += "    " + test.name + '\n';
             continue;
@@ -225,7 +225,7 @@ std::string failing_cases(const Checked& checked) {
 // What a compiler's message means.
 std::string in_plain_words(const std::string& message) {
     const std::string words = plain_words(message);
-    return words.empty() ? "" : wrapped("That means: " + words, "    ");
+    return words.empty() ? "" : wrapped("In plain words: " + words, "    ");
 }
 
 std::string warned(const Checked& checked) {
@@ -285,8 +285,8 @@ std::string details(const Course& course, const Checked& checked) {
             break;
         case Verdict::crashed:
             text += "It crashes" + where + '\n' + wrapped(checked.trouble + '.', "  ") +
-                    warned(checked) + "\n  The line where it happens:  ./course check " +
-                    exercise.id + " --sanitize\n" + before_that(failing_cases(checked));
+                    warned(checked) + "\n  To find the line:  ./course check " + exercise.id +
+                    " --sanitize\n" + before_that(failing_cases(checked));
             break;
         case Verdict::endless:
             text += "It was stopped: " + checked.trouble + where +
@@ -294,18 +294,17 @@ std::string details(const Course& course, const Checked& checked) {
                     before_that(failing_cases(checked));
             break;
         case Verdict::waiting:
-            text +=
-                "It calls what exercise " + checked.missing + " asks for: write that one first.\n";
+            text += "It calls your code of exercise " + checked.missing + ": write that first.\n";
             break;
         case Verdict::to_write:
-            text += "It is still to be written: replace the lines that say rt::todo.\n" +
+            text += "It is still to be written: replace the lines with rt::todo.\n" +
                     (checked.trouble.empty() ? "" : '\n' + wrapped(checked.trouble, "  "));
             break;
         case Verdict::failing:
             if (checked.in_float && checked.warning.empty())
                 text +=
-                    "\nIt passes in double and fails in float (rt::Real is float): does a number "
-                    "or a tolerance\nsuit double only?\n";
+                    "\nIt passes in double and fails in float (rt::Real is float): does a constant "
+                    "or a tolerance\nfit double only?\n";
             text += '\n' +
                     (checked.trouble.empty() ? failing_cases(checked)
                                              : wrapped(checked.trouble, "  ")) +
@@ -326,7 +325,7 @@ std::string open_stars(const Course& course, const Checked& checked, bool all) {
     std::string text;
     for (const OpenStar& star : checked.open_stars) {
         text += (text.empty() ? "" : "\n") + yellow("Star: ") + bold(star.test.name) +
-                (star.in_float ? ", with Real as float" : "") + '\n';
+                (star.in_float ? ", in float" : "") + '\n';
         if (!star.trouble.empty()) text += wrapped(star.trouble + '.', "    ");
         text += describe_all(star.test);
         if (!all) break;
@@ -337,15 +336,15 @@ std::string open_stars(const Course& course, const Checked& checked, bool all) {
     const auto left = static_cast<int>(checked.open_stars.size()) - 1;
     if (!all && left > 0)
         text += "\n  " + std::to_string(left) + " more: ./course check " + id + " --stars\n";
-    return text + "\n  Now or later: read " + checked.exercise.section() +
-           ". Stuck? ./course hint " + id + '\n';
+    return text + "\n  Read " + checked.exercise.section() +
+           ", now or later. Stuck? ./course hint " + id + '\n';
 }
 
 std::string stars_open(int count) {
     return std::to_string(count) + (count == 1 ? " star open" : " stars open");
 }
 
-// The electives of which something is left, a line each.
+// The electives that are not finished, one line each.
 std::string electives_left(const Course& course) {
     const State state = read_state(course);
     std::string text;
@@ -358,7 +357,7 @@ std::string electives_left(const Course& course) {
     return text;
 }
 
-// What comes when every exercise passes: the chapter of rungs, then the certificate.
+// The next step when every exercise passes: the chapter of rungs, then the certificate.
 std::string step_after_the_exercises(const Course& course) {
     const auto rungs = chapter_of_rungs(course);
     const OwnRecord own = read_state(course).own;
@@ -394,7 +393,7 @@ std::string chapter_done(const Chapter& chapter, int open_stars) {
                       yellow(stars_open(open_stars) + ": ./course check " + number + " --stars")) +
            "\n  Look at your picture:          ./course run " + number +
            "\n  Compare it with the solution:  ./course compare " + number +
-           "\n  Answer what the text asks:     ./course ask " + number + '\n';
+           "\n  Answer its questions:          ./course ask " + number + '\n';
 }
 
 }  // namespace companion

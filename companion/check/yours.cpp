@@ -10,7 +10,7 @@
 namespace companion {
 namespace {
 
-// Of these exercises those that pass, by id.
+// The ids of those of these exercises that pass.
 std::set<std::string> passing(const Course& course, const std::vector<Exercise>& exercises) {
     std::vector<Exercise> unchecked;
     for (const State state = read_state(course); const Exercise& exercise : exercises)
@@ -52,8 +52,8 @@ std::string ranges(const std::vector<std::string>& ids, const std::vector<std::s
 }  // namespace
 
 std::string Yours::words() const {
-    if (passing.empty()) return "None of it is yours yet: all code is the solution's.";
-    if (others.empty()) return "All of it is yours.";
+    if (passing.empty()) return "None of the code is yours yet: it is all the solution's.";
+    if (others.empty()) return "All of the code is yours.";
     return "Yours: " + ranges(passing, others) + ". The solution's: " + ranges(others, passing) +
            '.';
 }
@@ -64,7 +64,7 @@ Yours put_yours_in_place(const Course& course, const Chapter& last) {
         if (exercise.chapter.name <= last.name) all.push_back(std::move(exercise));
     const std::set<std::string> ids = passing(course, all);
     Yours yours;
-    std::map<fs::path, bool> is_yours;  // of several exercises in a file all must pass
+    std::map<fs::path, bool> is_yours;  // all exercises in a file must pass
     for (const Exercise& exercise : all) {
         const bool passes = ids.count(exercise.id) > 0;
         (passes ? yours.passing : yours.others).push_back(exercise.id);
@@ -75,7 +75,7 @@ Yours put_yours_in_place(const Course& course, const Chapter& last) {
     for (const auto& [file, mine] : is_yours) {
         const fs::path source =
             mine ? file : fs::path{"solutions"} / file.lexically_relative("exercises");
-        // A compiler speaks of the file that a person knows.
+        // Compiler messages then name the file that the learner knows.
         const std::string text = "#line 1 \"" + (course.root / source).generic_string() + "\"\n" +
                                  read_file(course.root / source);
         const fs::path target = course.build / "yours/rt" / file.filename();

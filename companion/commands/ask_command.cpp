@@ -13,7 +13,7 @@
 namespace companion {
 namespace {
 
-// A question that is not answered yet, and where it stands in its chapter.
+// A question that is not answered yet, and its number in its chapter.
 struct Open {
     Chapter chapter;
     Question question;
@@ -70,12 +70,12 @@ std::string what_fits(const Question& question) {
     return question.choices.empty() ? "a number, such as 0.75 or 3/4" : "one of the letters";
 }
 
-// Judges and remembers an answer, and says what it is worth: after the first wrong one something to
-// think of, after the second the reason. Such a question comes again another day.
+// Judges and remembers an answer, and prints the verdict: after the first wrong answer something to
+// think about, after the second the reason. Such a question comes again another day.
 Reply take(const Course& course, const Question& question, const std::string& answer, bool again) {
     const Reply reply = reply_to(question, answer);
     if (reply == Reply::not_understood) {
-        print("  The answer is " + what_fits(question) + ".\n");
+        print("  Answer with " + what_fits(question) + ".\n");
         return reply;
     }
     change_state(course, [&](State& state) {
@@ -89,11 +89,12 @@ Reply take(const Course& course, const Question& question, const std::string& an
     else if (!again)
         print("  " + yellow("Not yet.") + '\n' + wrapped(question.nudge, "  "));
     else
-        print("  " + red("No: ") + right_answer(question) + '\n' + wrapped(question.because, "  "));
+        print("  " + red("No.") + " The right answer is " + right_answer(question) + '\n' +
+              wrapped(question.because, "  "));
     return reply;
 }
 
-// One answer that was given with the command.
+// Judges the one answer that was given on the command line.
 int answer_one(const Course& course, const Open& open, const std::string& answer) {
     if (reply_to(open.question, answer) == Reply::not_understood)
         throw app::UsageError("ask --answer: question " + std::to_string(open.number) +
@@ -106,7 +107,7 @@ int answer_one(const Course& course, const Open& open, const std::string& answer
     return take(course, open.question, answer, again) == Reply::right ? app::done : app::could_not;
 }
 
-// False where no more is read.
+// False at the end of the input.
 bool ask_until_told(const Course& course, const Open& open) {
     print_question(course, open);
     for (int wrong = 0; wrong < 2;) {
@@ -133,7 +134,7 @@ int ask(const Course& course, const Named& name, const Named& answer) {
         return app::done;
     }
     if (answer) return answer_one(course, open.front(), *answer);
-    print(dim("Enter alone goes on to the next question, Ctrl-D ends.\n"));
+    print(dim("Press Enter alone to skip a question, Ctrl-D to stop.\n"));
     for (const Open& one : open)
         if (!ask_until_told(course, one)) {
             print("\n");

@@ -101,7 +101,7 @@ class Examination {
         return written;
     }
 
-    // Shown, and needed for nothing. Only what is begun is built.
+    // Shown for information only. Builds only the exercises that are begun.
     void show_electives() {
         const State state = read_state(course_);
         for (const Chapter& chapter : chapters(course_)) {
@@ -130,7 +130,7 @@ class Examination {
              standing_of(own), "every line passes");
     }
 
-    // The eight questions, when all lines are there.
+    // Collects the proofs for the eight questions, once all lines are there.
     void prove(const std::vector<CheckedChapter>& all) {
         for (const Ability& ability : self_assessment()) {
             Proof proof{ability.words, {}};
@@ -148,7 +148,7 @@ class Examination {
         }
     }
 
-    // Builds everything of the learner's anew with -O3: any warning from exercises/ counts.
+    // Builds all of the learner's code from scratch with -O3: any warning from exercises/ counts.
     void build_with_warnings(const std::vector<Chapter>& all) {
         fs::remove_all(course_.build / "certify");
         std::string folders;
@@ -246,7 +246,7 @@ class Examination {
     bool is_measured(const Chapter& chapter) const {
         return fs::exists(course_.root / "tests/certify" / (chapter.name + ".cpp"));
     }
-    // What a sanitizer says, with the place in the learner's code where there is one.
+    // What a sanitizer reports, with the line in the learner's code if there is one.
     std::string sanitizer_report(const Chapter& chapter, const std::string& output) const {
         std::vector<fs::path> files;
         for (const Exercise& exercise : exercises(course_, chapter))
@@ -270,7 +270,7 @@ int certify(const Course& course) {
     examination.take_own_verdict();
     examination.show_electives();
     if (written) {
-        std::puts("All is written. Building it anew takes a few minutes.");
+        std::puts("Every exercise is written. Building them all from scratch takes a few minutes.");
         std::fflush(stdout);
         examination.build_with_warnings(all);
         examination.measure(all);
@@ -284,14 +284,14 @@ int certify(const Course& course) {
         std::puts(certificate.passed_with_stars()
                       ? "Everything holds, core and stars. Your certificate is "
                         "out/certificate.html."
-                      : "The core holds. Your certificate is out/certificate.html; it names the "
-                        "stars that are open.");
+                      : "The core holds. Your certificate is out/certificate.html; it lists the "
+                        "open stars.");
         return app::done;
     }
     std::set<std::string> ids;
     for (const CertifiedFigure& one : certificate.measurements)
         if (one.held == Held::fails && !one.star && !one.exercise.empty()) ids.insert(one.exercise);
-    std::puts("Not there yet; out/certificate.html says how far it is.");
+    std::puts("Not there yet; out/certificate.html shows how far you are.");
     const bool is_exercise = !ids.empty() && ids.begin()->find('.') != std::string::npos;
     if (is_exercise) std::printf("Next: ./course check %s\n", ids.begin()->c_str());
     if (!ids.empty() && !is_exercise) print(next_step(course, nullptr));

@@ -11,8 +11,8 @@
 namespace companion {
 namespace {
 
-// The exercises that a person means by "03.2", by "3" or "sphere", or by nothing: those of which
-// something is written.
+// The exercises that a person means by "03.2", by "3" or "sphere", or by no name: all that are
+// begun.
 std::vector<Exercise> chosen(const Course& course, const Named& name) {
     if (name && name->find('.') != std::string::npos) return {find_exercise(course, *name)};
     if (name) return exercises(course, find_chapter(course, *name));
@@ -29,9 +29,9 @@ bool is_wrong(const Checked& checked) {
            checked.verdict != Verdict::waiting;
 }
 
-// What comes after these: in the chapter of the last one what comes after it, then what is left of
-// the chapter, of later chapters, and of earlier ones, none of them an elective. Nothing where
-// every core passes.
+// The exercises to do after these: the later ones in the chapter of the last of these, else the
+// earlier ones in it, else those of later chapters, else those of earlier ones, electives excluded.
+// Empty if every core passes.
 std::vector<Exercise> left_after(const Course& course, const std::vector<Checked>& all) {
     const State state = read_state(course);
     std::vector<Exercise> later, same_chapter, later_chapters, earlier_chapters;
@@ -77,7 +77,8 @@ void print_chapters_done(const Course& course, const std::vector<Chapter>& done)
     print("\n" + green("Done:" + numbers) + (open ? ", " + yellow(stars_open(open)) : "") + '\n');
 }
 
-// The open stars of these exercises: of one alone the first, else those that were asked for.
+// Prints the open stars of these exercises: the first one if there is a single exercise, all of
+// them if --stars asks for them.
 void print_stars(const Course& course, const std::vector<Checked>& all, bool every_star) {
     for (const Checked& checked : all)
         if (checked.verdict == Verdict::passed && (every_star || all.size() == 1))
@@ -113,7 +114,8 @@ int check(const Course& course, const Named& name, bool every_star) {
     if (all.empty()) print("Nothing is written yet.\n");
     print(float_lines(course, all));
 
-    // What helps most: the first that is wrong, else the first that waits or is to be written.
+    // Shown in detail is what helps most: the first exercise that is wrong, else the first that
+    // waits for another or is to be written.
     auto shown = std::find_if(all.begin(), all.end(), is_wrong);
     const bool wrong = shown != all.end();
     if (!wrong)

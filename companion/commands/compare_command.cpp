@@ -33,7 +33,7 @@ int compare(const Course& course, const std::string& name) {
     app::make_folder(course.out());
     const fs::path path = course.out() / (chapter.name + "_compare.png");
     app::replace_file(path, rt::encode_png(comparison_sheet(found)));
-    std::printf("Both and their difference are in %s\n",
+    std::printf("Both pictures and their difference are in %s\n",
                 path.lexically_relative(course.root).c_str());
     return found.same ? app::done : app::could_not;
 }

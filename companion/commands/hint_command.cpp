@@ -23,7 +23,8 @@ int hint(const Course& course, const std::string& id) {
     const Exercise exercise = find_exercise(course, id);
     std::vector<std::string> all = hints(course, exercise);
     if (all.empty())
-        throw app::Failure("there are no hints to " + exercise.id + "; read " + exercise.section());
+        throw app::Failure("there are no hints for " + exercise.id + "; read " +
+                           exercise.section());
     int number = 0;
     change_state(course, [&](State& state) {
         int& shown = state[exercise.id].hints;
@@ -32,14 +33,14 @@ int hint(const Course& course, const std::string& id) {
     });
     if (number < 0 || number >= static_cast<int>(all.size())) {
         std::printf(
-            "There are no more hints to %s: all three stand in %s. Read %s once more; the solution "
-            "is in %s.\n",
+            "There are no more hints for %s: all three are in %s. Read %s again. The "
+            "solution is in %s.\n",
             exercise.id.c_str(), exercise.chapter.hints.string().c_str(),
             exercise.section().c_str(), solution_of(exercise).c_str());
         return app::done;
     }
     std::string& words = all[static_cast<std::size_t>(number)];
-    std::erase(words, '`');  // Markdown's: code needs no mark here
+    std::erase(words, '`');  // Markdown's marks of code are not needed here
     std::printf("%s\n%s\n",
                 bold(exercise.id + ' ' + exercise.title + ", hint " + std::to_string(number + 1) +
                      " of " + std::to_string(all.size()))

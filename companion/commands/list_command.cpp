@@ -54,7 +54,7 @@ std::string name_of(const Chapter& chapter) {
                 std::string(16 - std::min<std::size_t>(16, chapter.name.size()), ' '));
 }
 
-// What is left of the reading is the share of the exercises that do not pass.
+// The reading is assumed to be done in proportion to the exercises that pass.
 Work work_of(const Course& course, const State& state, const Chapter& chapter,
              const std::vector<Exercise>& all) {
     Work result;
@@ -124,7 +124,7 @@ int list(const Course& course) {
                 hours(total.minutes_left).c_str(), hours(total.minutes).c_str(),
                 stars_of(total).c_str());
     if (electives.done > 0)
-        std::printf("Beyond the course: %d of %d exercises of electives\n", electives.done,
+        std::printf("Beyond the course: %d of %d exercises in electives\n", electives.done,
                     electives.exercises);
     std::printf("\n%s", next_step(course, first_open(course, state, every)).c_str());
     return app::done;

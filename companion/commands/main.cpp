@@ -16,7 +16,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// The words on all commands, of which the script ./course shows the same file.
+// The help on all commands; the script ./course shows the same file.
 std::string help() {
     return companion::read_file(companion::fs::path{COURSE_ROOT} / "companion/help.txt");
 }
@@ -117,7 +117,7 @@ struct CommandLine {
     for (const std::string& name : known) all += name + ", ";
     throw app::UsageError(
         "there is no command '" + word + "'; " +
-        (guess.empty() ? "there are " + all + "help" : "did you mean " + guess + '?'));
+        (guess.empty() ? "the commands are " + all + "help" : "did you mean " + guess + '?'));
 }
 
 int obey(Words words) {
@@ -140,7 +140,7 @@ int obey(Words words) {
         commands.parser.parse(words);
     } catch (const CLI::ParseError& error) {
         throw app::UsageError(name + ": " + error.what() + "; ./course " + name +
-                              " --help says what it takes");
+                              " --help shows what it takes");
     }
     return commands.exit_code;
 }
@@ -148,7 +148,7 @@ int obey(Words words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // Compilers and CMake speak the language of the machine, and their words are read here.
+    // In English: the companion reads the messages of compilers and CMake.
     ::setenv("LC_ALL", "C", true);
     return app::run_or_explain("course", [&] { return obey({argv + 1, argv + argc}); });
 }

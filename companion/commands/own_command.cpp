@@ -18,10 +18,10 @@ std::string asked_part(int rung, const Named& part) {
     const std::vector<std::string> parts = judge_parts();
     const std::string name = part ? *part : rung != 0 ? "rung" + std::to_string(rung) : "";
     if (name.empty() || std::count(parts.begin(), parts.end(), name) > 0) return name;
-    if (!part) throw app::UsageError("--rung: there are rungs 1 to 9");
+    if (!part) throw app::UsageError("--rung: the rungs are 1 to 9");
     std::string known;
     for (const std::string& one : parts) known += (known.empty() ? "" : ", ") + one;
-    throw app::UsageError("--part: there is no " + name + "; there are " + known);
+    throw app::UsageError("--part: there is no part '" + name + "'; the parts are " + known);
 }
 
 void print_line(const JudgedLine& line) {
@@ -44,7 +44,7 @@ int own_new(const Course& course, const std::string& folder) {
         if (!own_passes(state.own)) state.own = {.folder = to.string()};
     });
     print("Your folder is " + to.string() + ". Read TASK.md in it, then write main.cpp.\n" +
-          "./course own judge " + folder + " --rung 1 looks at the first rung.\n");
+          "./course own judge " + folder + " --rung 1 tests the first rung.\n");
     return app::done;
 }
 
@@ -54,7 +54,7 @@ int own_judge(const Course& course, const std::string& folder, int rung, const N
     must_build(course, "09_own_solution");
     if (seed == 0) seed = 1 + std::random_device{}() % 9999;
     print("Scenes of seed " + std::to_string(seed) +
-          (part.empty() ? "; this takes some minutes" : "") + ".\n");
+          (part.empty() ? "; this takes a few minutes" : "") + ".\n");
 
     const fs::path path = fs::absolute(folder).lexically_normal();
     const std::string hash = hash_of_own(path);  // of what is judged, whatever is typed meanwhile
@@ -75,7 +75,7 @@ int own_judge(const Course& course, const std::string& folder, int rung, const N
             state.own = {path.string(), hash, lines, passed};
         });
     print("\n" + std::to_string(passed) + " of " + std::to_string(lines) +
-          " lines pass. The same scenes again: --seed " + std::to_string(seed) + "\n");
+          " lines pass. To repeat the same scenes: --seed " + std::to_string(seed) + "\n");
     if (passed < lines) return app::could_not;
     if (part.empty()) print(bold("You are the author of a ray tracer.") + " ./course certify\n");
     if (rung > 0)

@@ -12,7 +12,7 @@
 namespace companion {
 namespace {
 
-// .course/kept/01.3-20260131-174500, or with -2, -3, ... where that is there already.
+// .course/kept/01.3-20260131-174500, or with -2, -3, ... if that already exists.
 fs::path new_folder(const Course& course, const Exercise& exercise) {
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
     char time[32];
@@ -43,7 +43,7 @@ int reset(const Course& course, const std::string& id) {
             read_text(course.root / file) != stubs.at(file.lexically_relative(chapter)))
             changed.push_back(file);
     if (changed.empty()) {
-        std::printf("%s is as it was shipped.\n", exercise.id.c_str());
+        std::printf("%s is unchanged: it is as it was shipped.\n", exercise.id.c_str());
         return app::done;
     }
     fs::path folder;

@@ -10,7 +10,7 @@
 namespace companion {
 namespace {
 
-// Whether the learner says where the picture goes, or asks for none.
+// Whether the options say where the picture goes, or ask for no picture.
 bool says_where(const std::vector<std::string>& options) {
     return std::any_of(options.begin(), options.end(), [](const std::string& option) {
         return option == "--out" || option.rfind("--out=", 0) == 0 || option == "--study" ||
@@ -18,7 +18,7 @@ bool says_where(const std::vector<std::string>& options) {
     });
 }
 
-// Whether an elective's code draws, and not the chapter's alone.
+// Whether code from an elective takes part in drawing.
 bool draws_by_elective(const std::vector<std::string>& options) {
     return std::any_of(options.begin(), options.end(), [](const std::string& option) {
         const std::string name = option.substr(0, option.find('='));
@@ -27,7 +27,7 @@ bool draws_by_elective(const std::vector<std::string>& options) {
     });
 }
 
-// Another scene's picture is another file: the chapter's own is not overwritten.
+// The picture of another scene gets a file of its own; it does not overwrite the chapter's.
 std::string picture_name(const Chapter& chapter, const std::vector<std::string>& options) {
     for (const std::string& option : options)
         if (const fs::path scene{option}; fs::is_regular_file(scene))
@@ -56,7 +56,7 @@ int run(const Course& course, const std::string& name, const std::vector<std::st
     if (result.passed_on && result.signal) return app::stopped_by + result.signal;
     if (result.signal != 0)
         throw app::Failure(chapter.name + " crashed, " + how_it_ended(result) +
-                           "; in which exercise: ./course check " + chapter.number());
+                           "; to find the exercise: ./course check " + chapter.number());
     return result.exit_code;
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int pause_ms = 100;  // between two looks at the files
 
-// When a file was last written; nothing where it is not there, as while an editor replaces it.
+// When each file was last written; a file is absent while an editor replaces it.
 using Written = std::map<fs::path, fs::file_time_type>;
 
 Written written(const Course& course, const std::vector<Exercise>& all) {
@@ -37,7 +37,7 @@ Written written(const Course& course, const std::vector<Exercise>& all) {
 
 class Watch {
   public:
-    // From the exercise at this place on.
+    // Starts at the exercise with this index.
     Watch(const Course& course, std::vector<Exercise> all, std::size_t first)
         : course_{course},
           all_{std::move(all)},
@@ -60,8 +60,8 @@ class Watch {
 
   private:
     // Finds the next exercise that does not pass, from the current one on, and says what to do.
-    // What is written already is checked first, and passed over where it is right. Where all pass
-    // it stays, for the stars.
+    // One that is already written is checked first, and skipped if it passes. If all pass, the
+    // current one stays, for its stars.
     void go_on() {
         for (;;) {
             const State state = read_state(course_);
@@ -86,8 +86,7 @@ class Watch {
         }
     }
 
-    // True where a file is another one than before; the exercise that it belongs to is then the
-    // current one.
+    // True if a file has changed; its exercise then becomes the current one.
     bool has_changed() {
         Written now = written(course_, all_);
         if (now == seen_) return false;
@@ -113,7 +112,7 @@ class Watch {
         return found;
     }
 
-    // True where it passes.
+    // True if it passes.
     bool check_current() {
         if (on_terminal_) print("\033[2J\033[H" + dim("checking " + all_[current_].id + " ..."));
         std::vector<Checked> checked;
@@ -148,7 +147,7 @@ class Watch {
             print('\n' + chapter_done(chapter, open_stars_of(course_, chapter)));
     }
 
-    // False where it is the end.
+    // False if the learner quits.
     bool obey(char key) {
         const Exercise& exercise = all_[current_];
         const std::string number = exercise.chapter.number();
@@ -176,7 +175,7 @@ class Watch {
         return true;
     }
 
-    // A command of the companion, in a process of its own: what goes wrong there ends there.
+    // Runs a command of the companion in a process of its own, so that its errors stay there.
     void call(std::vector<std::string> command) {
         command.insert(command.begin(), course_.program("course").string());
         if (on_terminal_) print("\n");

@@ -8,13 +8,12 @@
 namespace companion {
 namespace {
 
-// Pictures of each program. Where much is suspected, few more are enough.
+// The number of pictures of each program. If many tests are suspicious, a few more are enough.
 constexpr int first_step = 8, second_step = 16, short_second_step = 8;
 constexpr double screening = 1.0 / 1000;  // of each test of the first step
-constexpr double wronged = 1.0 / 1000;    // right programs that the second step calls wrong
+constexpr double wronged = 1.0 / 1000;    // share of right programs that the second step rejects
 
-// Seeds that have nothing to do with each other, so that no simple way to use them makes pictures
-// alike.
+// Unrelated seeds, so that no simple way of using them makes two pictures alike.
 class Seeds {
   public:
     explicit Seeds(std::uint64_t start) : next_{start << 20} {}
@@ -72,7 +71,7 @@ bool contains(const Tile& outer, const Tile& inner) {
            outer.top <= inner.top && inner.top < outer.top + outer.height;
 }
 
-// Adds a tile that differs, unless the last one is the same, or it is a block and a tile in it
+// Adds a tile that differs, unless it is the last one again, or a block that contains a tile which
 // says more.
 void add_tile(std::vector<TileStatistics>& tiles, const TileStatistics& tile) {
     for (const TileStatistics& other : tiles)
@@ -80,7 +79,8 @@ void add_tile(std::vector<TileStatistics>& tiles, const TileStatistics& tile) {
     tiles.push_back(tile);
 }
 
-// Of the chance to err, 4 of 10 parts go to the tiles, 2 to each test of the picture as a whole.
+// Of the allowed chance of error, 4 of 10 parts go to the tiles, and 2 to each of the three tests
+// of the picture as a whole.
 void confirm(Comparison& comparison, const Suspects& suspected) {
     const PictureStatistics& statistics = comparison.statistics;
     const auto tests = local_tests(statistics);
@@ -101,7 +101,7 @@ void add_still_tiles(Comparison& comparison) {
         if (tile.still_differing > 0) comparison.light_differs_in.push_back(tile);
 }
 
-// At the same time: most programs use one core.
+// Draws both at the same time: most programs use one core.
 std::pair<Picture, Picture> draw_both(const TwoPrograms& programs, std::uint64_t my_seed,
                                       std::uint64_t solutions_seed) {
     auto solution = std::async(std::launch::async, programs.solution, solutions_seed);
@@ -127,7 +127,7 @@ PictureStatistics test_last_step(const Comparison& comparison) {
         {comparison.solution.end() - comparison.pictures, comparison.solution.end()});
 }
 
-// With the same random numbers equal code draws equal pictures.
+// With the same random numbers, equal code draws equal pictures.
 bool bit_for_bit(const TwoPrograms& programs, Seeds& seeds, Comparison& comparison) {
     for (int i = 0; i < 2; ++i) {
         const std::uint64_t seed = seeds();
@@ -219,15 +219,16 @@ std::vector<std::string> Comparison::words() const {
                        mine.back().height, solution.back().width, solution.back().height)};
     if (bit_for_bit) return {"The same as the solution's, bit for bit."};
     if (same && pictures == 1)
-        return {number("The same: %ld of %ld pixels differ by more than a step of 255; %ld may.",
+        return {number("The same: %ld of %ld pixels differ by more than 1 of 255 steps; %ld may.",
                        statistics.still_differing, statistics.pixels, statistics.pixels / 1000)};
     if (same)
-        return {number("The same within noise: %zu pictures of each, with other random numbers.",
-                       mine.size())};
+        return {
+            number("The same within noise: %zu pictures of each, with different random numbers.",
+                   mine.size())};
 
     std::vector<std::string> lines{"It differs from the solution's."};
     if (statistics.still_differs())
-        lines.push_back(number("%ld of %ld pixels differ by more than a step of 255; %ld may.",
+        lines.push_back(number("%ld of %ld pixels differ by more than 1 of 255 steps; %ld may.",
                                statistics.still_differing, statistics.pixels,
                                statistics.pixels / 1000));
     for (const std::string& line : describe_by_region(light_differs_in, statistics.tiles,
@@ -236,7 +237,8 @@ std::vector<std::string> Comparison::words() const {
     if (light_differs_in.empty()) lines.push_back("The light of every tile is right on average.");
     if (light_differs_in.empty() && pixels_differ)
         for (const std::string& region : pixel_regions(*this))
-            lines.push_back(region + ": single pixels differ, as where samples lie elsewhere");
+            lines.push_back(region +
+                            ": single pixels differ, as if their samples lay at other points");
     if (pixel_noise_differs)
         lines.push_back(number("noise: a pixel's variance is %.2g times the solution's",
                                statistics.pixel_noise.ratio));

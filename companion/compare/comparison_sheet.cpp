@@ -16,12 +16,12 @@ Real sum(Color c) {
     return c.r + c.g + c.b;
 }
 
-// Black where nothing differs; the color says in which way, its strength by how much: full at half
+// Black where nothing differs. The hue says how it differs, the strength by how much: full at half
 // of the light.
 Color heat(Color mine, Color solution) {
     const Color d = mine - solution;
     const Real apart = std::abs(d.r) + std::abs(d.g) + std::abs(d.b);
-    // Of dark places small differences are seen, too.
+    // In dark regions, small differences are visible, too.
     const Real relative = apart / (std::max(sum(mine), sum(solution)) + Real(0.02));
     const Real strength = std::sqrt(std::min(Real(1), 2 * relative));
     const Real way = apart > 0 ? sum(d) / apart : 0;
@@ -50,10 +50,10 @@ Image heat_map(const Comparison& comparison, const Image& mine, const Image& sol
         return Color{static_cast<Real>(light[0]), static_cast<Real>(light[1]),
                      static_cast<Real>(light[2])};
     };
-    for (const TileStatistics& place : comparison.light_differs_in)
-        paint(place.tile, [&](int, int) { return heat(color(place.mine), color(place.solution)); });
-    for (const TileStatistics& place : comparison.noise_differs_in)
-        paint(place.tile, [&](int, int) { return Real(0.3) * neither; });
+    for (const TileStatistics& tile : comparison.light_differs_in)
+        paint(tile.tile, [&](int, int) { return heat(color(tile.mine), color(tile.solution)); });
+    for (const TileStatistics& tile : comparison.noise_differs_in)
+        paint(tile.tile, [&](int, int) { return Real(0.3) * neither; });
     if (comparison.light_differs_in.empty() && comparison.pixels_differ)
         for (const TileStatistics& tile : comparison.statistics.tiles)
             paint(tile.tile, [&](int, int) {

@@ -17,7 +17,7 @@ std::string percent(double part) {
     return text;
 }
 
-// The light of a place, of both programs.
+// The light of some tiles, in both programs.
 struct Light {
     std::array<double, 3> mine{}, solution{};
     double apart = 0;  // sum of the tiles' differences, whatever their sign
@@ -38,7 +38,7 @@ struct Light {
 
 std::string brightness(const Light& light) {
     const double relative = light.relative();
-    if (!(Light::sum(light.solution) > 0)) return "bright where it is black";
+    if (!(Light::sum(light.solution) > 0)) return "bright where it should be black";
     if (relative >= 1) {
         char text[48];
         std::snprintf(text, sizeof text, "%.2g times as bright", relative + 1);
@@ -47,7 +47,7 @@ std::string brightness(const Light& light) {
     return percent(relative) + (relative < 0 ? " too dark" : " too bright");
 }
 
-// The channel that goes another way than both others, if one does.
+// The channel that differs from both others, if one does.
 std::string cast(const Light& light) {
     for (std::size_t i = 0; i < 3; ++i) {
         const double own = light.relative(i), next = light.relative((i + 1) % 3),
@@ -84,7 +84,7 @@ std::string describe_difference(const std::vector<TileStatistics>& tiles) {
     const double all = Light::sum(light.solution);
     const double apart = all > 0 ? light.apart / all : 1;
     const std::string color = cast(light);
-    // Light and dark that make up for each other: shapes have moved.
+    // Light and dark balance each other: shapes have moved.
     if (std::abs(Light::sum(light.mine) - all) < light.apart / 3 && color.empty())
         return "drawn differently, by " + percent(apart) + " on average";
     std::string text;
@@ -112,7 +112,7 @@ std::vector<std::string> describe_by_region(const std::vector<TileStatistics>& d
         const auto more = words.size() - shown;
         words.resize(shown);
         words.push_back("and in " + std::to_string(more) +
-                        (more == 1 ? " more place" : " more places"));
+                        (more == 1 ? " more region" : " more regions"));
     }
     return words;
 }

@@ -52,8 +52,8 @@ Picture parse_ppm(const std::string& text) {
     if (kind == "P6") {
         const std::size_t start = reader.place() + 1;  // after one white space
         if (text.size() != start + size)
-            throw app::Failure("the .ppm file has " + std::to_string(text.size()) + " bytes; " +
-                               std::to_string(start + size) + " would be right");
+            throw app::Failure("the .ppm file has " + std::to_string(text.size()) +
+                               " bytes; expected " + std::to_string(start + size));
         picture.bytes.assign(text.end() - static_cast<std::ptrdiff_t>(size), text.end());
     } else {
         // A number takes two characters at least: a short file must not ask for much memory.

@@ -51,8 +51,8 @@ class Variation {
   public:
     explicit Variation(std::size_t pictures) : of_picture_(pictures) {}
 
-    // Squared distances from the mean, a picture each. Dark and light places, calm and wild ones
-    // count alike: what matters is how the pictures share the variance.
+    // Squared distances from the mean, one per picture. Dark and light, calm and noisy regions
+    // count the same: what matters is how the pictures share the variance.
     void add(const std::vector<double>& squares) {
         double sum = 0;
         for (const double square : squares) sum += square;
@@ -96,7 +96,7 @@ std::vector<std::size_t> sort_out_still(const Both& both, TileStatistics& test,
     return noisy;
 }
 
-// Of the noisy pixels of a place, for each channel.
+// Sums over the noisy pixels of a tile or block, for each channel.
 struct Sums {
     struct Channel {
         std::vector<double> light, squares;  // of each picture; squared distances from the mean
@@ -160,8 +160,8 @@ double excess(const Both& both, const Products& products) {
     std::vector<bool> mine(both.count());
     std::fill(mine.begin(), mine.begin() + static_cast<long>(both.mine.size()), true);
     const double between = products.between(mine);
-    // Of the total, all but what is between is within; the mean of n pictures has an nth of its
-    // variance.
+    // The variance within is the total minus the variance between; the mean of n pictures has 1/n
+    // of it.
     const auto a = static_cast<double>(both.mine.size()),
                b = static_cast<double>(both.solution.size());
     const double within = (products.total() - between * a * b / (a + b)) / (a + b - 2);

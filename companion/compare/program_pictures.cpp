@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 
 constexpr double patience = 20;         // seconds for a picture
 constexpr double many_pixels = 36'864;  // 256 x 144
-constexpr int few_samples = 9;          // 3 x 3 cells, so that jitter has something to do
-constexpr int few_bounces = 5;          // so that what becomes of a path at its limit shows
+constexpr int few_samples = 9;          // 3 x 3 cells, so that jitter matters
+constexpr int few_bounces = 5;          // so that the ending of a path at its limit is visible
 
-// A file that goes away.
+// A file that is removed at the end.
 struct TemporaryFile {
     fs::path path;
     ~TemporaryFile() {

@@ -43,12 +43,12 @@ Chapter find_chapter(const Course& course, const std::string& name) {
         if (meant && chapter.has_exercises()) return chapter;
         if (meant)
             throw app::UsageError("chapter " + chapter.number() +
-                                  " has rungs in place of exercises: ./course own judge looks at "
-                                  "them, and " +
-                                  chapter.text.string() + " says how");
+                                  " has rungs instead of exercises: ./course own judge tests them, "
+                                  "and " +
+                                  chapter.text.string() + " explains how");
         if (chapter.has_exercises()) known += (known.empty() ? "" : ", ") + chapter.name;
     }
-    throw app::UsageError("there is no chapter '" + name + "'; there are " + known);
+    throw app::UsageError("there is no chapter '" + name + "'; the chapters are " + known);
 }
 
 }  // namespace companion

@@ -9,7 +9,7 @@
 namespace companion {
 namespace {
 
-// A hash over files and what is in them.
+// A hash over the names and the contents of files.
 template <class Read>
 std::string hash_over(const std::vector<fs::path>& files, const Read& read) {
     std::string bytes;
@@ -17,12 +17,12 @@ std::string hash_over(const std::vector<fs::path>& files, const Read& read) {
     return hash_of(bytes);
 }
 
-// What is in a file now; nothing where there is none.
+// The contents of a file; empty if there is none.
 std::string present(const Course& course, const fs::path& file) {
     return why_no_file(course.root / file).empty() ? read_text(course.root / file) : "";
 }
 
-// Fills in what was shipped of a chapter's exercises.
+// Fills in the stubs of a chapter's exercises as they were shipped.
 void add_shipped(const Course& course, const Chapter& chapter, std::vector<Exercise>& exercises) {
     const Stubs stubs = shipped_stubs(course, chapter);
     const auto read = [&](const fs::path& file) {
@@ -87,7 +87,7 @@ Exercise find_exercise(const Course& course, const std::string& id) {
     if (is_chapter && wanted.size() == 2 && !known.empty())
         throw app::UsageError("'" + id + "' is a chapter; its exercises are " + known);
     throw app::UsageError("there is no exercise '" + id + "'; " +
-                          (known.empty() ? "name one as 01.3: chapter, dot, exercise"
+                          (known.empty() ? "write it as in 01.3: chapter, dot, exercise"
                                          : "chapter " + wanted.substr(0, 2) + " has " + known));
 }
 
@@ -108,8 +108,8 @@ std::string trouble_with_files(const Course& course, const Exercise& exercise) {
         if (why.empty()) continue;
         const bool in_the_way = fs::exists(fs::symlink_status(path));
         return file.string() + ' ' + why + "; " + (in_the_way ? "move it away, and " : "") +
-               "./course reset " + exercise.id + " brings the stub back, git checkout -- " +
-               file.string() + " what you committed";
+               "./course reset " + exercise.id + " restores the stub, git checkout -- " +
+               file.string() + " what you last committed";
     }
     // The chapter's others may be included: a compiler would wait at a pipe.
     for (const fs::path& file : exercise.shipped)

@@ -21,7 +21,7 @@ std::vector<std::string> hints(const Course& course, const Exercise& exercise) {
         if (line.rfind(number, 0) == 0) {
             found.push_back(line.substr(number.size()));
         } else if (!found.empty()) {
-            // What goes on with an item stands three characters in.
+            // Lines that continue an item are indented by three characters.
             const auto inner = line.find_first_not_of(' ');
             found.back() +=
                 '\n' +

@@ -43,7 +43,7 @@ class Reader {
     [[noreturn]] void fail(const std::string& what) const {
         throw app::Failure(place() + ": " + what);
     }
-    // What the line has between its start and its end; nothing where these are others.
+    // The text of the line between this start and this end; empty if the line has others.
     std::string between(const std::string& start, const std::string& end) const {
         const std::string text = line();
         const bool fits = text.size() >= start.size() + end.size() && starts_with(start) &&
@@ -88,11 +88,11 @@ class Reader {
                 fail("expected 'key: value' or an empty line, actual: '" + line() + '\'');
             if (key != "title" && key != "caught by" && !yes_only.count(key) &&
                 !with_value.count(key))
-                fail("'" + key + "' is no known key; see companion/model/mistakes.cpp");
+                fail("'" + key + "' is not a known key; see companion/model/mistakes.cpp");
             const std::string value = line().substr(colon + 2);
             if (yes_only.count(key) && value != "yes")
                 fail("expected '" + key + ": yes' or no such line, actual: '" + line() + '\'');
-            if (!values.insert({key, value}).second) fail("'" + key + "' stands there twice");
+            if (!values.insert({key, value}).second) fail("'" + key + "' appears twice");
         }
         for (const char* const key : {"title", "caught by"})
             if (!values.count(key)) fail(mistake.name + " needs a line '" + key + ": ...' here");
@@ -112,7 +112,7 @@ class Reader {
     Edit edit() {
         Edit edit;
         edit.file = between("Replace in `", "`");
-        // In rt/, but for a program of its own, which stands in the chapter's folder.
+        // In rt/, except for a separate program, which is in the chapter's folder.
         if (edit.file.empty() ||
             (edit.file.rfind("rt/", 0) != 0 && edit.file.find('/') != std::string::npos))
             fail("expected 'Replace in `rt/file.hpp`', actual: '" + line() + '\'');
@@ -171,7 +171,7 @@ Mistake read_mistake(const Course& course, const Chapter& chapter, const std::st
         course.root / "tests/mistakes" / chapter.name / (name.substr(0, name.find('_')) + ".md");
     for (const Mistake& mistake : read_mistakes(file))
         if (mistake.name == name) return mistake;
-    throw app::Failure(file.string() + " does not tell of " + name);
+    throw app::Failure(file.string() + " does not describe " + name);
 }
 
 std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs::path& solution) {
@@ -182,10 +182,11 @@ std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs
         std::string& text = files.try_emplace(edit.file, read_text(path)).first->second;
         const auto found = places(text, edit.before);
         if (found.empty())
-            throw app::Failure(edit.place + ": these lines are not in " + path.string() +
-                               "; copy them from there as they stand, after the edits before");
+            throw app::Failure(
+                edit.place + ": these lines are not in " + path.string() +
+                "; copy them from there exactly, as they are after the earlier edits");
         if (found.size() > 1)
-            throw app::Failure(edit.place + ": these lines are " + std::to_string(found.size()) +
+            throw app::Failure(edit.place + ": these lines appear " + std::to_string(found.size()) +
                                " times in " + path.string() +
                                "; add a line before or after that tells them apart");
         text.replace(found[0], edit.before.size(), edit.after);

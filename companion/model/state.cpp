@@ -20,7 +20,7 @@ fs::path folder_of(const Course& course) {
 // A member of an object. Throws app::Failure where it is missing or of another kind.
 const Json& member(const Json& object, const std::string& key, Json::Kind kind) {
     if (const Json* const found = find(object, key, kind)) return *found;
-    throw app::Failure("it is no state of the course");
+    throw app::Failure("it does not hold the progress of the course");
 }
 
 // A number that older states do not have.
@@ -33,7 +33,7 @@ State parse(const std::string& text) {
     const Json json = app::parse_json(text, "state.json");
     const double written_as = member(json, "version", Json::Kind::number).number;
     if (written_as != version)
-        throw app::Failure("it is of version " + app::to_text({Json::Kind::number, written_as}) +
+        throw app::Failure("it has version " + app::to_text({Json::Kind::number, written_as}) +
                            ", not " + std::to_string(version));
     const Json& records = member(json, "exercises", Json::Kind::object);
     State state;
@@ -110,11 +110,11 @@ void set_aside(const Course& course, const fs::path& file, const char* why) {
         if (fs::exists(aside)) continue;
         std::error_code error;
         fs::rename(file, aside, error);
-        // Another course may have been quicker; what cannot be moved is written over.
+        // Another ./course may have moved it first; a file that cannot be moved is overwritten.
         if (!error)
             std::fprintf(stderr,
-                         "course: what was remembered cannot be read (%s); it is now in %s, and "
-                         "./course check finds out anew what is done\n",
+                         "course: the saved progress cannot be read (%s); it is now in %s, and "
+                         "./course check finds out again what is done\n",
                          why, aside.lexically_relative(course.root).string().c_str());
         return;
     }
@@ -128,7 +128,7 @@ fs::path private_folder(const Course& course) {
     fs::create_directories(folder, error);
     if (!fs::is_directory(folder))
         throw app::Failure("cannot make the folder " + folder.string() +
-                           (error ? ": " + error.message() : ": there is a file of that name"));
+                           (error ? ": " + error.message() : ": a file has that name"));
     return folder;
 }
 

@@ -77,7 +77,8 @@ Stubs stubs_from_text(const std::string& text) {
         else if (source)
             *source += line;
         else
-            throw app::Failure("the list of shipped stubs starts with no file's name: " + line);
+            throw app::Failure("the list of shipped stubs does not start with a file name: " +
+                               line);
     }
     return stubs;
 }
@@ -102,7 +103,7 @@ std::vector<std::size_t> todos(const std::string& code, const std::string& exerc
     return found;
 }
 
-// The name of the function whose body encloses a place: the word before its parameters.
+// The name of the function whose body encloses a position: the word before its parameters.
 std::string function_around(const std::string& code, std::size_t place) {
     static const std::regex head{
         R"((operator\s*[^\s\w(]+|~?[A-Za-z_]\w*)\s*\([^;{}]*\)[^;{}()]*(:[^;]*)?$)"};

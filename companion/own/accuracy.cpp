@@ -9,9 +9,10 @@
 namespace companion {
 namespace {
 
-constexpr std::uint64_t fixed_seed = 1;  // what was written down once must hold next time, too
+constexpr std::uint64_t fixed_seed = 1;  // figures that were written down must hold next time, too
 
-// Root mean square difference, in linear light, of what both draw on average with the same seeds.
+// Root mean square difference, in linear light, of the mean pictures that both draw with the same
+// seeds.
 double difference(const OwnProgram& a, const OwnProgram& b, const std::string& scene) {
     std::vector<Picture> of_a, of_b;
     for (int seed = 1; seed <= 8; ++seed) {
@@ -58,13 +59,13 @@ void judge_accuracy(const Trial& trial) {
         fs::exists(page) ? accuracy_choices(read_file(page)) : std::vector<AccuracyChoice>{};
     trial.line(
         {choices.size() >= 2, "accuracy: choices in accuracy.md", std::to_string(choices.size()),
-         "two or more", "Write behind `option:` what build.sh passes to the compiler."},
+         "two or more", "After `option:`, write what build.sh passes to the compiler."},
         [](JudgedLine&) {});
     for (const AccuracyChoice& choice : choices)
         trial.line(
             {false, "accuracy: " + choice.option, "",
-             "a time within 25 % of what is measured, an error within a factor of 1.5",
-             "Write the measured figures behind `time:` and `error:` of this option."},
+             "a time within 25 % of the measured one, an error within a factor of 1.5",
+             "Write the measured figures after `time:` and `error:` of this option."},
             [&](JudgedLine& line) {
                 const OwnProgram with{trial.request.folder, {choice.option}};
                 const std::vector<std::string> one{"--threads", "1"};

@@ -13,13 +13,13 @@ namespace {
 
 using Options = std::vector<std::string>;
 
-// The variance may be this many times ours, of a pixel and of a tile. Independent samples have
-// ours, and samples that are spread on purpose have less.
+// The variance of a pixel and of a tile may be this many times ours. Independent samples have ours;
+// samples that are spread on purpose have less.
 constexpr double most_pixel_noise = 2, most_tile_noise = 4;
 
-// What is wrong with a picture; empty where it is ours within the noise.
+// What is wrong with a picture; empty if it equals ours within the noise.
 std::string what_differs(const Comparison& compared) {
-    if (compared.sizes_differ) return "a picture of another size than the scene asks for";
+    if (compared.sizes_differ) return "a picture of a different size from what the scene asks for";
     const PictureStatistics& found = compared.statistics;
     auto differing = compared.light_differs_in;
     // Pixels without chance, such as the sky's, may differ by a step of rounding.
@@ -33,12 +33,12 @@ std::string what_differs(const Comparison& compared) {
          describe_by_region(differing, found.tiles, picture.width, picture.height))
         add(where);
     if (differing.empty() && compared.pixels_differ)
-        add("the light of each tile is right, and single pixels differ");
+        add("the light of each tile is right, but single pixels differ");
     if (found.pixel_noise.ratio > most_pixel_noise)
         add("the noise of a pixel has " + number(found.pixel_noise.ratio, "%.1f") +
             " times our variance");
     else if (found.tile_noise.ratio > most_tile_noise)
-        add("neighbors share their noise: that of a tile has " +
+        add("neighboring pixels share their noise: the noise of a tile has " +
             number(found.tile_noise.ratio, "%.1f") + " times our variance");
     return words;
 }
@@ -73,8 +73,9 @@ void judge_pictures(const Trial& trial, const std::string& part,
 
 void judge_seed(const Trial& trial, const OwnScene& scene) {
     trial.line(
-        {false, "rung 3: --seed", "", "another seed draws other noise, the same one the same",
-         "The random numbers come from the seed, the pixel and the sample."},
+        {false, "rung 3: --seed", "",
+         "a different seed gives different noise, the same seed the same",
+         "The random numbers must depend on the seed, the pixel and the sample, and nothing else."},
         [&](JudgedLine& line) {
             const auto bytes = [&](const char* seed) {
                 return trial.own.picture(scene.text, {"--seed", seed}).bytes;
@@ -82,13 +83,13 @@ void judge_seed(const Trial& trial, const OwnScene& scene) {
             const std::string one = bytes("1");
             const bool again = bytes("1") == one, other = bytes("2") != one;
             line.passed = again && other;
-            line.actual = !again   ? "the same seed draws two pictures"
-                          : !other ? "two seeds draw the same bytes"
-                                   : "other noise, and the same again";
+            line.actual = !again   ? "the same seed gives two different pictures"
+                          : !other ? "two different seeds give the same bytes"
+                                   : "different noise, and the same bytes again";
         });
 }
 
-// What a sanitizer reports of a run, and where; empty where it is silent.
+// What a sanitizer reports about a run, and where; empty if it is silent.
 std::string report_of(const Result& result, const fs::path& folder) {
     if (result.ok() && result.output.empty()) return "";
     const SanitizerReport report = read_sanitizer_report(result.output, own_sources(folder));
@@ -103,7 +104,8 @@ void judge_sanitized(const Trial& trial) {
         {"threads", "-fsanitize=thread"}};
     for (const auto& [name, option] : sanitizers)
         trial.line({false, std::string{"sanitizers: "} + name, "", "silent",
-                    std::string{"sh build.sh -O1 -g "} + option + " shows it, with its line."},
+                    std::string{"sh build.sh -O1 -g "} + option +
+                        " builds a program that shows it, with its line."},
                    [&, option = option](JudgedLine& line) {
                        OwnProgram own{trial.request.folder, {"-O1", "-g", option}};
                        own.before = at_fixed_addresses();
@@ -175,7 +177,7 @@ void judge(const JudgeRequest& request, const std::function<void(const JudgedLin
     const OwnProgram reference = OwnProgram::existing(request.reference);
     bool left_out = false;
     const Trial trial{request, *own, reference, [&](JudgedLine line, const auto& look) {
-                          left_out = own->times_out() > 1;  // one more would not end, either
+                          left_out = own->times_out() > 1;  // the next one would not end, either
                           if (left_out) return;
                           request.begins(line.what);
                           try {
@@ -189,8 +191,8 @@ void judge(const JudgeRequest& request, const std::function<void(const JudgedLin
     for (const std::string& part : judge_parts())
         if (request.part.empty() || request.part == part) judge_part(trial, part);
     if (left_out)
-        report({false, "the rest", "not looked at: the program did not end, twice",
-                "a program that ends", ""});
+        report({false, "the rest", "not judged: the program timed out twice", "a program that ends",
+                ""});
 }
 
 }  // namespace companion

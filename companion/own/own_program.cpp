@@ -57,7 +57,7 @@ OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& o
         throw app::Failure("build.sh: " + how_it_ended(built) +
                            (built.output.empty() ? "" : ": " + first_error_of(built.output)));
     if (!fs::exists(program_))
-        throw app::Failure("build.sh ran and made no program named own, which was expected");
+        throw app::Failure("build.sh ran but did not make a program named own");
 }
 
 OwnProgram::OwnProgram(const fs::path& program, Existing)
@@ -91,7 +91,7 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
     fs::remove(scene_file, ignored);
     if (drawn.result.ok()) {
         if (!fs::exists(picture))
-            throw app::Failure("own ended with 0 and wrote no picture, which was expected");
+            throw app::Failure("own ended with exit code 0 but wrote no picture");
         drawn.bytes = read_file(picture);
         drawn.picture = parse_ppm(drawn.bytes);
     }

@@ -51,7 +51,7 @@ class Writer {
     std::ostringstream text_;
 };
 
-// Numbers of a scene: any in a range, never a round one.
+// Random numbers for a scene: any in a range, never round ones.
 class Any {
   public:
     Any(std::uint64_t seed, std::uint64_t scene) : random_{seed, scene} {}
@@ -95,8 +95,8 @@ Writer begin(Any& any, double scale = 1) {
     return scene;
 }
 
-// A dark ground under a bright sky: what metal and glass show of them differs most, and so does
-// what they should not show.
+// A dark ground under a bright sky: the two differ most in metal and glass, so an error there shows
+// most, too.
 Writer stage(Any& any, double scale = 1) {
     Writer scene{scale};
     scene.picture().camera({any(-1.5, 1.5), any(1, 1.8), any(3.4, 4)}, {0, 0.9, 0}, any(36, 44));
@@ -111,7 +111,7 @@ std::string sky_only(Any& any) {
     return sky(scene, any).text();
 }
 
-// Black balls show where things are, and nothing of how light is scattered.
+// Black balls show where things are, but not how light is scattered.
 std::string silhouettes(Any& any, bool tilted) {
     Writer scene;
     const std::array<double, 3> from{any(-9, 9), any(-5, 5), any(5, 9)},
@@ -131,7 +131,7 @@ std::string one_matte(Any& any) {
     return on_ground(scene, any).text();
 }
 
-// A ball on the ground, both of these radii.
+// A ball on the ground, with these radii.
 std::string ball_on_ground(Any& any, std::array<double, 3> from, std::array<double, 3> at,
                            double ground, double ball) {
     Writer scene;
@@ -150,7 +150,7 @@ std::string valley(Any& any, int depth) {
     return scene.text();
 }
 
-// What the file leaves out has a value, and what it does not need may stand there.
+// Whatever the file leaves out has a default; comments and empty lines are allowed.
 std::string sparse(Any& any) {
     Writer scene;
     scene.line("# camera, sky and material are left out").picture().line("");
@@ -252,8 +252,8 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
         rungs.push_back({static_cast<int>(rungs.size()) + 1, title, std::move(scenes)});
     };
     add("a sky", {scene("a sky and nothing else", sky_only,
-                        "Is the direction of length 1 before its y mixes the two colors? Is the "
-                        "first row of the file the top one? Are bytes sRGB, not linear?")});
+                        "Is the direction normalized before its y mixes the two colors? Is the "
+                        "first row of the file the top row? Are the bytes sRGB, not linear?")});
     add("a camera, and spheres in black",
         {scene("black balls before the sky", silhouettes,
                "Is the field of view the vertical one? Do u, v and w make a right-handed basis, "
@@ -266,42 +266,43 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                "Is the new direction cosine-weighted around the normal, on the side that the ray "
                "came from? Does each bounce multiply the light by the color?"),
          scene("paths of one bounce", valley,
-               "A path that has bounced once and hits something again brings nothing: not the "
-               "sky, and not a second bounce.",
+               "A path that has bounced once and hits something again brings no light: neither the "
+               "sky nor a second bounce.",
                1),
          scene("paths of three bounces", valley,
-               "How often does the loop run? A path that never hits anything has bounced 0 times.",
+               "How many times does the loop run? A path that never hits anything has bounced 0 "
+               "times.",
                3)});
     add("the nearest of many",
         {scene("a dozen matte balls", many_mattes,
                "Does the nearest hit count, whatever the order in the file?"),
          scene("a file that leaves most out", sparse,
-               "What holds before a line says otherwise stands in TASK.md. A # begins a comment, "
-               "and empty lines mean nothing.")});
+               "TASK.md lists the defaults. A # begins a comment, and empty lines are ignored.")});
     add("metal", {scene("a mirror", metals, "Is the direction d - 2 (d . n) n?", 0.0, 0.0),
                   scene("a fuzzy metal ball", metals,
-                        "Is what strays below the surface folded up, so that no light is lost? Is "
-                        "the stray direction on the unit sphere, not in it?",
+                        "Is a direction below the surface mirrored back up, so that no light is "
+                        "lost? Is the random direction on the unit sphere, not inside it?",
                         0.4, 0.8)});
     add("glass",
-        {scene("a glass ball", glass,
-               "Is the ratio of indices the other way round on the way out? Is the reflectance the "
-               "exact one, and chosen by a random number?",
-               false, 1.3, 1.7, 1.0),
+        {scene(
+             "a glass ball", glass,
+             "Is the ratio of indices inverted on the way out? Is the reflectance exact, and does "
+             "a random number choose between reflection and refraction?",
+             false, 1.3, 1.7, 1.0),
          scene("a hollow glass ball", glass,
-               "Inside of the inner ball there is air: its index stands in the file as the ratio.",
-               true, 1.3, 1.7, 1.0),
+               "Inside the inner ball there is air: the file gives its index as a ratio.", true,
+               1.3, 1.7, 1.0),
          scene("glass of an index near 1", glass,
-               "Schlick's formula reflects far too much here. Fresnel's is meant, the mean of both "
-               "polarizations.",
+               "Schlick's formula reflects far too much here. Use the Fresnel equations, and the "
+               "mean of both polarizations.",
                false, 1.04, 1.1, 1.0)});
     add("a lens",
         {scene("balls in front of and behind the focus", lens,
-               "Is the place on the lens uniform over the disc (the square root!), is "
-               "the aperture its diameter, and do all rays of a pixel meet at `focus`?")});
+               "Is the position on the lens uniform over the disk (the square root!), is the "
+               "aperture its diameter, and do all rays of a sample point meet at `focus`?")});
     add("all cores", {});
     add("10,000 spheres", {{"10,000 spheres of all materials", crowd(seed, 48, 27),
-                            "The same picture with --list? Then it is not the tree."}});
+                            "Is the picture the same with --list? Then it is not the tree."}});
     return rungs;
 }
 
@@ -317,24 +318,25 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
         sky(scene, any);
         matte(scene, any).sphere({0, 0, 0}, 1);
         add("a ball seen from a hundred million radii away", scene.text(),
-            "b * b - 4ac cancels: take the distance of the center from the line first.");
+            "b * b - 4ac suffers from cancellation: compute the distance of the center from the "
+            "line first.");
     }
     {
         Any any{seed, 102};
         add("a ground of radius a million", ball_on_ground(any, {0, 1.5, 4}, {0, 0.5, 0}, 1e6, 0.6),
-            "A fixed tolerance is too small here: the ray meets the ground that it leaves.");
+            "A fixed tolerance is too small here: the ray hits the ground that it leaves.");
     }
     {
         Any any{seed, 103};
         add("a ball of a thousandth",
             ball_on_ground(any, {0, 0.002, 0.006}, {0, 0.0008, 0}, 0.1, 0.001),
-            "A fixed tolerance is too large here: it skips hits that are nearer than that.");
+            "A fixed tolerance is too large here: it skips hits nearer than the tolerance.");
     }
     for (const double scale : {1e-3, 1e3}) {
         Any any{seed, 104};
         add(scale < 1 ? "a hollow glass ball, scaled by 1/1000"
                       : "a hollow glass ball, scaled by 1000",
-            glass(any, true, 1.2, 2.3, scale), "No length may be compared with a fixed number.");
+            glass(any, true, 1.2, 2.3, scale), "Compare no length with a fixed number.");
     }
     {
         Any any{seed, 105};
@@ -343,7 +345,7 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
         for (int i = 0; i < 4; ++i)
             scene.word("glass", {i % 2 == 0 ? index : 1 / index}).sphere({0, 1, 0}, 1 - 0.2 * i);
         add("glass in air in glass in air", scene.text(),
-            "Each ball is entered and left by its own ratio of indices.");
+            "A ray enters and leaves each ball by that ball's own ratio of indices.");
     }
     {
         Any any{seed, 106};
@@ -353,18 +355,18 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
         matte(scene, any).sphere({0, -100, 0}, 100);
         matte(scene, any).sphere({0, 1, -4}, 1);
         add("seen from inside a glass ball", scene.text(),
-            "Is a hit behind the camera left out, and the farther one taken?");
+            "Do you ignore the hit behind the camera, and take the farther one?");
     }
     {
         Any any{seed, 107};
-        Writer scene;  // all light comes back: only what is lost or made can be seen
+        Writer scene;  // all light comes back: only light that was lost or created can be seen
         scene.picture().camera({0, 0.5, 4}, {0, 0, 0}, any(35, 45));
         scene.word("sky", {0.7, 0.7, 0.7, 0.7, 0.7, 0.7});
         scene.word("matte", {1, 1, 1}).sphere({-1.1, 0, 0}, 0.6);
         scene.word("metal", {1, 1, 1, 1}).sphere({0, 0, 0}, 0.6);
         scene.word("glass", {any(1.3, 2)}).sphere({1.1, 0, 0}, 0.6);
         add("white balls under an even sky", scene.text(),
-            "They cannot be seen: what can be seen of them is light that is lost or made.");
+            "They should be invisible: wherever you see them, light was lost or created.");
     }
     return scenes;
 }

@@ -47,7 +47,8 @@ std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, dou
 
 void judge_cores(const Trial& trial) {
     trial.line({false, "rung 8: the same bytes for 1, 2, 3 and 8 threads", "", "the same bytes",
-                "Does a thread draw from another's random numbers, or do two write to one place?"},
+                "Does a thread use another thread's random numbers, or do two threads write to the "
+                "same memory?"},
                [&](JudgedLine& line) {
                    const std::string scene = crowd(trial.request.seed, 160, 90);
                    const std::string one = trial.own.picture(scene, {"--threads", "1"}).bytes;
@@ -57,15 +58,16 @@ void judge_cores(const Trial& trial) {
                        for (int again = 0; line.passed && again < 2; ++again)
                            if (trial.own.picture(scene, {"--threads", threads}).bytes != one) {
                                line.passed = false;
-                               line.actual = std::string{"others with "} + threads + " threads";
+                               line.actual =
+                                   std::string{"different bytes with "} + threads + " threads";
                            }
                });
     const int cores = std::max(2, trial.request.cores);
     const double asked = 0.8 * trial.request.cores;
     trial.line(
         {false, "rung 8: all cores against one", "", "at least " + number(asked) + " times as fast",
-         "Is a tile or row small enough that nobody waits for the last one? Does a lock "
-         "stand in the way?"},
+         "Are the tiles or rows small enough that no thread waits long for the last one? Is "
+         "there a lock that makes threads wait?"},
         [&](JudgedLine& line) {
             const std::vector<std::string> one{"--threads", "1"},
                 all{"--threads", std::to_string(cores)};
@@ -86,34 +88,35 @@ void judge_cores(const Trial& trial) {
 }
 
 void judge_tree(const Trial& trial) {
-    trial.line({false, "rung 9: --list draws the same bytes", "", "the same bytes",
-                "A box that is too small loses spheres; of equally near ones the one that comes "
-                "last in the file counts."},
-               [&](JudgedLine& line) {
-                   const std::string scene = crowd_with_twins(trial.request.seed, 64, 36);
-                   line.passed = trial.own.picture(scene, {}).bytes ==
-                                 trial.own.picture(scene, {"--list"}).bytes;
-                   line.actual = line.passed ? "the same bytes" : "other bytes";
-               });
-    trial.line({false, "rung 9: the tree against --list", "",
-                "at least 10 times as fast, in processor time",
-                "Is a box's whole content left out when the ray misses the box, or has a nearer "
-                "hit already? std::fmin and std::fmax are slow; std::min and std::max are not."},
-               [&](JudgedLine& line) {
-                   const Timed list{trial.own, {"--list", "--threads", "1"}},
-                       tree{trial.own, {"--threads", "1"}};
-                   const std::string scene =
-                       long_enough(list, trial.request.seed, Clock::processor, 1.5);
-                   const Turns turns = in_turns(list, tree, scene, Clock::processor, 3);
-                   line.passed = turns.ratio >= 10;
-                   line.actual = times_as_fast(turns);
-               });
+    trial.line(
+        {false, "rung 9: --list draws the same bytes", "", "the same bytes",
+         "A box that is too small loses spheres; of equally near spheres, the last one in the "
+         "file counts."},
+        [&](JudgedLine& line) {
+            const std::string scene = crowd_with_twins(trial.request.seed, 64, 36);
+            line.passed =
+                trial.own.picture(scene, {}).bytes == trial.own.picture(scene, {"--list"}).bytes;
+            line.actual = line.passed ? "the same bytes" : "different bytes";
+        });
+    trial.line(
+        {false, "rung 9: the tree against --list", "",
+         "at least 10 times as fast, in processor time",
+         "Do you skip everything in a box if the ray misses the box, or has already hit "
+         "something nearer? std::fmin and std::fmax are slow; std::min and std::max are not."},
+        [&](JudgedLine& line) {
+            const Timed list{trial.own, {"--list", "--threads", "1"}},
+                tree{trial.own, {"--threads", "1"}};
+            const std::string scene = long_enough(list, trial.request.seed, Clock::processor, 1.5);
+            const Turns turns = in_turns(list, tree, scene, Clock::processor, 3);
+            line.passed = turns.ratio >= 10;
+            line.actual = times_as_fast(turns);
+        });
 }
 
 void judge_list(const Trial& trial) {
     trial.line({false, "list: --list against ours", "",
-                "at most 4 times our processor time: a slow list proves no tree",
-                "--list tests every sphere once a ray, and nothing else."},
+                "at most 4 times our processor time: beside a slow list, any tree looks fast",
+                "--list tests every sphere once per ray, and nothing else."},
                [&](JudgedLine& line) {
                    const std::vector<std::string> list{"--list", "--threads", "1"};
                    const Turns turns =

@@ -137,7 +137,7 @@ std::string certificate_html(const Certificate& certificate) {
     out << head << "<h1>A ray tracer, by hand</h1>\n<p class=\"verdict\">";
     const long fails = failing(certificate, false), open = failing(certificate, true);
     if (certificate.passed())
-        out << "Every part of this ray tracer was written by its author, and holds what was "
+        out << "Its author wrote every part of this ray tracer, and it meets every bound that was "
                "measured. <b>Grade: core"
             << (open == 0 ? " and stars.</b>"
                           : ".</b> The hard cases still have " + std::to_string(open) +
@@ -157,7 +157,7 @@ std::string certificate_html(const Certificate& certificate) {
             << escape_html(number_of(one)) << "<td>" << escape_html(one.what)
             << "<td class=\"figure\">" << escape_html(one.figure) << "<td class=\"figure\">"
             << escape_html(one.bound) << "<td>" << word(one) << "</tr>\n";
-    out << "</table>\n<p class=\"made\">* a hard case, for the grade of core and stars</p>\n<div "
+    out << "</table>\n<p class=\"made\">* a hard case, for the grade core and stars</p>\n<div "
            "class=\"small\">\n";
     for (const std::string& picture : certificate.pictures) out << image(picture);
     out << "</div>\n</html>\n";

@@ -105,9 +105,8 @@ std::string gallery_html(const std::vector<Exhibit>& exhibits, bool with_book) {
     std::ostringstream out;
     out << gallery_head
         << "<header>\n<h1>A ray tracer, chapter by chapter</h1>\n"
-           "<p>Every picture was just drawn on this machine by the code of its chapter and of "
-           "those "
-           "before it.</p>\n<nav>";
+           "<p>Every picture was just drawn on this machine, by the code of its chapter and of the "
+           "chapters before it.</p>\n<nav>";
     for (const Exhibit& exhibit : exhibits)
         out << link('#' + exhibit.chapter.name, escape_html(title_of(exhibit.chapter)));
     if (with_book) out << link("book/index.html", "The texts, as a book");

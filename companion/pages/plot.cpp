@@ -31,9 +31,9 @@ bool measured(const Measurement& row, Quantity quantity) {
     return quantity != &study::Row::cost || !row.cost_name.empty();
 }
 
-// How gnuplot shows one quantity: by its logarithm where it spans more than a factor of 16. What
-// has no place on such an axis gets a row of its own at the edge: 0 on a logarithmic axis, and on
-// any what is infinite or no number.
+// How gnuplot shows one quantity: by its logarithm if it spans more than a factor of 16. Values
+// that do not fit such an axis get a row of their own at the edge: 0 on a logarithmic axis;
+// infinity and NaN on any axis.
 class Axis {
   public:
     Axis(const std::vector<Measurement>& rows, Quantity quantity) {
@@ -110,7 +110,7 @@ class Axis {
     std::string format_ = "%g", more_marks_;
 };
 
-// Whether a quantity changes with x: whether it does for any variant by more than times wander.
+// Whether a quantity changes with x: for any variant, by more than times fluctuate.
 bool depends_on_x(const std::vector<Measurement>& rows, Quantity quantity) {
     std::map<std::pair<std::string, std::string>, std::pair<double, double>> spans;
     for (const Measurement& row : rows) {
@@ -153,13 +153,13 @@ std::vector<Panel> all_panels(const std::vector<Measurement>& rows, bool over_x)
     if (with_error == rows.end()) return {cost};
     if (!over_x) return {{&Row::cost, &Row::error, any.cost_name, with_error->error_name}};
     const Panel error{&Row::x, &Row::error, any.x_name, with_error->error_name};
-    // Level lines say no more than a table does: then the error gets all of the room.
+    // Level lines tell no more than a table does: then the error gets all the room.
     if (!depends_on_x(rows, &Row::cost) && depends_on_x(rows, &Row::error)) return {error};
     return {error, cost};
 }
 
-// Plots a panel's curves: double solid, float dashed. The first ones are the widest, so that none
-// hides behind one that runs along it.
+// Plots a panel's curves: double solid, float dashed. The first curves are the widest, so that no
+// curve hides another that runs along it.
 void plot(std::ostream& out, const std::vector<Measurement>& rows, const Panel& panel,
           const std::vector<std::string>& names, bool with_x) {
     const Axis x{rows, panel.x}, y{rows, panel.y};
@@ -205,7 +205,7 @@ void begin(std::ostream& out, const std::string& svg_file, double height) {
         << "set tics nomirror scale 0.5 font ',11' textcolor rgb '#444444'\n";
 }
 
-// The errors alone as bars: a variant each, the largest on top, double above float.
+// The errors alone as bars, one per variant: the largest on top, double above float.
 std::string bar_script(const std::vector<Measurement>& rows, const std::string& svg_file) {
     using study::Row;
     const Axis axis{rows, &Row::error};

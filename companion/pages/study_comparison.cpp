@@ -45,7 +45,7 @@ bool differs(double a, double b, double factor) {
     return !same(a, b) && !(a <= factor * b && b <= factor * a);
 }
 
-// Whether mine is off by more than this factor times what the solution's own runs differ by.
+// Whether mine differs by more than this factor times the difference between the solution's runs.
 bool differs(double mine, double solution, double again, double factor) {
     const double wander =
         same(solution, again) ? 1 : std::max(solution, again) / std::min(solution, again);
@@ -53,8 +53,8 @@ bool differs(double mine, double solution, double again, double factor) {
     return differs(mine, solution, factor * wander) && differs(mine, again, factor * wander);
 }
 
-// An error that is itself a time says no more than the cost does, and wanders more. Others are
-// chance by their name.
+// An error that is itself a time tells no more than the cost does, and fluctuates more. Others are
+// chance, and are named so.
 bool wanders(const std::string& error_name) {
     return error_name.find("time") != std::string::npos ||
            error_name.find("by chance") != std::string::npos;

@@ -48,8 +48,8 @@ bool end_running_groups(int signal) {
     return passed;
 }
 
-// While one lives, what interrupts the companion also ends the group, or reaches it. One beyond the
-// sixteenth would live on.
+// While one of these lives, a signal that interrupts the companion also ends the group, or reaches
+// it. Beyond sixteen groups, one would live on.
 class EndedOnInterrupt {
   public:
     EndedOnInterrupt(pid_t id, bool passes_signals) {
@@ -193,11 +193,11 @@ Result run_process(const Run& run) {
         nowhere.value = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     const int err = run.output == Output::captured ? into.value : nowhere.value;
 
-    std::fflush(nullptr);  // else parts of the output would change places
+    std::fflush(nullptr);  // otherwise parts of the output would swap positions
     const pid_t id = ::fork();
     if (id < 0) fail("fork");
     if (id == 0) become(command.data(), run.folder.c_str(), into.value, err, run.most_memory);
-    ::setpgid(id, id);  // here and there, since nobody knows who is first
+    ::setpgid(id, id);  // in both processes, since either may come first
     if (run.passes_signals) passed_on = 0;
     const EndedOnInterrupt guard{id, run.passes_signals};
     into.close();

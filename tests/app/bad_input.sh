@@ -85,11 +85,11 @@ refuses 2 'use \.png or \.ppm' --out image.jpg
 refuses 2 'use \.png or \.ppm' --out image
 refuses 2 'use \.png or \.ppm' --out 'two
 lines.bmp'
-refuses 1 'not there' --out nowhere/image.png
-refuses 1 'not there' --out old.png/image.png
+refuses 1 'does not exist' --out nowhere/image.png
+refuses 1 'does not exist' --out old.png/image.png
 refuses 1 'loop.png' --out loop.png
 ln -s nowhere/image.png dangling.png
-refuses 1 'folder nowhere.*is not there' --out dangling.png
+refuses 1 'folder nowhere.*does not exist' --out dangling.png
 mkfifo pipe
 refuses 1 'nobody reads' --out pipe
 
@@ -109,10 +109,10 @@ if [ "$(id -u)" -eq 0 ]; then
     [ ! -d /proc/self ] || refuses 1 'proc' --width 9 --height 9 --out /proc/image.png
 fi
 if [ "$(id -u)" -ne 0 ] || [ -n "$wrapper" ]; then
-    refuses 1 'cannot be written to' --out read_only/image.png
-    refuses 1 'cannot be replaced' --out old.ppm
+    refuses 1 'is not writable' --out read_only/image.png
+    refuses 1 'is not writable' --out old.ppm
     if "$program" --help | grep -q -- --study; then
-        refuses 1 'cannot be written to' --study read_only
+        refuses 1 'is not writable' --study read_only
     fi
 fi
 wrapper=''

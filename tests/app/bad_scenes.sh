@@ -39,7 +39,7 @@ scene() {
 }
 sphere='"center": [0, 0, 0]'
 
-refuses missing.json 'is not there'
+refuses missing.json 'does not exist'
 mkdir folder.json
 refuses folder.json 'is a folder'
 : >empty.json
@@ -82,7 +82,7 @@ grep -q '^note: 1 sphere .*camera.shutter is 0' stdout || complain moves.json "n
 ln -s /etc/passwd link.png
 for image in ../picture.png /etc/passwd link.png; do
     scene image.json ", \"textures\": {\"map\": {\"type\": \"image\", \"file\": \"$image\"}}"
-    refuses image.json 'textures.map.file .*only files in it'
+    refuses image.json 'textures.map.file .*only files in that folder'
 done
 
 [ "$failures" -eq 0 ] || echo "$failures complaints"

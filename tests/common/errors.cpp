@@ -53,8 +53,7 @@ TEST_CASE("every kind of error has its exit code and its line", "[errors]") {
     check(outcome_of_throwing(app::UsageError("wrong")), 2, "wrong");
     check(outcome_of_throwing(app::Failure("disk")), 1, "disk");
     check(outcome_of_throwing(std::logic_error("a bug")), 1, "a bug");
-    check(outcome_of_throwing(std::bad_alloc()), 1,
-          "there is not enough memory; ask for a smaller picture");
+    check(outcome_of_throwing(std::bad_alloc()), 1, "not enough memory; ask for a smaller picture");
     const rt::NotImplemented todo("01.2", "exercises/01_vectors/rt/dot.hpp", 9);
     check(outcome_of_throwing(todo), 3, todo.what());
 }

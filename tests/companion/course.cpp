@@ -69,7 +69,7 @@ TEST_CASE("the chapters and exercises are those of course.json", "[course]") {
 }
 
 TEST_CASE("a wrong course.json is refused with the place and what would be right", "[course]") {
-    CHECK(refusal("") == "course.json is empty; a JSON object { ... } is wanted");
+    CHECK(refusal("") == "course.json is empty; expected a JSON object { ... }");
     CHECK(refusal("{\n 1}").rfind("course.json:2:2: ", 0) == 0);
     CHECK(refusal("{}") == "course.json: chapters is missing");
     CHECK(refusal("[]") == "course.json: the whole should be an object, { ... }");

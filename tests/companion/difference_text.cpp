@@ -36,7 +36,8 @@ TEST_CASE("a difference says how much and in which way", "[difference_text]") {
     CHECK(describe_difference({tile({0.969, 0.969, 0.969}, {1, 1, 1})}) == "3.1 % too dark");
     CHECK(describe_difference({tile({0.6, 0.6, 0.6}, {0.5, 0.5, 0.5})}) == "20 % too bright");
     CHECK(describe_difference({tile({0.9, 0.9, 0.9}, {0.3, 0.3, 0.3})}) == "3 times as bright");
-    CHECK(describe_difference({tile({0.1, 0.1, 0.1}, {0, 0, 0})}) == "bright where it is black");
+    CHECK(describe_difference({tile({0.1, 0.1, 0.1}, {0, 0, 0})}) ==
+          "bright where it should be black");
 }
 
 TEST_CASE("a channel that stands out is named", "[difference_text]") {

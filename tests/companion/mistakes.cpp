@@ -82,13 +82,13 @@ TEST_CASE("an edit starts from what the one before has made", "[mistakes]") {
 
 TEST_CASE("an edit that does not match exactly once is an error", "[mistakes]") {
     CHECK(error_of_edit("int f() {\n") == "no error");
-    CHECK(error_of_edit("    return 1;\n") ==
-          "01.1.md:10: these lines are 2 times in rt/f.hpp; add a line before or after that tells "
-          "them apart");
+    CHECK(
+        error_of_edit("    return 1;\n") ==
+        "01.1.md:10: these lines appear 2 times in rt/f.hpp; add a line before or after that tells "
+        "them apart");
     const std::string never =
-        "01.1.md:10: these lines are not in rt/f.hpp; copy them from there as they stand, after "
-        "the "
-        "edits before";
+        "01.1.md:10: these lines are not in rt/f.hpp; copy them from there exactly, as "
+        "they are after the earlier edits";
     CHECK(error_of_edit("    return 2;\n") == never);
     CHECK(error_of_edit("f() {\n") == never);  // not a whole line
     CHECK(error_of_edit("int f() {\n", "rt/g.hpp") == "01.1.md:10: there is no rt/g.hpp");

@@ -100,8 +100,8 @@ void check_together(const app::Settings& settings) {
     for (const char* const aim : {"target-error", "time-budget"})
         if (given(aim) && given("spp"))
             throw app::UsageError("--spp and --" + std::string{aim} +
-                                  " exclude each other: the program finds out how many samples "
-                                  "it needs");
+                                  " exclude each other: with the latter, the program finds out how "
+                                  "many samples it needs");
 }
 
 // All samples of a pixel from Sobol's sequence: --sampler sobol without an aim.
@@ -183,10 +183,13 @@ app::Picture render(const SceneDescription& scene, const app::Settings& settings
 }
 
 const effects::Refining refining{
-    {{"sampler", "Where samples are taken, and with which random numbers", {"jittered", "sobol"}}},
+    {{"sampler",
+      "Where the samples lie, and which random numbers they use",
+      {"jittered", "sobol"}}},
     {{"target-error",
       "Refine until the root mean square error is estimated to be below this (white is 1)"},
-     {"time-budget", "Refine for this many seconds, and draw the best picture in that time"}},
+     {"time-budget",
+      "Refine for this many seconds, and draw the best picture possible in that time"}},
     make_sobol_drawing,
     render};
 

@@ -213,8 +213,8 @@ TEST_CASE("a file that cannot be read is refused", "[scene_file]") {
             return error.what();
         }
     };
-    CHECK(holds(said(folder / "missing.json"), "is not there"));
-    CHECK(holds(said(folder / "missing/missing.json"), "is not there"));
+    CHECK(holds(said(folder / "missing.json"), "does not exist"));
+    CHECK(holds(said(folder / "missing/missing.json"), "does not exist"));
     CHECK(holds(said(folder.path()), "is a folder"));
     CHECK(holds(said("/dev/null"), "name a regular file"));
     REQUIRE(::mkfifo((folder / "pipe.json").c_str(), 0600) == 0);
@@ -231,7 +231,7 @@ TEST_CASE("what is no JSON is refused with line and column", "[scene_file]") {
     REFUSED(" \n ", "s.json is empty", "{ ... }");
     REFUSED("hello", "s.json:1:1: ", "are allowed");
     REFUSED("{\n  \"camera\": ", "s.json:2:1", "expected");
-    REFUSED("{\"a\": 1,\n}", "s.json:2:1: ", "a comma too many before }");
+    REFUSED("{\"a\": 1,\n}", "s.json:2:1: ", "one comma too many before }");
     REFUSED("{\"a\": 1} 2", "s.json:1:10: ", "expected end of input");
     REFUSED("{\"a\": NaN}", "s.json:1:7: ", "are allowed");
     REFUSED("{\"a\": Infinity}", "s.json:1:7: ", "are allowed");
@@ -256,14 +256,14 @@ TEST_CASE("usual slips in JSON are told by their names", "[scene_file]") {
     REFUSED(R"({"a": [{} {}]})", "s.json:1:11: ", "a comma is missing before it");
     REFUSED(R"({"a": [[1] [2]]})", "s.json:1:12: ", "a comma is missing before it");
     REFUSED(R"({"a": [1, true false]})", "s.json:1:20: ", "a comma is missing before it");
-    REFUSED(R"({"a": [1, 2, ]})", "s.json:1:14: ", "a comma too many before ]");
-    REFUSED(R"({"a": 1, })", "s.json:1:10: ", "a comma too many before }");
+    REFUSED(R"({"a": [1, 2, ]})", "s.json:1:14: ", "one comma too many before ]");
+    REFUSED(R"({"a": 1, })", "s.json:1:10: ", "one comma too many before }");
     REFUSED(R"({"a": 1,5, "b": 2})", "s.json:1:9: ", "a decimal point, not a comma");
     REFUSED(R"({"a": 1, 5})", "s.json:1:10: ", "expected a key in double quotes");
     REFUSED(R"({"a": 01})", "s.json:1:8: ", "does not begin with 0");
     REFUSED(R"({"a": .5})", "s.json:1:7: ", "begins with a digit");
     REFUSED(R"({"a": +5})", "s.json:1:7: ", "begins with a digit");
-    REFUSED(R"({"a": 1; "b": 2})", "s.json:1:8: ", "commas stand between values");
+    REFUSED(R"({"a": 1; "b": 2})", "s.json:1:8: ", "values are separated by commas");
     REFUSED("// a remark\n{}", "s.json:1:1: ", "JSON has no comments");
     REFUSED("{\"a\": 1 /* one */}", "s.json:1:9: ", "JSON has no comments");
     REFUSED("{\"a\": 1,\n# two\n\"b\": 2}", "s.json:2:1: ", "JSON has no comments");
@@ -272,7 +272,7 @@ TEST_CASE("usual slips in JSON are told by their names", "[scene_file]") {
         "{\xe2\x80\x9c"
         "a\xe2\x80\x9d: 1}",
         "s.json:1:2: ", "straight double quotes");
-    REFUSED("{a: 1}", "s.json:1:2: ", "keys stand in double quotes");
+    REFUSED("{a: 1}", "s.json:1:2: ", "keys need double quotes");
     // What stood before is no part of the slip.
     CHECK_FALSE(holds(refusal("{\"a\": 8}\n// eight"), "last read"));
 }
@@ -290,9 +290,9 @@ TEST_CASE("every text that ends too early is refused", "[scene_file]") {
 TEST_CASE("deep nesting and keys that stand twice are refused", "[scene_file]") {
     REFUSED(std::string(1'000'000, '['), "[0][0]", "16 deep");
     REFUSED("{\"a\": [{\"b\": " + std::string(100, '['), "a[0].b[0]", "16 deep");
-    REFUSED(with(materials), "s.json: materials is there twice", "once");
+    REFUSED(with(materials), "s.json: materials appears twice", "once");
     REFUSED(with_spheres(R"({"center": [0, 0, 0], "radius": 1, "radius": 2, "material": "gold"})"),
-            "spheres[0].radius is there twice", "once");
+            "spheres[0].radius appears twice", "once");
 }
 
 TEST_CASE("unknown keys are refused, and the nearest known one is named", "[scene_file]") {
@@ -413,7 +413,7 @@ TEST_CASE("more spheres than allowed are refused at once", "[scene_file]") {
         REFUSED(group(count), "groups[0].count", "whole number from 1 to 1000");
     REFUSED(with_group(R"(}, {"rule": "plane", "count": 996, "extent": 9, "radius": 0.01,
                           "materials": ["gold"])"),
-            "groups[1].count", "of which 995 are left");
+            "groups[1].count", "and 995 are left");
     REFUSED(with_group(R"(, "seed": 2}, {"rule": "sunflower", "count": 1, "extent": 1e-5,
                           "radius": [1, 2, 3], "materials": ["gold"])"),
             "groups[1].radius", "a list of two");
@@ -464,7 +464,7 @@ TEST_CASE("in fog nothing stands in glass or cuts into it", "[scene_file]") {
                spheres + "]}";
     };
     const std::string hollow = R"({"center": [0, 0, 0], "radius": 0.9, "material": "air"})";
-    const std::string stands = "spheres[0] is glass", allowed = "nothing may stand in glass";
+    const std::string stands = "spheres[0] is glass", allowed = "nothing may lie in glass";
     REFUSED(scene(hollow), stands, allowed);
     CHECK(refusal(scene(hollow, "0", "[9, 0, 0]")).empty());
     REFUSED(scene(R"({"center": [0.2, 0, 0], "radius": 0.3, "material": "lamp"})"), stands,
@@ -524,8 +524,8 @@ TEST_CASE("images outside of the scene's folder are not read", "[scene_file]") {
         CHECK(holds(said(file), "textures.t.file is \""));
         CHECK(holds(said(file), "only files in it are read"));
     }
-    CHECK(holds(said("missing.png"), "\"missing.png\" in the scene's folder is not there"));
-    CHECK(holds(said("dangling.png"), "is not there"));
+    CHECK(holds(said("missing.png"), "\"missing.png\" in the scene's folder does not exist"));
+    CHECK(holds(said("dangling.png"), "does not exist"));
     CHECK(holds(said("."), "is a folder"));
     CHECK(holds(said(""), "must name an image file"));
     CHECK(holds(said("in.png\\u0000.txt"), "must name an image file"));
