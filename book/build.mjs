@@ -1,6 +1,6 @@
 // Makes the web book from docs/ and course.json: node book/build.mjs [FOLDER], out/book if none is named.
 // Every page works from a folder, without a server, and under any path of one: all links are relative.
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, dirname, join, normalize, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -75,6 +75,7 @@ function resolver(source) {
             if (/^[a-z]+:|^#/.test(href)) return href;
             const [path, anchor] = href.split('#');
             const page = pageOf.get(file(path));
+            if (!page && statSync(join(root, existing(path))).isDirectory()) return undefined;  // no page shows it
             return (page ? page.out : copy(existing(path))) + (anchor ? `#${anchor}` : '');
         },
         picture(src, text, beside) {

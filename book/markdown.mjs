@@ -79,10 +79,12 @@ rules.image = (tokens, index, options, env) => {
     const token = tokens[index];
     return env.picture(token.attrGet('src'), token.content, token.meta?.beside);
 };
-rules.link_open = (tokens, index, options, env, self) => {
-    tokens[index].attrSet('href', env.link(tokens[index].attrGet('href')));
-    return self.renderToken(tokens, index, options);
+rules.link_open = (tokens, index, options, env) => {
+    const href = env.link(tokens[index].attrGet('href'));
+    env.linked = href ? 'a' : 'span';
+    return href ? `<a href="${escape(href)}">` : '<span>';
 };
+rules.link_close = (tokens, index, options, env) => `</${env.linked}>`;
 
 // What a reader sees of an inline token, without the formulas.
 function plain(token) {
@@ -126,7 +128,7 @@ function sections(tokens, headings) {
     return parts.map(({ id, text, words }) => ({ id, text, words: words.join(' ').trim() }));
 }
 
-// picture(src, text, beside) and link(href) say what becomes of a picture and where a link leads.
+// picture(src, text, beside) and link(href) say what becomes of a picture and where a link leads, if anywhere.
 export function render(source, { picture, link }) {
     const env = { headings: [], picture, link };
     const tokens = md.parse(source, env);
