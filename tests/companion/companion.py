@@ -540,7 +540,7 @@ class Companion(unittest.TestCase):
             self.assertRegex(said, "[!x] 01.1 .* a file is missing")
             self.assertNotIn("Next", said)
         self.assertIn("0 of 2 exercises", said)
-        self.assertIn("None of it is yours", subprocess.run(
+        self.assertIn("None of the code is yours", subprocess.run(
             [COURSE, "run", "01"], env=self.environment, text=True, stderr=subprocess.PIPE,
             stdout=subprocess.DEVNULL).stderr)
         (self.root / "exercises").rename(self.root / "moved")
@@ -636,7 +636,7 @@ class Companion(unittest.TestCase):
         def code(name):
             return (self.root / f"build/yours/rt/{name}.hpp").read_text()
 
-        run("None of it is yours yet")
+        run("None of the code is yours yet")
         self.assertIn("// solution 1", code("one"))
         self.write("one", "right\n")  # it was not checked yet
         run("Yours: 01.1. The solution's: 01.2.")
@@ -716,7 +716,7 @@ class Companion(unittest.TestCase):
         said = self.course("ask", "01", "--answer", "1", code=1)
         self.assertIn("Not yet.\n  Draw it.", said)
         self.assertNotIn("Three quarters", said)
-        self.assertIn("No: 0.75\n  Three quarters.", self.course("ask", "01", "--answer", "2", code=1))
+        self.assertIn("No. The right answer is 0.75\n  Three quarters.", self.course("ask", "01", "--answer", "2", code=1))
         self.assertIn("takes a number", self.course("ask", "01", "--answer", "what", code=2))
         self.assertIn("Right.\n  Three quarters.", self.course("ask", "1", "--answer", "3/4"))
         said = self.course("ask", "--answer", "a", code=1)
@@ -771,7 +771,7 @@ class Companion(unittest.TestCase):
                 self.assertTrue(self.course(command, word).startswith(f"usage: course {command}"))
         for word, meant in (("chek", "check"), ("lst", "list"), ("hnit", "hint"), ("wach", "watch")):
             self.assertIn(f"did you mean {meant}?", self.course(word, code=2))
-        self.assertIn("there are list, check", self.course("nonsense", code=2))
+        self.assertIn("the commands are list, check", self.course("nonsense", code=2))
         self.assertIn("'01' is a chapter; its exercises are 01.1, 01.2",
                       self.course("hint", "01", code=2))
 

@@ -26,8 +26,8 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
                "`*name`"));
     CHECK(says("no match for 'operator*' (operand types are 'std::optional<double>' and 'double')",
                "`*name`"));
-    CHECK(says("no match for call to '(rt::Vec3) (double)'", "no function"));
-    CHECK(says("type 'rt::Vec3' does not provide a call operator", "no function"));
+    CHECK(says("no match for call to '(rt::Vec3) (double)'", "not a function"));
+    CHECK(says("type 'rt::Vec3' does not provide a call operator", "not a function"));
     CHECK(says("declaration of 'double t' shadows a parameter", "leave out the type"));
     CHECK(says("redefinition of 't'", "leave out the type"));
     CHECK(says("'Vec' does not name a type", "expects a type"));
@@ -42,7 +42,7 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
 }
 
 TEST_CASE("errors with packs are told in plain words", "[compiler_words]") {
-    const std::string choices = "packs of the same type", one_answer = "one answer";
+    const std::string choices = "packs of the same type", one_answer = "a single true or false";
     CHECK(
         says("incompatible vector types in conditional expression: 'rt::PackMask' {aka "
              "'__vector(2) long int'}, 'rt::Pack' {aka '__vector(2) double'} and 'rt::PackMask' "
@@ -95,7 +95,7 @@ TEST_CASE("errors with packs are told in plain words", "[compiler_words]") {
         says("invalid operands to binary expression ('rt::Pack' (vector of 2 'rt::Real' values) "
              "and 'rt::PackMask' (vector of 2 'rt::PackInteger' values))",
              "two masks"));
-    CHECK(says("expected primary-expression before '{' token", "their type"));
+    CHECK(says("expected primary-expression before '{' token", "need a type"));
     CHECK(says("initializer list cannot be used on the right hand side of operator ':'",
-               "their type"));
+               "need a type"));
 }

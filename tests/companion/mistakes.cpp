@@ -105,9 +105,9 @@ TEST_CASE("what is wrong with a mistake is said with file and line", "[mistakes]
     CHECK(error(with_heading("caught by: x\n" + words + edit)) ==
           "01.1.md:5: 01.1_takes needs a line 'title: ...' here");
     CHECK(error(with_heading("titel: x\n" + keys + words + edit)) ==
-          "01.1.md:4: 'titel' is no known key; see companion/model/mistakes.cpp");
+          "01.1.md:4: 'titel' is not a known key; see companion/model/mistakes.cpp");
     CHECK(error(with_heading(keys + "title: y\n" + words + edit)) ==
-          "01.1.md:6: 'title' stands there twice");
+          "01.1.md:6: 'title' appears twice");
     CHECK(error(with_heading(keys + "Words.\n\n" + edit)) ==
           "01.1.md:6: expected 'key: value' or an empty line, actual: 'Words.'");
     CHECK(error(with_heading(keys + "\n" + edit)) ==

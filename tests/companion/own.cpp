@@ -98,7 +98,7 @@ TEST_CASE("a program that cannot be built is one line", "[own]") {
     CHECK(holds(only(""), "there is no build.sh"));
     CHECK(holds(only("echo first; echo 'main.cpp:3:1: error: what' >&2; exit 1\n"),
                 "main.cpp:3:1: error: what"));
-    CHECK(holds(only("true\n"), "made no program named own"));
+    CHECK(holds(only("true\n"), "did not make a program named own"));
     // As `own new` leaves it.
     CHECK(holds(only("c++ -x c++ /dev/null -o own\n"), "there is no main() yet"));
 }
@@ -110,7 +110,7 @@ TEST_CASE("a program that draws nothing fails line by line", "[own]") {
     CHECK(holds(verdict_on(program("echo picture >$2"), "rung1").at(0).actual, "P3 or P6"));
     CHECK(holds(verdict_on(program("kill -SEGV $$"), "rung1").at(0).actual, "signal 11"));
     CHECK(holds(verdict_on(program("printf \"P3 1 1 255 0 0 0\" >$2"), "rung1").at(0).actual,
-                "another size"));
+                "different size"));
 }
 
 TEST_CASE("a program that does not end is not asked for ever", "[own]") {

@@ -78,7 +78,7 @@ TEST_CASE("a crash does not hide what failed before it", "[verdict_text]") {
     crashed.crash = "SIGSEGV";
     const std::string both = told(Verdict::crashed, {failing("first", "1 == 2"), crashed});
     CHECK(has(both, "second"));
-    CHECK(has(both, "Before that:\n  first\n"));
+    CHECK(has(both, "Before that, this failed:\n  first\n"));
     CHECK(has(both, "1 == 2"));
     CHECK_FALSE(has(both, "Unknown expression"));
     CHECK_FALSE(has(told(Verdict::crashed, {crashed}), "Before that"));
