@@ -122,23 +122,23 @@ chmod 644 old.ppm
 if [ -c /dev/full ]; then
     ln -s /dev/full full.png
     ln -s /dev/full full.ppm
-    refuses 1 'room' --width 30 --height 20 --out /dev/full
-    refuses 1 'room' --width 30 --height 20 --out full.png
-    refuses 1 'room' --width 30 --height 20 --out full.ppm
+    refuses 1 'free some space' --width 30 --height 20 --out /dev/full
+    refuses 1 'free some space' --width 30 --height 20 --out full.png
+    refuses 1 'free some space' --width 30 --height 20 --out full.ppm
     into=/dev/full
     refuses 1 'standard output' --help
     into=$place/stdout
 fi
 limited() { (ulimit -f 8 && exec "$@"); }
 wrapper=limited
-refuses 1 'room' --width 45 --height 45 --out new.ppm
-refuses 1 'room' --width 45 --height 45 --out old.ppm
+refuses 1 'free some space' --width 45 --height 45 --out new.ppm
+refuses 1 'free some space' --width 45 --height 45 --out old.ppm
 wrapper=''
 mkdir full
 if mount -t tmpfs -o size=8k tmpfs full 2>/dev/null; then
     echo 'an older image' >full/old.ppm
-    refuses 1 'room' --width 45 --height 45 --out full/new.ppm
-    refuses 1 'room' --width 45 --height 45 --out full/old.ppm
+    refuses 1 'free some space' --width 45 --height 45 --out full/new.ppm
+    refuses 1 'free some space' --width 45 --height 45 --out full/old.ppm
 fi
 
 # A user who may start few threads: none of its own, so that no other test counts.

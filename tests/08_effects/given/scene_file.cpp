@@ -522,7 +522,7 @@ TEST_CASE("images outside of the scene's folder are not read", "[scene_file]") {
           std::string{"leads_out.png"}, std::string{"folder_out/out.png"}, std::string{".."}}) {
         INFO(file << ": " << said(file));
         CHECK(holds(said(file), "textures.t.file is \""));
-        CHECK(holds(said(file), "only files in it are read"));
+        CHECK(holds(said(file), "only files in that folder are read"));
     }
     CHECK(holds(said("missing.png"), "\"missing.png\" in the scene's folder does not exist"));
     CHECK(holds(said("dangling.png"), "does not exist"));
