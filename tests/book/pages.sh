@@ -17,7 +17,7 @@ done
 [ "$(node -p 'parseInt(process.versions.node)')" -ge 18 ] || skip "Node.js is older than 18"
 if [ ! -d book/node_modules/playwright-core ] ||
     [ -n "$(find book/package-lock.json -newer book/node_modules/.package-lock.json)" ]; then
-    npm --prefix book ci --no-audit --no-fund ||
+    npm --prefix book ci --no-audit --no-fund --fetch-retries=1 --fetch-timeout=30000 ||
         skip "npm could not get the packages that book/package-lock.json names"
 fi
 node book/forms.mjs
