@@ -1,5 +1,6 @@
 #pragma once
 #include <rt/portable.hpp>
+#include <rt/vec3.hpp>
 #include <rt/view.hpp>
 
 namespace study {
