@@ -7,7 +7,9 @@
 #include <companion/model/state.hpp>
 #include <companion/system/process.hpp>
 #include <csignal>
+#include <ctime>
 #include <map>
+#include <set>
 
 namespace companion {
 namespace {
@@ -210,6 +212,20 @@ void run_tests(const Course& course, Checked& checked) {
     }
 }
 
+// Notes when answers passed first. Where one check finds right ones in several chapters, they were
+// written some time before it, as after the remembered progress was lost.
+void note_first_passes(State& state, std::vector<Checked>& all) {
+    std::set<std::string> chapters;
+    for (Checked& checked : all) {
+        checked.first_pass =
+            checked.verdict == Verdict::passed && state[checked.exercise.id].first_passed == 0;
+        if (checked.first_pass) chapters.insert(checked.exercise.chapter.name);
+    }
+    const std::int64_t time = chapters.size() > 1 ? unknown_time : std::time(nullptr);
+    for (const Checked& checked : all)
+        if (checked.first_pass) state[checked.exercise.id].first_passed = time;
+}
+
 }  // namespace
 
 std::vector<Checked> check_exercises(const Course& course, const std::vector<Exercise>& exercises) {
@@ -267,6 +283,7 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
             record.stars = all[i].stars;
             record.open_stars = static_cast<int>(all[i].open_stars.size());
         }
+        note_first_passes(state, all);
     });
     return all;
 }
@@ -282,6 +299,7 @@ int check_in_float(const Course& course, std::vector<Checked>& all) {
             Checked& in_float = tries.emplace_back(Try{&checked, {}}).in_float;
             in_float.exercise = checked.exercise;
             in_float.warning = checked.warning;
+            in_float.first_pass = checked.first_pass;
             in_float.in_float = true;
         }
     std::vector<Checked*> targets;
@@ -312,7 +330,10 @@ int check_in_float(const Course& course, std::vector<Checked>& all) {
         for (const Try& one : tries) {
             Record& record = state[one.in_double->exercise.id];
             if (record.hash != hash_of(course, one.in_double->exercise)) record.hash.clear();
-            if (one.in_double->in_float) record.passed = false;
+            if (one.in_double->in_float) {
+                record.passed = false;
+                if (one.in_double->first_pass) record.first_passed = 0;
+            }
             record.open_stars = static_cast<int>(one.in_double->open_stars.size());
         }
     });

@@ -35,6 +35,7 @@ struct Checked {
     std::string missing;               // waiting: the exercise that it needs
     std::vector<std::string> left;     // to_write: the functions that are
     std::vector<LookAlikes> mistakes;  // that it looks like
+    bool first_pass = false;           // passed: and never did before
     int stars = 0;                     // passed: how many there are
     std::vector<OpenStar> open_stars;  // passed: those that are open
 };

@@ -58,6 +58,13 @@ std::string Yours::words() const {
            '.';
 }
 
+std::string Yours::caption() const {
+    if (passing.empty()) return "Drawn by the course's own code.";
+    if (others.empty()) return "Drawn by its author's code.";
+    return "Drawn by its author's code for " + ranges(passing, others) +
+           ", and by the course's for " + ranges(others, passing) + '.';
+}
+
 Yours put_yours_in_place(const Course& course, const Chapter& last) {
     std::vector<Exercise> all;
     for (Exercise& exercise : exercises(course))
@@ -73,6 +80,7 @@ Yours put_yours_in_place(const Course& course, const Chapter& last) {
     }
     app::make_folder(course.build / "yours/rt");
     for (const auto& [file, mine] : is_yours) {
+        if (mine) yours.files.push_back(file);
         const fs::path source =
             mine ? file : fs::path{"solutions"} / file.lexically_relative("exercises");
         // Compiler messages then name the file that the learner knows.

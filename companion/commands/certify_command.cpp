@@ -14,6 +14,7 @@
 #include <companion/own/standing.hpp>
 #include <companion/pages/certificate.hpp>
 #include <companion/pages/studies.hpp>
+#include <companion/system/date.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
@@ -40,13 +41,6 @@ std::string machine() {
            system.sysname;
 }
 
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%d", std::localtime(&now));
-    return text;
-}
-
 std::string compiler(const Course& course) {
     const Result result =
         run_process({.command = {cached(course, "CMAKE_CXX_COMPILER"), "--version"}});
@@ -66,7 +60,7 @@ std::string stand_of(const Checked& checked) {
 class Examination {
   public:
     explicit Examination(const Course& course) : course_{course} {
-        certificate_.date = today();
+        certificate_.date = date_of(std::time(nullptr));
         certificate_.machine = machine();
         certificate_.compiler = compiler(course);
     }
@@ -280,6 +274,7 @@ int certify(const Course& course) {
     examination.prove(checked);
     const Certificate certificate = examination.certificate();
     app::replace_file(course.out() / "certificate.html", certificate_html(certificate));
+    app::replace_file(certificate_file(course), to_text(certificate));
     if (certificate.passed()) {
         std::puts(certificate.passed_with_stars()
                       ? "Everything holds, core and stars. Your certificate is "

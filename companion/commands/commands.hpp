@@ -16,6 +16,8 @@ using Named = std::optional<std::string>;
 
 // answer: to the first question that is open; without it, answers are read from the standard input.
 int ask(const Course& course, const Named& chapter, const Named& answer);
+// The learner's part of `book --mine`: the page to share, and the headers for the book's figures.
+int book_mine(const Course& course);
 // every_star: all open stars are shown, else the first where one exercise is checked.
 int check(const Course& course, const Named& chapter_or_exercise, bool every_star);
 // The checkpoints of one exercise under the sanitizer that is named: "thread", or else the others.

@@ -103,6 +103,8 @@ struct CommandLine {
         parser.get_subcommand("ask")->add_option_function<std::string>(
             "--answer", [this](const std::string& words) { answer = words; });
         add("demo", [&] { return demo(course); });
+        add("book", [&] { return book_mine(course); });  // the texts' pages are the script's part
+        parser.get_subcommand("book")->add_flag("--mine")->required();
         add("study", "chapter", [&] { return study(course, named, is_mine); });
         parser.get_subcommand("study")->add_flag("--mine", is_mine);
     }

@@ -8,6 +8,7 @@
 #include <companion/own/judge.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
+#include <ctime>
 #include <random>
 
 namespace companion {
@@ -72,7 +73,9 @@ int own_judge(const Course& course, const std::string& folder, int rung, const N
     });
     if (part.empty())
         change_state(course, [&](State& state) {
-            state.own = {path.string(), hash, lines, passed};
+            const bool first = passed == lines && state.own.first_passed == 0;
+            state.own = {path.string(), hash, lines, passed,
+                         first ? std::time(nullptr) : state.own.first_passed};
         });
     print("\n" + std::to_string(passed) + " of " + std::to_string(lines) +
           " lines pass. To repeat the same scenes: --seed " + std::to_string(seed) + "\n");

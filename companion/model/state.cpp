@@ -29,6 +29,12 @@ int count(const Json& record, const std::string& key) {
     return found ? static_cast<int>(found->number) : 0;
 }
 
+// Older states do not have the times of what had passed.
+std::int64_t time_of(const Json& record, bool passed) {
+    const Json* const found = find(record, "first_passed", Json::Kind::number);
+    return found ? static_cast<std::int64_t>(found->number) : passed ? unknown_time : 0;
+}
+
 State parse(const std::string& text) {
     const Json json = app::parse_json(text, "state.json");
     const double written_as = member(json, "version", Json::Kind::number).number;
@@ -40,13 +46,15 @@ State parse(const std::string& text) {
     for (std::size_t i = 0; i < records.keys.size(); ++i) {
         const Json& record = records.items[i];
         const Json* const warning = find(record, "warning", Json::Kind::text);
+        const bool passed = member(record, "passed", Json::Kind::boolean).number != 0;
         state[records.keys[i]] = {
-            member(record, "passed", Json::Kind::boolean).number != 0,
+            passed,
             member(record, "hash", Json::Kind::text).text,
             static_cast<int>(member(record, "hints", Json::Kind::number).number),
             warning ? warning->text : "",
             count(record, "stars"),
-            count(record, "open_stars")};
+            count(record, "open_stars"),
+            time_of(record, passed)};
     }
     if (const Json* const answers = find(json, "answers", Json::Kind::object))
         for (std::size_t i = 0; i < answers->keys.size(); ++i) {
@@ -55,10 +63,17 @@ State parse(const std::string& text) {
                 member(answer, "right", Json::Kind::boolean).number != 0, count(answer, "tries"),
                 member(answer, "answer", Json::Kind::text).text};
         }
-    if (const Json* const own = find(json, "own", Json::Kind::object))
+    if (const Json* const own = find(json, "own", Json::Kind::object)) {
+        const int lines = count(*own, "lines"), passed = count(*own, "passed");
         state.own = {member(*own, "folder", Json::Kind::text).text,
-                     member(*own, "hash", Json::Kind::text).text, count(*own, "lines"),
-                     count(*own, "passed")};
+                     member(*own, "hash", Json::Kind::text).text, lines, passed,
+                     time_of(*own, lines > 0 && passed == lines)};
+    }
+    if (const Json* const drawn = find(json, "drawn", Json::Kind::object)) {
+        state.drawn.hash = member(*drawn, "hash", Json::Kind::text).text;
+        for (const Json& id : member(*drawn, "yours", Json::Kind::list).items)
+            state.drawn.yours.push_back(id.text);
+    }
     return state;
 }
 
@@ -66,16 +81,18 @@ std::string to_text(const State& state) {
     Json records{Json::Kind::object};
     for (const auto& [id, record] : state) {
         records.keys.push_back(id);
-        records.items.push_back({Json::Kind::object,
-                                 0,
-                                 {},
-                                 {{Json::Kind::boolean, record.passed ? 1.0 : 0.0},
-                                  {Json::Kind::text, 0, record.hash},
-                                  {Json::Kind::number, static_cast<double>(record.hints)},
-                                  {Json::Kind::text, 0, record.warning},
-                                  {Json::Kind::number, static_cast<double>(record.stars)},
-                                  {Json::Kind::number, static_cast<double>(record.open_stars)}},
-                                 {"passed", "hash", "hints", "warning", "stars", "open_stars"}});
+        records.items.push_back(
+            {Json::Kind::object,
+             0,
+             {},
+             {{Json::Kind::boolean, record.passed ? 1.0 : 0.0},
+              {Json::Kind::text, 0, record.hash},
+              {Json::Kind::number, static_cast<double>(record.hints)},
+              {Json::Kind::text, 0, record.warning},
+              {Json::Kind::number, static_cast<double>(record.stars)},
+              {Json::Kind::number, static_cast<double>(record.open_stars)},
+              {Json::Kind::number, static_cast<double>(record.first_passed)}},
+             {"passed", "hash", "hints", "warning", "stars", "open_stars", "first_passed"}});
     }
     Json answers{Json::Kind::object};
     for (const auto& [key, answered] : state.answers) {
@@ -94,13 +111,23 @@ std::string to_text(const State& state) {
                    {{Json::Kind::text, 0, state.own.folder},
                     {Json::Kind::text, 0, state.own.hash},
                     {Json::Kind::number, static_cast<double>(state.own.lines)},
-                    {Json::Kind::number, static_cast<double>(state.own.passed)}},
-                   {"folder", "hash", "lines", "passed"}};
-    const Json all{Json::Kind::object,
-                   0,
-                   {},
-                   {{Json::Kind::number, version}, std::move(records), std::move(answers), own},
-                   {"version", "exercises", "answers", "own"}};
+                    {Json::Kind::number, static_cast<double>(state.own.passed)},
+                    {Json::Kind::number, static_cast<double>(state.own.first_passed)}},
+                   {"folder", "hash", "lines", "passed", "first_passed"}};
+    Json yours{Json::Kind::list};
+    for (const std::string& id : state.drawn.yours)
+        yours.items.push_back({Json::Kind::text, 0, id});
+    const Json drawn{Json::Kind::object,
+                     0,
+                     {},
+                     {{Json::Kind::text, 0, state.drawn.hash}, std::move(yours)},
+                     {"hash", "yours"}};
+    const Json all{
+        Json::Kind::object,
+        0,
+        {},
+        {{Json::Kind::number, version}, std::move(records), std::move(answers), own, drawn},
+        {"version", "exercises", "answers", "own", "drawn"}};
     return app::to_text(all) + '\n';
 }
 

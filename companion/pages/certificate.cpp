@@ -73,6 +73,27 @@ std::string image(const std::string& file) {
     return "<figure><img src=\"" + name + "\" alt=\"" + name + "\"></figure>\n";
 }
 
+std::vector<std::string> fields_of(const std::string& line) {
+    std::vector<std::string> fields(1);
+    for (const char c : line)
+        if (c == '\t')
+            fields.emplace_back();
+        else
+            fields.back() += c;
+    return fields;
+}
+
+// Fields with tabs between them; an error of a compiler may take several lines.
+std::string line_of_fields(std::vector<std::string> fields) {
+    std::string line;
+    for (std::string& field : fields) {
+        for (char& c : field)
+            if (c == '\t' || c == '\n') c = ' ';
+        line += (line.empty() ? "" : "\t") + field;
+    }
+    return line + '\n';
+}
+
 }  // namespace
 
 bool Certificate::passed() const {
@@ -99,12 +120,7 @@ std::vector<CertifiedFigure> read_measurements(const std::string& text) {
     std::vector<CertifiedFigure> all;
     std::istringstream in{text};
     for (std::string line; std::getline(in, line);) {
-        std::vector<std::string> fields(1);
-        for (const char c : line)
-            if (c == '\t')
-                fields.emplace_back();
-            else
-                fields.back() += c;
+        const std::vector<std::string> fields = fields_of(line);
         if (fields.size() != 5) continue;
         const std::string& held = fields[0];
         if (held != "holds" && held != "FAILS" && held != "shows") continue;
@@ -132,9 +148,29 @@ std::string line_of(const CertifiedFigure& one) {
     return text;
 }
 
-std::string certificate_html(const Certificate& certificate) {
+fs::path certificate_file(const Course& course) {
+    return course.out() / "certificate.txt";
+}
+
+std::string to_text(const Certificate& certificate) {
+    std::string text =
+        line_of_fields({"made", certificate.date, certificate.machine, certificate.compiler});
+    for (const CertifiedFigure& one : certificate.measurements)
+        text += line_of_fields({one.held == Held::holds   ? "holds"
+                                : one.held == Held::shows ? "shows"
+                                                          : "FAILS",
+                                number_of(one), one.what, one.figure, one.bound});
+    return text;
+}
+
+std::optional<Certificate> read_certificate(const std::string& text) {
+    const std::vector<std::string> made = fields_of(text.substr(0, text.find('\n')));
+    if (made.size() != 4 || made[0] != "made") return {};
+    return Certificate{made[1], made[2], made[3], read_measurements(text), {}, {}};
+}
+
+std::string grade_html(const Certificate& certificate) {
     std::ostringstream out;
-    out << head << "<h1>A ray tracer, by hand</h1>\n<p class=\"verdict\">";
     const long fails = failing(certificate, false), open = failing(certificate, true);
     if (certificate.passed())
         out << "Its author wrote every part of this ray tracer, and it meets every bound that was "
@@ -145,20 +181,31 @@ std::string certificate_html(const Certificate& certificate) {
     else
         out << "Not there yet: " << fails << (fails == 1 ? " line" : " lines") << " of this table "
             << (fails == 1 ? "fails." : "fail.");
-    out << "</p>\n<p class=\"made\">" << escape_html(certificate.date) << ", "
-        << escape_html(certificate.machine) << ", " << escape_html(certificate.compiler)
-        << ", -O3</p>\n";
-    if (certificate.passed() && !certificate.pictures.empty())
-        out << image(certificate.pictures.back());
-    add_proofs(out, certificate.proofs);
-    out << "<table>\n<tr><th>exercise<th>what was measured<th>figure<th>bound<th></tr>\n";
-    for (const CertifiedFigure& one : certificate.measurements)
+    return out.str();
+}
+
+std::string table_html(const std::vector<CertifiedFigure>& measurements) {
+    std::ostringstream out;
+    out << "<table>\n<tr><th>exercise<th>what was measured<th>figure<th>bound<th>result</tr>\n";
+    for (const CertifiedFigure& one : measurements)
         out << "<tr class=\"" << (one.held == Held::shows ? "shows" : word(one)) << "\"><td>"
             << escape_html(number_of(one)) << "<td>" << escape_html(one.what)
             << "<td class=\"figure\">" << escape_html(one.figure) << "<td class=\"figure\">"
             << escape_html(one.bound) << "<td>" << word(one) << "</tr>\n";
-    out << "</table>\n<p class=\"made\">* a hard case, for the grade core and stars</p>\n<div "
-           "class=\"small\">\n";
+    out << "</table>\n<p class=\"made\">* a hard case, for the grade core and stars</p>\n";
+    return out.str();
+}
+
+std::string certificate_html(const Certificate& certificate) {
+    std::ostringstream out;
+    out << head << "<h1>A ray tracer, by hand</h1>\n<p class=\"verdict\">"
+        << grade_html(certificate) << "</p>\n<p class=\"made\">" << escape_html(certificate.date)
+        << ", " << escape_html(certificate.machine) << ", " << escape_html(certificate.compiler)
+        << ", -O3</p>\n";
+    if (certificate.passed() && !certificate.pictures.empty())
+        out << image(certificate.pictures.back());
+    add_proofs(out, certificate.proofs);
+    out << table_html(certificate.measurements) << "<div class=\"small\">\n";
     for (const std::string& picture : certificate.pictures) out << image(picture);
     out << "</div>\n</html>\n";
     return out.str();

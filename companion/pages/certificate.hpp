@@ -2,6 +2,7 @@
 // The certificate: what was measured of the learner's own code, as a page to print.
 
 #include <companion/model/course.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,5 +48,15 @@ struct Certificate {
 };
 
 std::string certificate_html(const Certificate& certificate);
+
+// What the page says first, the grade or how many lines fail, and its table, both as HTML.
+std::string grade_html(const Certificate& certificate);
+std::string table_html(const std::vector<CertifiedFigure>& measurements);
+
+// The certificate's figures as a file keeps them, and what such a file holds: all but the pictures
+// and the proofs. None where the file is no certificate.
+fs::path certificate_file(const Course& course);
+std::string to_text(const Certificate& certificate);
+std::optional<Certificate> read_certificate(const std::string& text);
 
 }  // namespace companion

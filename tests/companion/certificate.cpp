@@ -41,6 +41,30 @@ TEST_CASE("a certificate has two grades", "[certificate]") {
     CHECK_FALSE(certificate.passed());
 }
 
+TEST_CASE("a certificate comes back from its file", "[certificate]") {
+    companion::Certificate certificate{"2030-01-02", "a machine", "a compiler", {}, {}, {}};
+    certificate.measurements = companion::read_measurements(
+        "holds\t01.2\tdot\t1\tat most 2\nFAILS\t01.4*\tlength\t3\tat most 2\nshows\t07.5\ta "
+        "ray\t12 ns\t\n");
+    certificate.measurements.push_back({Held::fails, "", "stars of 01", "1 of 2", "all", true});
+    certificate.measurements.push_back({Held::fails, "", "error:\n\tcode", "", "compiles"});
+    const auto back = companion::read_certificate(companion::to_text(certificate));
+    REQUIRE(back);
+    CHECK(back->date == "2030-01-02");
+    CHECK(back->machine == "a machine");
+    CHECK(back->compiler == "a compiler");
+    REQUIRE(back->measurements.size() == 5);
+    for (std::size_t i = 0; i < 4; ++i) {
+        INFO(i);
+        CHECK(companion::line_of(back->measurements[i]) ==
+              companion::line_of(certificate.measurements[i]));
+        CHECK(back->measurements[i].star == certificate.measurements[i].star);
+    }
+    CHECK(back->measurements[4].what == "error:  code");
+    CHECK_FALSE(companion::read_certificate(""));
+    CHECK_FALSE(companion::read_certificate("<html>\n"));
+}
+
 TEST_CASE("eight questions are proved by exercises of the course", "[certificate]") {
     const auto questions = companion::self_assessment();
     CHECK(questions.size() == 8);

@@ -698,6 +698,68 @@ class Companion(unittest.TestCase):
         self.course("mine", code=1)
         self.assertEqual((self.root / "out/mine.png").read_text(), "a picture")
 
+    # ---- the page to share -------------------------------------------------------------------
+
+    def first_passed(self, exercise):
+        state = json.loads((self.root / ".course/state.json").read_text())
+        return state["exercises"][exercise]["first_passed"]
+
+    def test_the_first_passed_check_is_noted(self):
+        self.write("one", "wrong\n")
+        self.course("check", "01.1", code=1)
+        self.assertEqual(self.first_passed("01.1"), 0)
+        self.write("one", "not in float\n")
+        self.course("check", "01.1", code=1)
+        self.assertEqual(self.first_passed("01.1"), 0)
+        self.write("one", "right\n")
+        before = int(time.time())
+        self.course("check", "01.1")
+        self.assertTrue(before <= self.first_passed("01.1") <= time.time())
+        state = json.loads((self.root / ".course/state.json").read_text())
+        state["exercises"]["01.1"]["first_passed"] = 1000000
+        self.put(".course/state.json", json.dumps(state))
+        self.write("one", "wrong\n")
+        self.course("check", "01.1", code=1)
+        self.write("one", "right again\n")
+        self.course("check", "01.1")
+        self.assertEqual(self.first_passed("01.1"), 1000000)
+
+    def test_a_time_that_nobody_can_know_is_not_noted(self):
+        self.add_second_chapter()
+        self.write("one", "right\n")
+        self.put("exercises/02_more/rt/three.hpp", "right\n")
+        self.course("check")
+        self.assertEqual(self.first_passed("01.1"), -1)
+        self.assertEqual(self.first_passed("02.1"), -1)
+        self.write("one", "right again\n")
+        self.course("check", "01.1")
+        self.assertEqual(self.first_passed("01.1"), -1)
+        self.course("book", "--mine")
+        self.assertIn("This is not known: of 2 of the answers", (self.root / "out/mine.html").read_text())
+
+    def test_book_mine_makes_a_page_to_share(self):
+        self.write("one", "right\n")
+        self.write("two", "wrong\n")
+        self.put("build/mine/rt/old.hpp", "old\n")
+        said = self.course("book", "--mine")
+        self.assertEqual(said, "Yours: 01.1. The solution's: 01.2.\nThe page to share is out/mine.html. It has no "
+                         "picture yet: ./course mine draws the final scene, then ask for the page again.\n")
+        page = (self.root / "out/mine.html").read_text()
+        self.assertIn("1 of 2 exercises pass", page)
+        self.assertIn("Everything passed on one day", page)
+        headers = self.root / "build/mine/rt"
+        self.assertEqual([file.name for file in headers.iterdir()], ["one.hpp"])
+        self.assertTrue((headers / "one.hpp").read_text().endswith("exercises/01_tiny/rt/one.hpp\"\nright\n"))
+
+        self.put("program.sh", "#!/bin/sh\necho a picture >$2\n")
+        self.course("mine")
+        self.assertIn("The page to share is out/mine.html.\n", self.course("book", "--mine"))
+        page = (self.root / "out/mine.html").read_text()
+        self.assertIn("Drawn by its author's code for 01.1, and by the course's for 01.2.", page)
+        self.assertIn("base64,YSBwaWN0dXJlCg==", page)
+        self.course("book", code=2)
+        self.course("book", "--mine", "x", code=2)
+
     def put_questions(self):
         self.put("docs/x.png", "a picture")
         self.put("chapters/01_tiny/questions.json", json.dumps({"questions": [
@@ -766,7 +828,7 @@ class Companion(unittest.TestCase):
 
     def test_help_and_guesses(self):
         for command in ("list", "check", "watch", "hint", "run", "compare", "mine", "certify", "reset",
-                        "demo", "study", "ask"):
+                        "demo", "study", "ask", "book"):
             for word in ("--help", "-h"):
                 self.assertTrue(self.course(command, word).startswith(f"usage: course {command}"))
         for word, meant in (("chek", "check"), ("lst", "list"), ("hnit", "hint"), ("wach", "watch")):
@@ -827,7 +889,7 @@ class Companion(unittest.TestCase):
         (self.root / "build/bin/course").rename(self.root / "wrapper")
         self.put("CMakePresets.json", json.dumps({"version": 3, "configurePresets": [
             {"name": "release", "binaryDir": "${sourceDir}/build"}]}))
-        self.put("companion/help.txt", "  list   x\n  check   x\n")
+        self.put("companion/help.txt", "  list   x\n  check   x\n  book   x\n")
         self.put("course", Path(SCRIPT).read_text())
 
     def script(self, *words, code=0):
@@ -855,6 +917,23 @@ class Companion(unittest.TestCase):
         shutil.rmtree(build / "CMakeFiles")
         self.assertIn("done", self.script("check", "01.1"))
         self.assertNotIn("onfiguring", self.script("check", "01.1"))
+
+    def test_the_page_to_share_needs_no_node(self):
+        self.use_script()
+        self.write("one", "right\n")
+        for words in (["--nonsense"], ["--mine", "x"], ["x"]):
+            self.assertEqual(self.script("book", *words, code=2), "course: book takes --mine or nothing\n")
+        self.put("tools/npm", "#!/bin/sh\nexit 1\n")  # found before the real one
+        self.put("tools/node", "#!/bin/sh\nexit 1\n")
+        for tool in ("npm", "node"):
+            os.chmod(self.root / "tools" / tool, 0o755)
+        self.environment["PATH"] = f"{self.root}/tools:{os.environ['PATH']}"
+        shutil.rmtree(self.root / "build")
+        said = self.script("book", "--mine")
+        self.assertIn("The page to share is out/mine.html.", said)
+        self.assertIn("The web book itself needs Node.js 18", said)
+        self.assertTrue((self.root / "out/mine.html").exists())
+        self.assertIn("the web book needs Node.js 18", self.script("book", code=1))
 
     def test_a_folder_that_cmake_cannot_build_in_is_said(self):
         for name in ('a"b', "a;b", "a#b", "a$b", "a\\b", "a[b", "a]b", "a<b", "a>b", "a|b", "a\nb", "a\n"):

@@ -41,6 +41,27 @@ TEST_CASE("a state without stars is read, and stars come back", "[state]") {
     CHECK(read_state(course).at("01.1").open_stars == 2);
 }
 
+TEST_CASE("when an answer passed first comes back, and older states do not know it", "[state]") {
+    const TemporaryFolder folder;
+    const Course course{folder.path(), folder / "build"};
+    write_file(folder / ".course/state.json",
+               R"({"version": 1, "exercises": {"01.1": {"passed": true, "hash": "a", "hints": 1},
+            "01.2": {"passed": false, "hash": "b", "hints": 0}},
+            "own": {"folder": "x", "hash": "c", "lines": 3, "passed": 3}})");
+    CHECK(read_state(course).at("01.1").first_passed == unknown_time);
+    CHECK(read_state(course).at("01.2").first_passed == 0);
+    CHECK(read_state(course).own.first_passed == unknown_time);
+    change_state(course, [](State& state) {
+        state["01.2"].first_passed = 5'000'000'000;
+        state.drawn = {"d", {"01.1", "01.2"}};
+    });
+    const State state = read_state(course);
+    CHECK(state.at("01.1").first_passed == unknown_time);
+    CHECK(state.at("01.2").first_passed == 5'000'000'000);
+    CHECK(state.drawn.hash == "d");
+    CHECK(state.drawn.yours == std::vector<std::string>{"01.1", "01.2"});
+}
+
 TEST_CASE("a state that is broken or of another version is set aside", "[state]") {
     for (const char* const text :
          {"", "{", "[]", "null", "{\"version\": 0, \"exercises\": {}}",

@@ -1,0 +1,49 @@
+#include <algorithm>
+#include <app/errors.hpp>
+#include <app/files.hpp>
+#include <companion/check/yours.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/pages/shared_page.hpp>
+#include <companion/system/files.hpp>
+#include <cstdio>
+#include <set>
+
+namespace companion {
+namespace {
+
+// Fills build/mine/rt with the learner's headers that count, and with nothing else: the book's
+// figures look there first, and tell from it whose code they run.
+void put_headers_in_place(const Course& course, const Yours& yours) {
+    const fs::path folder = course.build / "mine/rt";
+    app::make_folder(folder);
+    std::set<fs::path> names;
+    for (const fs::path& file : yours.files) {
+        if (file.extension() != ".hpp") continue;
+        names.insert(file.filename());
+        const std::string text = read_file(course.build / "yours/rt" / file.filename());
+        // What has not changed is not compiled again.
+        const fs::path target = folder / file.filename();
+        if (!fs::exists(target) || read_file(target) != text) app::replace_file(target, text);
+    }
+    for (const fs::path& file : source_files(folder))
+        if (names.count(file.filename()) == 0) fs::remove(file);
+}
+
+}  // namespace
+
+int book_mine(const Course& course) {
+    const Yours yours = put_yours_in_place(course, core_chapters(course).back());
+    put_headers_in_place(course, yours);
+    std::printf("%s\n", yours.words().c_str());
+    app::make_folder(course.out());
+    const SharedPage page = collect_shared_page(course);
+    app::replace_file(course.out() / "mine.html", shared_page_html(page));
+    std::printf("The page to share is out/mine.html.%s\n",
+                page.picture.empty()
+                    ? " It has no picture yet: ./course mine draws the final scene, "
+                      "then ask for the page again."
+                    : "");
+    return app::done;
+}
+
+}  // namespace companion

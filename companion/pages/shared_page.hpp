@@ -1,0 +1,48 @@
+#pragma once
+// The page to share, out/mine.html: the learner's final picture, what passes, and how long it took.
+
+#include <companion/model/state.hpp>
+#include <companion/pages/certificate.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+// From the first passed check to the last, as far as the companion noted them.
+struct TimeTaken {
+    std::int64_t first = 0, last = 0;  // in seconds since 1970; 0: nothing has passed
+    int days = 0;                      // on which something passed for the first time
+    int unknown = 0;                   // what passes, and nobody noted since when
+};
+TimeTaken time_taken(const std::vector<std::int64_t>& first_passed);
+
+// "50 days" from 2030-01-01 to 2030-02-19, both included.
+int days_between(std::int64_t first, std::int64_t last);
+
+struct ChapterStanding {
+    Chapter chapter;
+    int done = 0, exercises = 0, stars = 0, open_stars = 0;
+    std::int64_t finished = 0;  // when the last of it passed first; 0: it is open, or unknown
+};
+
+// What is not there or not known is left out of the page.
+struct SharedPage {
+    std::string date;     // of the page
+    std::string picture;  // a PNG's bytes
+    std::string caption;  // whose code drew it
+    std::string scene;    // what it shows
+    std::vector<ChapterStanding> chapters;
+    OwnRecord own;  // how the learner's own program was judged
+    TimeTaken time;
+    std::optional<Certificate> certificate;
+};
+
+// All of it as the companion knows it: nothing is built or drawn.
+SharedPage collect_shared_page(const Course& course);
+
+// The page, in one file.
+std::string shared_page_html(const SharedPage& page);
+
+}  // namespace companion
