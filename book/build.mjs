@@ -1,19 +1,24 @@
-// Makes the web book from docs/ and course.json: node book/build.mjs [FOLDER], out/book if none is named.
-// Every page works from a folder, without a server, and under any path of one: all links are relative.
+// Makes the web book from docs/ and course.json: node book/build.mjs [FOLDER] [--first HEADERS], out/book if
+// no folder is named. The live figures use the headers of the folder HEADERS, if one is named, before the
+// solution's. Every page works from a folder, without a server, and under any path of one: all links are relative.
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, dirname, join, normalize, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
 import MiniSearch from 'minisearch';
 import subsetFont from 'subset-font';
 import { escape, mathLetters, render } from './markdown.mjs';
+import { figure, find, modules } from './live.mjs';
 import { layout } from './layout.mjs';
 import { mistakesPage } from './mistakes.mjs';
 import { compared, img, rightPicture, sizeOf } from './pictures.mjs';
 import { plot, slug, studies } from './plots.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url)), root = dirname(here);
-const out = resolve(process.argv[2] ?? join(root, 'out/book'));
+const { values: options, positionals } =
+    parseArgs({ options: { first: { type: 'string' } }, allowPositionals: true });
+const out = resolve(positionals[0] ?? join(root, 'out/book'));
 const read = file => readFileSync(join(root, file), 'utf8');
 const packaged = name => createRequire(import.meta.url).resolve(name);
 
@@ -61,7 +66,10 @@ function copy(file) {
     return to;
 }
 
-// The two ways in which a page treats what its text names, relative to its source.
+// The live figures that the texts show.
+const liveFigures = new Set();
+
+// The ways in which a page treats what its text names, relative to its source.
 function resolver(source) {
     const file = href => normalize(join(dirname(source), href));
     const existing = href => {
@@ -86,6 +94,12 @@ function resolver(source) {
             const right = chapter && rightPicture(join(root, file(src)), chapter);
             if (right) return compared(image, described(`images/${basename(right)}`, 'As it should be'));
             return img(image);
+        },
+        live(name, still, isBelow) {
+            if (!find(name)) throw new Error(`no live figure has the name ${name}: see book/live`);
+            if (liveFigures.has(name)) throw new Error(`the live figure ${name} is there twice`);
+            liveFigures.add(name);
+            return figure(name, still, isBelow);
         },
     };
 }
@@ -147,7 +161,15 @@ const write = (file, content) => {
     writeFileSync(join(out, file), content);
 };
 const title = titleOf('README.md');
-for (const page of pages) write(page.out, layout(page, pages, title));
+const compiled = await modules(new Set([...liveFigures].map(name => name.slice(0, 2))), chapters,
+                               join(root, 'out/live-cache'), options.first && resolve(options.first));
+if (compiled) {
+    for (const [chapter, script] of compiled) write(`assets/live-${chapter}.js`, script);
+    write('assets/live.js', readFileSync(join(here, 'live/page.js')));
+} else {
+    console.log('live figures need Emscripten: install emcc (Debian: emscripten); the still pictures stay');
+}
+for (const page of pages) write(page.out, layout(page, pages, title, compiled !== undefined));
 for (const [file, to] of copied) write(to, readFileSync(join(root, file)));
 
 for (const file of ['book.css', 'book.js']) write(`assets/${file}`, readFileSync(join(here, file)));

@@ -27,7 +27,9 @@ function contents(pages, current) {
 const step = (page, relation, arrow) => !page ? '<span></span>'
     : `<a rel="${relation}" href="${page.out}"><small>${arrow}</small> ${escape(page.name)}</a>`;
 
-export function layout(page, pages, title) {
+// Without live figures, their still pictures are all that one sees of them.
+export function layout(page, pages, title, hasLiveFigures) {
+    const live = hasLiveFigures && page.html.includes('<figure class="live') ? '\n<script src="assets/live.js"></script>' : '';
     const at = pages.indexOf(page);
     return `<!DOCTYPE html>
 <html lang="en">
@@ -38,7 +40,7 @@ export function layout(page, pages, title) {
 <link rel="icon" href="data:,">
 <link rel="stylesheet" href="assets/formulas.css">
 <link rel="stylesheet" href="assets/book.css">
-<script src="assets/book.js"></script>
+<script src="assets/book.js"></script>${live}
 </head>
 <body>
 <a class="skip" href="#text">To the text</a>

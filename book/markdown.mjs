@@ -77,7 +77,8 @@ rules.heading_close = (tokens, index, options, env, self) => {
 };
 rules.image = (tokens, index, options, env) => {
     const token = tokens[index];
-    return env.picture(token.attrGet('src'), token.content, token.meta?.beside);
+    const picture = env.picture(token.attrGet('src'), token.content, token.meta?.beside);
+    return (token.meta?.live ?? []).reduce((still, { name, isBelow }) => env.live(name, still, isBelow), picture);
 };
 rules.link_open = (tokens, index, options, env) => {
     const href = env.link(tokens[index].attrGet('href'));
@@ -117,6 +118,24 @@ md.core.ruler.push('pictures', ({ tokens }) => {
     }
 });
 
+// <!-- live: 03.roots --> in a paragraph of its own, below a picture: this figure takes the picture's place, or
+// comes below it: <!-- live: 03.roots below -->. Several of them may follow each other.
+md.core.ruler.push('live', ({ tokens }) => {
+    for (let i = 0; i < tokens.length; ++i) {
+        const comments = tokens[i].type === 'html_block' ? tokens[i].content.match(/<!-- live.*?-->/g) ?? [] : [];
+        if (comments.length === 0) continue;
+        const [picture, ...more] = tokens[i - 2]?.type === 'inline' ? tokens[i - 2].children : [];
+        for (const comment of comments) {
+            const [, name, below] = /^<!-- live: (\d\d\.\w+)( below)? -->$/.exec(comment) ?? [];
+            if (!name) throw new Error(`not understood: ${comment}: it must be <!-- live: 03.name --> or ` +
+                                       '<!-- live: 03.name below -->');
+            if (picture?.type !== 'image' || more.length) throw new Error(`no picture alone above ${comment}`);
+            picture.meta = { ...picture.meta, live: [...(picture.meta?.live ?? []), { name, isBelow: Boolean(below) }] };
+        }
+        tokens.splice(i--, 1);
+    }
+});
+
 // The parts of a text between its headings, for the search.
 function sections(tokens, headings) {
     const parts = [];
@@ -128,9 +147,10 @@ function sections(tokens, headings) {
     return parts.map(({ id, text, words }) => ({ id, text, words: words.join(' ').trim() }));
 }
 
-// picture(src, text, beside) and link(href) say what becomes of a picture and where a link leads, if anywhere.
-export function render(source, { picture, link }) {
-    const env = { headings: [], picture, link };
+// picture(src, text, beside) and link(href) say what becomes of a picture and where a link leads, if anywhere;
+// live(name, still, isBelow) brings the picture `still` to life.
+export function render(source, { picture, link, live }) {
+    const env = { headings: [], picture, link, live };
     const tokens = md.parse(source, env);
     const html = md.renderer.render(tokens, md.options, env)
         .replace(/<thead>\s*<tr>\s*(<th[^>]*><\/th>\s*)+<\/tr>\s*<\/thead>/g, '');

@@ -1,0 +1,146 @@
+// The live figures: what course headers compute is compiled with Emscripten, one module a chapter, and drawn
+// by the page. How a figure is added stands in live/live.hpp.
+import { execFile } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { escape } from './markdown.mjs';
+
+const here = join(dirname(fileURLToPath(import.meta.url)), 'live'), root = dirname(dirname(here));
+const run = promisify(execFile);
+const emcc = process.env.EMCC ?? 'emcc';
+
+// Of each chapter that has figures, by its number: their descriptions by their names.
+export const described = new Map(readdirSync(here).filter(name => /^\d\d\.json$/.test(name)).sort()
+    .map(name => [name.slice(0, 2), JSON.parse(readFileSync(join(here, name), 'utf8'))]));
+
+const pascal = name => name.replace(/(?:^|_)(\w)/g, (_, letter) => letter.toUpperCase());
+export const find = name => described.get(name.slice(0, 2))?.[name.slice(3)];
+
+// ---- In the page -----------------------------------------------------------------------------
+
+function control(chapter, figure, { name, label, kind = 'range', options, ...rest }) {
+    const id = `live-${chapter}-${figure}-${name}`.replaceAll('_', '-');
+    const shared = `id="${id}" data-control="${name}"`;
+    const text = escape(label);
+    if (kind === 'check')
+        return `<label class="check"><input type="checkbox" ${shared}${rest.value ? ' checked' : ''}> ${text}</label>`;
+    if (kind === 'choice')
+        return `<label>${text} <select ${shared} autocomplete="off">${options.map((option, i) =>
+            `<option value="${i}"${i === rest.value ? ' selected' : ''}>${escape(option)}</option>`).join('')}</select></label>`;
+    const data = ['unit', 'play', 'log'].filter(key => rest[key] !== undefined)
+        .map(key => ` data-${key}="${escape(String(rest[key]))}"`).join('');
+    const slider = `<label>${text} <span class="value"></span><input type="range" ${shared} min="${rest.min}" ` +
+        `max="${rest.max}" step="${rest.step}" value="${rest.value}"${data} autocomplete="off"></label>`;
+    return slider + (rest.play ? `<button type="button" data-plays="${name}">Play</button>` : '');
+}
+
+// The figure around the still picture, which stays where there are no scripts, and in print. Below it, if asked.
+export function figure(name, still, isBelow) {
+    const [chapter, own] = name.split('.'), { shows, try: attempt, controls } = find(name);
+    const number = Object.keys(described.get(chapter)).indexOf(own);
+    return `<figure class="live${isBelow ? ' below' : ''}" data-live="${name}" data-number="${number}">` +
+        `<div class="still">${still}</div>` +
+        `<div class="moving"><div class="stage"><canvas role="img" aria-label="${escape(shows)}"></canvas></div>` +
+        `<div class="progress" hidden></div><output class="said" aria-live="polite"></output>` +
+        `<form>${controls.map(one => control(chapter, own, one)).join('')}<button type="reset">Reset</button></form>` +
+        `<figcaption>${escape(attempt)}</figcaption></div></figure>`;
+}
+
+// ---- Compiled --------------------------------------------------------------------------------
+
+// A struct of controls for each figure, and the source that makes a module of them.
+function generated(chapter) {
+    const figures = Object.entries(described.get(chapter));
+    const structs = figures.map(([name, { controls }]) =>
+        `struct ${pascal(name)}Controls {\n${controls.map(one =>
+            `    double ${one.name} = ${Number(one.value)};`).join('\n')}\n};\n`);
+    return {
+        'controls.hpp': `#pragma once\nnamespace live {\n${structs.join('')}}  // namespace live\n`,
+        'module.cpp': `#include "${chapter}.cpp"\n#include "host.hpp"\n` +
+            `const live::Figure live_figures[] = {\n${figures.map(([name]) =>
+                `    live::figure<live::${pascal(name)}Controls>(),\n`).join('')}};\n` +
+            `const int live_count = ${figures.length};\n`,
+    };
+}
+
+// What a folder on the include path holds, in rt/ or itself.
+const headers = folder => [folder, join(folder, 'rt')].filter(existsSync).flatMap(one =>
+    readdirSync(one).filter(name => name.endsWith('.hpp')).sort().map(name => join(one, name)));
+
+// The include folders of a chapter's figures, first to last: as those of its program.
+export function folders(chapter, chapters, first) {
+    const upTo = chapters.filter(one => one.number <= chapter).reverse();
+    return [...(first ? [first] : []), ...upTo.map(one => join(root, 'solutions', one.name)), join(root, 'common'),
+            join(root, 'chapters', upTo[0].name)];
+}
+
+const flags = ['-std=c++20', '-O2', '-ffp-contract=off', '-Wall', '-Wextra', '-include', join(here, 'missing.hpp')];
+const linked = ['-sSTANDALONE_WASM', '-Wl,--no-entry', '-sALLOW_MEMORY_GROWTH=1'];
+
+// What compiling a chapter's figures takes, also by another compiler: see test.mjs.
+export function sources(chapter, chapters, first) {
+    const float = join(here, `${chapter}.float.cpp`);
+    return { generated: generated(chapter), float: existsSync(float) ? float : undefined,
+             include: folders(chapter, chapters, first).flatMap(folder => ['-I', folder]), here };
+}
+
+async function compile(chapter, chapters, first, cache, version) {
+    const { generated: made, float, include } = sources(chapter, chapters, first);
+    const hash = createHash('sha256');
+    hash.update(JSON.stringify([version, flags, linked, made]));
+    const own = readdirSync(here).filter(name => name.endsWith('.hpp') || name.startsWith(chapter) && name.endsWith('.cpp'));
+    for (const file of [...own.sort().map(name => join(here, name)), ...folders(chapter, chapters, first).flatMap(headers)])
+        hash.update(file.slice(file.lastIndexOf('/') + 1)).update('\0').update(readFileSync(file));
+    const kept = join(cache, `${chapter}-${hash.digest('hex').slice(0, 16)}.wasm`);
+    if (existsSync(kept)) return readFileSync(kept);
+
+    const folder = mkdtempSync(join(tmpdir(), 'live-'));
+    try {
+        for (const [name, text] of Object.entries(made)) writeFileSync(join(folder, name), text);
+        const common = [...flags, '-I', here, '-I', folder, ...include];
+        const objects = [[join(folder, 'module.cpp'), []],
+                         ...(float ? [[float, ['-DRT_REAL=float', '-Drt=rt_float']]] : [])];
+        const compiled = await Promise.all(objects.map(async ([source, more], i) => {
+            const to = join(folder, `${i}.o`);
+            await run(emcc, [...common, ...more, '-c', source, '-o', to]);
+            return to;
+        }));
+        const to = join(folder, 'module.wasm');
+        await run(emcc, ['-O2', ...linked, ...compiled, '-o', to]);
+        const code = readFileSync(to);
+        mkdirSync(cache, { recursive: true });
+        for (const old of readdirSync(cache)) if (old.startsWith(`${chapter}-`) && !first) rmSync(join(cache, old));
+        writeFileSync(kept, code);
+        return code;
+    } catch (error) {
+        throw new Error(`the live figures of chapter ${chapter} do not compile:\n${error.stderr ?? error.message}`);
+    } finally {
+        rmSync(folder, { recursive: true, force: true });
+    }
+}
+
+// The modules of these chapters, as scripts for the pages by the chapter's number; none without Emscripten. The
+// learner's headers in the folder `first`, if there is one, come before the solution's.
+export async function modules(wanted, chapters, cache, first) {
+    let version;
+    try {
+        version = (await run(emcc, ['--version'])).stdout.split('\n')[0];
+    } catch {
+        return undefined;
+    }
+    const worker = readFileSync(join(here, 'worker.js'), 'utf8');
+    const made = new Map(), waiting = [...wanted];
+    const work = async () => {
+        for (let chapter; (chapter = waiting.shift());) {
+            const code = await compile(chapter, chapters, first, cache, version);
+            made.set(chapter, `liveModule(${JSON.stringify(chapter)}, ${JSON.stringify(worker)}, ` +
+                `"${code.toString('base64')}");\n`);
+        }
+    };
+    await Promise.all([work(), work()]);
+    return made;
+}

@@ -1,0 +1,77 @@
+// Runs the figures of a page apart from it, so that it never stalls.
+'use strict';
+
+let wasm;
+const refining = new Set();  // figures whose picture gets better, as long as they can be seen
+
+// What figures could ask of a system: nothing that they need.
+const imports = new Proxy({}, { get: () => new Proxy({}, {
+    get: (_, name) => /exit|abort|throw/.test(name) ? () => { throw new Error(`the figure ended: ${name}`); } : () => 0,
+}) });
+
+function answer(figure, more) {
+    const memory = wasm.memory.buffer;
+    const list = new Float64Array(memory, wasm.live_list(figure), wasm.live_list_size(figure)).slice();
+    const words = new TextDecoder().decode(
+        new Uint8Array(memory, wasm.live_words(figure), wasm.live_words_size(figure))).split('\0');
+    const pictures = [];
+    for (let at = 0; at < list.length; at += 2 + list[at + 1])
+        if (list[at] === 6) {  // Op::picture: its address becomes its number
+            const [columns, rows] = [list[at + 8], list[at + 9]];
+            pictures.push(new Uint8ClampedArray(memory, list[at + 11], 4 * columns * rows).slice());
+            list[at + 11] = pictures.length - 1;
+        }
+    postMessage({
+        figure, list, words, pictures, height: wasm.live_height(figure), done: wasm.live_done(figure),
+        samples: wasm.live_samples(figure), ...more,
+    }, [list.buffer, ...pictures.map(picture => picture.buffer)]);
+}
+
+// For this many milliseconds; then messages have their turn.
+function refine() {
+    for (const figure of refining) {
+        const end = performance.now() + 40;
+        let more = true;
+        while (more && performance.now() < end) more = wasm.live_more(figure);
+        if (!more) refining.delete(figure);
+        answer(figure);
+    }
+    if (refining.size) setTimeout(refine, 0);
+}
+
+function start(figure) {
+    const idle = refining.size === 0;
+    refining.add(figure);
+    if (idle) setTimeout(refine, 0);
+}
+
+function draw({ figure, values, drag, ranges, width, ratio }) {
+    const own = () => new Float64Array(wasm.memory.buffer, wasm.live_values(), values.length);
+    own().set(values);
+    if (drag) wasm.live_drag(figure, ...drag.down, ...drag.at, width);
+    own().set(ranges.map(([least, most], i) => Math.min(most, Math.max(least, own()[i]))));
+    const used = [...own()];
+    wasm.live_draw(figure, width, ratio);
+    answer(figure, { answers: true, values: drag ? used : undefined });
+    if (wasm.live_samples(figure)) start(figure);
+}
+
+onmessage = async ({ data }) => {
+    try {
+        if (data.code) {
+            const { instance } = await WebAssembly.instantiate(
+                Uint8Array.from(atob(data.code), letter => letter.charCodeAt(0)), imports);
+            wasm = instance.exports;
+            wasm._initialize?.();
+            postMessage({ ready: true });
+        } else if (data.asleep) {
+            refining.delete(data.figure);
+        } else if (data.awake) {
+            if (wasm.live_samples(data.figure)) start(data.figure);
+        } else {
+            draw(data);
+        }
+    } catch (error) {
+        postMessage({ figure: data.figure, failed: String(error) });
+    }
+};
