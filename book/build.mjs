@@ -9,11 +9,12 @@ import { parseArgs } from 'node:util';
 import MiniSearch from 'minisearch';
 import subsetFont from 'subset-font';
 import { escape, mathLetters, render } from './markdown.mjs';
-import { figure, find, modules } from './live.mjs';
+import { figure, find, folders, modules, sources } from './live.mjs';
 import { layout } from './layout.mjs';
 import { mistakesPage } from './mistakes.mjs';
 import { compared, img, rightPicture, sizeOf } from './pictures.mjs';
 import { plot, slug, studies } from './plots.mjs';
+import { exercisesUsed, whose } from './yours.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url)), root = dirname(here);
 const { values: options, positionals } =
@@ -161,14 +162,33 @@ const write = (file, content) => {
     writeFileSync(join(out, file), content);
 };
 const title = titleOf('README.md');
-const compiled = await modules(new Set([...liveFigures].map(name => name.slice(0, 2))), chapters,
-                               join(root, 'out/live-cache'), options.first && resolve(options.first));
+const first = options.first && resolve(options.first), withoutFirst = new Set();
+const compiled = await modules(
+    new Set([...liveFigures].map(name => name.slice(0, 2))), chapters, join(root, 'out/live-cache'), first,
+    (chapter, error) => {
+        withoutFirst.add(chapter);
+        console.log(`chapter ${chapter}: its figures run the solution's code, because with yours they do not compile: ` +
+            (/^.*\berror: .*/m.exec(error.message)?.[0] ?? error.message.split('\n')[0]));
+    });
 if (compiled) {
     for (const [chapter, script] of compiled) write(`assets/live-${chapter}.js`, script);
     write('assets/live.js', readFileSync(join(here, 'live/page.js')));
 } else {
     console.log('live figures need Emscripten: install emcc (Debian: emscripten); the still pictures stay');
 }
+function exercisesOf(chapter) {
+    if (withoutFirst.has(chapter)) return [];
+    const { here: folder, float } = sources(chapter, chapters, first);
+    return exercisesUsed([join(folder, `${chapter}.cpp`), ...(float ? [float] : [])], folders(chapter, chapters, first),
+                         first, chapters);
+}
+if (compiled && first)
+    for (const page of pages) {
+        const shown = new Set([...page.html.matchAll(/data-live="(\d\d)\./g)].map(([, chapter]) => chapter));
+        const used = new Set([...shown].flatMap(exercisesOf));
+        if (shown.size > 0)
+            page.html = page.html.replace('</h1>', `</h1>\n<p class="whose">${whose([...used].sort())}</p>`);
+    }
 for (const page of pages) write(page.out, layout(page, pages, title, compiled !== undefined));
 for (const [file, to] of copied) write(to, readFileSync(join(root, file)));
 

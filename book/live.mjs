@@ -124,8 +124,9 @@ async function compile(chapter, chapters, first, cache, version) {
 }
 
 // The modules of these chapters, as scripts for the pages by the chapter's number; none without Emscripten. The
-// learner's headers in the folder `first`, if there is one, come before the solution's.
-export async function modules(wanted, chapters, cache, first) {
+// learner's headers in the folder `first`, if there is one, come before the solution's; a chapter that does not
+// compile with them is compiled without them, and refused(chapter, error) is told.
+export async function modules(wanted, chapters, cache, first, refused) {
     let version;
     try {
         version = (await run(emcc, ['--version'])).stdout.split('\n')[0];
@@ -136,7 +137,11 @@ export async function modules(wanted, chapters, cache, first) {
     const made = new Map(), waiting = [...wanted];
     const work = async () => {
         for (let chapter; (chapter = waiting.shift());) {
-            const code = await compile(chapter, chapters, first, cache, version);
+            const code = await compile(chapter, chapters, first, cache, version).catch(error => {
+                if (!first) throw error;
+                refused(chapter, error);
+                return compile(chapter, chapters, undefined, cache, version);
+            });
             made.set(chapter, `liveModule(${JSON.stringify(chapter)}, ${JSON.stringify(worker)}, ` +
                 `"${code.toString('base64')}");\n`);
         }

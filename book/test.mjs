@@ -1,5 +1,6 @@
-// Opens every page of the book in Chromium: node book/test.mjs FOLDER CHROMIUM. Pages are read from the folder
-// as a person would, without a server, and some of them from a server's sub-path.
+// Opens every page of the book in Chromium: node book/test.mjs FOLDER CHROMIUM [SAMPLES]. Pages are read from the
+// folder as a person would, without a server, and some of them from a server's sub-path. SAMPLES holds pages as
+// learners share them.
 import assert from 'node:assert/strict';
 import { createServer } from 'node:http';
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
@@ -221,6 +222,37 @@ async function underPath(path, use) {
     server.close();
 }
 
+// A learner's page to share: one file that is complete.
+async function trySample(name, from) {
+    const page = await opened(name, { colorScheme: 'light' }, from);
+    assert.deepEqual(page.asked, [from + name], 'it asks for nothing else');
+    const images = await page.evaluate(async () => {
+        await Promise.all([...document.images].map(image => image.decode()));
+        return [...document.images].map(image => image.alt && image.naturalWidth);
+    });
+    check(images.every(Boolean), `${name}: a picture is broken, or has no words`);
+    await page.evaluate(axe);
+    await accessible(page, name);
+    const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const light = await paper();
+    await page.emulateMedia({ colorScheme: 'dark' });
+    assert.notEqual(await paper(), light);
+    await accessible(page, `${name}, dark`, ['color-contrast']);
+    await page.setViewportSize({ width: 390, height: 800 });
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(width <= 390, `${name}: ${width} pixels wide on a phone of 390`);
+    await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+    assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector('h1')).color), 'rgb(29, 31, 35)',
+                 'it is printed dark on light');
+    await close(page);
+}
+
+async function trySamples(samples) {
+    const names = readdirSync(samples);
+    assert.ok(names.length > 0);
+    for (const name of names) await trySample(name, pathToFileURL(resolve(samples)).href + '/');
+}
+
 // ---- All of it -------------------------------------------------------------------------------
 
 const behaviors = {
@@ -232,6 +264,7 @@ const behaviors = {
     'the contents open on a phone': tryContents,
     'pages can be read without scripts': tryWithoutScripts,
     'pages can be printed': tryPrint,
+    ...(process.argv[4] && { 'a learner’s page can be shared': () => trySamples(process.argv[4]) }),
     'all works below a path of a host': () => underPath('/some/path/', at => trySearch(at)),
 };
 

@@ -40,7 +40,7 @@ constexpr const char* shared_head = R"(<!doctype html>
   img { display: block; width: 100%; height: auto; border-radius: 10px; background: #000; }
   figcaption, .made, footer { color: var(--soft); font-size: .9rem; }
   figcaption { margin-top: 10px; }
-  dl { display: grid; grid-template-columns: repeat(auto-fit, minmax(190px, 1fr)); gap: 12px;
+  dl { display: grid; grid-template-columns: repeat(auto-fit, minmax(160px, 1fr)); gap: 12px;
        margin: 28px 0; }
   dl > div { display: flex; flex-direction: column-reverse; justify-content: flex-end;
              padding: 14px 18px; background: var(--card); border: 1px solid var(--line);
@@ -54,6 +54,7 @@ constexpr const char* shared_head = R"(<!doctype html>
            border-bottom: 1px solid var(--line); }
   th { font-weight: normal; }
   tr:first-child th, .shows td, .open td { color: var(--soft); }
+  .figure, .chapters td { white-space: nowrap; }
   tr { break-inside: avoid; }
   .bar { display: block; width: 100%; min-width: 70px; height: 4px; margin-top: 5px;
          border-radius: 2px; background: var(--line); print-color-adjust: exact; }
@@ -115,7 +116,7 @@ std::string facts(const SharedPage& page, const ChapterStanding& all) {
         html += fact("from the first passed check to the last",
                      counted(days_between(page.time.first, page.time.last), "day"));
     if (page.certificate && page.certificate->passed())
-        html += fact("certificate of " + page.certificate->date,
+        html += fact("grade of the certificate",
                      page.certificate->passed_with_stars() ? "core and stars" : "core");
     return html + "</dl>\n";
 }
@@ -123,7 +124,7 @@ std::string facts(const SharedPage& page, const ChapterStanding& all) {
 std::string chapters_table(const std::vector<ChapterStanding>& chapters) {
     std::ostringstream out;
     out << "<h2>Chapter by chapter</h2>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
-           "aria-label=\"The chapters\"><table>\n"
+           "aria-label=\"The chapters\"><table class=\"chapters\">\n"
            "<tr><th scope=\"col\">chapter<th scope=\"col\">exercises<th scope=\"col\">stars"
            "<th scope=\"col\">finished</tr>\n";
     for (const ChapterStanding& one : chapters)

@@ -2,6 +2,7 @@
 # The web book in a real browser: no page may have an error, a broken link or picture, a request to another
 # host or a serious fault of accessibility, and what one can do there works: see book/test.mjs. Before that,
 # what needs no browser: see book/forms.mjs.
+# pages.sh [SAMPLES]: the program that makes samples of the learner's page to share; without it those are left out.
 # Ends with 77 where something that it needs is missing.
 set -eu
 cd "$(dirname "$0")/../.."
@@ -21,6 +22,7 @@ if [ ! -d book/node_modules/playwright-core ] ||
         skip "npm could not get the packages that book/package-lock.json names"
 fi
 node book/forms.mjs
+node book/yours_test.mjs
 
 for browser in "${CHROMIUM:-chromium}" chromium-browser google-chrome ''; do
     [ -n "$browser" ] || skip "Chromium is missing: install it, or set CHROMIUM to a browser of its kind"
@@ -30,4 +32,9 @@ done
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 node book/build.mjs "$folder/book"
-node book/test.mjs "$folder/book" "$browser"
+if [ $# -gt 0 ]; then
+    mkdir "$folder/samples"
+    "$1" "$folder/samples"
+    set -- "$folder/samples"
+fi
+node book/test.mjs "$folder/book" "$browser" "$@"
