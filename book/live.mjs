@@ -67,8 +67,8 @@ function generated(chapter) {
     };
 }
 
-// What a folder on the include path holds, in rt/ or itself.
-const headers = folder => [folder, join(folder, 'rt')].filter(existsSync).flatMap(one =>
+// What a folder on the include path holds.
+const headers = folder => [folder, ...['rt', 'app', 'study'].map(name => join(folder, name))].filter(existsSync).flatMap(one =>
     readdirSync(one).filter(name => name.endsWith('.hpp')).sort().map(name => join(one, name)));
 
 // The include folders of a chapter's figures, first to last: as those of its program.
