@@ -43,7 +43,7 @@ export function figure(name, still, isBelow) {
     const [chapter, own] = name.split('.'), { shows, try: attempt, controls } = find(name);
     const number = Object.keys(described.get(chapter)).indexOf(own);
     return `<figure class="live${isBelow ? ' below' : ''}" data-live="${name}" data-number="${number}">` +
-        `<div class="still">${still}</div>` +
+        (still && `<div class="still">${still}</div>`) +
         `<div class="moving"><div class="stage"><canvas role="img" aria-label="${escape(shows)}"></canvas></div>` +
         `<div class="progress" hidden></div><output class="said" aria-live="polite"></output>` +
         `<form>${controls.map(one => control(chapter, own, one)).join('')}<button type="reset">Reset</button></form>` +
