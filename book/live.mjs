@@ -43,7 +43,7 @@ export function figure(name, still, isBelow) {
     const [chapter, own] = name.split('.'), { shows, try: attempt, controls } = find(name);
     const number = Object.keys(described.get(chapter)).indexOf(own);
     return `<figure class="live${isBelow ? ' below' : ''}" data-live="${name}" data-number="${number}">` +
-        `<div class="still">${still}</div>` +
+        (still && `<div class="still">${still}</div>`) +
         `<div class="moving"><div class="stage"><canvas role="img" aria-label="${escape(shows)}"></canvas></div>` +
         `<div class="progress" hidden></div><output class="said" aria-live="polite"></output>` +
         `<form>${controls.map(one => control(chapter, own, one)).join('')}<button type="reset">Reset</button></form>` +
@@ -67,8 +67,8 @@ function generated(chapter) {
     };
 }
 
-// What a folder on the include path holds, in rt/ or itself.
-const headers = folder => [folder, join(folder, 'rt')].filter(existsSync).flatMap(one =>
+// What a folder on the include path holds.
+const headers = folder => [folder, ...['rt', 'app', 'study'].map(name => join(folder, name))].filter(existsSync).flatMap(one =>
     readdirSync(one).filter(name => name.endsWith('.hpp')).sort().map(name => join(one, name)));
 
 // The include folders of a chapter's figures, first to last: as those of its program.

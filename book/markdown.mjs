@@ -61,8 +61,9 @@ rules.code_block = (tokens, index) =>
     `<pre class="scroll"><code>${escape(tokens[index].content)}</code></pre>\n`;
 rules.table_open = () => '<div class="scroll"><table>\n';
 rules.table_close = () => '</table></div>\n';
-rules.html_block = rules.html_inline = (tokens, index) =>
-    tokens[index].content.replace(/<!--[^]*?-->/g, '');
+rules.html_block = rules.html_inline = (tokens, index, options, env) =>
+    tokens[index].content.replace(/<!--[^]*?-->/g, '') +
+    (tokens[index].meta?.live ?? []).map(({ name, isBelow }) => env.live(name, '', isBelow)).join('');
 rules.heading_open = (tokens, index, options, env, self) => {
     env.slugger ??= new GithubSlugger();
     const token = tokens[index], text = plain(tokens[index + 1]);
@@ -118,21 +119,28 @@ md.core.ruler.push('pictures', ({ tokens }) => {
     }
 });
 
-// <!-- live: 03.roots --> in a paragraph of its own, below a picture: this figure takes the picture's place, or
-// comes below it: <!-- live: 03.roots below -->. Several of them may follow each other.
+// <!-- live: 03.roots --> in a paragraph of its own, below a picture: this figure takes the picture's place.
+// <!-- live: 03.roots below -->: it comes below the picture, or below whatever else says the same in print, such as
+// a table. Several of them may follow each other.
 md.core.ruler.push('live', ({ tokens }) => {
     for (let i = 0; i < tokens.length; ++i) {
         const comments = tokens[i].type === 'html_block' ? tokens[i].content.match(/<!-- live.*?-->/g) ?? [] : [];
         if (comments.length === 0) continue;
         const [picture, ...more] = tokens[i - 2]?.type === 'inline' ? tokens[i - 2].children : [];
-        for (const comment of comments) {
+        const isPicture = picture?.type === 'image' && more.length === 0;
+        const live = comments.map(comment => {
             const [, name, below] = /^<!-- live: (\d\d\.\w+)( below)? -->$/.exec(comment) ?? [];
             if (!name) throw new Error(`not understood: ${comment}: it must be <!-- live: 03.name --> or ` +
                                        '<!-- live: 03.name below -->');
-            if (picture?.type !== 'image' || more.length) throw new Error(`no picture alone above ${comment}`);
-            picture.meta = { ...picture.meta, live: [...(picture.meta?.live ?? []), { name, isBelow: Boolean(below) }] };
+            if (!isPicture && !below) throw new Error(`no picture alone above ${comment}`);
+            return { name, isBelow: Boolean(below) };
+        });
+        if (isPicture) {
+            picture.meta = { ...picture.meta, live };
+            tokens.splice(i--, 1);
+        } else {
+            tokens[i].meta = { live };
         }
-        tokens.splice(i--, 1);
     }
 });
 

@@ -1,6 +1,8 @@
 // The live figures of chapter 03.
+#include <array>
 #include <rt/cross.hpp>
 #include <rt/hit_sphere.hpp>
+#include <rt/nearest_sphere.hpp>
 
 #include "03.float.hpp"
 #include "controls.hpp"
@@ -101,15 +103,17 @@ void draw(const RootsControls& c, Drawing& out) {
     for (const double t : {in_float.low, in_float.high})
         if (in_float.count) cross_at(t, green, 4);
 
-    out.text({12, out.height - 34},
-             in_float.count ? "× float, this chapter's formula: off by {e} and {e}"
-                            : "float, this chapter's formula: a miss",
-             green, Align::left, in_float.low - *low, in_float.high - high);
-    out.text({12, out.height - 14},
-             textbook.count ? "× float, textbook's formula: off by {e} and {e}"
-                            : "float, textbook's formula: a miss",
-             orange, Align::left, textbook.low - *low, textbook.high - high);
-    out.say("D/4 = {+}, so the line meets the sphere twice: t₁ = {}, t₂ = {}.", quarter, *low,
+    const auto say_error = [&](double y, Ink color, const Meetings& found, std::string_view off,
+                               std::string_view miss) {
+        out.text({12, y}, found.count ? off : miss, color, Align::left, found.low - *low,
+                 found.high - high);
+    };
+    if (out.is_narrow()) out.text_size = 11.5;
+    say_error(out.height - 32, green, in_float, "× float, this chapter: off by {e}, {e}",
+              "float, this chapter: a miss");
+    say_error(out.height - 13, orange, textbook, "× float, textbook: off by {e}, {e}",
+              "float, textbook: a miss");
+    out.say("D/4 = {+}, so the line meets the sphere twice: t₁ = {.3}, t₂ = {.3}.", quarter, *low,
             high);
 }
 
@@ -122,6 +126,109 @@ void drag(RootsControls& c, const Drag& to) {
         c.slope = (tip.y - std::clamp(c.height, -2.0, 2.0)) / (tip_x - start_x);
     } else {
         c.slope += moved / (tip_x - start_x);
+    }
+}
+
+// ---- The nearest of many ----
+
+namespace {
+
+Frame nearest_frame(double width) {
+    const double height = width * (width < 520 ? 0.5 : 0.42);
+    return {{width / 2, height / 2}, {5, 0}, width / 10.4};
+}
+
+// In the order of the list, which is not that of their distance.
+const std::array<rt::SceneSphere, 5> row{{{{{5.2, 0.3, 0}, 0.9}, 0},
+                                          {{{8.6, -0.2, 0}, 0.8}, 1},
+                                          {{{3.0, -0.5, 0}, 0.7}, 2},
+                                          {{{6.9, -0.8, 0}, 0.6}, 3},
+                                          {{{1.7, 1.1, 0}, 0.5}, 4}}};
+constexpr Ink row_inks[] = {blue, orange, green, pink, amber};
+
+rt::Ray nearest_ray(const NearestControls& c) {
+    const double angle = rt::radians(c.angle);
+    return {{c.x, c.y, 0}, {std::cos(angle), std::sin(angle), 0}};
+}
+
+constexpr double tip_t = 1.2;  // where the ray's arrow head is
+
+}  // namespace
+
+void draw(const NearestControls& c, Drawing& out) {
+    const Frame at = nearest_frame(out.width);
+    const double list_height = out.is_narrow() ? 62 : 48;
+    out.height = 2 * at.at.y + list_height;
+    const rt::Ray ray = nearest_ray(c);
+    const auto tried = static_cast<std::size_t>(c.tried);
+    const std::span spheres{row};
+    const auto nearest = rt::nearest_sphere(spheres.first(tried), ray, {0, rt::infinity});
+
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const rt::Sphere& sphere = row[i].shape;
+        const Point center = at.to_page(in_plane(sphere.center));
+        const double radius = at.scale * sphere.radius;
+        const bool is_nearest = nearest && nearest->number == i;
+        out.disc(center, radius, thin(row_inks[i], i < tried ? is_nearest ? 0.55 : 0.22 : 0.07));
+        out.circle(center, radius,
+                   {thin(row_inks[i], i < tried ? 1 : 0.5), is_nearest ? 4.0 : 1.5,
+                    i < tried ? 0.0 : 4.0});
+        out.bold = true;
+        out.text(center + Point{0, 0.55 * radius}, "{}", row_inks[i], Align::middle, double(i));
+        out.bold = false;
+    }
+
+    // On this part of the ray a hit still counts.
+    const double end = nearest ? nearest->t : 12;
+    const Point start = at.to_page(in_plane(ray.origin)), tip = at.to_page(in_plane(ray.at(tip_t)));
+    out.line(start, at.to_page(in_plane(ray.at(12))), {muted, 1.5, 5});
+    out.line(start, at.to_page(in_plane(ray.at(end))), {accent, 3.5});
+    out.arrow(start, tip, {accent, 3.5});
+    if (nearest) out.dot(at.to_page(in_plane(ray.at(end))), row_inks[nearest->number], 6);
+    out.handle(start);
+    out.handle(tip);
+
+    // The list, with what came of each.
+    const double cell = out.width / row.size(), top = 2 * at.at.y + 4;
+    if (out.is_narrow()) out.text_size = 11.5;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const Point corner{cell * static_cast<double>(i) + 3, top};
+        const Point opposite{corner.x + cell - 6, top + list_height - 8};
+        const Point middle = 0.5 * (corner + opposite), above = middle + Point{0, -10},
+                    below = middle + Point{0, 10};
+        out.box(corner, opposite, thin(row_inks[i], i < tried ? 0.18 : 0.05));
+        out.text(above, i < tried || out.is_narrow() ? "{}" : "sphere {}", row_inks[i],
+                 Align::middle, double(i));
+        if (i >= tried) continue;
+        const auto before = rt::nearest_sphere(spheres.first(i), ray, {0, rt::infinity});
+        const auto t = rt::hit_sphere(row[i].shape, ray, {0, rt::infinity});
+        if (!t)
+            out.text(below, "a miss", muted);
+        else if (before && *t > before->t)
+            out.text(below, out.is_narrow() ? "{.2} too far" : "t = {.2}: too far", muted,
+                     Align::middle, *t);
+        else
+            out.text(below, "t = {.2}", ink, Align::middle, *t);
+    }
+    if (nearest)
+        out.say(
+            "After {} of 5: sphere {} is the nearest. From now on, only hits before t = {.2} "
+            "count.",
+            c.tried, double(nearest->number), nearest->t);
+    else
+        out.say("After {} of 5: no hit. Any t above 0 would count.", c.tried);
+}
+
+void drag(NearestControls& c, const Drag& to) {
+    const Frame at = nearest_frame(to.width);
+    const rt::Ray ray = nearest_ray(c);
+    const Point start = at.to_page(in_plane(ray.origin)), tip = at.to_page(in_plane(ray.at(tip_t)));
+    if (distance(start, to.down) < distance(tip, to.down)) {
+        const Point now = at.to_plane(start + to.moved());
+        c.x = now.x, c.y = now.y;
+    } else {
+        const Point along = at.to_plane(tip + to.moved()) - in_plane(ray.origin);
+        c.angle = std::atan2(along.y, along.x) / rt::radians(1);
     }
 }
 

@@ -237,8 +237,8 @@
             }
             pen.globalAlpha = 1;
             canvas.style.touchAction = this.handles.some(([,, radius]) => radius === -1) ? 'pan-y' : '';
-            this.progress.hidden = !samples;
-            if (samples) {
+            this.progress.hidden = samples < 2;
+            if (samples > 1) {
                 this.progress.style.setProperty('--done', done / samples);
                 this.progress.textContent = `${done} of ${samples} samples a pixel`;
             }

@@ -1,6 +1,6 @@
 #pragma once
-// A picture that gets better while one waits: first a coarse one, at once; then a sample of every
-// pixel, over and over, and what is shown is their average.
+// A picture that gets better while one waits: first in coarse squares, at once; then in smaller
+// ones; then a sample of every pixel, over and over, and what is shown is their average.
 
 #include <rt/color_sum.hpp>
 #include <utility>
@@ -16,13 +16,19 @@ class Refinement {
           sums_(static_cast<std::size_t>(columns * rows)),
           samples_{samples},
           shade_{std::move(shade)} {
-        for (int row = 0; row < rows; row += coarse)
-            for (int column = 0; column < columns; column += coarse) fill(column, row);
+        for (int row = 0; row < rows; row += square_) fill_row(row);
+        square_ /= 2;
     }
 
     // Draws one more row. False when there is nothing left to do.
     bool more() {
         if (done_ == samples_) return false;
+        if (square_ > 1) {
+            fill_row(row_);
+            row_ += square_;
+            if (row_ >= bytes_.rows) row_ = 0, square_ /= 2;
+            return true;
+        }
         for (int column = 0; column < bytes_.columns; ++column) {
             rt::ColorSum& sum = sums_[static_cast<std::size_t>(row_ * bytes_.columns + column)];
             sum.add(shade_(column, row_, done_));
@@ -44,19 +50,20 @@ class Refinement {
     }
 
   private:
-    static constexpr int coarse = 4;
-
-    // A square of the coarse picture: its middle pixel's color.
-    void fill(int column, int row) {
-        const int right = std::min(column + coarse, bytes_.columns),
-                  bottom = std::min(row + coarse, bytes_.rows);
-        const rt::Color color = shade_((column + right) / 2, (row + bottom) / 2, 0);
-        for (int y = row; y < bottom; ++y)
-            for (int x = column; x < right; ++x) bytes_.set(x, y, color);
+    // A row of squares, each in its middle pixel's color.
+    void fill_row(int row) {
+        const int bottom = std::min(row + square_, bytes_.rows);
+        for (int column = 0; column < bytes_.columns; column += square_) {
+            const int right = std::min(column + square_, bytes_.columns);
+            const rt::Color color = shade_((column + right) / 2, (row + bottom) / 2, 0);
+            for (int y = row; y < bottom; ++y)
+                for (int x = column; x < right; ++x) bytes_.set(x, y, color);
+        }
     }
 
     Bytes bytes_;
     std::vector<rt::ColorSum> sums_;
+    int square_ = 8;  // a side of the squares, in pixels
     int samples_, done_ = 0, row_ = 0;
     Drawing::Shade shade_;
 };

@@ -27,16 +27,20 @@ function answer(figure, more) {
     }, [list.buffer, ...pictures.map(picture => picture.buffer)]);
 }
 
-// For this many milliseconds; then messages have their turn.
+// Makes a figure's picture better for so many milliseconds.
+function refineFor(figure, time) {
+    const end = performance.now() + time;
+    let more = true;
+    while (more && performance.now() < end) more = wasm.live_more(figure);
+    if (!more) refining.delete(figure);
+}
+
 function refine() {
     for (const figure of refining) {
-        const end = performance.now() + 40;
-        let more = true;
-        while (more && performance.now() < end) more = wasm.live_more(figure);
-        if (!more) refining.delete(figure);
+        refineFor(figure, 40);
         answer(figure);
     }
-    if (refining.size) setTimeout(refine, 0);
+    if (refining.size) setTimeout(refine, 0);  // messages have their turn
 }
 
 function start(figure) {
@@ -52,8 +56,11 @@ function draw({ figure, values, drag, ranges, width, ratio }) {
     own().set(ranges.map(([least, most], i) => Math.min(most, Math.max(least, own()[i]))));
     const used = [...own()];
     wasm.live_draw(figure, width, ratio);
+    if (wasm.live_samples(figure)) {
+        start(figure);
+        refineFor(figure, 20);
+    }
     answer(figure, { answers: true, values: drag ? used : undefined });
-    if (wasm.live_samples(figure)) start(figure);
 }
 
 onmessage = async ({ data }) => {

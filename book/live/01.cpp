@@ -1,0 +1,288 @@
+// The live figures of chapter 01.
+#include <array>
+#include <rt/cross.hpp>
+#include <rt/dot.hpp>
+#include <rt/facing.hpp>
+#include <rt/inverse.hpp>
+#include <rt/length.hpp>
+#include <rt/transform.hpp>
+
+#include "controls.hpp"
+#include "live.hpp"
+#include "plane.hpp"
+
+namespace live {
+namespace {
+
+rt::Vec3 in_space(Point p) {
+    return {p.x, p.y, 0};
+}
+Point in_plane(rt::Vec3 v) {
+    return {v.x, v.y};
+}
+
+// The nearest of some handles to the place where the pointer went down.
+template <std::size_t Count>
+std::size_t nearest_of(const std::array<Point, Count>& places, Point down) {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < Count; ++i)
+        if (distance(places[i], down) < distance(places[nearest], down)) nearest = i;
+    return nearest;
+}
+
+// ---- Dot and cross product ----
+
+Frame products_frame(double width) {
+    const double height = width * (width < 520 ? 0.7 : 0.52);
+    return {{width / 2, height / 2}, {0, 0}, width / 9};
+}
+
+}  // namespace
+
+void draw(const ProductsControls& c, Drawing& out) {
+    const Frame at = products_frame(out.width);
+    out.height = 2 * at.at.y;
+    draw_grid(out, at);
+    const Point a{c.ax, c.ay}, b{c.bx, c.by}, origin = at.to_page({0, 0});
+    const rt::Vec3 in_space_a = in_space(a), in_space_b = in_space(b);
+    const double product = rt::dot(in_space_a, in_space_b),
+                 area = rt::cross(in_space_a, in_space_b).z;
+
+    // The parallelogram: blue where b has to turn to the left to come to a, else orange.
+    out.polygon({origin, at.to_page(a), at.to_page(a + b), at.to_page(b)},
+                thin(area < 0 ? blue : orange, 0.18));
+    out.path({at.to_page(a), at.to_page(a + b), at.to_page(b)},
+             {thin(area < 0 ? blue : orange, 0.6), 1.2, 4});
+
+    // The shadow of a on the line of b, and the angle.
+    const double b_squared = rt::dot(in_space_b, in_space_b);
+    if (b_squared > 0) {
+        const Point far = (6 / std::sqrt(b_squared)) * b, foot = (product / b_squared) * b;
+        out.line(at.to_page(-1 * far), at.to_page(far), {muted, 1, 3});
+        out.line(at.to_page(a), at.to_page(foot), {muted, 1.5, 4});
+        out.line(origin, at.to_page(foot), {green, 7});
+        if (rt::dot(in_space_a, in_space_a) > 0)
+            draw_arc(out, origin, 30, std::atan2(b.y, b.x),
+                     std::atan2(b.y, b.x) - std::atan2(area, product), {ink, 1.5});
+    }
+    draw_vector(out, origin, at.to_page(b), "b", pink);
+    draw_vector(out, origin, at.to_page(a), "a", accent);
+    out.dot(origin, ink, 3);
+    out.handle(at.to_page(b));
+    out.handle(at.to_page(a));
+
+    const double small = out.is_narrow() ? 12 : 14;
+    out.text_size = small;
+    out.bold = true;
+    out.text({12, 18}, "a · b = {.2}", green, Align::left, product);
+    out.text({12, 18 + 1.5 * small}, "a × b = (0, 0, {.2})", area < 0 ? blue : orange, Align::left,
+             area);
+    if (product == 0 || area == 0 || b_squared == 0)
+        out.say(area == 0 ? "a and b lie on one line." : "a and b are perpendicular.");
+    else
+        out.say(
+            "The angle between a and b is {.1}°. The shadow is {.2} long, and {.2} · {.2} is the "
+            "dot "
+            "product; the parallelogram's area is {.2}.",
+            std::abs(std::atan2(area, product)) / rt::radians(1), product / std::sqrt(b_squared),
+            product / std::sqrt(b_squared), rt::length(in_space_b), std::abs(area));
+}
+
+void drag(ProductsControls& c, const Drag& to) {
+    const Frame at = products_frame(to.width);
+    const std::array tips{at.to_page({c.ax, c.ay}), at.to_page({c.bx, c.by})};
+    const std::size_t tip = nearest_of(tips, to.down);
+    // To whole tenths, so that right angles can be met.
+    const Point now = at.to_plane(tips[tip] + to.moved()),
+                rounded{std::round(10 * now.x) / 10, std::round(10 * now.y) / 10};
+    (tip == 0 ? c.ax : c.bx) = rounded.x;
+    (tip == 0 ? c.ay : c.by) = rounded.y;
+}
+
+// ---- What a matrix does to a grid ----
+
+namespace {
+
+Frame matrix_frame(double width) {
+    const double height = width * (width < 520 ? 0.8 : 0.56);
+    return {{width / 2, height / 2}, {0.6, 0.3}, width / (width < 520 ? 6.5 : 8.5)};
+}
+
+rt::Mat4 matrix_of(const MatrixControls& c) {
+    return rt::from_columns({c.ux, c.uy, 0}, {c.vx, c.vy, 0}, {0, 0, 1}, {c.tx, c.ty, 0});
+}
+
+// A house on the grid, from (0, 0) to (2, 2), with a door on one side to tell a mirrored one.
+void draw_house(Drawing& out, const Frame& at, const rt::Mat4& m, Ink color, double strength) {
+    const auto place = [&](double x, double y) {
+        return at.to_page(in_plane(rt::transform_point(m, {x, y, 0})));
+    };
+    out.polygon({place(0, 0), place(2, 0), place(2, 1), place(1, 1.8), place(0, 1)},
+                thin(color, 0.25 * strength));
+    out.path({place(0, 0), place(2, 0), place(2, 1), place(1, 1.8), place(0, 1), place(0, 0)},
+             {thin(color, strength), 2});
+    out.polygon({place(0.3, 0), place(0.75, 0), place(0.75, 0.75), place(0.3, 0.75)},
+                thin(color, 0.7 * strength));
+    out.polygon({place(1.2, 0.4), place(1.7, 0.4), place(1.7, 0.8), place(1.2, 0.8)},
+                thin(amber, 0.9 * strength));
+}
+
+}  // namespace
+
+void draw(const MatrixControls& c, Drawing& out) {
+    const Frame at = matrix_frame(out.width);
+    out.height = 2 * at.at.y;
+    const rt::Mat4 m = matrix_of(c);
+    draw_grid(out, at);
+    draw_house(out, at, {}, muted, 0.7);
+    for (int i = -5; i <= 5; ++i) {  // the grid goes with it
+        const auto place = [&](double x, double y) {
+            return at.to_page(in_plane(rt::transform_point(m, {x, y, 0})));
+        };
+        out.line(place(i, -5), place(i, 5), {thin(accent, 0.3), 1});
+        out.line(place(-5, i), place(5, i), {thin(accent, 0.3), 1});
+    }
+    draw_house(out, at, m, accent, 1);
+
+    const Point t{c.tx, c.ty}, u{c.ux, c.uy}, v{c.vx, c.vy};
+    out.line(at.to_page({0, 0}), at.to_page(t), {ink, 1.5, 4});
+    out.text(at.to_page(0.5 * t) + Point{0, 14}, "t", ink);
+    draw_vector(out, at.to_page(t), at.to_page(t + u), "u", orange);
+    draw_vector(out, at.to_page(t), at.to_page(t + v), "v", green);
+    out.handle(at.to_page(t + u));
+    out.handle(at.to_page(t + v));
+    out.handle(at.to_page(t));
+
+    const rt::Vec3 roof = rt::transform_point(m, {1, 1.8, 0});
+    out.dot(at.to_page({1, 1.8}), muted, 4);
+    out.dot(at.to_page(in_plane(roof)), ink, 4);
+    const double determinant = rt::cross(in_space(u), in_space(v)).z;
+    out.say(
+        determinant == 0
+            ? "The roof (1, 1.8) goes to ({.2}, {.2}). The determinant is {}: all is flat, and "
+              "there is no way back."
+        : determinant < 0
+            ? "The roof (1, 1.8) goes to ({.2}, {.2}). The determinant is {.2}: a mirror image, "
+              "and areas grow by the factor {.2}."
+            : "The roof (1, 1.8) goes to ({.2}, {.2}). The determinant is {.2}: areas grow by "
+              "this factor.",
+        roof.x, roof.y, determinant, -determinant);
+}
+
+void drag(MatrixControls& c, const Drag& to) {
+    const Frame at = matrix_frame(to.width);
+    const Point t{c.tx, c.ty};
+    const std::array tips{at.to_page(t), at.to_page(t + Point{c.ux, c.uy}),
+                          at.to_page(t + Point{c.vx, c.vy})};
+    const std::size_t tip = nearest_of(tips, to.down);
+    const Point now = at.to_plane(tips[tip] + to.moved()) - (tip == 0 ? Point{} : t);
+    const Point rounded{std::round(20 * now.x) / 20, std::round(20 * now.y) / 20};
+    (tip == 0 ? c.tx : tip == 1 ? c.ux : c.vx) = rounded.x;
+    (tip == 0 ? c.ty : tip == 1 ? c.uy : c.vy) = rounded.y;
+}
+
+// ---- Normals of a stretched disk ----
+
+namespace {
+
+struct NormalsFrames {
+    Frame before, after;
+    double height;
+};
+
+NormalsFrames normals_frames(double width) {
+    if (width < 520) {  // one above the other
+        const double scale = width / 7;
+        return {{{width / 2, 1.9 * scale}, {}, scale},
+                {{width / 2, 5.9 * scale}, {}, scale},
+                8 * scale};
+    }
+    const double scale = width / 10.4;
+    return {{{2.3 * scale, 2.1 * scale}, {}, scale},
+            {{7.2 * scale, 2.1 * scale}, {}, scale},
+            4.2 * scale};
+}
+
+rt::Mat4 matrix_of(const NormalsControls& c) {
+    return rt::from_columns({c.stretch, 0, 0}, {c.shear, 1, 0}, {0, 0, 1});
+}
+
+Point on_disk(double degrees) {
+    return {std::cos(rt::radians(degrees)), std::sin(rt::radians(degrees))};
+}
+
+void draw_ellipse(Drawing& out, const Frame& at, const rt::Mat4& m) {
+    std::vector<Point> rim;
+    for (int i = 0; i <= 90; ++i)
+        rim.push_back(at.to_page(in_plane(rt::transform_point(m, in_space(on_disk(4 * i))))));
+    out.polygon(rim, thin(sky, 0.2));
+    out.path(rim, {sky, 2});
+}
+
+}  // namespace
+
+void draw(const NormalsControls& c, Drawing& out) {
+    const NormalsFrames frames = normals_frames(out.width);
+    const Frame &before = frames.before, &after = frames.after;
+    out.height = frames.height;
+    const rt::Mat4 m = matrix_of(c), back = rt::inverse(m);
+    draw_ellipse(out, before, {});
+    draw_ellipse(out, after, m);
+
+    // All around, thin; then at the place.
+    const auto normals_at = [&](double degrees, double strength) {
+        const rt::Vec3 n = in_space(on_disk(degrees)), place = rt::transform_point(m, n);
+        const rt::Vec3 right = rt::normalize(rt::transform_normal(back, n)),
+                       wrong = rt::normalize(rt::transform_vector(m, n));
+        const auto arrow = [&](const Frame& at, rt::Vec3 from, rt::Vec3 along, Ink color) {
+            out.arrow(at.to_page(in_plane(from)), at.to_page(in_plane(from + 0.75 * along)),
+                      {thin(color, strength), strength < 1 ? 1.2 : 3});
+        };
+        arrow(before, n, n, ink);
+        arrow(after, place, wrong, orange);
+        arrow(after, place, right, blue);
+        return std::array{right, wrong};
+    };
+    for (int degrees = 0; degrees < 360; degrees += 30) normals_at(degrees, 0.3);
+
+    const rt::Vec3 n = in_space(on_disk(c.angle)), along{-n.y, n.x, 0};
+    const rt::Vec3 surface = rt::normalize(rt::transform_vector(m, along));
+    const auto tangent = [&](const Frame& at, rt::Vec3 place, rt::Vec3 direction) {
+        out.line(at.to_page(in_plane(place - 1.1 * direction)),
+                 at.to_page(in_plane(place + 1.1 * direction)), {muted, 1.5, 5});
+    };
+    tangent(before, n, along);
+    tangent(after, rt::transform_point(m, n), surface);
+    const auto [right, wrong] = normals_at(c.angle, 1);
+    out.handle(before.to_page(in_plane(n)));
+    out.dot(after.to_page(in_plane(rt::transform_point(m, n))), ink, 4);
+    out.handle(after.to_page({c.stretch, 0}));
+    out.handle(after.to_page({c.shear, 1}));
+
+    const double bottom = after.at.y + 1.95 * after.scale - (out.is_narrow() ? 8 : 0);
+    out.text({after.at.x - 6, bottom}, "transposed inverse", blue, Align::right);
+    out.text({after.at.x + 6, bottom}, "the matrix itself", orange, Align::left);
+    out.say(
+        "Angle to the surface: {.1}° with the transposed inverse, {.1}° with the matrix itself.",
+        std::acos(std::clamp(rt::dot(right, surface), -1.0, 1.0)) / rt::radians(1),
+        std::acos(std::clamp(rt::dot(wrong, surface), -1.0, 1.0)) / rt::radians(1));
+}
+
+void drag(NormalsControls& c, const Drag& to) {
+    const auto [before, after, height] = normals_frames(to.width);
+    const std::array handles{before.to_page(on_disk(c.angle)), after.to_page({c.stretch, 0}),
+                             after.to_page({c.shear, 1})};
+    const std::size_t handle = nearest_of(handles, to.down);
+    const Point now = handles[handle] + to.moved();
+    if (handle == 0) {
+        const Point p = before.to_plane(now);
+        const double degrees = std::atan2(p.y, p.x) / rt::radians(1);
+        c.angle = degrees < 0 ? degrees + 360 : degrees;
+    } else if (handle == 1) {
+        c.stretch = after.to_plane(now).x;
+    } else {
+        c.shear = after.to_plane(now).x;
+    }
+}
+
+}  // namespace live

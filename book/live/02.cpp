@@ -1,0 +1,240 @@
+// The live figures of chapter 02.
+#include <rt/make_camera.hpp>
+#include <rt/primary_ray.hpp>
+
+#include "controls.hpp"
+#include "dome.hpp"
+#include "live.hpp"
+#include "space.hpp"
+
+namespace live {
+namespace {
+
+// ---- Looking around under the dome ----
+
+double dome_height(double width) {
+    return width * (width < 520 ? 0.8 : 0.54);
+}
+
+}  // namespace
+
+void draw(const DomeControls& c, Drawing& out) {
+    out.height = dome_height(out.width);
+    const int columns = static_cast<int>(std::min(out.width * out.pixel_ratio, 860.0)),
+              rows = static_cast<int>(columns * out.height / out.width);
+    const rt::Vec3 eye{0, 1.7, 0}, ahead = dome::toward(c.azimuth, c.elevation);
+    // What is above in the picture, before the camera rolls about the view: also where it looks
+    // straight up.
+    const rt::Vec3 above = dome::toward(c.azimuth, c.elevation + 90),
+                   right = dome::toward(c.azimuth + 90, 0);
+    const double roll = rt::radians(c.roll);
+    const rt::Camera camera = rt::make_camera(
+        {eye, eye + ahead, std::cos(roll) * above + std::sin(roll) * right, rt::radians(c.fov)},
+        columns, rows);
+    out.refine(
+        {0, 0}, {out.width, out.height}, columns, rows, 1, [camera](int column, int row, int) {
+            const auto ray = [&](int x, int y) { return primary_ray(camera, x, y, {0.5, 0.5}); };
+            return dome::look({ray(column, row), ray(column + 1, row), ray(column, row + 1)});
+        });
+    out.handle_everywhere();
+    const double h = camera.viewport.height;
+    out.say("At distance 1, a viewport {} high and {} wide.", h, camera.viewport.width);
+}
+
+void drag(DomeControls& c, const Drag& to) {
+    // A pixel in the middle of the picture is so many degrees.
+    const double degrees =
+        2 * std::tan(rt::radians(c.fov) / 2) / dome_height(to.width) / rt::radians(1);
+    c.azimuth = std::fmod(
+        c.azimuth - degrees * to.moved().x / std::max(0.2, std::cos(rt::radians(c.elevation))) +
+            720,
+        360);
+    c.elevation += degrees * to.moved().y;
+}
+
+// ---- The ray of a pixel ----
+
+namespace {
+
+constexpr int pixel_columns = 8, pixel_rows = 6;
+
+struct PixelLayout {
+    Point space;  // the middle of the drawing of space
+    double scale;
+    Point corner;  // of the viewport as the eye sees it
+    double pixel, height;
+};
+
+PixelLayout pixel_layout(double width) {
+    if (width < 520) {
+        const double pixel = 0.09 * width;
+        return {{0.5 * width, 0.36 * width},
+                width / 4.4,
+                {(width - pixel_columns * pixel) / 2, 0.74 * width},
+                pixel,
+                1.28 * width + 42};
+    }
+    const double pixel = 0.042 * width;
+    return {{0.31 * width, 0.25 * width},
+            width / 5.8,
+            {width - pixel_columns * pixel - 14, 0.11 * width},
+            pixel,
+            0.47 * width};
+}
+
+// What the camera sees: a target, on a wall behind the viewport.
+constexpr double wall = -2.6;
+constexpr int rings = 3;
+constexpr double ring_width = 0.22;
+const rt::Vec3 target{0.55, 0.35, wall};
+
+rt::Vec3 on_wall(const rt::Ray& ray) {
+    return ray.at((wall - ray.origin.z) / ray.direction.z);
+}
+
+// Which ring a ray meets, counted from the middle; `rings` beside the target.
+int ring(const rt::Ray& ray) {
+    const rt::Vec3 p = on_wall(ray);
+    return static_cast<int>(
+        std::min(double(rings), std::hypot(p.x - target.x, p.y - target.y) / ring_width));
+}
+constexpr Ink ring_inks[] = {rgb(0xd8432f), rgb(0xfff4e6), rgb(0xd8432f)};
+
+}  // namespace
+
+void draw(const PixelControls& c, Drawing& out) {
+    const PixelLayout layout = pixel_layout(out.width);
+    out.height = layout.height;
+    const rt::Camera camera = rt::make_camera(
+        {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, rt::radians(c.fov)}, pixel_columns, pixel_rows);
+    const int column = std::min(static_cast<int>(c.x), pixel_columns - 1),
+              row = std::min(static_cast<int>(c.y), pixel_rows - 1);
+    const rt::Vec2 offset{c.x - column, c.y - row};
+    const rt::Ray ray = primary_ray(camera, column, row, offset);
+    const Space space{layout.space, {0, 0, -1.35}, c.turn, c.up, layout.scale};
+    const auto on_viewport = [&](double x, double y) {
+        const rt::Vec2 p = pixel_to_viewport(camera, 0, 0, {x, y});
+        return rt::Vec3{p.x, p.y, -1};
+    };
+    const auto pixel_corners = [&](int i, int k) {
+        return space.to_page({on_viewport(i, k), on_viewport(i + 1, k), on_viewport(i + 1, k + 1),
+                              on_viewport(i, k + 1)});
+    };
+    const Point eye = space.to_page(rt::Vec3{0, 0, 0});
+
+    const auto draw_target = [&] {
+        for (int i = rings; i-- > 0;) {
+            std::vector<Point> rim;
+            for (int k = 0; k < 48; ++k) {
+                const double angle = 2 * rt::pi * k / 48, radius = (i + 1) * ring_width;
+                rim.push_back(space.to_page(
+                    target + rt::Vec3{radius * std::cos(angle), radius * std::sin(angle), 0}));
+            }
+            out.polygon(rim, ring_inks[i]);
+        }
+    };
+    const auto draw_viewport = [&] {
+        // What each pixel shows, a ray through its middle each.
+        for (int k = 0; k < pixel_rows; ++k)
+            for (int i = 0; i < pixel_columns; ++i) {
+                const int shows = ring(primary_ray(camera, i, k, {0.5, 0.5}));
+                out.polygon(pixel_corners(i, k), thin(shows < rings ? ring_inks[shows] : accent,
+                                                      shows < rings ? 0.75 : 0.1));
+            }
+        for (int i = 0; i <= pixel_columns; ++i)
+            out.line(space.to_page(on_viewport(i, 0)), space.to_page(on_viewport(i, pixel_rows)),
+                     {thin(accent, 0.6), 1});
+        for (int k = 0; k <= pixel_rows; ++k)
+            out.line(space.to_page(on_viewport(0, k)), space.to_page(on_viewport(pixel_columns, k)),
+                     {thin(accent, 0.6), 1});
+        out.polygon(pixel_corners(column, row), thin(amber, 0.7));
+        for (const int i : {0, pixel_columns})
+            for (const int k : {0, pixel_rows})
+                out.line(eye, space.to_page(on_viewport(i, k)), {muted, 1, 4});
+    };
+    // What is farther away comes first.
+    const bool target_is_behind = space.toward(target) < space.toward({0, 0, -1});
+    const rt::Vec3 end = on_wall(ray);
+    const rt::Vec3 through = on_viewport(c.x, c.y);
+    if (target_is_behind) {
+        draw_target();
+        out.arrow(space.to_page(through), space.to_page(end), {ink, 2.5});
+    }
+    draw_viewport();
+    if (target_is_behind) {
+        out.line(eye, space.to_page(through), {ink, 2.5});
+    } else {
+        out.arrow(eye, space.to_page(end), {ink, 2.5});
+        draw_target();
+    }
+    out.dot(space.to_page(end), ink, 4);
+    out.dot(space.to_page(through), amber, 4);
+
+    const auto axis = [&](rt::Vec3 along, std::string_view name, Ink color) {
+        out.arrow(eye, space.to_page(0.6 * along), {color, 2.5});
+        out.bold = true;
+        out.text(space.to_page(0.75 * along), name, color);
+        out.bold = false;
+    };
+    axis(camera.basis.u, "u", orange);
+    axis(camera.basis.v, "v", green);
+    axis(camera.basis.w, "w", blue);
+    out.dot(eye, ink, 5);
+    out.handle_everywhere();
+
+    // The viewport as the eye sees it, sharp: many rays a pixel.
+    const auto [corner, pixel] = std::pair{layout.corner, layout.pixel};
+    const Point opposite = corner + pixel * Point{pixel_columns, pixel_rows};
+    constexpr int fine = 16;
+    Bytes& seen = out.picture(fine * pixel_columns, fine * pixel_rows);
+    for (int y = 0; y < seen.rows; ++y)
+        for (int x = 0; x < seen.columns; ++x) {
+            const int shows = ring(primary_ray(camera, x / fine, y / fine,
+                                               {(x % fine + 0.5) / fine, (y % fine + 0.5) / fine}));
+            seen.set(x, y,
+                     rt::from_hex(shows == rings ? 0xc9dcf3
+                                  : shows == 1   ? 0xfff4e6
+                                                 : 0xd8432f));
+        }
+    out.show(seen, corner, opposite);
+    for (int i = 0; i <= pixel_columns; ++i)
+        out.line(corner + pixel * Point{double(i), 0},
+                 corner + pixel * Point{double(i), pixel_rows}, {thin(rgb(0x24406e), 0.35), 1});
+    for (int k = 0; k <= pixel_rows; ++k)
+        out.line(corner + pixel * Point{0, double(k)},
+                 corner + pixel * Point{pixel_columns, double(k)}, {thin(rgb(0x24406e), 0.35), 1});
+    out.frame(corner + pixel * Point{double(column), double(row)},
+              corner + pixel * Point{column + 1.0, row + 1.0}, {amber, 3});
+    out.text({(corner.x + opposite.x) / 2, corner.y - 14}, "the viewport, seen from the eye",
+             muted);
+    const Point place = corner + pixel * Point{c.x, c.y};
+    out.handle(place);
+
+    const rt::Vec2 p = pixel_to_viewport(camera, column, row, offset);
+    const double line = out.is_narrow() ? 18 : 20;
+    const Point words{(corner.x + opposite.x) / 2, opposite.y + line};
+    out.text(words, "x = {.3}, y = {.3}", ink, Align::middle, p.x, p.y);
+    out.text(words + Point{0, line}, "x u + y v − w", muted);
+    out.say(
+        "Column {}, row {}, offset ({.2}, {.2}): the ray's direction, normalized, is ({.3}, {.3}, "
+        "{.3}).",
+        column, row, offset.x, offset.y, ray.direction.x, ray.direction.y, ray.direction.z);
+}
+
+void drag(PixelControls& c, const Drag& to) {
+    const PixelLayout layout = pixel_layout(to.width);
+    const Point place = layout.corner + layout.pixel * Point{c.x, c.y};
+    const Point opposite = layout.corner + layout.pixel * Point{pixel_columns, pixel_rows};
+    const bool inside = to.down.x > layout.corner.x && to.down.x < opposite.x &&
+                        to.down.y > layout.corner.y && to.down.y < opposite.y;
+    if (distance(place, to.down) < 20 || inside) {
+        const Point start = distance(place, to.down) < 20 ? place : to.down;
+        const Point now = (1 / layout.pixel) * (start + to.moved() - layout.corner);
+        c.x = now.x, c.y = now.y;
+    } else {
+        c.turn -= 180 * to.moved().x / to.width;
+        c.up += 180 * to.moved().y / to.width;
+    }
+}
+
+}  // namespace live

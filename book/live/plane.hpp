@@ -1,0 +1,49 @@
+#pragma once
+// What figures of a plane have in common: its grid, vectors with names, angles.
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "live.hpp"
+
+namespace live {
+
+// A frame with `middle` in the middle of the drawing, where so many units fit side by side.
+inline Frame whole(const Drawing& out, Point middle, double units) {
+    return {{out.width / 2, out.height / 2}, middle, out.width / units};
+}
+
+// Lines at all whole numbers, those through zero darker.
+inline void draw_grid(Drawing& out, const Frame& frame) {
+    const Point low = frame.to_plane({0, out.height}), high = frame.to_plane({out.width, 0});
+    for (double x = std::ceil(low.x); x <= high.x; ++x)
+        out.line(frame.to_page({x, low.y}), frame.to_page({x, high.y}),
+                 {x == 0 ? muted : faint, x == 0 ? 1.2 : 0.8});
+    for (double y = std::ceil(low.y); y <= high.y; ++y)
+        out.line(frame.to_page({low.x, y}), frame.to_page({high.x, y}),
+                 {y == 0 ? muted : faint, y == 0 ? 1.2 : 0.8});
+}
+
+// An arrow with its name beyond the tip.
+inline void draw_vector(Drawing& out, Point from, Point to, std::string_view name, Ink color) {
+    out.arrow(from, to, {color, 3});
+    const double length = distance(from, to);
+    out.bold = true;
+    if (length > 0) out.text(to + (22 / length) * (to - from), name, color);
+    out.bold = false;
+}
+
+// Part of a circle around a place of the page, from one angle to another, in radians,
+// counterclockwise where the second is the larger one.
+inline void draw_arc(Drawing& out, Point center, double radius, double from, double to, Pen pen) {
+    std::vector<Point> points;
+    const int count = 3 + static_cast<int>(std::abs(to - from) * 12);
+    for (int i = 0; i <= count; ++i) {
+        const double angle = from + (to - from) * i / count;
+        points.push_back(center + radius * Point{std::cos(angle), -std::sin(angle)});
+    }
+    out.path(points, pen);
+}
+
+}  // namespace live
