@@ -168,7 +168,7 @@ const compiled = await modules(
     (chapter, error) => {
         withoutFirst.add(chapter);
         console.log(`chapter ${chapter}: its figures run the solution's code, because with yours they do not compile: ` +
-            (/^.*\berror: .*/m.exec(error.message)?.[0] ?? error.message.split('\n')[0]));
+            (/^.*\berror: .*/m.exec(error.message)?.[0] ?? error.message.split('\n')[0]).replace(root + '/', ''));
     });
 if (compiled) {
     for (const [chapter, script] of compiled) write(`assets/live-${chapter}.js`, script);
@@ -185,9 +185,9 @@ function exercisesOf(chapter) {
 if (compiled && first)
     for (const page of pages) {
         const shown = new Set([...page.html.matchAll(/data-live="(\d\d)\./g)].map(([, chapter]) => chapter));
-        const used = new Set([...shown].flatMap(exercisesOf));
+        const used = new Set([...shown].flatMap(exercisesOf)), refused = [...shown].some(one => withoutFirst.has(one));
         if (shown.size > 0)
-            page.html = page.html.replace('</h1>', `</h1>\n<p class="whose">${whose([...used].sort())}</p>`);
+            page.html = page.html.replace('</h1>', `</h1>\n<p class="whose">${whose([...used].sort(), refused)}</p>`);
     }
 for (const page of pages) write(page.out, layout(page, pages, title, compiled !== undefined));
 for (const [file, to] of copied) write(to, readFileSync(join(root, file)));

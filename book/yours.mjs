@@ -23,7 +23,9 @@ export function exercisesUsed(sources, folders, first, chapters) {
         .filter(exercise => exercise.files.some(file => files.has(join(first, file)))).map(({ id }) => id);
 }
 
-// What a page with figures says of that.
-export const whose = ids => ids.length === 0
-    ? 'These figures run the solution’s code: none of yours that they need passes yet.'
-    : `These figures run your code of ${ids.join(', ')}; the rest is the solution’s.`;
+// What a page with figures says of that; `refused` where they do not compile with the learner's headers.
+export function whose(ids, refused = false) {
+    if (ids.length > 0) return `These figures run your code of ${ids.join(', ')}; the rest is the solution’s.`;
+    return 'These figures run the solution’s code: ' +
+        (refused ? 'with yours they do not compile.' : 'none of yours that they need passes yet.');
+}

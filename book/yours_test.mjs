@@ -33,5 +33,6 @@ try {
     rmSync(folder, { recursive: true });
 }
 assert.equal(whose(['01.2', '03.1']), 'These figures run your code of 01.2, 03.1; the rest is the solution’s.');
-assert.match(whose([]), /the solution’s code/);
+assert.match(whose([]), /the solution’s code: none of yours/);
+assert.match(whose([], true), /the solution’s code: with yours they do not compile/);
 console.log('whose code a figure runs: found');
