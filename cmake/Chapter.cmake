@@ -239,7 +239,7 @@ endfunction()
 # course_small_picture_test(name chapter precision): the solution still draws the same bytes. An emulator
 # runs programs for other processors, which CMake does for a test only where the test is the program.
 function(course_small_picture_test name chapter precision)
-  string(REPLACE _double "" program ${chapter}_solution_${precision})
+  string(REGEX REPLACE "_double$" "" program ${chapter}_solution_${precision})
   add_test(NAME ${name}
     COMMAND sh ${CMAKE_SOURCE_DIR}/tests/app/small_picture.sh ${chapter} ${precision}
             ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${program}>)

@@ -37,7 +37,7 @@ inline TileDrawing with_seed(const SeededDrawing& seeded, std::uint64_t seed) {
         return [draw = make(), seed](const rt::Tile& tile, rt::Image& image, std::uint64_t& rays) {
             if (app::Interruption::signal() != 0) return std::int64_t{0};
             draw(tile, seed, image, rays);
-            return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
+            return pixel_count(tile);
         };
     };
     return {seeded.choice, make_worker, seeded.tile_side};

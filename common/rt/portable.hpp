@@ -128,6 +128,8 @@ inline Sum logarithm(double x) {
     return {high, (sum - high) + rest};
 }
 
+// Right to the last bits for any angle; rt/sine_cosine.hpp is faster, for parts of a turn and for
+// packs.
 struct SineCosine {
     double sine = 0, cosine = 0;
 };

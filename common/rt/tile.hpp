@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 
 namespace rt {
@@ -16,6 +17,10 @@ struct Tile {
 
     friend constexpr bool operator==(const Tile&, const Tile&) = default;
 };
+
+constexpr std::int64_t pixel_count(const Tile& tile) {
+    return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
+}
 
 // A picture, cut into square tiles from its top left pixel on. The tiles at the right and lower
 // edges hold what is left. A side of 0 pixels has no tiles.

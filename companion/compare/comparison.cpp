@@ -8,8 +8,8 @@
 namespace companion {
 namespace {
 
-// The number of pictures of each program. If many tests are suspicious, fewer are
-// enough in the second step.
+// The number of pictures of each program. Where many tests are suspicious, the short second step is
+// enough.
 constexpr int first_step = 8, second_step = 16, short_second_step = 8;
 constexpr double screening = 1.0 / 1000;  // of each test of the first step
 constexpr double wronged = 1.0 / 1000;    // share of right programs that the second step rejects

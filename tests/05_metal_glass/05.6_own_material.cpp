@@ -62,7 +62,7 @@ Sample any_sample(Rng& rng) {
 }
 
 std::string text_of(Color c) {
-    return "(" + text(c.r) + ", " + text(c.g) + ", " + text(c.b) + ")";
+    return '(' + text(c.r) + ", " + text(c.g) + ", " + text(c.b) + ')';
 }
 
 std::string text_of(const Bounce& bounce) {

@@ -39,8 +39,7 @@ class BatchRenderer {
 
     // Draws the pixels of a tile; the rays that it took are added to `rays`.
     void draw(const Tile& tile, Image& image, std::uint64_t& rays) {
-        const auto width = static_cast<std::size_t>(tile.right - tile.left);
-        sums_.assign(width * static_cast<std::size_t>(tile.bottom - tile.top), {});
+        sums_.assign(static_cast<std::size_t>(pixel_count(tile)), {});
         ColorSum* next_sum = sums_.data();
         for_each_pixel(tile, [&](int column, int row) {
             ColorSum* const sum = next_sum++;

@@ -187,10 +187,12 @@ class Refinement {
             for (int x = 0; x < sums_.width(); ++x) visit(x, y, tile_of(x, y));
     }
 
+    // Black before the first pass.
+    static Color mean(const ColorSum& sum, int passes) { return sum.mean(std::max(passes, 1)); }
+
     Halves<Color> means(int x, int y, const TileState& tile) const {
         const Halves<ColorSum>& sum = sums_.at(x, y);
-        return {sum.first.mean(std::max(tile.drawn.first, 1)),
-                sum.second.mean(std::max(tile.drawn.second, 1))};
+        return {mean(sum.first, tile.drawn.first), mean(sum.second, tile.drawn.second)};
     }
 
     // Draws the missing passes until each tile has those that wanted(tile) asks for.
@@ -231,11 +233,9 @@ class Refinement {
             });
         };
         if (is_pilot) {
-            const auto width = static_cast<std::size_t>(tile.right - tile.left);
-            channels.resize(3 * width * static_cast<std::size_t>(tile.bottom - tile.top));
-            for_each_pixel(tile, [&](int x, int y) {
-                pass_.at(x, y) = (sums_.at(x, y).*half).mean(std::max(drawn, 1));
-            });
+            channels.resize(3 * static_cast<std::size_t>(pixel_count(tile)));
+            for_each_pixel(
+                tile, [&](int x, int y) { pass_.at(x, y) = mean(sums_.at(x, y).*half, drawn); });
             if (drawn == 1) learn();
         }
         std::uint64_t rays = 0;
