@@ -115,7 +115,7 @@ inline Color sky(const Beam& beam, Real pixel_deg) {
         beam, [](const rt::Ray& r) { return elevation(r.direction); }, ten);
     color = mix(color, {1, 1, 1}, Real(0.5) * std::max(along, around));
 
-    // The sun: a disc of 2 degrees' radius in a glow.
+    // The sun: a disk of 2 degrees' radius in a glow.
     const Vec3 sun = toward(174, 13);
     const Real from_sun =
         rt::portable::atan2(length(cross(sun, d)), dot(sun, d)) * 180 / rt::pi;  // degrees
