@@ -95,9 +95,12 @@ void check_split(const std::vector<int>& part, const std::vector<Box>& boxes) {
             hint = "a leaf is cheaper than any split: its cost is count * area(A)";
         else if (order.size() > 10)  // with few spheres it may be chance
             for (int axis = 0; axis < 3; ++axis)
-                if (cost_of(sorted_along(axis, boxes, order), k, boxes) <= best * factor)
-                    hint = std::string{"this count is right for the order along "} + "xyz"[axis] +
-                           ": sort along the best axis once more";
+                if (cost_of(sorted_along(axis, boxes, order), k, boxes) <= best * factor) {
+                    hint =
+                        "sort along the best axis once more: this count is right for the order "
+                        "along ";
+                    hint += "xyz"[axis];
+                }
         INFO(part.size() << " spheres, yours puts " << left << " of them to the left, at a cost of "
                          << cost << "; the best costs " << best << ", a leaf " << leaf
                          << ".\nHint: " << hint);
