@@ -159,7 +159,7 @@ Finding sky(const Drawn& drawn) {
                 hint};
     Finding finding;
     drawn.inside_of(Place::sky, [&](int column, int row, const Place&) {
-        // Not near the middle, where a wrong disc may be.
+        // Not near the middle, where a wrong disk may be.
         if (column > side && column < drawn.picture.width - side) return;
         if (!finding.expected.empty() || !drawn.differs_from_sky(column, row)) return;
         finding = {"a sky with a single color in each row",
@@ -170,15 +170,15 @@ Finding sky(const Drawn& drawn) {
     return finding;
 }
 
-// The disc in words: the row where it begins, and the columns that it covers just
+// The disk in words: the row where it begins, and the columns that it covers just
 // above the horizon.
 std::string disc_in_words(int top, int left, int right) {
-    if (right < left) return "no disc";
-    return "a disc whose top is in row " + number(top) + ", and which goes from column " +
+    if (right < left) return "no disk";
+    return "a disk whose top is in row " + number(top) + ", and which goes from column " +
            number(left) + " to column " + number(right) + " just above the horizon";
 }
 
-Finding disc(const Drawn& drawn) {
+Finding disk(const Drawn& drawn) {
     const Picture& picture = drawn.picture;
     const int row = drawn.last_of_sky();
     const auto extent = [&](auto&& is_disc) {
@@ -206,7 +206,7 @@ Finding disc(const Drawn& drawn) {
                   "is 2 * dot(offset, direction) and c is dot(offset, offset) minus the radius "
                   "squared. The direction is (right, up, -2), the center (0, 0, -4)"
                 : "Lower rows have a smaller up. Both right and up are divided by the height, or "
-                  "the disc is not round. The ball's center is (0, 0, -4), its radius 1, and the "
+                  "the disk is not round. The ball's center is (0, 0, -4), its radius 1, and the "
                   "direction's third number is -2"};
 }
 
@@ -343,7 +343,7 @@ struct Step {
     Finding (*find)(const Drawn&);
 };
 constexpr Step steps[]{{"sky", sky},
-                       {"disc", disc},
+                       {"disk", disk},
                        {"normals as colors", normals_above},
                        {"two spheres", ground},
                        {"shadow", shadow}};
@@ -417,8 +417,8 @@ TEST_CASE("00.1 step 1 a sky that changes from the top to the horizon", "[00.1]"
     check_picture(sky);
 }
 
-TEST_CASE("00.1 step 2 a round disc in the middle", "[00.1]") {
-    check_picture(disc);
+TEST_CASE("00.1 step 2 a round disk in the middle", "[00.1]") {
+    check_picture(disk);
 }
 
 TEST_CASE("00.1 step 3 the ball has the colors of its normals", "[00.1]") {
@@ -434,7 +434,7 @@ TEST_CASE("00.1 step 5 the side away from the light and the ground behind the ba
     check_picture(shadow);
 }
 
-TEST_CASE("00.1 the disc is right to the pixel", "[00.1][hard]") {
+TEST_CASE("00.1 the disk is right to the pixel", "[00.1][hard]") {
     check_picture([](const Drawn& drawn) -> Finding {
         int wrong = 0, edge = 0;
         for (int row = 0; row <= drawn.last_of_sky(); ++row)
@@ -445,7 +445,7 @@ TEST_CASE("00.1 the disc is right to the pixel", "[00.1][hard]") {
             }
         // A color may by chance be close to the sky's.
         if (wrong <= edge / 10) return {};
-        return {"a disc of exactly the pixels whose middle lies in it",
+        return {"a disk of exactly the pixels whose middle lies in it",
                 number(wrong) + " pixels at its edge are wrong",
                 "A ray goes through the middle of its pixel: (row + 0.5) and (column + 0.5), "
                 "divided by the height"};
