@@ -23,7 +23,7 @@ function themeButton() {
     name();
 }
 
-// The index is large, and so loaded when somebody is about to search.
+// The index is large, so it is loaded only when somebody is about to search.
 let index;
 function loadIndex() {
     index ??= new Promise((resolve, reject) => {
@@ -74,8 +74,8 @@ function sliders() {
         slider.addEventListener('input', () => slider.parentElement.style.setProperty('--at', `${slider.value}%`));
 }
 
-// The point of a plot that is nearest to the pointer says its values below the plot. So does the one to which
-// the arrow keys lead.
+// The point of a plot that is nearest to the pointer shows its values below the plot. So does the one to
+// which the arrow keys move.
 function plots() {
     for (const figure of document.querySelectorAll('.plot')) {
         const said = Object.assign(document.createElement('output'), { textContent: 'Point at a value to read it.' });
@@ -109,7 +109,7 @@ function plots() {
     }
 }
 
-// What is wider than the page can be scrolled with the keyboard.
+// Whatever is wider than the page can be scrolled with the keyboard.
 function scrolling() {
     for (const wide of document.querySelectorAll('.scroll'))
         if (wide.scrollWidth > wide.clientWidth) wide.tabIndex = 0;

@@ -1,6 +1,6 @@
 // Makes the web book from docs/ and course.json: node book/build.mjs [FOLDER] [--first HEADERS], out/book if
 // no folder is named. The live figures use the headers of the folder HEADERS, if one is named, before the
-// solution's. Every page works from a folder, without a server, and under any path of one: all links are relative.
+// solution's. Every page works from a folder, without a server, and under any path on one: all links are relative.
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, dirname, join, normalize, resolve } from 'node:path';
@@ -23,7 +23,7 @@ const out = resolve(positionals[0] ?? join(root, 'out/book'));
 const read = file => readFileSync(join(root, file), 'utf8');
 const packaged = name => createRequire(import.meta.url).resolve(name);
 
-// ---- The pages, in the order in which one reads them -----------------------------------------
+// ---- The pages, in reading order -------------------------------------------------------------
 
 const chapters = JSON.parse(read('course.json')).chapters
     .map(chapter => ({ ...chapter, number: chapter.name.slice(0, 2) }));
@@ -59,7 +59,7 @@ const pageOf = new Map(pages.filter(page => !page.kind).map(page => [page.source
 
 // ---- What becomes of links and pictures ------------------------------------------------------
 
-// A copy of a file of the course, and where the pages find it.
+// A copy of a file of the course, and its path as the pages see it.
 const copied = new Map();
 function copy(file) {
     const to = file.startsWith('docs/') ? file.slice(5) : `files/${file}`;
@@ -74,7 +74,7 @@ const liveFigures = new Set();
 function resolver(source) {
     const file = href => normalize(join(dirname(source), href));
     const existing = href => {
-        if (!existsSync(join(root, file(href)))) throw new Error(`${source} names ${href}, which is not there`);
+        if (!existsSync(join(root, file(href)))) throw new Error(`${source} names ${href}, which does not exist`);
         return file(href);
     };
     const described = (src, text) => ({ src: copy(existing(src)), text, size: sizeOf(join(root, file(src))) });
@@ -105,7 +105,7 @@ function resolver(source) {
     };
 }
 
-// docs/plots/03_sphere-far-spheres.svg shows the study "Far spheres" of 03_sphere.csv, where there is that.
+// docs/plots/03_sphere-far-spheres.svg shows the study "Far spheres" of 03_sphere.csv, if that exists.
 function rowsOfPlot(file) {
     if (dirname(file) !== 'docs/plots') return undefined;
     const name = basename(file, '.svg');
@@ -193,16 +193,16 @@ for (const page of pages) write(page.out, layout(page, pages, title, compiled !=
 for (const [file, to] of copied) write(to, readFileSync(join(root, file)));
 
 for (const file of ['book.css', 'book.js']) write(`assets/${file}`, readFileSync(join(here, file)));
-// As a script: pages of a folder may not fetch other files.
+// As a script, because pages of a folder may not fetch other files.
 write('assets/search.js', readFileSync(packaged('minisearch').replace(/dist.*/, 'dist/umd/index.js'), 'utf8') +
     `\nwindow.bookIndex = ${JSON.stringify(JSON.stringify(index))};\n`);
 
-// What is not the course's own, and comes along.
+// What is not the course's own, and is copied along.
 write('assets/licenses.txt', ['minisearch/LICENSE.txt', 'temml/LICENSE', '@fontsource/stix-two-math/LICENSE']
     .map(file => `${file}\n\n${readFileSync(join(here, 'node_modules', file), 'utf8')}`).join('\n\n'));
 
-// The font of formulas, with the signs that occur. A letter of a formula is shown as a slanted one, which
-// is a sign of its own; no text holds the sign of a root.
+// The font of formulas, with the characters that occur. A letter in a formula is shown as a slanted one,
+// which is a character of its own; the root sign occurs in no text.
 const others = [[0x1d434, 0x1d467], [0x1d6a4, 0x1d71b], [0x210e, 0x210e], [0x221a, 0x221a], [0x20, 0x7e]]
     .flatMap(([from, to]) => Array.from({ length: to - from + 1 }, (_, i) => String.fromCodePoint(from + i)));
 const font = packaged('@fontsource/stix-two-math').replace(/[^/]*$/, 'files/stix-two-math-latin-400-normal.woff2');

@@ -1,5 +1,5 @@
-// Files that only a code host or an editor reads are what those expect: the workflow, the editor's tasks and
-// the development container.
+// Files that only a code host or an editor reads have the form that it expects: the workflow, the editor's
+// tasks and the development container.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';

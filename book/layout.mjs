@@ -1,12 +1,12 @@
 // One page of the book around its text.
 import { escape } from './markdown.mjs';
 
-// In the contents a part of a chapter stands below it, and needs no number.
+// In the contents, a part of a chapter is below it, and needs no number.
 const entry = (page, current) =>
     `<li${page.parent ? ' class="part"' : ''}><a href="${page.out}"${page === current ? ' aria-current="page"' : ''}>` +
     `${escape(page.parent ? page.name.slice(3) : page.name)}</a>`;
 
-// The sections of the page that one reads, and the exercises in them.
+// The sections of the current page, and the exercises in them.
 function outline(page) {
     const shown = page.headings.filter(h => h.level === 2 || (h.level === 3 && /^\d\d\.\d/.test(h.text)));
     const items = shown.map(({ level, id, text }) =>

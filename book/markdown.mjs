@@ -1,4 +1,4 @@
-// From Markdown to HTML: what a code host shows of the texts, with formulas set and code highlighted now,
+// From Markdown to HTML: what a code host shows of the texts. Formulas are set and code is highlighted now,
 // so that the page needs no script for them.
 import MarkdownIt from 'markdown-it';
 import { tex } from '@mdit/plugin-tex';
@@ -10,7 +10,7 @@ import { instance as graphviz } from '@viz-js/viz';
 export const escape = text =>
     text.replace(/[&<>"]/g, c => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
-// Every sign of every formula, for the font.
+// Every character of every formula, for the font.
 export const mathLetters = new Set();
 
 function formula(source, displayMode) {
@@ -98,8 +98,8 @@ function plain(token) {
 
 const picturesOf = token => (token.children ?? []).filter(child => child.type === 'image');
 
-// A picture alone is a figure, not a paragraph. Two pictures in neighboring cells of a row are one
-// figure, whose second picture lies beside the first.
+// A picture alone is a figure, not a paragraph. Two pictures in neighboring cells of a row are one figure,
+// whose second picture is beside the first.
 md.core.ruler.push('pictures', ({ tokens }) => {
     for (let i = 1; i + 1 < tokens.length; ++i) {
         if (tokens[i].type !== 'inline') continue;
@@ -155,7 +155,7 @@ function sections(tokens, headings) {
     return parts.map(({ id, text, words }) => ({ id, text, words: words.join(' ').trim() }));
 }
 
-// picture(src, text, beside) and link(href) say what becomes of a picture and where a link leads, if anywhere;
+// picture(src, text, beside) and link(href) decide what a picture becomes and where a link leads, if anywhere;
 // live(name, still, isBelow) brings the picture `still` to life.
 export function render(source, { picture, link, live }) {
     const env = { headings: [], picture, link, live };

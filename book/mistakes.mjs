@@ -3,7 +3,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { escape } from './markdown.mjs';
 
-// The pictures of mistakes in a chapter's text: by the mistake's name, "03.2_far_side", what shows it.
+// The pictures of mistakes in a chapter's text: for each mistake's name, "03.2_far_side", what shows it.
 export function picturesOfMistakes(text) {
     const found = new Map();
     for (const row of text.split('\n').filter(line => line.startsWith('|'))) {
@@ -14,7 +14,7 @@ export function picturesOfMistakes(text) {
     return found;
 }
 
-// The sections of one file: a heading, lines "key: value", the explanation, and edits, which stay untold.
+// The sections of one file: a heading, lines "key: value", the explanation, and edits, which are not shown.
 function parsed(source) {
     return source.split(/^## /m).slice(1).map(section => {
         const [id, ...lines] = section.split('\n'), end = lines.findIndex(line => line === '');
@@ -26,7 +26,7 @@ function parsed(source) {
 
 const prose = text => escape(text).replace(/`([^`]*)`/g, '<code>$1</code>').replace(/\n\n+/g, '</p><p>');
 
-// The page's parts: an exercise each. picture(src, text, beside) as for render.
+// The page's parts, one for each exercise. picture(src, text, beside) as for render.
 export function mistakesPage(chapter, folder, text, picture) {
     const shown = picturesOfMistakes(text), headings = [], sections = [];
     let html = `<h1>Known mistakes of chapter ${chapter.number}</h1>

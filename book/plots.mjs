@@ -1,5 +1,5 @@
-// The plot of a study, drawn from its table: error and cost over x, or error against cost, or a bar each.
-// The point under the pointer says its values. It shows what companion/pages/plot.cpp draws with gnuplot.
+// The plot of a study, drawn from its table: error and cost over x, or error over cost, or bars. The point
+// under the pointer shows its values. The plot shows what companion/pages/plot.cpp draws with gnuplot.
 import { csvParse } from 'd3-dsv';
 import { extent, group, max, ticks } from 'd3-array';
 import { escape } from './markdown.mjs';
@@ -29,8 +29,8 @@ function shown(value) {
 const measured = (row, quantity) => quantity === 'x' || row[`${quantity}_name`] !== '';
 const nameOf = (rows, quantity) => rows.find(row => measured(row, quantity))[`${quantity}_name`];
 
-// A quantity's axis: logarithmic where it spans more than a factor of 16. Zero, where a logarithmic axis
-// has no place for it, and infinity get places of their own at the ends.
+// A quantity's axis: logarithmic if it spans more than a factor of 16. Zero, which does not fit a logarithmic
+// axis, and infinity get positions of their own at the ends.
 function axisOf(rows, quantity) {
     const values = rows.filter(row => measured(row, quantity)).map(row => row[quantity]);
     const ordinary = values.filter(value => Number.isFinite(value) && value !== 0);
@@ -62,7 +62,7 @@ const round = value => +value.toFixed(1);
 const place = (axis, low, high) => value =>
     round(low + (high - low) * (value - axis.from) / (axis.to - axis.from));
 
-// The lines of an axis' marks, with their names: x(at) or y(at) says where.
+// The lines of an axis' marks, with their names: x(at) or y(at) gives their position.
 const columns = (axis, x, bottom, top) => axis.marks.map(({ at, name }) =>
     `<path class="grid" d="M${x(at)} ${bottom}V${top}"/>` +
     `<text x="${x(at)}" y="${bottom + 16}" text-anchor="middle">${name}</text>`).join('');
@@ -70,7 +70,7 @@ const lines = (axis, y, left, right) => axis.marks.map(({ at, name }) =>
     `<path class="grid" d="M${left} ${y(at)}H${right}"/>` +
     `<text x="${left - 6}" y="${y(at) + 4}" text-anchor="end">${name}</text>`).join('');
 
-// One panel: a line a variant and precision, double solid and float dashed.
+// One panel: one line for each variant and precision, double solid and float dashed.
 function panel(rows, xQuantity, yQuantity, curves, width) {
     const height = 340, left = 62, right = width - 12, top = 34, bottom = height - 46;
     const usable = rows.filter(row => measured(row, yQuantity));
@@ -96,7 +96,7 @@ function panel(rows, xQuantity, yQuantity, curves, width) {
         `${drawn}</svg>`;
 }
 
-// The errors alone: a bar a variant and precision, the largest on top.
+// The errors alone: one bar for each variant and precision, the largest on top.
 function bars(rows) {
     const axis = axisOf(rows, 'error'), width = 720, thick = 16;
     const order = [...group(rows, row => row.variant)]
@@ -121,7 +121,7 @@ function bars(rows) {
         `<text class="name" x="${(left + width) / 2}" y="${y + 38}" text-anchor="middle">${escape(name)}</text></svg>`;
 }
 
-// Whether a quantity changes with x by more than times wander.
+// Whether a quantity changes with x by more than times fluctuate.
 function dependsOnX(rows, quantity) {
     return [...group(rows, row => row.variant + row.precision).values()].some(some => {
         const [least, most] = extent(some, row => row[quantity]);

@@ -1,5 +1,5 @@
 // Opens every page of the book in Chromium: node book/test.mjs FOLDER CHROMIUM [SAMPLES]. Pages are read from the
-// folder as a person would, without a server, and some of them from a server's sub-path. SAMPLES holds pages as
+// folder as a person would, without a server, and some of them from a server, below a path. SAMPLES holds pages as
 // learners share them.
 import assert from 'node:assert/strict';
 import { createServer } from 'node:http';
@@ -23,7 +23,7 @@ const browser = await chromium.launch({
     args: process.getuid() === 0 ? ['--no-sandbox'] : [],
 });
 
-// A page that remembers what it asked for, and notes as faults what went wrong.
+// A page that remembers what it requested, and records as faults what went wrong.
 async function opened(name, options = {}, from = root) {
     const context = await browser.newContext({ viewport: { width: 1300, height: 900 }, ...options });
     context.setDefaultTimeout(120_000);  // other programs may use the machine, too
@@ -31,13 +31,13 @@ async function opened(name, options = {}, from = root) {
     page.asked = [];
     page.on('console', said => check(!['error', 'warning'].includes(said.type()), `${name}: console: ${said.text()}`));
     page.on('pageerror', error => check(false, `${name}: ${error.message}`));
-    page.on('requestfailed', request =>  // one is aborted where the page is left before it came
+    page.on('requestfailed', request =>  // a request is aborted if the page is left before the answer
         check(request.failure().errorText === 'net::ERR_ABORTED', `${name}: could not load ${request.url()}`));
     page.on('response', answer => check(answer.status() < 400, `${name}: ${answer.status()} for ${answer.url()}`));
     page.on('request', request => {
         if (request.url().startsWith('data:')) return;
         page.asked.push(request.url());
-        check(request.url().startsWith(from), `${name}: asks another place: ${request.url()}`);
+        check(request.url().startsWith(from), `${name}: asks another host: ${request.url()}`);
     });
     await page.goto(from + name);
     return page;
@@ -47,11 +47,11 @@ const close = page => page.context().close();
 
 // ---- Every page ------------------------------------------------------------------------------
 
-const anchors = new Map();  // of each page, what can be linked to
+const anchors = new Map();  // for each page, what can be linked to
 const links = [];
 
 async function accessible(page, name, rules) {
-    // Without the thousands of parts of formulas and plots, which are as their wholes are.
+    // Without the thousands of parts of formulas and plots, which are like the wholes that they belong to.
     const violations = await page.evaluate(async rules => (await axe.run({ exclude: ['math', '.plot svg > *'] }, {
         preload: false,  // it would ask for the style sheets, which pages of a folder may not
         resultTypes: ['violations'],
@@ -80,7 +80,7 @@ async function tryPage(name) {
     links.push(...found.links.map(href => ({ name, href })));
     check(found.broken.length === 0, `${name}: broken pictures: ${found.broken}`);
     check(found.unnamed.length === 0, `${name}: pictures without words: ${found.unnamed}`);
-    check(found.ids.length === anchors.get(name).size, `${name}: an id that is there twice`);
+    check(found.ids.length === anchors.get(name).size, `${name}: an id that occurs twice`);
     check(found.titles === 1, `${name}: ${found.titles} titles`);
     const bytes = [...new Set(page.asked)].filter(url => !/\.(png|svg)$/.test(url))
         .reduce((sum, url) => sum + statSync(new URL(url)).size, 0);
@@ -104,9 +104,9 @@ function tryLinks() {
     for (const { name, href } of links) {
         if (/^(https?|mailto):/.test(href)) continue;
         const [file, anchor] = decodeURIComponent(href).split('#');
-        check(existsSync(join(folder, file || name)), `${name}: leads to ${href}, which is not there`);
+        check(existsSync(join(folder, file || name)), `${name}: leads to ${href}, which does not exist`);
         const ids = anchors.get(file || name);
-        check(!anchor || !ids || ids.has(anchor), `${name}: leads to ${href}, where there is no such place`);
+        check(!anchor || !ids || ids.has(anchor), `${name}: leads to ${href}, where that anchor does not exist`);
     }
 }
 
@@ -206,7 +206,7 @@ async function tryPrint() {
     await close(page);
 }
 
-// The book as some host shows it, below a path.
+// The book as a host may serve it, below a path.
 async function underPath(path, use) {
     const types = { html: 'text/html', css: 'text/css', js: 'text/javascript', png: 'image/png',
                     svg: 'image/svg+xml', woff2: 'font/woff2' };

@@ -1,5 +1,5 @@
-# course_chapter(NN_topic) makes all targets and tests of one chapter. Whose code a target compiles is
-# decided by the order of its include folders alone:
+# course_chapter(NN_topic) makes all targets and tests of one chapter. The order of its include folders alone
+# decides whose code a target compiles:
 #
 #   solution of chapter N    solutions of chapters up to N, common
 #   learner's chapter N      exercises/N, solutions of chapters up to N, common
@@ -8,17 +8,17 @@
 #
 # Solutions of later chapters are never among them, so no chapter can use what comes after it.
 #
-# Nearly everything is in headers. Where a chapter's solution has rt/NAME.cpp as well, the same rule
-# decides: the first folder of the list that has an rt/NAME.cpp gives the one that is compiled. Only
-# the chapter's own targets compile it. A learner's .cpp may still lack its definition; to link all
-# the same, the learner's targets get a library of chapters/NN_topic/missing/*.cpp, definitions that
-# throw rt::todo. Of a library a linker takes only what is undefined after all other files.
+# Nearly everything is in headers. If a chapter's solution also has rt/NAME.cpp, the same rule decides: the
+# first folder of the list that has an rt/NAME.cpp provides the one that is compiled. Only the chapter's own
+# targets compile it. A learner's .cpp may still lack its definition. To link anyway, the learner's targets
+# get a library of chapters/NN_topic/missing/*.cpp, definitions that throw rt::todo. From a library, a linker
+# takes only what is undefined after all other files.
 
 set(course_chapters "")   # all chapters so far
 set(course_solutions "")  # their solution folders
 set(course_sources "")    # the NAME.cpp that the solution of the chapter at hand has in rt/
 
-# course_of_learner(targets...): they compile the learner's code, so that they may fail to compile.
+# course_of_learner(targets...): marks targets that compile the learner's code, and so may fail to compile.
 function(course_of_learner)
   set_target_properties(${ARGN} PROPERTIES COURSE_OF_LEARNER ON)
   # A forgotten return may pass in one precision and crash in the other.
@@ -34,7 +34,7 @@ function(course_long_tests)
   endif()
 endfunction()
 
-# course_sources_of(out folders...): of each rt/NAME.cpp of the chapter at hand the one that counts.
+# course_sources_of(out folders...): for each rt/NAME.cpp of the chapter at hand, the one that counts.
 function(course_sources_of out)
   set(sources "")
   foreach(name ${course_sources})
@@ -42,7 +42,7 @@ function(course_sources_of out)
       get_source_file_property(is_made ${folder}/rt/${name} GENERATED)
       if(is_made OR EXISTS ${folder}/rt/${name})
         list(APPEND sources ${folder}/rt/${name})
-        # It is compiled as it stands, with no header that it does not name.
+        # It is compiled as it is, without headers that it does not name.
         set_source_files_properties(${folder}/rt/${name} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
         if(name MATCHES "^parallel_")
           set_source_files_properties(${folder}/rt/${name} PROPERTIES
@@ -56,7 +56,7 @@ function(course_sources_of out)
   set(${out} "${sources}" PARENT_SCOPE)
 endfunction()
 
-# course_compile_options(source option): of one file, which then cannot use what is precompiled without.
+# course_compile_options(source option): for one file, which then cannot use headers precompiled without it.
 function(course_compile_options source option)
   set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS ${option} SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
@@ -115,8 +115,8 @@ function(course_checkpoint target kind)
   course_own_program(${target} ${ARGN})
 endfunction()
 
-# course_checkpoint_kind(out chapter): how its checkpoints are compiled in double. What compiling and
-# running them takes together counts: only where they compute for long are they optimized.
+# course_checkpoint_kind(out chapter): how its checkpoints are compiled in double. What counts is the time for
+# compiling and running them together: they are optimized only if they compute for long.
 function(course_checkpoint_kind out chapter)
   if(chapter MATCHES "^0[04]_" OR NOT CMAKE_BUILD_TYPE STREQUAL "Release")
     set(${out} double PARENT_SCOPE)
@@ -125,7 +125,7 @@ function(course_checkpoint_kind out chapter)
   endif()
 endfunction()
 
-# course_exercise_tests(checkpoint label ids...): one test an exercise, and one for its hard cases.
+# course_exercise_tests(checkpoint label ids...): one test per exercise, and one for its hard cases.
 function(course_exercise_tests checkpoint label)
   foreach(id ${ARGN})
     add_test(NAME ${checkpoint}.${id} COMMAND ${checkpoint} "[${id}]~[hard]")
@@ -138,10 +138,10 @@ function(course_exercise_tests checkpoint label)
   endforeach()
 endfunction()
 
-# The checkpoints on the learner's code: a program check.NN.k an exercise, so that one that does not
-# compile or crashes leaves the others alone, and NN_topic_checkpoint with all of them. The learner
-# waits for these after every change: compiling them quickly matters more than their speed. PREFIX goes
-# before the names of all targets, for tests that put another one's code into the learner's place.
+# The checkpoints on the learner's code: a program check.NN.k for each exercise, so that one that does not
+# compile or crashes leaves the others alone; and NN_topic_checkpoint with all of them. The learner waits for
+# these after every change: compiling them quickly matters more than their speed. PREFIX goes before the names
+# of all targets, for tests that put other code in place of the learner's.
 function(course_learners_checkpoints chapter)
   cmake_parse_arguments(arg "" "PREFIX" "INCLUDE;SOURCES" ${ARGN})
   set(objects "")
@@ -239,7 +239,7 @@ endfunction()
 # course_small_picture_test(name chapter precision): the solution still draws the same bytes. An emulator
 # runs programs for other processors, which CMake does for a test only where the test is the program.
 function(course_small_picture_test name chapter precision)
-  string(REPLACE _double "" program ${chapter}_solution_${precision})
+  string(REGEX REPLACE "_double$" "" program ${chapter}_solution_${precision})
   add_test(NAME ${name}
     COMMAND sh ${CMAKE_SOURCE_DIR}/tests/app/small_picture.sh ${chapter} ${precision}
             ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${program}>)
@@ -267,8 +267,8 @@ function(course_chapter chapter)
       endif()
     endif()
     if(source MATCHES "/study\\.cpp$" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # A study holds many loops, each of which is timed: g++ would stop inlining where the file has
-      # grown by 40 %, and the loops after that would be slower than they are in a program.
+      # A study holds many loops, each of which is timed: g++ would stop inlining once the file has grown by
+      # 40 %, and the loops after that would be slower than they are in a program.
       course_compile_options(${source} --param=inline-unit-growth=200)
     endif()
   endforeach()

@@ -1,10 +1,10 @@
-# The facts of course.json: course_names, the chapters of exercises in their order, and of each
-# course_ids_NN_topic, its exercises, and course_text_NN_topic, the file of its text. The chapter of
-# rungs is in Own.cmake.
+# The facts of course.json: course_names, the chapters of exercises in their order; and for each of
+# them course_ids_NN_topic, its exercises, and course_text_NN_topic, the file of its text. The chapter
+# of rungs is in Own.cmake.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/course.json)
 file(READ ${CMAKE_SOURCE_DIR}/course.json course_json)
 
-# course_fact(out GET|LENGTH keys...): a value of the file, or how many a list of it has.
+# course_fact(out GET|LENGTH keys...): a value in the file, or the length of a list in it.
 function(course_fact out mode)
   string(JSON value ERROR_VARIABLE error ${mode} "${course_json}" ${ARGN})
   if(error)
@@ -29,7 +29,7 @@ foreach(chapter RANGE ${last_chapter})
   foreach(exercise RANGE ${last_exercise})
     course_fact(id GET chapters ${chapter} exercises ${exercise} id)
     list(APPEND course_ids_${name} ${id})
-    # Until the companion puts the learner's there. All are there from the start: a build that found a
+    # Used until the companion puts the learner's files there. All exist from the start: a build that found a
     # header in another folder would not look here again.
     course_fact(files LENGTH chapters ${chapter} exercises ${exercise} files)
     math(EXPR last_file "${files} - 1")

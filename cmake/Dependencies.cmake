@@ -1,16 +1,16 @@
-# The libraries, from the system where it has them, else fetched.
+# The libraries: from the system if it has them, otherwise fetched.
 include(FetchContent)
 
 find_package(Threads REQUIRED)
 
-# Two more ways to use all cores, for chapter 06: each is skipped where it is missing. The thread
-# sanitizer cannot see into these libraries and would report what is right.
+# Two more ways to use all cores, for chapter 06: each is skipped if it is missing. The thread sanitizer
+# cannot see into these libraries and would report what is right.
 if(RT_SANITIZE MATCHES "thread")
   message(STATUS "OpenMP and TBB are left out: the thread sanitizer cannot see into them")
 else()
   find_package(OpenMP QUIET COMPONENTS CXX)
   if(NOT OpenMP_CXX_FOUND)
-    message(STATUS "OpenMP is not there: chapter 06 goes without it")
+    message(STATUS "OpenMP is not installed: chapter 06 goes without it")
   endif()
   find_package(TBB QUIET CONFIG)
   if(NOT TBB_FOUND)
@@ -64,7 +64,7 @@ if(NOT nlohmann_json_FOUND)
   message(STATUS "nlohmann-json is not installed: fetching it")
   # The release's archive of headers: the repository is a thousand times as large.
   if(POLICY CMP0135)
-    cmake_policy(SET CMP0135 NEW)  # what is unpacked is as old as the unpacking
+    cmake_policy(SET CMP0135 NEW)  # unpacked files get the time of unpacking
   endif()
   set(JSON_SystemInclude ON)  # its warnings are not ours
   FetchContent_Declare(json

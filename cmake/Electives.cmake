@@ -2,8 +2,8 @@
 # drawn by chapter 10 or 11, in a source of its own that is linked into the program. Include after the
 # chapters.
 #
-# course_electives(program real folders...): this program can do so with the code of these folders, which
-# are the program's own, and the electives'.
+# course_electives(program real folders...): gives this program these options, with the code of these folders:
+# the program's own, and the electives'.
 function(course_electives program real)
   set(chapters ${CMAKE_SOURCE_DIR}/chapters)
   add_library(${program}_electives OBJECT ${chapters}/10_batches/for_08/batch_drawing.cpp
@@ -23,7 +23,7 @@ course_of_learner(08_effects_electives 08_effects_mine_electives 08_effects_mine
 set_target_properties(08_effects_mine_electives 08_effects_mine_float_electives PROPERTIES EXCLUDE_FROM_ALL ON)
 course_long_tests(08_effects_solution_float_electives)
 
-# The same file, for every scene.
+# The same image file, for every scene.
 function(course_batches_test name program)
   add_test(NAME ${name}
     COMMAND sh ${CMAKE_SOURCE_DIR}/tests/app/batches.sh $<TARGET_FILE:${program}>

@@ -4,13 +4,13 @@ target_compile_options(course_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow
   # Rounding stays as the source has it: the same picture from every compiler, machine and inlining.
   -ffp-contract=off
-  # std::sqrt need not set errno, which nobody reads: no call, no branch after each root. It changes
-  # no result.
+  # std::sqrt need not set errno, which nobody reads: so no call and no branch after each
+  # root. This changes no result.
   -fno-math-errno
-  # "#pragma omp simd" before a loop is heard; it needs no library.
+  # "#pragma omp simd" before a loop takes effect; it needs no library.
   -fopenmp-simd)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # g++ 12 and 13 warn of "text" + std::string where nothing is wrong (GCC bug 105651).
+  # g++ 12 and 13 warn about "text" + std::string where nothing is wrong (GCC bug 105651).
   target_compile_options(course_flags INTERFACE -Wno-restrict)
 endif()
 if(RT_WERROR)

@@ -1,7 +1,7 @@
 # Exercise 00.2, which is a definition for the linker. Include after the chapters.
 
-# A right answer in the learner's place passes: its checkpoint is made as the learner's is, and so the
-# linker finds the answer before it looks for what is missing.
+# A right answer in place of the learner's passes: its checkpoint is built like the learner's, so the linker
+# finds the answer before it looks for what is missing.
 set(course_sources gradient.cpp)
 course_learners_checkpoints(00_toolchain PREFIX answered. INCLUDE ${course_solutions}
                             SOURCES ${CMAKE_SOURCE_DIR}/tests/00_toolchain/00.2_gradient.cpp)
@@ -10,8 +10,8 @@ add_test(NAME 00_toolchain.answered.00.2 COMMAND answered.00_toolchain_checkpoin
 set_tests_properties(00_toolchain.answered.00.2 PROPERTIES LABELS mistakes TIMEOUT 60
   FAIL_REGULAR_EXPRESSION "No tests ran")
 
-# Where the learner's definition is not the one that was declared, it compiles, it links, and the
-# checkpoint says that the exercise is still to be written, and what to compare.
+# If the learner's definition does not match the declaration, it compiles, it links, and the checkpoint says
+# that the exercise is still to be written, and what to compare.
 file(GLOB definitions CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/00_toolchain/linking/*.cpp)
 foreach(definition ${definitions})
   get_filename_component(name ${definition} NAME_WE)

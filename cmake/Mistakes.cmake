@@ -1,6 +1,6 @@
 # The known mistakes: tests/mistakes/NN_topic/NN.k.md has those of one exercise, each as edits of the
-# solution. Their format is companion/model/mistakes.hpp's, which also reads them; the build itself
-# takes no more from them than the names, the files that are edited and the optional lines.
+# solution. companion/model/mistakes.hpp describes the format and reads it; the build itself takes from these
+# files only the names, the files that are edited and the optional lines.
 
 set(course_mistake_lines
     "changes picture|compiler warns|certificate fails|address sanitizer reports|data race in")
@@ -10,8 +10,8 @@ function(course_mistake_folder out name)
   set(${out} ${CMAKE_BINARY_DIR}/mistakes/edited/${name} PARENT_SCOPE)
 endfunction()
 
-# course_mistakes_with(out chapter line): the mistakes of a chapter that have this optional line. Its
-# value is the global property "NAME LINE".
+# course_mistakes_with(out chapter line): the mistakes of a chapter that have this optional line. Its value is
+# the global property "NAME LINE".
 function(course_mistakes_with out chapter line)
   set(found "")
   get_property(names GLOBAL PROPERTY "mistakes of ${chapter}")
@@ -24,7 +24,7 @@ function(course_mistakes_with out chapter line)
   set(${out} "${found}" PARENT_SCOPE)
 endfunction()
 
-# course_edit_mistakes(chapter): the edited files, a target mistakes.edited.NN.k an exercise.
+# course_edit_mistakes(chapter): the edited files, with a target mistakes.edited.NN.k for each exercise.
 function(course_edit_mistakes chapter)
   set(solution ${CMAKE_SOURCE_DIR}/solutions/${chapter})
   file(GLOB solution_files CONFIGURE_DEPENDS ${solution}/*.cpp ${solution}/rt/*)
@@ -88,7 +88,8 @@ function(course_mistake name chapter)
   endif()
 endfunction()
 
-# course_mistakes_hash(out chapter id): of all that decides what becomes of the mistakes of an exercise.
+# course_mistakes_hash(out chapter id): a hash of everything that decides how the mistakes
+# of an exercise turn out.
 function(course_mistakes_hash out chapter id)
   set(tests ${CMAKE_SOURCE_DIR}/tests)
   file(GLOB files ${tests}/mistakes/${chapter}/${id}.md ${tests}/mistakes/${chapter}/signatures.json
@@ -108,9 +109,9 @@ function(course_mistakes_hash out chapter id)
   set(${out} ${hash} PARENT_SCOPE)
 endfunction()
 
-# course_chosen_mistakes(out chapter names...): the mistakes to be tried, of these. With CHANGED, those of
-# an exercise that is as verified.txt knows it are tried for a quarter of such exercises; which ones
-# they are changes with that file.
+# course_chosen_mistakes(out chapter names...): which of these mistakes are to be tried. With CHANGED,
+# exercises that are as verified.txt knows them are skipped, except for a quarter of them; which quarter it
+# is changes with that file.
 function(course_chosen_mistakes out chapter)
   set(record ${CMAKE_SOURCE_DIR}/tests/mistakes/verified.txt)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${record})
@@ -135,8 +136,7 @@ function(course_chosen_mistakes out chapter)
   set(${out} "${chosen}" PARENT_SCOPE)
 endfunction()
 
-# The target mistakes_verified tries all mistakes that are built, and writes verified.txt where none
-# fails.
+# The target mistakes_verified tries all mistakes that are built, and writes verified.txt if none fails.
 function(course_mistakes_verified)
   if(COURSE_MISTAKES STREQUAL "CHANGED")
     return()
@@ -149,9 +149,9 @@ function(course_mistakes_verified)
             ${CMAKE_SOURCE_DIR}/tests/mistakes/verified.txt VERBATIM)
 endfunction()
 
-# course_mistake_tests(chapter): each mistake is caught by the test case that it names, and recognized
-# by what fails; a test an exercise. And the target mistake_signatures.NN_topic, to run after a mistake
-# or a checkpoint has changed: what it writes belongs to the sources.
+# course_mistake_tests(chapter): each mistake is caught by the test case that it names, and recognized by what
+# fails; one test for each exercise. And the target mistake_signatures.NN_topic, to run after a mistake or a
+# checkpoint has changed: what it writes belongs to the sources.
 function(course_mistake_tests chapter)
   get_property(names GLOBAL PROPERTY "mistakes of ${chapter}")
   course_chosen_mistakes(names ${chapter} ${names})

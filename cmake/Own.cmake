@@ -6,7 +6,7 @@ add_executable(09_own_solution ${own_solution}/main.cpp)
 target_link_libraries(09_own_solution PRIVATE course_flags Threads::Threads)
 add_dependencies(companion_test 09_own_solution)  # which draws what the judge makes up
 
-# It draws the three scenes, small: the bytes that it always drew, and the list draws the same.
+# It draws the three scenes, small: the same bytes as always; and the linear list draws the same.
 course_small_picture_test(09_own.small_picture 09_own double)
 add_test(NAME 09_own.small_pictures
   COMMAND sh ${CMAKE_SOURCE_DIR}/tests/09_own/small_pictures.sh $<TARGET_FILE:09_own_solution>
@@ -34,6 +34,6 @@ if(COURSE_MISTAKES)
       COMMAND own_mistakes $<TARGET_FILE:09_own_solution> ${own_start} ${own_solution} ${file})
     set_tests_properties(09_own.mistakes.${name} PROPERTIES LABELS mistakes TIMEOUT 1200)
   endforeach()
-  # What is timed wants the machine for itself.
+  # Measuring times needs the machine for itself.
   set_tests_properties(09_own.judge 09_own.mistakes.speed PROPERTIES RUN_SERIAL ON)
 endif()

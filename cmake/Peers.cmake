@@ -1,5 +1,5 @@
-# Embree, beside which chapter 10 is measured: tests/10_batches/peers/README.md. Include after the
-# chapters. Where Embree 3 is found there is a target embree_peer; nothing needs it.
+# Embree, with which chapter 10 is compared: tests/10_batches/peers/README.md. Include after the chapters. If
+# Embree 3 is found there is a target embree_peer; nothing needs it.
 find_path(RT_EMBREE_INCLUDE embree3/rtcore.h)
 find_library(RT_EMBREE_LIBRARY embree3)
 mark_as_advanced(RT_EMBREE_INCLUDE RT_EMBREE_LIBRARY)
@@ -10,5 +10,5 @@ if(RT_EMBREE_INCLUDE AND RT_EMBREE_LIBRARY)
   target_link_libraries(embree_peer PRIVATE ${RT_EMBREE_LIBRARY})
   set_target_properties(embree_peer PROPERTIES EXCLUDE_FROM_ALL ON)
 else()
-  message(STATUS "Embree is not there: the program that measures chapter 10 beside it is left out")
+  message(STATUS "Embree is not installed: the program that compares chapter 10 with it is left out")
 endif()

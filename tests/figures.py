@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Checks that the figures which the texts quote are those of the studies' tables.
+"""Checks that the figures quoted in the texts are those of the studies' tables.
 
 A comment before a Markdown table says which study its figures come from:
 
     <!-- figures: docs/studies/04_normals_aa.csv study="Error budget" text="what it is" -->
 
-Each figure of the table must be that of a row of the study, rounded as it is shown. Which row, the
-first cell of its line and the heading of its column say: each is a variant, a precision or a number,
-which is an x. A heading "error" or "cost" says which of the two the column has; it is the error where
-nothing says so, and a cell "0.02 / 5 ms" has both. What neither says, the comment must: variant="...",
-precision="double", x="100", value="cost". A cell without a digit, and the columns that text="..."
-names (several with | between them), are not checked.
+Each figure of the table must be that of a row of the study, rounded as it is shown. The first cell of
+its line and the heading of its column say which row: each is a variant, a precision or a number, which
+is an x. A heading "error" or "cost" says which of the two the column has; without such a heading it is
+the error, and a cell "0.02 / 5 ms" has both. The comment must say whatever neither of them says:
+variant="...", precision="double", x="100", value="cost". A cell without a digit, and the columns that
+text="..." names (several with | between them), are not checked.
 
 A figure in a sentence has its comment right before it, and never at the start of a line:
 
@@ -91,7 +91,7 @@ def key_of(rows, text):
 
 
 def check(rows, keys, shown):
-    """That the row with these keys has the figure that is shown."""
+    """Checks that the row with these keys has the figure that is shown."""
     keys = dict(keys)
     fields = [keys.pop("value", "error")]
     if fields == ["error"] and " / " in shown:
@@ -122,7 +122,7 @@ def cells(line):
 
 
 def check_table(rows, keys, prose, text):
-    """The first table of a text; how many figures it has."""
+    """Checks the first table of a text; returns how many figures it has."""
     lines = text.lstrip("\n").split("\n")
     table = lines[:next((i for i, line in enumerate(lines) if not line.startswith("|")), len(lines))]
     if len(table) < 3:
@@ -158,7 +158,7 @@ def check_text(path):
             del keys["study"]
             after = text[mark.end():]
             if mark[1] == "figure" and text[:mark.start()].endswith("\n"):
-                raise Wrong("what follows a comment at the start of a line is not Markdown: move a word there")
+                raise Wrong("text after a comment at the start of a line is not Markdown: put a word before the comment")
             if mark[1] == "figures":
                 right += check_table(rows, keys, prose, after)
             else:

@@ -2,8 +2,8 @@
 """headers.py COMPILER
 
 Compiles each header alone: it must include what it uses of the course. Reading the standard library
-would take most of the time, so that it is compiled once for all; what a header lacks of it goes unseen.
-A header that another file includes before anything else needs no check of its own.
+would take most of the time, so it is compiled once for all headers; a missing standard header is not
+noticed. A header that another file includes before anything else needs no check of its own.
 """
 
 import concurrent.futures
@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# Not made to be compiled alone, and why.
+# These are not made to be compiled alone, and why.
 BODIES = {
     "chapters/00_toolchain/sums_body.hpp": "included in a namespace, once for each instruction set",
     "chapters/10_batches/lanes_body.hpp": "included in a namespace, once for each width",
@@ -25,7 +25,7 @@ FIRST = re.compile(r"\A(?:#pragma once\n|//.*\n|\n)*#include ([<\"])(.*)[>\"]")
 
 
 def first_include(file, text):
-    """What a file includes before all else."""
+    """What a file includes first."""
     found = FIRST.match(text)
     if not found:
         return None

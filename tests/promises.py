@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""promises.py BUILD: checks that the tests which docs/hard-cases.md names are those that ctest knows.
+"""promises.py BUILD: checks that ctest knows the tests that docs/hard-cases.md names.
 
-The names are what stands in backticks in the last column of the table of promises, and in the gallery
-whatever looks like the name of a test; * stands for any letters. A name that this build lacks, such as
-one of the thread sanitizer's, must be that of an add_test in cmake/ or tests/. The known mistakes that it names
+The names are those in backticks in the last column of the table of promises, and in the gallery whatever
+looks like the name of a test; * stands for any letters. A name that this build lacks, such as one of the
+thread sanitizer's, must be that of an add_test in cmake/ or tests/. The known mistakes that the page names
 must be in tests/mistakes.
 """
 

@@ -6,8 +6,8 @@ the files that you name: of C++ headers it reads the comments. Leaves out code, 
 links, HTML comments and names such as CMake.
 
 - Spelling: American, by hunspell's en_US and by tests/words.txt, the terms and names of this course.
-- Phrases that the texts do not use, such as "shall"; words that are there twice.
-- Lines over 125 columns, but for tables, images, code and HTML comments.
+- Phrases that the texts do not use, such as "shall"; repeated words.
+- Lines over 125 columns, except for tables, images, code and HTML comments.
 
 Each finding is one line: file:line: what is wrong, and what would be right. Ends with 1 if there is one,
 and with 77 if hunspell or its dictionary is missing.
@@ -22,13 +22,13 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FILES = ["README.md", "docs/**/*.md", "chapters/*/start/*.md", "chapters/*/questions.json", "course.json",
-         "companion/help.txt"]
+         "companion/help.txt", "exercises/**/*.hpp", "solutions/**/*.hpp"]
 WORD_LIST = ROOT / "tests" / "words.txt"
 HUNSPELL = ["hunspell", "-d", "en_US", "-i", "utf-8", "-a"]
 COLUMNS = 125
 HIDDEN = "¤"  # stands for each character that is left out: lines and columns stay
 
-# What the pages have that is no prose, in the order in which it is hidden.
+# What is not prose in the pages, in the order in which it is hidden.
 CODE = re.compile(r"^( *)```.*?^\1```"  # fenced
                   r"|(?<=\n\n) {7}.*(?:\n+ {7}.*)*"  # indented, in an item of a hint
                   r"|<!--.*?-->", re.M | re.S)
@@ -81,7 +81,7 @@ def prose(path, text):
     """
     if path.endswith(".md"):
         text = hide(CODE, text)
-    elif path.endswith(".json"):  # its strings, but for names and paths
+    elif path.endswith(".json"):  # its strings, except for names and paths
         json.loads(text)
         strings = re.compile(r'"(?:[^"\\\n]|\\.)*"|.')
         text = strings.sub(lambda found: found[0] if " " in found[0].strip() else HIDDEN * len(found[0]), text)
@@ -107,7 +107,7 @@ def phrases(text):
 
 
 def long_lines(text):
-    """The lines that are too long, and are no table, image or code.
+    """The lines that are too long, except for tables, images and code.
 
     >>> line = "A line that does not end. " * 5
     >>> list(long_lines("\\n" + line)), list(long_lines("| " + line)), list(long_lines("![" + line))
@@ -171,7 +171,7 @@ def main(named):
     known = {*own, *(word.capitalize() for word in own)}
     wrong = misspelled(word for word in uses if word not in known)
     if wrong is None:
-        print("hunspell with its en_US dictionary is not there: the texts' spelling is not checked")
+        print("hunspell with its en_US dictionary is not installed: the texts' spelling is not checked")
         return 77
     for word, better in wrong.items():
         advice = (f"write '{better}', or" if better else "correct it, or") + " add it to tests/words.txt if it is right"

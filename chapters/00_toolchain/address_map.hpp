@@ -1,5 +1,5 @@
 #pragma once
-// A drawing in letters of where things are in memory, with an arrow for each pointer.
+// A text drawing of where things are in memory, with an arrow for each pointer.
 
 #include <algorithm>
 #include <cstdint>
@@ -13,7 +13,7 @@ struct Thing {
     std::string place;         // "stack", "heap", "static", "code"
     const void* address = {};  // where it begins
     std::string name;
-    const void* points_to = {};  // where another thing begins, for pointers
+    const void* points_to = {};  // for a pointer: where the thing that it points to begins
 };
 
 inline std::uintptr_t number(const void* address) {
@@ -26,7 +26,8 @@ inline std::string hex(const void* address) {
     return text;
 }
 
-// A line a thing, high addresses first. Arrows run down on the right, each in a column of its own.
+// One line per thing, high addresses first. Arrows run down on the right,
+// each in a column of its own.
 inline std::string draw_map(std::vector<Thing> things) {
     std::sort(things.begin(), things.end(),
               [](const Thing& a, const Thing& b) { return number(a.address) > number(b.address); });

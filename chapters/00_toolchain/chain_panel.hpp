@@ -1,5 +1,5 @@
 #pragma once
-// The panel of one chain that is gone through in two memories: scattered and gathered.
+// The panel that follows one chain in two memories: scattered and gathered.
 
 #include <functional>
 #include <rt/portable.hpp>
@@ -10,7 +10,7 @@
 
 namespace toolchain {
 
-// From blue over green and gold to rose as t goes from 0 to 1.
+// From blue through green and gold to rose as t goes from 0 to 1.
 inline Color along_rainbow(Real t) {
     const Color colors[] = {sky_blue, mint, gold, rose};
     const Real place = std::clamp(t, Real(0), Real(1)) * 3;
@@ -34,7 +34,7 @@ inline void draw_arc(Figure& figure, Real from, Real to, Real base, Real height,
         around, distance, [&](Vec2) { return color; }, share);
 }
 
-// Every step of the chain is an arc from one place of the memory to the next one.
+// Every step of the chain is an arc from one link's position in memory to the next one's.
 inline void draw_chain(Figure& figure, const app::Box& box) {
     draw_panel(figure, box, "ONE CHAIN IN TWO MEMORIES");
     const ScatteredChain chain{48};
@@ -42,7 +42,7 @@ inline void draw_chain(Figure& figure, const app::Box& box) {
     const Real left = box.left + 18, pitch = (box.width - 36) / 47, base = box.top + 152,
                lower = base + 30;
     const auto draw = [&](const std::vector<Link>& memory, Real line, Real sign) {
-        // The places that the chain goes through, as long as it stays in this memory.
+        // The positions of the chain's links, as long as it stays in this memory.
         std::vector<Real> places;
         const Link* link = memory.data();
         const std::less<const Link*> before;

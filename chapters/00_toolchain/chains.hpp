@@ -1,5 +1,5 @@
 #pragma once
-// Chains that lead through scattered places.
+// Chains whose links are scattered in memory.
 
 #include <rt/chain.hpp>
 #include <rt/rng.hpp>
@@ -9,10 +9,10 @@ namespace toolchain {
 
 using namespace rt;
 
-// A chain through all places of one piece of memory, in random order. It starts at the first place.
+// A chain through all links of one array, in random order. It starts at the first.
 struct ScatteredChain {
     explicit ScatteredChain(std::size_t count) : links(count) {
-        // Shuffled by Sattolo's method, a permutation is one single cycle.
+        // Sattolo's way of shuffling makes a permutation that is one single cycle.
         std::vector<std::uint32_t> next(count);
         for (std::size_t i = 0; i < count; ++i) next[i] = static_cast<std::uint32_t>(i);
         Rng rng{7, 1};

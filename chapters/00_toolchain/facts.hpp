@@ -1,5 +1,5 @@
 #pragma once
-// The lines that show, in this run, what the text speaks of.
+// The lines that show, with the values of this run, what the text explains.
 
 #include <algorithm>
 #include <cstdio>
@@ -16,7 +16,7 @@ namespace toolchain {
 
 using namespace rt;
 
-// How many of them are there?
+// How many objects of this type exist?
 struct Counted {
     inline static int alive = 0;
     Counted() { ++alive; }
@@ -38,14 +38,14 @@ inline std::string printed(const char* format, auto... values) {
     return text;
 }
 
-// On a reference, on values that end with their block, on a unique_ptr, and on a tree.
+// About a reference, values that end with their block, a unique_ptr, and a tree.
 inline std::string facts(std::unique_ptr<RangeNode> root, const Canvas<Color>& canvas) {
     std::string text;
     const Canvas<Real> light = lightness(canvas);
     const Real& lightest = largest(light);
     const auto index = static_cast<int>(&lightest - light.begin());
     text += printed(
-        "A reference   lightest is another name of pixel (%d, %d): its address is the "
+        "A reference   lightest is another name for pixel (%d, %d): its address is the "
         "pixel's, %s\n",
         index % light.width(), index / light.width(), hex(&lightest).c_str());
     const int before = Counted::alive;
@@ -60,7 +60,7 @@ inline std::string facts(std::unique_ptr<RangeNode> root, const Canvas<Color>& c
         before, inside, Counted::alive);
     const void* const held = root.get();
     const std::unique_ptr<RangeNode> owner = std::move(root);
-    text += printed("A unique_ptr  root held %s; moved away it holds %s, and its new owner %s\n",
+    text += printed("A unique_ptr  root held %s; moved from, it holds %s, and its new owner %s\n",
                     hex(held).c_str(), hex(root.get()).c_str(), hex(owner.get()).c_str());
     text += printed("A tree        over %d things has %d nodes and is %d deep\n",
                     owner ? owner->last - owner->first : 0, count_nodes(owner.get()),

@@ -1,5 +1,5 @@
 // Chapter 00: the first picture. A gradient, and on it what a program is made of: code, static
-// data, heap and stack, with arrows for pointers; and what it costs to jump about in memory. The
+// data, heap and stack, with arrows for pointers; and what it costs to jump around in memory. The
 // real addresses and times of this machine are printed.
 
 #include <app/run.hpp>
@@ -17,11 +17,11 @@ namespace {
 
 using namespace toolchain;
 
-// Static: there before main() begins, and as long as the program runs.
+// Static: it exists before main() begins, and as long as the program runs.
 const Corners dusk{from_hex(0x17153b), from_hex(0x5b2a86), from_hex(0xc8496b), from_hex(0xffb35c)};
 
-// Filled as in school, y upwards; then turned, as row 0 of a picture is the top one. The canvas is
-// moved through flipped() and out of here: no pixel is copied.
+// Filled with y upward, as in school; then flipped, because row 0 of a picture is the top row. The
+// canvas is moved through flipped() and out of here: no pixel is copied.
 Canvas<Color> paint_dusk(int width, int height) {
     Canvas<Color> canvas{width, height};
     for (int y = 0; y < height; ++y)

@@ -62,7 +62,7 @@ inline Segments draw_segments(Figure& figure, const app::Box& panel) {
         figure.box(b, color, Real(0.10), 4);
         figure.box({b.left, b.top, 3, b.height}, color, 1, 1);
         figure.words({b.left + 12, b.top + 9}, name, {8, color});
-        // Beside the name, where no arrow comes down; else below.
+        // Beside the name, where no arrow comes down; otherwise below it.
         if (height < 100)
             figure.words({b.left + 12 + app::width_of(name, 8) + 12, b.top + 11}, what, {5, faint});
         else
@@ -134,7 +134,7 @@ inline app::Box draw_corners(Figure& figure, const app::Box& fixed, const Canvas
     return corners;
 }
 
-// Returns where the last one is drawn, gradient().
+// Returns where the last one, gradient(), is drawn.
 inline app::Box draw_functions(Figure& figure, const app::Box& code) {
     app::Box last;
     Real x = code.left + 14;
@@ -180,7 +180,7 @@ inline void draw_pointers(Figure& figure, const app::Box& panel, const Places& a
                  {at.gradient.right() + 3, at.gradient.center().y}, gold);
 }
 
-// Of canvas, root, paint, pixels, corners and gradient; or none.
+// The addresses of canvas, root, paint, pixels, corners and gradient; or none.
 inline void draw_addresses(Figure& figure, const Places& at,
                            const std::vector<std::string>& addresses) {
     if (addresses.size() != 6) return;

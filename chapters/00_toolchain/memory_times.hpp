@@ -9,13 +9,13 @@
 
 namespace toolchain {
 
-// Each short work is repeated for a few milliseconds; what takes long by itself is done once a
-// round, and what takes very long in the first round alone. Nanoseconds of processor time.
+// Nanoseconds of processor time. Short work is repeated for a few milliseconds; work that takes
+// long is done once per round, and work that takes very long in the first round only.
 inline std::vector<double> in_turns_ns(const std::vector<study::Work>& works) {
     return study::in_turns_ns(works, {.at_least_ms = 2, .once_from_ms = 100});
 }
 
-// The time of one step along a chain that fills so much memory, and along a plain array.
+// The time of one step along a chain that fills this much memory, and along a plain array.
 struct Steps {
     double bytes = 0;
     double array = 0, gathered = 0, scattered = 0;  // ns
@@ -44,7 +44,7 @@ inline std::vector<Steps> measure_steps() {
     return all;
 }
 
-// A processor with three caches, in round numbers: up to so many bytes, a step takes so long.
+// A processor with three caches, in round numbers: up to this many bytes, a step takes this long.
 struct Level {
     const char* name;
     double bytes, ns;
@@ -54,8 +54,8 @@ inline constexpr Level levels[] = {{"L1", 32 * 1024.0, 1},
                                    {"L3", 32 * 1024 * 1024.0, 15},
                                    {"RAM", 1e30, 90}};
 
-// Of the places that a scattered chain visits, a cache that holds a tenth has the next one with
-// probability one tenth. Along gathered links the next ones are fetched ahead.
+// A cache that holds a tenth of a scattered chain holds the next link with probability one tenth.
+// Along gathered links, the processor fetches the next ones ahead.
 inline double model_scattered_ns(double bytes) {
     double time = 0, found = 0;
     for (const Level& level : levels) {
@@ -73,7 +73,7 @@ inline std::vector<Steps> model_steps() {
     return all;
 }
 
-// A thousand objects of so many bytes, made and given up again: nanoseconds for each.
+// A thousand objects of this many bytes, made and destroyed again: nanoseconds for each.
 struct Objects {
     int bytes = 0;
     double stack = 0, heap = 0, together = 0;  // ns
@@ -113,7 +113,7 @@ inline std::string size_text(double bytes) {
 
 inline std::string steps_table(const std::vector<Steps>& all) {
     std::string text =
-        "Time of one step in ns, over the size of what is gone through:\n"
+        "Time of one step in ns, by the size of the array or chain:\n"
         "              array   gathered chain   scattered chain\n";
     for (const Steps& steps : all) {
         char line[96];
@@ -126,7 +126,7 @@ inline std::string steps_table(const std::vector<Steps>& all) {
 
 inline std::string objects_table(const std::vector<Objects>& all) {
     std::string text =
-        "Time of one object in ns, made and given up again:\n"
+        "Time of one object in ns, made and destroyed again:\n"
         "              stack             heap   heap, 1000 at once\n";
     for (const Objects& objects : all) {
         char line[96];

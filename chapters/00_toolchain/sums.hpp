@@ -1,5 +1,5 @@
 #pragma once
-// Ways to add up numbers, compiled as the standard of floating point has it, and with -ffast-math.
+// Ways to add up numbers, compiled as the floating-point standard requires, and with -ffast-math.
 
 #include <cstddef>
 #include <rt/real.hpp>

@@ -1,7 +1,7 @@
 // Three ways to add up numbers. Two files compile this text, one of them with -ffast-math, so there
-// is no #pragma once, and the names are each file's own (an unnamed namespace). It includes
-// nothing that has functions: of an inline function that both files compile the linker keeps one,
-// and nobody could say which.
+// is no #pragma once, and the names are each file's own (an unnamed namespace). It includes nothing
+// that has functions: if both files compiled the same inline function, the linker would keep only
+// one of the two versions, and nobody could say which.
 
 namespace {
 
@@ -16,15 +16,16 @@ Real naive(const Real* terms, std::size_t count) {
 }
 
 // The sum of both halves' sums. Every term goes through log2(count) additions instead of count.
-// Short pieces are added up one after the other, for the calls cost time.
+// Short pieces are added up one after the other, because calls cost time.
 Real pairwise(const Real* terms, std::size_t count) {
     if (count <= 128) return naive(terms, count);
     const std::size_t half = count / 2;
     return pairwise(terms, half) + pairwise(terms + half, count - half);
 }
 
-// Kahan: what rounding took away from one addition goes into the next one. In real numbers `lost`
-// is always 0, which is why -ffast-math, that may calculate as if numbers were real, leaves it out.
+// Kahan: what rounding took away from one addition goes into the next one. With real
+// numbers, `lost` would always be 0. So -ffast-math, which may calculate as if
+// numbers were real, removes it.
 Real compensated(const Real* terms, std::size_t count) {
     Real sum = 0, lost = 0;
     for (std::size_t i = 0; i < count; ++i) {

@@ -33,14 +33,14 @@ struct Stick {
     Color color;
 };
 
-// Whether a stick covers a place as seen from the front, and is not hidden there behind the ball of
-// radius 1 or inside it.
+// Whether a stick covers a point as seen from the front, and is not hidden there behind the ball
+// of radius 1 or inside it.
 inline bool covers(const Stick& stick, Vec3 place) {
     const Vec3 along = stick.to - stick.from;
     const Vec3 flat{along.x, along.y, 0};
     const Vec3 start{stick.from.x, stick.from.y, 0};
     const Real squared = dot(flat, flat);
-    // The nearest place of the line: the shadow that (place - start) throws on it.
+    // The nearest point of the line: the projection of (place - start) onto it.
     const Real s =
         squared > 0 ? std::clamp(dot(place - start, flat) / squared, Real(0), Real(1)) : 0;
     const Vec3 nearest = stick.from + s * along;
@@ -57,7 +57,7 @@ struct Washer {
 
     bool covers(Real x, Real y) const {
         if (frame.w.z <= 0) return false;  // on the far side of the ball
-        // The place of the ring's plane that shows at (x, y), in coordinates along u and v.
+        // The point of the ring's plane that shows at (x, y), in coordinates along u and v.
         const Real dx = x - foot.x, dy = y - foot.y;
         const Vec3 d{dx, dy, -(dx * frame.w.x + dy * frame.w.y) / frame.w.z};
         const Real r = length({dot(d, frame.u), dot(d, frame.v), 0});
@@ -65,8 +65,8 @@ struct Washer {
     }
 };
 
-// The sign of the dot product: the side of the ball that faces the light is gold, the other blue,
-// and between them lies the line where the dot product is 0. Each ring stands for a tenth.
+// The sign of the dot product: the side of the ball that faces the light is gold, the other is
+// blue, and between them lies the line where the dot product is 0. Each ring stands for a tenth.
 inline Color dot_product_color(Vec3 n, Vec3 light) {
     const Real cosine = dot(n, light);
     const Real ring = std::abs(cosine * 10 - std::round(cosine * 10));
@@ -76,8 +76,8 @@ inline Color dot_product_color(Vec3 n, Vec3 light) {
     return ring < Real(0.06) ? side * Real(0.6) : side;
 }
 
-// A ball that carries a net of latitude and longitude, placed by a map: to know the color of a
-// place in the world, ask for the object's own coordinates of that place.
+// A ball that carries a net of latitude and longitude, placed by a map: the color of a point in the
+// world is found from the object's own coordinates of that point.
 inline Color turned_ball_color(Vec3 n, const Mat4& world_to_object, Vec3 light) {
     const Vec3 p = transform_point(world_to_object, n);
     const Real latitude = rt::portable::asin(std::clamp(p.y, Real(-1), Real(1))),
@@ -116,7 +116,7 @@ inline Ball ball_with_bristles(Vec3 light) {
     Ball ball{{{{}, sun, Real(0.012), gold}, {sun, sun, Real(0.07), gold}}, {}, {}, false};
     const int count = 60;
     for (int i = 0; i < count; ++i) {
-        // Evenly spread: heights in equal steps, each turned on by the golden angle.
+        // Evenly spread: heights in equal steps, each turned further by the golden angle.
         const Real y = 1 - (2 * static_cast<Real>(i) + 1) / count;
         const Real angle = static_cast<Real>(i) * pi * (3 - std::sqrt(Real(5)));
         const Real r = std::sqrt(1 - y * y);
@@ -129,7 +129,7 @@ inline Ball ball_with_bristles(Vec3 light) {
     return ball;
 }
 
-// A ball with its x, y and z axis, turned by a matrix.
+// A ball with its x, y and z axes, turned by a matrix.
 inline Ball turned_ball(Real angle) {
     const Mat4 turn =
         multiply(rotation_x(radians(25)), multiply(rotation_y(angle), rotation_z(angle / 2)));

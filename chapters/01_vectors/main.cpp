@@ -18,8 +18,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     for (int i = 0; i < 6; ++i)
         turned.push_back(turned_ball(radians(-50 + 20 * static_cast<Real>(i))));
 
-    // The picture is 16 wide and 9 high: the large ball left, two columns of three turned ones
-    // right.
+    // The picture is 16 wide and 9 high: the large ball on the left, two columns of three
+    // turned balls on the right.
     const Real unit =
         std::min(static_cast<Real>(settings.width) / 16, static_cast<Real>(settings.height) / 9);
     const auto color_at = [&](Real x, Real y) {
@@ -30,8 +30,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         return turned[static_cast<std::size_t>(2 * row + column)].at(x - middle_x, middle_y - y,
                                                                      light);
     };
-    // Each pixel is the average of nine places in it, so that edges are smooth: chapter 04 tells
-    // why.
+    // Each pixel is the average of nine points in it, so that edges are smooth:
+    // chapter 04 explains why.
     return {app::draw<Canvas<Color>>(settings, progress, [&](int column, int row) {
         return app::average_of_nine(column, row,
                                     [&](Real x, Real y) { return color_at(x / unit, y / unit); });

@@ -30,7 +30,7 @@ inline Vec3 by_scaled_root(Vec3 v) {
     return by_root(rt::split_scale(v).v);
 }
 
-// The standard library's length, which scales by itself.
+// The standard library's length, which does its own scaling.
 inline Vec3 by_hypot(Vec3 v) {
     return v / std::hypot(v.x, v.y, v.z);
 }
@@ -47,8 +47,8 @@ inline double error_of(Vec3 computed, Vec3 v) {
                      study::error_in_ulp(computed.z, z / length)});
 }
 
-// What is wrong with a picture that shows directions d as colors (d + 1) / 2. One that is not
-// finite is black.
+// The error in a picture that shows directions d as colors (d + 1) / 2. A direction
+// that is not finite is black.
 inline double error_in_a_pixel(const std::vector<Vec3>& vectors, Vec3 (*normalize)(Vec3)) {
     double sum = 0;
     for (const Vec3 v : vectors) {

@@ -21,17 +21,17 @@ using rt::Color;
 using rt::Real;
 using rt::Vec3;
 
-// The direction with this elevation over the horizon, and azimuth clockwise from north (-z) over
-// east (+x), in degrees.
+// The direction with this elevation above the horizon, and this azimuth clockwise from north (-z)
+// through east (+x), in degrees.
 inline Vec3 toward(Real azimuth_deg, Real elevation_deg) {
     const Real a = rt::radians(azimuth_deg), e = rt::radians(elevation_deg);
     return {rt::portable::sin(a) * rt::portable::cos(e), rt::portable::sin(e),
             -rt::portable::cos(a) * rt::portable::cos(e)};
 }
 
-// The rays through the middle of a pixel, and of the next ones to the right and below: the
-// differences tell how large the pixel is on whatever it shows, so that lines can be as wide as a
-// pixel everywhere and have soft edges.
+// The rays through the middle of a pixel and of its neighbors to the right and below. Their
+// differences tell how large the pixel is on whatever it shows, so that lines can be one pixel wide
+// everywhere and have soft edges.
 struct Beam {
     rt::Ray here, right, below;
 
@@ -48,8 +48,8 @@ inline Real coverage(Real distance, Real width, Real pixel) {
                       std::min(width / pixel, Real(1)));
 }
 
-// The same for a line, a pixel wide, where f is zero. It fades where the next one comes nearer than
-// 10 pixels.
+// The same for a line, one pixel wide, where f is zero. It fades where the next line
+// is nearer than 10 pixels.
 template <class F>
 Real line(const Beam& beam, F f, Real next) {
     const Real pixel = beam.change(f);
@@ -115,7 +115,7 @@ inline Color sky(const Beam& beam, Real pixel_deg) {
         beam, [](const rt::Ray& r) { return elevation(r.direction); }, ten);
     color = mix(color, {1, 1, 1}, Real(0.5) * std::max(along, around));
 
-    // The sun: a disc of 2 degrees' radius in a glow.
+    // The sun: a disk of 2 degrees' radius in a glow.
     const Vec3 sun = toward(174, 13);
     const Real from_sun =
         rt::portable::atan2(length(cross(sun, d)), dot(sun, d)) * 180 / rt::pi;  // degrees
@@ -139,7 +139,7 @@ inline Real compass(Vec3 d, Real pixel_deg) {
 inline Color look(const Beam& beam) {
     const Vec3 d = beam.here.direction;
     const Real across = length(beam.right.direction - d), down = length(beam.below.direction - d);
-    // Not zero, even where a camera's mistake makes it so.
+    // Not zero, even if a mistake in the camera makes it so.
     const Real pixel_deg =
         std::max(std::numeric_limits<Real>::min(), std::sqrt(across * down) * 180 / rt::pi);
     const Color color = d.y < 0 ? ground(beam) : sky(beam, pixel_deg);

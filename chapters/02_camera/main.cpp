@@ -30,8 +30,7 @@ constexpr std::size_t index(int k) {
     return static_cast<std::size_t>(k);
 }
 
-// The upper row changes the field of view alone; the lower row changes one thing of the third
-// panel.
+// The upper row changes only the field of view; the lower row changes one thing in the third panel.
 std::array<Panel, columns * rows> panels() {
     const Vec3 eye{0, Real(1.7), 0};
     const auto view = [&](Vec3 direction, Real fov_deg, Vec3 up = {0, 1, 0}) {
@@ -54,15 +53,15 @@ struct Span {
     int begin = 0, size = 1;
 };
 
-// Part i of n of so many pixels, less a gutter where there is room for one. In an image with fewer
-// pixels than parts some are never shown.
+// Part i of n of this many pixels, less a gutter if there is room for one. In an image with fewer
+// pixels than parts, some parts are never shown.
 Span part(int pixels, int i, int n) {
     const auto edge = [&](std::int64_t k) { return static_cast<int>(k * pixels / n); };
     const int size = std::max(edge(i + 1) - edge(i), 1), gutter = std::clamp((size - 1) / 2, 0, 2);
     return {edge(i) + gutter, size - 2 * gutter};
 }
 
-// The words stand in a soft shadow, which makes them readable on any ground.
+// The words stand in a soft shadow, which makes them readable on any background.
 void write_caption(app::Figure& panel, std::string_view caption) {
     const Real height = static_cast<Real>(panel.rows()), unit = height / 90;
     const rt::Vec2 corner{3 * unit, height - 7 * unit};

@@ -56,7 +56,7 @@ inline Vec2 width_minus_one(const Camera& c, int column, int row, Vec2 offset) {
     const Real down = (static_cast<Real>(row) + offset.y) / static_cast<Real>(c.height - 1);
     return {(right - Real(0.5)) * c.viewport.width, (Real(0.5) - down) * c.viewport.height};
 }
-// Without the half: it looks symmetric, and is half a pixel off at both edges.
+// Without the half: this looks symmetric, and is half a pixel off at both edges.
 inline Vec2 posts_of_a_fence(const Camera& c, int column, int row, Vec2 offset) {
     return width_minus_one(c, column, row, {offset.x - Real(0.5), offset.y - Real(0.5)});
 }
@@ -69,8 +69,8 @@ inline Exact3 exact_viewport_point(const Camera& c, int column, int row, Vec2 of
             y / height * DoubleDouble(c.viewport.height), -1};
 }
 
-// The time that one takes, of 960. Each result is used before the next is made, as a ray tracer
-// does: else the compiler would make several at once.
+// The time of one call, averaged over 960. Each result is used before the next is computed, as in a
+// ray tracer: otherwise the compiler would compute several at once.
 template <class T, class F>
 double time_each(F make) {
     std::vector<T> results(960);
@@ -84,7 +84,7 @@ double time_each(F make) {
            static_cast<double>(results.size());
 }
 
-template <auto map>  // the function is a template's argument so that the compiler can inline it
+template <auto map>  // a template argument, so that the compiler can inline it
 void measure_mapping(study::Report& report, const char* variant) {
     Camera camera;
     camera.viewport = {Real(1.7), Real(1.7)};
@@ -150,7 +150,7 @@ struct Steps {
     }
 };
 
-// make(camera) gives the function that is measured: from column, row and offset to a direction.
+// make(camera) returns the function that is measured: from column, row and offset to a direction.
 template <class Make>
 void measure_rays(study::Report& in_pixels, study::Report& in_ulp, const char* variant, Make make) {
     const auto camera_of = [](double fov_deg) {
@@ -204,7 +204,7 @@ void measure_look_at(study::Report& report, const char* variant) {
     const auto random = [&] {
         return Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
     };
-    // No compiler may know them beforehand.
+    // The compiler must not know them beforehand.
     Vec3 at{-1, Real(0.5), -2}, upwards{0, 1, 0};
     RT_KEEP(at);
     RT_KEEP(upwards);

@@ -1,6 +1,6 @@
 #pragma once
-// The small pictures beside the planet: one sphere from farther and farther away, by the formula of
-// the textbook and by the stable one.
+// The small pictures beside the planet: one sphere from farther and farther away, by the textbook
+// formula and by the stable one.
 
 #include <app/fill.hpp>
 #include <rt/hit_sphere.hpp>
@@ -31,7 +31,7 @@ struct FarSphere {
               columns, rows)} {}
 
     Ray ray(int x, int y) const { return rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}); }
-    // What a ray shows that hits at t, or passes by.
+    // What a ray shows if it hits at t, or if it misses.
     Color color(const Ray& ray, std::optional<Real> t) const {
         if (!t) return rt::from_hex(0x0b0e1f);
         const Vec3 to_lamp = camera.basis.to_world({Real(-0.48), Real(0.48), Real(0.73)});
@@ -47,7 +47,7 @@ inline void draw_far_sphere(app::Figure panel, Real distance, variants::HitFunct
     });
 }
 
-// Powers of ten around 1 / sqrt(epsilon), where the textbook's formula loses the sphere.
+// Powers of ten around 1 / sqrt(epsilon), where the textbook formula loses the sphere.
 inline constexpr int exponents[] = {1, std::is_same_v<Real, float> ? 3 : 7,
                                     std::is_same_v<Real, float> ? 4 : 8,
                                     std::is_same_v<Real, float> ? 5 : 9};
@@ -62,7 +62,7 @@ struct Panels {
           top{7 * dot + gap},
           side{(height - top - 4 * gap) / 4} {}
 
-    // What is left of the width for the planet. Where there is no room for panels it gets all.
+    // The width that is left for the planet. Without room for panels, the planet gets all of it.
     int left(int width) const {
         const bool have_room = gap > 0 && side > 0 && width > 4 * (side + gap);
         return have_room ? width - 2 * (side + gap) - gap : width;

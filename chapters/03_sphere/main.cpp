@@ -1,5 +1,5 @@
 // A planet with rings of moons; beside it one sphere seen from farther and farther away, by the
-// formula of the textbook and by the stable one.
+// textbook formula and by the stable one.
 
 #include <app/fill.hpp>
 #include <app/run.hpp>

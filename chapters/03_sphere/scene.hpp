@@ -40,7 +40,7 @@ inline Color ramp(Real distance) {
 }
 
 // How far a point of a sphere is from the lamp: 0 at the nearest point of the sphere, 1 at the
-// farthest. A lamp of which only the direction counts stands 4 radii away.
+// farthest. If only the direction of the lamp is given, it is placed 4 radii away.
 inline Real lamp_distance(const Sphere& sphere, Vec3 point, Vec3 to_lamp) {
     const Vec3 from_center = (point - sphere.center) / sphere.radius;
     return (rt::length(Real(4) * to_lamp - from_center) - 3) / 2;
@@ -52,8 +52,8 @@ inline Real bands(Real distance, int count) {
     return (std::floor(distance * n) + Real(0.5)) / n;
 }
 
-// The sky in a direction: a soft glow, and stars. Each cell of a grid of directions has one or
-// none.
+// The sky in a direction: a soft glow, and stars. Each cell of a grid of
+// directions has one star or none.
 inline Color sky(Vec3 direction) {
     const Vec3 unit = rt::normalize(direction);
     const Real glow = rt::portable::exp(-6 * (unit.y + Real(0.25)) * (unit.y + Real(0.25)));
@@ -74,7 +74,8 @@ inline Color sky(Vec3 direction) {
     return color + brightness * rt::portable::exp(-away * away) * rt::from_hex(0xdfe8ff);
 }
 
-// Light on a moon of this color: all of it at the nearest point to the lamp, next to none behind.
+// Light on a moon of this color: full at the point nearest to the lamp,
+// almost none on the far side.
 inline Color lit(Color color, Real distance) {
     const Real near = 1 - std::clamp(distance, Real(0), Real(1));
     return (Real(0.02) + near * near) * color;
@@ -101,7 +102,7 @@ inline std::vector<SceneSphere> spheres() {
                 plane.to_world({away * rt::portable::cos(turn), away * rt::portable::sin(turn), 0});
             all.push_back({{center, ring.radius * rng.uniform(Real(0.6), 1)}, ring.material});
         }
-    // Behind the camera, where nobody shall see it.
+    // Behind the camera, out of sight.
     all.push_back({{{Real(-1.3), Real(2.2), Real(9.5)}, Real(0.7)}, 3});
     return all;
 }

@@ -18,14 +18,14 @@ namespace spheres {
 using rt::Ray, rt::Real, rt::Sphere, rt::Vec3;
 using study::DoubleDouble;
 
-// A ray at the unit sphere around (0, 0, 0), and what is true of it.
+// A ray toward the unit sphere around (0, 0, 0), and the true answers.
 struct Case {
     Ray ray;
     DoubleDouble t = -1;   // the nearest hit; -1 for a miss
     double condition = 0;  // (|f| + r) (1 + p / h) / |d|: what a turn by epsilon does to t, roughly
 };
 
-// By numbers of 106 bits.
+// Computed with numbers of 106 bits.
 inline Case exact_case(const Ray& ray) {
     const auto exact = [](Real x) { return DoubleDouble(static_cast<double>(x)); };
     const auto fx = exact(ray.origin.x), fy = exact(ray.origin.y), fz = exact(ray.origin.z);
@@ -40,8 +40,8 @@ inline Case exact_case(const Ray& ray) {
             (f + 1) * (1 + std::sqrt(moment.high / quarter.high)) / std::sqrt(a.high)};
 }
 
-// From random sides, at random points of a ring around the center: of a disk of 1.4 radii, half of
-// the rays hit.
+// Rays from random directions at random points of a ring around the center. With a disk of 1.4
+// radii, half of the rays hit.
 inline std::vector<Case> cases_from(Real distance, Real inner = 0, Real outer = Real(1.4)) {
     rt::Rng rng{11, 3};
     std::vector<Case> cases(2000);
@@ -59,7 +59,7 @@ inline std::vector<Case> cases_from(Real distance, Real inner = 0, Real outer = 
 }
 
 struct Quality {
-    double largest_error = 0;  // of t relative to the true t, among the rays that rightly hit
+    double largest_error = 0;  // of t, relative to the true t, among the rays that rightly hit
     double of_condition = 0;   // the largest error over epsilon times condition
     double wrong_share = 0;    // of all rays: hit for a miss, or a miss for a hit
 };
@@ -90,8 +90,8 @@ double time_per_ray(const std::vector<Case>& cases, Hit hit) {
     return time / static_cast<double>(cases.size());
 }
 
-// Every way to meet a sphere, with its name. Lambdas, because a loop over a function pointer would
-// time the calls instead.
+// Every way to intersect a sphere, with its name. Lambdas, because a loop over a function pointer
+// would time the calls instead.
 template <class Measure>
 void with_each_variant(Measure measure) {
     using S = const Sphere&;

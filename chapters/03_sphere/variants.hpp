@@ -1,5 +1,5 @@
 #pragma once
-// Other ways to meet a sphere: the chapter's picture and its study show what each is worth.
+// Other ways to intersect a sphere: the chapter's picture and its study show what each is worth.
 
 #include <optional>
 #include <rt/cross.hpp>
@@ -20,7 +20,7 @@ inline std::optional<Real> nearest_within(const std::optional<Roots>& roots, Int
     return {};
 }
 
-// As school has it: b^2 - 4 a c and (-b -+ root) / 2 a.
+// The formulas that you know from school: b^2 - 4 a c and (-b -+ root) / 2 a.
 inline std::optional<Real> textbook(const Sphere& sphere, const Ray& ray, Interval within) {
     const Vec3 f = ray.origin - sphere.center, d = ray.direction;
     const Real a = dot(d, d), b = 2 * dot(f, d), c = dot(f, f) - sphere.radius * sphere.radius;
@@ -54,8 +54,8 @@ inline std::optional<Real> nearest_point(const Sphere& sphere, const Ray& ray, I
         within);
 }
 
-// As rt::hit_sphere, but with the cross product of chapter 01, whose components are within 1.5
-// units in the last place however far the center is.
+// Like rt::hit_sphere, but with the cross product of chapter 01, whose components have errors
+// within 1.5 units in the last place however far away the center is.
 inline std::optional<Real> exact_cross(const Sphere& sphere, const Ray& ray, Interval within) {
     const Vec3 f = ray.origin - sphere.center, d = ray.direction;
     const Real r_squared = sphere.radius * sphere.radius;

@@ -72,7 +72,7 @@ std::optional<N> nearest_ahead(N low, N high) {
     return {};
 }
 
-// As rt::hit_sphere does it.
+// The formula of rt::hit_sphere.
 struct StableFormula {
     template <class N>
     std::optional<N> operator()(const Ball<N>& ball, const Line<N>& ray) const {
@@ -86,7 +86,7 @@ struct StableFormula {
     }
 };
 
-// As school has it.
+// The formula that you know from school.
 struct TextbookFormula {
     template <class N>
     std::optional<N> operator()(const Ball<N>& ball, const Line<N>& ray) const {

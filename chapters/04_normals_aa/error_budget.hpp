@@ -21,8 +21,8 @@ inline View view_from(Real distance) {
     return study::from_afar(view, distance / length(view.from - view.at));
 }
 
-// What rounding does: the picture in Real by each formula, against that in the widest numbers that
-// there are by the stable one. The random numbers are the same.
+// The effect of rounding: the picture in Real by each formula, compared with the picture by the
+// stable formula in the widest number type. The random numbers are the same.
 struct RoundingErrors {
     double stable = 0, textbook = 0;
 };
@@ -46,7 +46,7 @@ inline RoundingErrors rounding_errors(const View& view, int samples) {
     return {std::sqrt(sum.stable), std::sqrt(sum.textbook)};
 }
 
-// The light that an image file keeps of this.
+// This light as an image file keeps it.
 inline Color stored(Color c) {
     const auto channel = [](Real light) { return srgb_decode(Real(to_byte(light)) / 255); };
     return {channel(c.r), channel(c.g), channel(c.b)};
@@ -88,7 +88,7 @@ inline void study_budget(study::Report& report) {
     add_noise("noise, 100 samples", {100, budget_depth, 2}, SkyEnding{});
     add_noise("noise, 100 samples, roulette after 4 bounces", {100, 4, 2}, RouletteEnding{});
 
-    // All follow the same paths up to the limit.
+    // All paths are the same up to the limit.
     constexpr int enough = 1 << 10;
     const auto draw = [&](int depth, const auto& ending) {
         return draw_low_discrepancy(stage, enough, depth, 1, ending);

@@ -14,7 +14,7 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
     return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
 }
 
-// The two first dimensions of Sobol's sequence, as fractions of 2^32.
+// The first two dimensions of Sobol's sequence, as fractions of 2^32.
 constexpr std::uint32_t sobol_x(std::uint32_t index) {
     return reverse_bits(index);
 }
@@ -25,8 +25,9 @@ constexpr std::uint32_t sobol_y(std::uint32_t index) {
     return y;
 }
 
-// Swaps the halves of [0, 1) or not, then those of each half, and so on, at random: what is spread
-// evenly stays so. Source: Burley, "Practical hash-based Owen scrambling", JCGT 9(4), 2020.
+// Swaps the halves of [0, 1) or not, at random, then those of each half, and so on:
+// numbers that are spread evenly stay so. Source: Burley, "Practical hash-based Owen
+// scrambling", JCGT 9(4), 2020.
 constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
     x = reverse_bits(x) + seed;
     x ^= x * 0x6c50b47cu;
@@ -36,8 +37,8 @@ constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
     return reverse_bits(x);
 }
 
-// The numbers of one sample of one pixel. Each pair of them is a place of a sequence of its own,
-// which is scrambled and taken in an order of its own.
+// The numbers of one sample of one pixel. Each pair of them is a point of a sequence of its own,
+// which has its own scrambling and its own order.
 class LowDiscrepancy {
   public:
     LowDiscrepancy(std::uint64_t seed, int x, int y, int sample)

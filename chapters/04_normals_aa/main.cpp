@@ -20,8 +20,7 @@ using namespace normals_aa;
 
 const Color paper = from_hex(0x1b1f2a), line_color = from_hex(0xf4efe6);
 
-// A third of the width for three small panels above each other, the rest for the large one; in
-// pixels.
+// A third of the width for a column of three small panels, the rest for the large one; in pixels.
 struct Layout {
     app::Box normals, lambert, samples, paths;
 
@@ -70,7 +69,7 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
     app::Figure normals = figure.part(layout.normals), lit = figure.part(layout.lambert),
                 samples = figure.part(layout.samples), paths = figure.part(layout.paths);
     progress.start(normals.rows() + lit.rows() + samples.rows() + paths.rows());
-    // Narrow panels see less at the sides, never a part of the group's height less.
+    // Narrow panels see less at the sides, but always the full height of the group.
     View small_view = *settings.view;
     if (settings.given.count("fov") == 0) small_view.vertical_fov = radians(28);
     const Camera small = make_camera(small_view, normals.columns(), normals.rows());
@@ -144,6 +143,6 @@ int main(int argc, char** argv) {
                      .render = render,
                      .study = normals_aa::study_samples_and_depth,
                      .choices = {{"ending",
-                                  "What becomes of a path at the depth limit",
+                                  "What happens to a path at the depth limit",
                                   {"sky", "black", "roulette"}}}});
 }

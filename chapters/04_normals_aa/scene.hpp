@@ -56,7 +56,7 @@ inline Scene make_scene(Real scale = 1) {
     stand(Real(-0.72), Real(1.22), Real(0.42), 0x81b29a);
     stand(Real(2.55), Real(-1.1), Real(0.55), 0x9a6a8c);
     stand(Real(-2.7), Real(-1.5), Real(0.6), 0xf2cc8f);
-    // Beads in an arc before the group.
+    // Beads in an arc in front of the group.
     const std::uint32_t beads[] = {0xe4572e, 0xf2b84b, 0x3fa7d6, 0xf4efe6, 0x81b29a, 0x6d597a};
     for (int i = 0; i < 11; ++i) {
         const Real angle = (static_cast<Real>(i) / 10 - Real(0.5)) * Real(2.4);

@@ -40,7 +40,7 @@ inline Pixels draw_independent(const Stage& stage, int samples, int depth, std::
     return pixels;
 }
 
-// The chapter's own way: the places within the pixel are jittered, the bounces are not.
+// The chapter's own way: the sample points within the pixel are jittered, the bounces are not.
 template <class Ending>
 Pixels draw_jittered(const Stage& stage, const Quality& quality, const Ending& ending) {
     Pixels pixels;
@@ -51,7 +51,7 @@ Pixels draw_jittered(const Stage& stage, const Quality& quality, const Ending& e
     return pixels;
 }
 
-// Places and bounces from an Owen-scrambled Sobol sequence.
+// Sample points and bounces from an Owen-scrambled Sobol sequence.
 template <class Ending>
 Pixels draw_low_discrepancy(const Stage& stage, int samples, int depth, std::uint64_t seed,
                             const Ending& ending) {

@@ -18,7 +18,7 @@ inline double mean_radiance(const Pixels& pixels) {
     return sum / (3 * static_cast<double>(pixels.size()));
 }
 
-// The root of the mean squared error of a pixel, over some seeds, and the median time of a picture.
+// The root mean square error of a pixel, over several seeds, and the median time of a picture.
 struct Measured {
     double error, cost;
 };
@@ -72,7 +72,7 @@ inline double coverage(double cosine, double sine, double edge) {
            triangle(edge - cosine - sine);
 }
 
-// The same three ways where nothing is random but the place in the pixel.
+// The same three ways where only the sample point in the pixel is random.
 inline void study_edge(study::Report& report) {
     constexpr int edges = 1000;
     const auto add_row = [&](const char* variant, int samples, Measured m) {
@@ -131,9 +131,9 @@ inline void study_edge(study::Report& report) {
     }
 }
 
-// How far each ending leaves the mean radiance from that of paths that may bounce 64 times: too
+// How far the mean radiance with each ending is from that of paths that may bounce 64 times: too
 // bright with the sky, too dark with black. All follow the same paths up to their limit, so that
-// the noise that they share cancels; what the roulette draws is its own.
+// the noise that they share cancels; only the roulette draws random numbers of its own.
 inline void study_depth(study::Report& report, const Stage& stage) {
     constexpr int samples = 1024;
     const auto draw = [&](int depth, const auto& ending) {

@@ -24,8 +24,8 @@ struct TiledEvening {
     }
 };
 
-// The light along a ray among glass balls, without chance: at each surface both ways are followed,
-// and each counts by its share.
+// The light along a ray among glass balls, without randomness: at each surface both ways are
+// followed, each weighted by its share.
 template <class Reflectance>
 Color light_through_glass(const Ray& ray, const SphereList& balls,
                           const std::array<Real, 3>& indices, Reflectance reflectance, int depth,
@@ -46,8 +46,8 @@ Color light_through_glass(const Ray& ray, const SphereList& balls,
     return refracted ? mirror + (1 - reflected) * along(*refracted) : mirror;
 }
 
-// A panel of the strip: 0 has Schlick's formula, 1 the exact one, 2 the difference, times 20: gold
-// where Schlick's is too bright, blue where it is too dark.
+// A panel of the strip: 0 shows Schlick's formula, 1 the exact one, and 2 the difference times 20,
+// gold where Schlick's is too bright, blue where it is too dark.
 inline Color panel_color(int panel, const Ray& ray, std::uint64_t& rays) {
     const std::array<Real, 3> indices{Real(1.1), Real(1.5), Real(2.4)};
     SphereList balls;

@@ -37,7 +37,7 @@ struct EveningSky {
     }
 };
 
-// Whether a place of the floor lies on an even tile. Tiles are squares with sides of length 1.
+// Whether a point of the floor lies on an even tile. Tiles are squares with sides of length 1.
 inline bool even_tile(Real x, Real z) {
     const auto tile = [](Real p) { return static_cast<long>(std::floor(p)); };
     return ((tile(x) + tile(z)) & 1) == 0;

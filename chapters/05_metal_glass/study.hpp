@@ -34,7 +34,8 @@ inline std::string with_index(const char* name, double index) {
     return text;
 }
 
-// The classic mistake: Schlick's formula with the cosine on the light's own side, whichever it is.
+// The classic mistake: Schlick's formula with the cosine on the light's own
+// side, whichever side that is.
 inline Real schlick_by_inner_cosine(Real cosine, Real eta) {
     const Real r = (1 - eta) / (1 + eta), x = 1 - cosine;
     return r * r + (1 - r * r) * (x * x) * (x * x) * x;
@@ -110,7 +111,7 @@ inline void add_reflectance(study::Report& report) {
 }
 
 // A ball of glass, as the strip below the picture shows it: both ways are followed at each surface,
-// so that nothing is left to chance.
+// so that nothing is random.
 inline std::vector<Color> draw_ball(double index, Real (*reflectance)(Real, Real)) {
     const SphereList ball{{{{{0, 0, 0}, 1}, 0}}};
     const Camera camera =
@@ -137,7 +138,8 @@ inline void add_pixel_errors(study::Report& report) {
     }
 }
 
-// As most textbooks have it: the same as rt::refract, but for the doubt at the critical angle.
+// As in most textbooks: the same as rt::refract, but without its second look
+// near the critical angle.
 inline std::optional<Vec3> refract_without_doubt(Vec3 incoming, Vec3 normal, Real eta) {
     const Real cosine = -dot(incoming, normal);
     const Vec3 along = eta * (incoming + cosine * normal);
@@ -146,7 +148,7 @@ inline std::optional<Vec3> refract_without_doubt(Vec3 incoming, Vec3 normal, Rea
     return along - std::sqrt(squared_cosine) * normal;
 }
 
-// Every sine from a cross product, and never a doubt.
+// Every sine comes from a cross product, so that no case is too close to call.
 inline std::optional<Vec3> refract_by_cross(Vec3 incoming, Vec3 normal, Real eta) {
     const Vec3 across = cross(normal, incoming);
     const Real sine = length(across);
@@ -213,7 +215,7 @@ inline void add_refraction(study::Report& report) {
                         .cost_name = "time / ns"});
         }
     }
-    // Light so close to the critical angle that rounding has a say: how often is the branch wrong?
+    // Light so close to the critical angle that rounding can decide: how often is the branch wrong?
     for (const int ulps : {1, 2, 4, 8, 16, 1024})
         for (const Refraction& way : refractions) {
             Rng rng{1, 1};
@@ -243,7 +245,8 @@ inline void add_refraction(study::Report& report) {
         }
 }
 
-// Three ways to deal with fuzz that points below the surface. Each returns none for absorbed light.
+// Three ways to deal with fuzz that points below the surface. Each returns
+// nothing for absorbed light.
 inline std::optional<Vec3> fuzz_absorbed(Vec3 incoming, Vec3 normal, Real fuzz, Rng& random) {
     const Vec3 d =
         normalize(reflect(incoming, normal) + fuzz * uniform_direction(random_place(random)));
@@ -316,8 +319,8 @@ inline double mean_difference(const std::vector<Color>& a, const std::vector<Col
     return sum / static_cast<double>(a.size());
 }
 
-// Glass in glass: a ball of glass around one of diamond around a bubble. The same random numbers at
-// every depth, so that pictures differ by the paths that were cut off and nothing else.
+// Glass in glass: a ball of glass around one of diamond around a bubble. All depths use the same
+// random numbers, so the pictures differ only by the paths that were cut off.
 inline void add_depth(study::Report& report) {
     const SphereList world{{{{{0, 0, 0}, 1}, 0},
                             {{{Real(0.1), 0, 0}, Real(0.75)}, 1},

@@ -1,6 +1,6 @@
-// Chapter 06: one scene, rendered by all cores. The figure shows which worker rendered what, how
-// long each one waited for the others, and the speed-up; beside it everything is measured and
-// printed.
+// Chapter 06: one scene, rendered by all cores. The figure shows which worker rendered
+// what, how long each worker waited for the others, and the speed-up. Everything is
+// also measured and printed.
 
 #include <app/run.hpp>
 #include <app/threads.hpp>
@@ -36,7 +36,7 @@ Schedules count_rays(const RayCounts& rays, const TileGrid& grid) {
     return all;
 }
 
-// By this machine's clock, with as many workers as were asked for.
+// By this machine's clock, with the number of workers that was asked for.
 Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers) {
     Schedules all{by_seconds(render_slices, grid, workers, shader),
                   by_seconds(render_tiles, grid, workers, shader),
@@ -51,7 +51,7 @@ Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers
     return all;
 }
 
-// OpenMP and TBB keep the threads that they have started, and neither can do with fewer.
+// OpenMP and TBB keep the threads that they have started, and neither can work with fewer.
 std::string speed_up_words(int threads) {
     const int needed = 2 * threads + static_cast<int>(std::thread::hardware_concurrency());
     if (app::threads_that_start(needed) < needed)
@@ -83,7 +83,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
                  static_cast<std::size_t>(x)] = static_cast<std::uint32_t>(pixel.rays);
             tile_rays += pixel.rays;
         });
-        all_rays += tile_rays;  // once a tile, not once a ray: an atomic is not free
+        all_rays += tile_rays;  // once per tile, not once per ray: an atomic is not free
         progress.step();
     });
 

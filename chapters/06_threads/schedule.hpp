@@ -1,5 +1,5 @@
 #pragma once
-// Who renders which part of the picture, from when to when.
+// Which worker renders which part of the picture, and when.
 
 #include <algorithm>
 #include <chrono>
@@ -73,8 +73,8 @@ class RayCounts {
     std::vector<std::uint64_t> sums_;
 };
 
-// The clock ticks once a ray: what would happen if every ray took the same time, on as many cores
-// as there are workers. The same on every machine.
+// The clock ticks once per ray: what would happen if every ray took the same time, with a core for
+// each worker. The same on every machine.
 inline Schedule slices_by_rays(const RayCounts& rays, const TileGrid& grid, int workers) {
     Schedule schedule{workers, {}};
     for (int worker = 0; worker < workers; ++worker) {
@@ -99,7 +99,7 @@ inline Schedule tiles_by_rays(const RayCounts& rays, const TileGrid& grid, int w
     return schedule;
 }
 
-// The clock of this machine: what does happen, in seconds.
+// The clock of this machine: what really happens, in seconds.
 template <class Shade>
 Schedule by_seconds(Strategy strategy, const TileGrid& grid, int workers, const Shade& shade) {
     using Clock = std::chrono::steady_clock;

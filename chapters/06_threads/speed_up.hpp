@@ -13,7 +13,7 @@
 
 namespace threads {
 
-// The scene, small: rendered once by one strategy.
+// A small picture of the scene: rendered once by one strategy.
 struct SmallRender {
     const Scene& scene;
     TileGrid grid{240, 135, 8};
@@ -31,10 +31,10 @@ struct SpeedUp {
     std::string strategy;
     int workers = 1;
     double ns = 0;     // median
-    double times = 1;  // as fast as one worker in the same round, median
+    double times = 1;  // how many times as fast as one worker in the same round, median
 };
 
-// 1, 2, 3, ... most; from 8 on every second power of two alone, and most itself.
+// 1, 2, 3, ... up to most; beyond 8 only powers of two, and most itself.
 inline std::vector<int> worker_counts(int most) {
     std::vector<int> counts;
     for (int n = 1; n < most; n += n < 8 ? 1 : n) counts.push_back(n);
@@ -68,7 +68,7 @@ inline std::vector<SpeedUp> speed_ups(const Scene& scene, int most) {
 inline std::string table(const std::vector<SpeedUp>& rows) {
     const unsigned cores = std::thread::hardware_concurrency();
     std::string text = "Measured on " + std::to_string(cores) + (cores == 1 ? " core" : " cores") +
-                       ", the scene in small, median of five:\n"
+                       ", a small picture of the scene, median of five:\n"
                        "strategy          workers      time  speed-up\n";
     for (const SpeedUp& row : rows) {
         char line[96];

@@ -16,8 +16,8 @@ int core_count() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// The name of an error that is chance where threads race: ./course study takes it for no
-// difference.
+// The name of an error. Where threads race, the error is a matter of chance, and the name says so:
+// ./course study then does not count it as a difference.
 std::string error_of(const std::string& name, bool races) {
     return name + (races ? " by chance / %" : " / %");
 }
@@ -28,8 +28,8 @@ struct Trial {
     study::Work work;
 };
 
-// Times the trials in turn beside a plain loop, and adds a row for each: its time, and the share of
-// what the cores could have done meanwhile that was not done, in percent.
+// Times the trials in turn beside a plain loop, and adds a row for each: its time, and the
+// percentage of what the cores could have done in that time that was not done.
 void add_trials(study::Report& report, const char* study, const char* x_name,
                 const SmallRender& render, const std::vector<Trial>& trials) {
     const SceneShader shader{render.scene,
@@ -69,7 +69,7 @@ void study_strategies(study::Report& report, const Scene& scene) {
     add_trials(report, "Strategies", "workers", render, trials);
 }
 
-// One generator for all, which may be asked by one at a time.
+// One generator for all workers, which use it one at a time.
 struct LockedRng {
     Rng random{1, 1};
     std::mutex mutex;
@@ -80,7 +80,7 @@ struct LockedRng {
     }
 };
 
-// Whose generator a sample draws from: how many pixels differ from the picture that one worker
+// Whose generator a sample draws from: how many pixels then differ from the picture that one worker
 // draws, and the time it takes.
 void study_streams(study::Report& report, const Scene& scene) {
     const TileGrid grid{160, 90, 8};
@@ -164,7 +164,7 @@ void study_tile_size(study::Report& report, const Scene& scene) {
     add_trials(report, "Tile size", "pixels along a tile", render, trials);
 }
 
-// On as many cores as workers, with a clock that ticks once a ray: the same on every machine.
+// With a core for each worker, and a clock that ticks once per ray: the same on every machine.
 void study_waiting(study::Report& report, const Scene& scene) {
     const TileGrid grid{240, 135, 8};
     const SceneShader shader{scene, make_camera(scene_view(), grid.width, grid.height), 4, 12, 1};
@@ -191,8 +191,8 @@ void study_waiting(study::Report& report, const Scene& scene) {
     }
 }
 
-// Two workers count, each in a place of its own, some bytes apart. Processors move memory in lines
-// of 64 bytes, often in pairs: places in one line belong to one core at a time.
+// Two workers count, each in a number of its own, a few bytes apart. Processors move memory in
+// lines of 64 bytes, often in pairs: what lies in one line belongs to one core at a time.
 void study_false_sharing(study::Report& report) {
     constexpr int count = 30'000'000;
     using Counter = std::atomic<std::uint64_t>;
@@ -200,7 +200,7 @@ void study_false_sharing(study::Report& report) {
     const auto count_up = [](int workers, std::size_t distance) {
         run_workers(workers, [&](int worker) {
             Counter& mine = memory[static_cast<std::size_t>(worker) * distance];
-            // Read, add, write: no atomic step is needed, nobody else writes here.
+            // Read, add, write: no atomic step is needed, because nobody else writes here.
             for (int i = 0; i < count; ++i)
                 mine.store(mine.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
         });

@@ -30,7 +30,7 @@ constexpr Box scene_box{20, 20, 640, 360}, slices_map{680, 40, 260, 146},
 
 // What the figure shows beside the scene.
 struct Curve {
-    std::vector<double> speed_up;  // of 1, 2, 3, ... workers; 0 where it is not known
+    std::vector<double> speed_up;  // with 1, 2, 3, ... workers; 0 where it is not known
     Color color;
 };
 struct Schedules {

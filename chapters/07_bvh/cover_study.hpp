@@ -1,5 +1,5 @@
 #pragma once
-// The whole picture against the classic way, and with no more materials than it needs.
+// The whole picture compared with the classic way, and with no more materials than it needs.
 
 #include <array>
 #include <optional>
@@ -61,7 +61,7 @@ double render(const study::Cover& cover, const World& world, const Materials& ma
     return static_cast<double>(mean.g);
 }
 
-// Writes down every ray that it is asked for, and what it answered.
+// Records every ray that it is asked about, and its answer.
 struct Recorder {
     struct Answer {
         Ray ray;
@@ -120,8 +120,8 @@ inline void study_parts(study::Report& report, const study::Cover& cover, const 
                     ns[i] / rays, "time per ray / ns"});
 }
 
-// Adds a row for each way to draw the cover, beside the first one. That the mean colors agree shows
-// that all draw the same.
+// Adds a row for each way to draw the cover, compared with the first one. The mean colors agree,
+// which shows that all draw the same.
 template <std::size_t count>
 void add_rows(study::Report& report, const char* study, const study::Cover& cover,
               const std::array<const char*, count>& names, const std::array<double, count>& greens,

@@ -1,5 +1,5 @@
 // Chapter 07: ten thousand spheres, the boxes that they are sorted into, and how much work each
-// pixel is for the linear list, for the sorted tree and for the tree by surface area.
+// pixel takes with the linear list, with the sorted tree and with the tree by surface area.
 
 #include <app/fill.hpp>
 #include <app/run.hpp>
@@ -17,7 +17,7 @@ namespace {
 using namespace bvh;
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    // The seed that was asked for is the light's alone: the scene stays the same.
+    // The seed that was asked for changes only the light: the scene stays the same.
     const Scene scene = make_scene(10'000, 1);
     const SphereTree sorted = make_tree(scene.spheres, split_in_half);
     const SphereTree by_area = make_tree(scene.spheres, split_by_area);

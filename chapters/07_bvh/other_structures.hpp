@@ -13,7 +13,7 @@
 
 namespace bvh {
 
-// The linear list with eight spheres at once.
+// The linear list, testing eight spheres at once.
 struct PackedList {
     std::vector<SceneSphere> spheres;
     std::vector<WideLeaf> leaves;
@@ -82,7 +82,7 @@ inline int split_binned(std::span<int> order, std::span<const Box> boxes) {
     return order.size() <= 2 ? 0 : binned_split(order, boxes);
 }
 
-// Boxes and spheres tested for a ray of the picture, on the average.
+// Boxes and spheres tested for a ray of the picture, on average.
 inline double tests_per_ray(const SphereTree& tree) {
     const Camera camera = make_camera(scene_view(), 60, 42);
     double sum = 0;
@@ -94,8 +94,8 @@ inline double tests_per_ray(const SphereTree& tree) {
     return sum / (60 * 42);
 }
 
-// Spheres spread evenly over a cube, the same share of it full for any number; rays of a picture of
-// it, row by row, and random ones.
+// Spheres spread evenly over a cube, which they fill to the same share whatever their number; the
+// rays of a picture of it, row by row; and random rays.
 struct Cloud {
     std::vector<SceneSphere> spheres;
     std::vector<Ray> rays, random_rays;

@@ -1,5 +1,5 @@
 #pragma once
-// The scene of chapter 07: 10,000 spheres, most of them small, wound up to a ring of two arms.
+// The scene of chapter 07: 10,000 spheres, most of them small, wound into a ring of two arms.
 
 #include <cmath>
 #include <rt/lambertian.hpp>
@@ -37,7 +37,7 @@ inline Scene make_scene(int count, std::uint64_t seed) {
     for (const std::uint32_t color : palette)
         scene.materials.materials.push_back({from_hex(color)});
     Rng rng{seed, 7};
-    // Three numbers that add up scatter around the middle.
+    // The sum of three random numbers scatters around the middle.
     const auto scatter = [&](Real width) {
         Real sum = 0;
         for (int i = 0; i < 3; ++i) sum += rng.uniform(-1, 1);

@@ -32,7 +32,7 @@ struct Shot {
                                          SkyEnding{}, Quality{1, 4, 1}, x, y));
         return rays;
     }
-    // Nanoseconds a ray, shading and all.
+    // Nanoseconds per ray, including shading.
     template <class World>
     double ns_per_ray(const World& world) const {
         std::uint64_t rays = 1;
@@ -126,7 +126,7 @@ void study_growth(study::Report& report) {
     for (const study::Row& row : building) report.add(row);
 }
 
-// How many spheres a tree is worth having for.
+// From how many spheres on a tree is worthwhile.
 void study_few(study::Report& report) {
     for (const int few : {1, 2, 4, 8, 16, 32}) {
         const Cloud cloud{few};
@@ -141,7 +141,7 @@ void study_few(study::Report& report) {
     }
 }
 
-// A tree whose boxes are as large as their spheres: neither they nor the ray bring a margin.
+// A tree whose boxes are exactly as large as their spheres: neither boxes nor rays have a margin.
 struct BareTree {
     SphereTree tree;
 
@@ -163,7 +163,7 @@ struct BareTree {
     }
 };
 
-// What a tree does to the pixels of the list's picture.
+// How a tree changes the pixels of the list's picture.
 void study_pixels(study::Report& report, const Scene& scene) {
     const auto add = [&](const std::string& variant, Real times, const auto& world) {
         const Camera camera = make_camera(study::from_afar(scene_view(), times), 96, 68);

@@ -3,8 +3,8 @@
 
 namespace bvh {
 
-// What a ray costs in each structure, how that grows, what a good tree costs to build, and the
-// whole against the classic way.
+// What a ray costs in each structure, how that grows, what a good tree costs to build, and how the
+// whole compares with the classic way.
 void run_study(study::Report& report);
 
 }  // namespace bvh

@@ -39,8 +39,8 @@ inline Ray ray_through(const Camera& camera, int x, int y) {
     return primary_ray(camera, x, y, {Real(0.5), Real(0.5)});
 }
 
-// Boxes reach farther than their spheres, most of all on the left, where they are near: seen from a
-// little farther away and to the left.
+// Boxes reach farther than their spheres, most of all on the left, where they are near. So they are
+// seen from a little farther away and to the left.
 inline View boxes_view() {
     View view = scene_view();
     view.at.x -= Real(0.6);
@@ -99,7 +99,7 @@ inline void draw_level(const Figure& figure, const app::Box& where, const Scene&
                 {letter_height, color});
 }
 
-// From black over violet and orange to white, as x goes from 0 to 1.
+// From black through violet and orange to white, as x goes from 0 to 1.
 inline Color heat_color(Real x) {
     static const Color steps[] = {from_hex(0x07071a), from_hex(0x2b1055), from_hex(0x7b1fa2),
                                   from_hex(0xd6336c), from_hex(0xff7b39), from_hex(0xffd166),
@@ -109,13 +109,13 @@ inline Color heat_color(Real x) {
     return mix(steps[step], steps[step + 1], place - static_cast<Real>(step));
 }
 
-// 1 test is 0, 10,000 tests are 1; each tenfold is a quarter.
+// 1 test is 0, 10,000 tests are 1; each factor of ten is a quarter.
 inline Real heat(Real tests) {
     return rt::portable::log10(std::max(Real(1), tests)) / 4;
 }
 
-// How many tests the ray of each pixel takes: tests(ray) says it. Above is their average, on a dark
-// plate, to be read on any ground.
+// How many tests the ray of each pixel takes, by tests(ray). Their average is above, on a dark
+// plate, so that it can be read on any background.
 template <class Tests>
 void draw_heat_map(const Figure& figure, const app::Box& where, const std::string& name,
                    Tests tests, const View& view) {
@@ -134,7 +134,7 @@ void draw_heat_map(const Figure& figure, const app::Box& where, const std::strin
     panel.words({letter_height / 2, letter_height / 2}, words, {letter_height, ink});
 }
 
-// The scale of the heat maps, with its tenfolds.
+// The scale of the heat maps, marked at the powers of ten.
 inline void draw_legend(const Figure& figure) {
     Figure panel = figure.part(legend);
     panel.words({0, letter_height / 4}, "TESTS A PIXEL", {letter_height, ink});

@@ -4,8 +4,9 @@
 
 namespace effects {
 
-// The sets of effects for which the electives' renderers are compiled: few, since each takes long,
-// and since theirs lose little by an effect that is there in vain. The last one has all.
+// The sets of effects for which the electives' renderers are compiled. There are few, because each
+// takes long to compile, and because an effect that is compiled in but not used costs these
+// renderers little. The last set has all effects.
 inline constexpr std::array<rt::Effects, 5> few_effects = [] {
     constexpr rt::Effects materials{
         .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};

@@ -56,8 +56,8 @@ class Composition {
     }
 };
 
-// Hills behind each other, the farther the paler, and the sun that sets between them. A hill is the
-// top of a large sphere.
+// Hills one behind the other, paler the farther away, and the sun that sets between them. A hill is
+// the top of a large sphere.
 void add_horizon(Composition& picture) {
     struct Hill {
         double x, z, top, radius;

@@ -1,7 +1,7 @@
 #pragma once
 // Fog lies between the spheres and not within glass: where a path meets glass from within, there
-// was none on the way. Where something else stands in the glass, a path may meet that first, and
-// would find fog in the glass. Such scenes are found here, to be refused.
+// was no fog on the way. If something else stands in the glass, a path may meet that first, and
+// would find fog in the glass. Such scenes are found here, so that they can be refused.
 
 #include <algorithm>
 #include <array>
@@ -59,18 +59,18 @@ struct Body {
         return point;
     }
 
-    // A ball around all places where it is.
+    // A ball around all positions that it takes.
     placing::Ball around() const {
         const Point middle = along(center, 0.5, way);
         return {middle[0], middle[1], middle[2], radius + std::sqrt(dot(way, way)) / 2};
     }
 };
 
-// True when two bodies are somewhere at once. They may touch: both are taken smaller by a
-// thousandth of the smaller one together. Walks from the difference of the centers through the set
-// of all differences to its point nearest to 0, until a plane turns out to part that set from 0.
-// Source: Gilbert, "An iterative procedure for computing the minimum of a quadratic form on a
-// convex set", 1966.
+// True when two bodies share a point at the same time. They may touch: both are taken smaller,
+// together by a thousandth of the smaller one. Walks from the difference of the centers through the
+// set of all differences toward its point nearest to 0, until a plane turns out to separate that
+// set from 0. Source: Gilbert, "An iterative procedure for computing the minimum of a quadratic
+// form on a convex set", 1966.
 inline bool meet(const Body& a, const Body& b) {
     const double slack = std::min(a.radius, b.radius) / 2000;
     const double share_a = 1 - slack / a.radius, share_b = 1 - slack / b.radius;
@@ -86,10 +86,10 @@ inline bool meet(const Body& a, const Body& b) {
         const Point edge = along(next, -1, nearest);
         nearest = along(nearest, std::min(1.0, dot(edge, back) / dot(edge, edge)), edge);
     }
-    return false;  // they hardly meet, if they do
+    return false;  // they barely meet, if at all
 }
 
-// True for a ball that has a body within it all the time. Balls alone are asked for.
+// True for a ball that has a body within it all the time. Only balls are asked about.
 inline bool encloses(const Body& outer, const Body& inner) {
     if (!outer.is_ball) return false;
     const Point way = along(inner.way, -1, outer.way);
@@ -98,9 +98,9 @@ inline bool encloses(const Body& outer, const Body& inner) {
     return far + inner.radius <= outer.radius + inner.radius / 1000;
 }
 
-// The numbers of a sphere of glass that the fog reaches and of another one that stands in the glass
-// or cuts into it. None in a scene without such, and in one with so many spheres that nobody would
-// wait for the answer.
+// The numbers of a glass sphere that the fog reaches, and of another sphere that stands in the
+// glass or cuts into it. None if the scene has no such pair, or so many spheres that nobody
+// would wait for the answer.
 inline std::optional<std::pair<int, int>> filled_glass_in_fog(const rt::SceneDescription& scene) {
     if (!scene.fog || !(scene.fog->density > 0)) return {};
     const auto shutter = static_cast<double>(scene.camera.shutter);

@@ -1,4 +1,4 @@
-// All renderers are compiled here, once: that takes long.
+// All renderers are compiled here, once, because that takes long.
 
 #include "narrowest_renderer.hpp"
 

@@ -15,10 +15,10 @@ using Shader = std::function<rt::Color(int column, int row, std::uint64_t& rays)
 Shader make_narrowest(const rt::Effects& needed, const rt::SceneDescription& scene, int width,
                       int height, const rt::Quality& quality);
 
-// Which one that is.
+// Which renderer was chosen.
 struct Choice {
     rt::Effects chosen, left_out;  // the effects that it has, and has not
-    std::size_t renderers = 0;     // there are to choose from
+    std::size_t renderers = 0;     // how many there are to choose from
 };
 Choice choose(const rt::Effects& needed);
 

@@ -9,8 +9,8 @@
 namespace placing {
 namespace {
 
-// A cell's three whole coordinates in one number. Cells that share one are searched together: that
-// takes longer and is as right.
+// A cell's three whole coordinates in one number. Cells that share a number are searched together:
+// that takes longer, but the answer is just as right.
 std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z) {
     const auto bits = [](std::int64_t c) { return static_cast<std::uint64_t>(c); };
     return rt::mix_bits(rt::mix_bits(rt::mix_bits(bits(x)) ^ bits(y)) ^ bits(z));
@@ -52,7 +52,7 @@ void Neighbors::add(const Ball& ball) {
     balls_.push_back(ball);
 }
 
-// A grid with all balls of a size, and not many cells as far as this.
+// A grid of all balls of one size, with cells large enough that few of them are within reach.
 const Neighbors::Grid& Neighbors::grid_of(Size& size, double reach) const {
     const double cell =
         std::max(size.diameter, rt::portable::exp2(std::ceil(rt::portable::log2(reach / 4))));
@@ -70,7 +70,7 @@ const Neighbors::Grid& Neighbors::grid_of(Size& size, double reach) const {
 
 int Neighbors::find_near(const Ball& ball, const std::function<bool(int)>& test) {
     for (Size& size : sizes_) {
-        // The middles of this size's balls that may overlap lie at most this far away.
+        // The middles of this size's balls that may overlap it lie at most this far away.
         const double reach = ball.radius + size.diameter / 2;
         const Grid& grid = grid_of(size, reach);
         const auto low = [&](double c) { return cell_of(c - reach, grid.cell); };
@@ -132,14 +132,14 @@ Rule galaxy(Ball space, int arms, double turns, double width) {
 
 std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbors& there,
                           std::uint64_t seed) {
-    constexpr std::int64_t tries = 30;  // for each ball, on the average
+    constexpr std::int64_t tries = 30;  // for each ball, on average
     rt::Rng random{seed, 8};
     std::vector<double> radii(static_cast<std::size_t>(count));
     for (double& radius : radii) {
         const double size = uniform(random);
         radius = low + (high - low) * size * size;
     }
-    // Small ones find room between the large ones.
+    // The large ones first: small ones find room between them.
     std::sort(radii.begin(), radii.end(), std::greater<>{});
 
     std::vector<Ball> placed;

@@ -37,8 +37,8 @@ inline double uniform(rt::Rng& random, double low, double high) {
 // Balls may touch: a thousandth of the smaller one's radius may be rounding.
 bool overlap(const Ball& a, const Ball& b);
 
-// Says whether a sphere keeps clear of those that are there: it looks only at what lies near, in
-// grids of cubes for each size of spheres. Spheres may touch.
+// Says whether a sphere keeps clear of those placed so far. It looks only at what is near, in grids
+// of cubes for each size of sphere. Spheres may touch.
 class Neighbors {
   public:
     void add(const Ball& ball);
@@ -46,17 +46,17 @@ class Neighbors {
     // The first ball near this one, by number in the order of add(), that passes a test; -1 if none
     // does. All that overlap it are near.
     int find_near(const Ball& ball, const std::function<bool(int)>& test);
-    // How much was looked at so far, and whether that is more than anybody will wait for.
+    // Whether the searches so far have taken more steps than anybody will wait for.
     bool is_tired() const { return steps_ > 100'000'000; }
 
   private:
     struct Grid {
         double cell = 1;
-        std::size_t entered = 0;  // how many of its size's balls
+        std::size_t entered = 0;  // how many of its size's balls are in it
         std::unordered_map<std::uint64_t, std::vector<int>> balls;
     };
-    // Spheres whose diameters lie between half of this one and all of it. Their grids are made when
-    // they are asked for: a large ball looks for small ones in a grid of larger cells.
+    // Spheres whose diameters lie between half of this one and all of it. Their grids are made on
+    // demand: a large ball looks for small ones in a grid of larger cells.
     struct Size {
         double diameter = 1;
         std::vector<int> numbers;
@@ -69,22 +69,22 @@ class Neighbors {
     std::int64_t steps_ = 0;
 };
 
-// A place for a ball of this radius, anywhere that the rule allows.
+// A position for a ball of this radius, anywhere that the rule allows.
 using Rule = std::function<Ball(double radius, rt::Rng& random)>;
 
-// In all rules, `space` is where: resting on the round floor of this radius around its middle;
+// `space` says where, in all rules: resting on the round floor of this radius around its middle;
 Rule on_plane(Ball space);
 // resting on the surface of the ball;
 Rule on_sphere(Ball space);
-// floating inside of the ball;
+// floating inside the ball;
 Rule in_ball(Ball space);
 // along the arms of a galaxy that lies flat in the ball: each arm makes this many turns from the
 // middle to the rim. Arms are as wide, and the middle is as thick, as `width` times the radius.
 Rule galaxy(Ball space, int arms, double turns, double width);
 
-// This many balls by a rule, the largest first, none of which overlaps another or one of those that
-// are there, to which it is added. Their radii lie between low and high, most of them near low.
-// Fewer come back where there is no more room.
+// This many balls by a rule, the largest first. No ball overlaps another or one of `there`, to
+// which all of them are added. Their radii lie between low and high, most of them near low. Returns
+// fewer if there is no more room.
 std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbors& there,
                           std::uint64_t seed);
 

@@ -229,8 +229,7 @@ class Reader {
         return material;
     }
 
-    // The index of a material for one sphere. Which color it gets is decided by the sphere's number
-    // alone.
+    // The index of a material for one sphere. Its color depends on the sphere's number alone.
     int use(Material& material) {
         if (material.between || material.index < 0) {
             material.index = static_cast<int>(scene_.materials.size());

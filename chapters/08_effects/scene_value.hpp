@@ -1,6 +1,6 @@
 #pragma once
-// A value of a scene file together with the place where it stands, so that whoever finds fault with
-// it can say where. Every function throws app::UsageError: file, key path, what is allowed.
+// A value of a scene file together with its position in the file, so that an error message can say
+// where it is. Every function throws app::UsageError: file, key path, what is allowed.
 
 #include <algorithm>
 #include <app/errors.hpp>
@@ -59,7 +59,7 @@ class Value {
         const std::string wanted =
             "must be a number from " + number_text(range.low) + " to " + number_text(range.high);
         if (json_->kind != app::Json::Kind::number) fail(wanted + ", not " + what_it_is());
-        // Written so that what is not a number is refused, too.
+        // Written so that NaN is refused, too.
         if (!(range.low <= json_->number && json_->number <= range.high))
             fail(wanted + ", not " + number_text(json_->number));
         return static_cast<Real>(json_->number);

@@ -19,8 +19,8 @@ namespace {
 
 using namespace rt;
 
-// The irradiance of a floor that faces a light, over pi: what each of several ways of looking for
-// it gives for one sample. The right answer is sin^2 a.
+// The irradiance of a floor that faces a light, divided by pi: what one sample gives with each of
+// several ways to look for the light. The right answer is sin^2 a.
 struct LightAbove {
     Real distance;  // of a light of radius 1
     Sphere light() const { return {{0, distance, 0}, 1}; }
@@ -43,7 +43,7 @@ struct LightAbove {
         const auto sample = sample_light(light(), {0, 0, 0}, random_place(random));
         return sample->direction.y / (pi * sample->density);
     }
-    // The cone and the path, weighed.
+    // The cone and the path, weighted.
     Real by_both(Rng& random) const {
         const auto sample = sample_light(light(), {0, 0, 0}, random_place(random));
         const Real toward = sample->direction.y / pi;
@@ -58,7 +58,7 @@ struct LightAbove {
     }
 };
 
-// A few hundred matte spheres on the ground, and one effect more.
+// A few hundred matte spheres on the ground, and one more effect.
 SceneDescription scene_with(const char* name) {
     SceneDescription scene;
     const std::string effect = name;
@@ -89,7 +89,7 @@ SceneDescription scene_with(const char* name) {
     return scene;
 }
 
-// Four ways to find a light: how far off the mean one sample is, and its time.
+// Four ways to find a light: how far one sample is from the mean, and its time.
 void study_light(study::Report& report) {
     using Way = Real (LightAbove::*)(Rng&) const;
     constexpr std::array<std::pair<const char*, Way>, 4> ways{
@@ -105,8 +105,8 @@ void study_light(study::Report& report) {
             Rng random{8, 3};
             double squares = 0;
             constexpr int timed = 100'000;
-            // By chance one direction in distance^2 meets the light. A thousand must, or their
-            // number is itself chance.
+            // By chance one direction in distance^2 meets the light. A thousand must meet it, or
+            // their number would itself be a matter of chance.
             const int count = way == &LightAbove::by_chance
                                   ? std::max(timed, static_cast<int>(1000 / expected))
                                   : timed;
@@ -214,7 +214,7 @@ void study_each_effect(study::Report& report) {
     }
 }
 
-// The cover scene, end to end, against the classic way.
+// The cover scene from end to end, compared with the classic way.
 void study_cover(study::Report& report) {
     const study::Cover cover = study::make_cover();
     const auto classic = study::classic::make_world(cover);

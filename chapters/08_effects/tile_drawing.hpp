@@ -23,8 +23,8 @@ struct Drawing {
 };
 using TileDrawing = Drawing<DrawTile>;
 
-// What the electives bring along draws whole tiles, with any seed: chapter 11 draws a picture in
-// passes. This chapter knows no more of it than this.
+// What the electives provide draws whole tiles, with any seed, because chapter 11 draws a picture
+// in passes. This chapter knows nothing more about it.
 using DrawSeededTile = std::function<void(const rt::Tile& tile, std::uint64_t seed,
                                           rt::Image& image, std::uint64_t& rays)>;
 using SeededDrawing = Drawing<DrawSeededTile>;
@@ -37,7 +37,7 @@ inline TileDrawing with_seed(const SeededDrawing& seeded, std::uint64_t seed) {
         return [draw = make(), seed](const rt::Tile& tile, rt::Image& image, std::uint64_t& rays) {
             if (app::Interruption::signal() != 0) return std::int64_t{0};
             draw(tile, seed, image, rays);
-            return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
+            return pixel_count(tile);
         };
     };
     return {seeded.choice, make_worker, seeded.tile_side};
@@ -52,7 +52,7 @@ struct Refining {
     std::vector<app::Choice> choices;  // the first: --sampler jittered|sobol
     std::vector<app::Number> numbers;
     MakeSeededDrawing make_sobol_drawing = nullptr;
-    // Where one of the numbers is given: refines the picture. Says first what it draws with.
+    // If one of the numbers is given, refines the picture. First prints what it draws with.
     app::Picture (*render)(const rt::SceneDescription& scene, const app::Settings& settings,
                            const std::function<void(const Choice&)>& explain,
                            app::Progress& progress) = nullptr;

@@ -12,8 +12,8 @@ struct Width {
     std::function<std::uint64_t()> singly, in_batches;
 };
 
-// At most 16 and 32 bytes wide, and whatever the program is compiled for. Where that is narrower,
-// so are these.
+// Registers at most 16 and 32 bytes wide, and as wide as the program is compiled for. If those
+// are narrower, so are these.
 Width registers_of_16_bytes();
 Width registers_of_32_bytes();
 Width registers_of_this_program();

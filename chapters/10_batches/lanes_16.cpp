@@ -1,5 +1,5 @@
-// Compiled for narrower registers than the rest: see cmake/Chapter.cmake. So that no linker takes
-// one's code for the other's, all of this file lives in namespaces of its own.
+// Compiled for narrower registers than the rest: see cmake/Chapter.cmake. All of this file is in
+// namespaces of its own, so that no linker mixes up code for different widths.
 
 #include <rt/todo.hpp>
 

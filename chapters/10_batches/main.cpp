@@ -37,7 +37,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         std::uint64_t rays = 0;
         mine->draw(tile, image, rays);
         all_rays += rays;
-        pixels_done += std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
+        pixels_done += pixel_count(tile);
         progress.step();
     });
     app::Picture picture{std::move(image), all_rays};

@@ -38,7 +38,7 @@ class Packet {
   private:
     struct Waiting {
         std::int32_t child = 0;
-        std::uint32_t rays = 0;  // a bit for each that has met its box
+        std::uint32_t rays = 0;  // one bit for each ray that has met its box
     };
 
     template <std::size_t... i>

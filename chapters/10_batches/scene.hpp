@@ -32,7 +32,7 @@ inline View scene_view() {
     return view;
 }
 
-// A spiral that grows by the same factor with each turn, and so does the tube that is wound up.
+// A spiral that grows by the same factor with each turn, as does the tube that is wound up.
 struct Shell {
     static constexpr double turns = 4.85, growth = 1.9, rim = 3.3, width = 0.31, start = 0.52;
 
@@ -58,11 +58,11 @@ class Beads {
         scene.materials.push_back(Metal{{Real(0.035), Real(0.06), Real(0.12)}, Real(0.12)});
         const double radius = 2000;
         add(0, floor - radius, 0, radius, gold + 1);
-        // What is wound up first: a ball of gold.
+        // The innermost part of the shell: a ball of gold.
         add(0, 0, 0, 0.72 * Shell::distance(Shell::turns), gold);
     }
 
-    // All of the shell: rings of beads, each turned by half a bead against the one before.
+    // All of the shell: rings of beads, each turned by half a bead from the one before.
     void add_shell(int count) {
         const int ring = std::max(3, static_cast<int>(72 * std::sqrt(count / 100'000.0)));
         for (int i = 0; i < count; ++i) {

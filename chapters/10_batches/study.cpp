@@ -162,9 +162,9 @@ WideTree without_leaves(WideTree tree) {
     return tree;
 }
 
-// Where the nanoseconds of a ray go. Searches that do less and less tell what each part of one
-// takes: from one that knows where its rays end, to one that tests boxes alone, to one whose rays
-// end before they begin.
+// Where the nanoseconds of a ray go. Searches that do less and less show how much time each part
+// takes: from one that knows where its rays end, to one that tests boxes alone, to one whose
+// rays end before they begin.
 void study_parts(study::Report& report, const StudyScene& scene, const Recorded& recorded) {
     const WideTree &tree = scene.ready.world, boxes = without_leaves(tree);
     Rays rays = recorded.camera;

@@ -90,8 +90,8 @@ class Cover {
     Renderer<cover_effects> renderer_{scene_, width, height, {1, cover_.depth, 1}};
 };
 
-// The error against the way's own converged picture: two pictures that know nothing of each other
-// are apart by sqrt(2) of it.
+// The error, measured against the way's own converged picture: two independent pictures
+// differ by sqrt(2) times it.
 struct Measured {
     double error = 0, ms = 0;
 };
@@ -115,7 +115,7 @@ void study_equal_time(study::Report& report) {
         for (const double ms : {80, 200, 600}) {
             const int samples = std::max(1, static_cast<int>(std::lround(ms / sample_ms)));
             const Measured measured = measure(way, samples);
-            // Whole samples do not quite take that time.
+            // A whole number of samples does not take exactly that time.
             const double error = measured.error * std::sqrt(measured.ms / ms);
             if (way.name == "classic") classic.push_back(error);
             report.add({"Equal time", way.name, ms, "time / ms", error, "RMSE in a pixel",

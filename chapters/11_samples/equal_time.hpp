@@ -3,7 +3,7 @@
 
 namespace samples {
 
-// What each way to draw the cover makes of the same time.
+// What each way to draw the cover achieves in the same time.
 void study_equal_time(study::Report& report);
 
 }  // namespace samples

@@ -21,8 +21,8 @@ Color albedo_of(const Material& material, const Hit& hit) {
         return albedo_at(material, hit);
 }
 
-// The surface that the eye sees along a ray. What shines by itself, lamps and the sky, gets the
-// albedo that would look the same in light of this strength: where it shares a pixel with a lit
+// The surface that the eye sees along a ray. Lamps and the sky, which shine by themselves, get the
+// albedo that would look the same in light of this strength: where one shares a pixel with a lit
 // surface, both parts are divided by much the same.
 template <Effects effects>
 Features features_along(const ReadyScene<effects>& scene, const Ray& ray, Real strength) {

@@ -38,7 +38,7 @@ struct Sampling {
     TileGrid grid(const Strip& strip) const { return {strip.width, settings.height, 16}; }
 };
 
-// The light of a strip, and the root mean square error that its samples tell.
+// The light of a strip, and the root mean square error that its samples estimate.
 struct Drawn {
     Image light;
     Real error = infinity;
@@ -69,8 +69,8 @@ Drawn draw_jittered(Sampling& sampling, const Strip& strip) {
     return drawn;
 }
 
-// Sobol's points in two halves. The pilot takes this many in each half; then as many more as there
-// are left go where they are worth it. `counts` gets the samples of each pixel.
+// Sobol's points in two halves. The pilot takes `pilot` samples in each half; the samples that are
+// left go where they are worth it. `counts` gets the samples of each pixel.
 Drawn draw_halves(Sampling& sampling, const Strip& strip, int pilot, Canvas<int>& counts) {
     if (strip.width == 0) return {};
     const app::Settings& settings = sampling.settings;
@@ -105,7 +105,7 @@ Image denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>& s
     return denoised(part, features, {});
 }
 
-// How many samples the pixels of a strip have got: the more, the brighter.
+// How many samples each pixel of a strip got: the more, the brighter.
 void draw_counts(app::Figure map, const Canvas<int>& counts, const Strip& strip, int mean) {
     constexpr std::array<std::uint32_t, 4> colors{0x0b1026, 0x4b2e83, 0xd1495b, 0xffe08a};
     map.fill([&](int column, int row) {
@@ -127,7 +127,7 @@ std::string error_text(Real error) {
 }
 
 // How many independent samples would do as well as those that went where they are worth it: the
-// standard error takes the jittered ones for independent.
+// standard error treats the jittered ones as independent.
 std::string comparison(const Drawn& jittered, const Drawn& worth, int samples) {
     if (!std::isfinite(jittered.error) || !(worth.error > 0)) return "";
     const Real variance = jittered.error * jittered.error * static_cast<Real>(samples);

@@ -44,7 +44,7 @@ struct Stage {
     }
 };
 
-// A picture, and how far off it says that it is.
+// A picture, and its own estimate of its error.
 struct Judged {
     Image image;
     double estimate = 0;
@@ -75,7 +75,7 @@ Judged draw_twins(const Stage& stage, int samples, std::uint64_t seed) {
     return {refined.image, refined.error};
 }
 
-// The error over the number of samples, and how well each way knows its own.
+// The error over the number of samples, and how well each way estimates its own error.
 void study_samples(study::Report& report) {
     const Stage stage{64, 36, {0, 0, 64, 36}};
     const Image truth = stage.draw_with(SobolSamples{77, 2048});
@@ -124,7 +124,7 @@ constexpr double lamp_mean = 1;
 constexpr Real wanted_error = Real(0.2);
 constexpr int most_samples = 4096;
 
-// The mean that a rule to stop leads to, and the samples that it took.
+// The mean that a stopping rule leads to, and the samples that it took.
 struct Stop {
     double mean = 0, samples = 0;
 };
@@ -138,21 +138,21 @@ Stop to_stop(const RunningVariance& known) {
     return {static_cast<double>(known.mean), static_cast<double>(known.count)};
 }
 
-// As soon as the error that the samples tell is small enough.
+// Stops as soon as the error estimated from the samples is small enough.
 Stop stop_by_own_error(Rng& random, int pilot) {
     RunningVariance known = draw_lamps(random, pilot);
     while (known.count < most_samples && standard_error(known) > wanted_error)
         add(known, lamp_or_dark(random));
     return to_stop(known);
 }
-// After as many as the first ones say.
+// Stops after as many samples as the first ones ask for.
 Stop stop_by_own_pilot(Rng& random, int pilot) {
     RunningVariance known = draw_lamps(random, pilot);
     const std::int64_t count = samples_for(variance(known), wanted_error, most_samples);
     while (known.count < count) add(known, lamp_or_dark(random));
     return to_stop(known);
 }
-// Two halves, each of which takes as many as the other one's first ones say.
+// Two halves, each of which takes as many samples as the other half's first ones ask for.
 Stop stop_by_other_half(Rng& random, int pilot) {
     Halves<RunningVariance> half{draw_lamps(random, pilot / 2), draw_lamps(random, pilot / 2)};
     const Halves<Real> spread{std::sqrt(variance(half.first)), std::sqrt(variance(half.second))};
@@ -164,7 +164,7 @@ Stop stop_by_other_half(Rng& random, int pilot) {
             static_cast<double>(half.first.count + half.second.count)};
 }
 
-// What comes of rules to stop, in many runs: the mean of all, and how often each mean came.
+// What stopping rules lead to in many runs: the mean of all runs, and how often each mean occurred.
 void study_stopping(study::Report& report) {
     using Rule = Stop (*)(Rng&, int pilot);
     constexpr std::array<std::pair<const char*, Rule>, 3> rules{
@@ -198,7 +198,7 @@ void study_stopping(study::Report& report) {
     }
 }
 
-// What a denoiser takes away, and what is lost, in a part of the picture in full size: in a small
+// What a denoiser removes, and what is lost, in a part of the picture at full size: in a small
 // picture every pixel is an edge.
 void study_denoiser(study::Report& report, const std::string& name, const Tile& window) {
     const Stage stage{960, 540, window};

@@ -9,7 +9,7 @@ namespace samples {
 
 using namespace rt;
 
-// Every sample anywhere in the pixel, whatever the others are.
+// Every sample anywhere in the pixel, wherever the others are.
 struct IndependentSamples {
     std::uint64_t seed = 1;
     int count = 1;
@@ -23,7 +23,7 @@ struct IndependentSamples {
     }
 };
 
-// Other samples, and what their values tell of their spread, channel by channel.
+// Samples of any kind, which also estimate the variance of their values, channel by channel.
 template <class Samples>
 struct WatchedSamples {
     Samples samples;
@@ -51,7 +51,7 @@ Image draw_with(const Renderer& renderer, const Samples& samples, int width, int
     return image;
 }
 
-// A picture that was refined, and how far off its halves say that it is.
+// A picture that was refined, and its error as its halves estimate it.
 struct Refined {
     Image image;
     double error = 0;

@@ -7,8 +7,8 @@
 
 namespace app {
 
-// Cores that are real, 1 or more: two threads of one core share what computes. As many as there are
-// threads where the system does not tell.
+// The number of physical cores, 1 or more: two threads on one core share its arithmetic units. If
+// the system does not tell, the number of threads that can run at once.
 inline int physical_cores() {
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     std::set<std::string> cores;

@@ -1,6 +1,6 @@
 #pragma once
-// How every program of the course ends: with the right exit code, and one line on stderr where
-// something was wrong.
+// How every program of the course ends: with the right exit code, and with one line on
+// stderr if something was wrong.
 
 #include <functional>
 #include <stdexcept>
@@ -22,14 +22,14 @@ struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Something that was asked for in the right way could not be done. The message says what and why.
+// A valid request could not be carried out. The message says what failed and why.
 struct Failure : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Runs a program's work, which returns its exit code. Of an exception it makes one line on stderr
-// and the exit code that belongs to it; so it does when the standard output cannot take what was
-// printed. A file size limit that is hit is an error like a full disk, not the end of the program.
+// Runs a program's work, which returns its exit code. Turns an exception into one line on stderr
+// and the exit code that belongs to it; the same if the standard output does not accept what was
+// printed. Reaching a file size limit is an error like a full disk, and does not kill the program.
 int run_or_explain(const std::string& program, const std::function<int()>& work);
 
 }  // namespace app

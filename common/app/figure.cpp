@@ -23,7 +23,7 @@ Real distance_to_box(Vec2 p, const Box& b, Real radius) {
            std::min(std::max(x, y), Real(0)) - radius;
 }
 
-// What holds all of some points, and a margin around them.
+// The box around all of these points, with a margin.
 Box box_around(std::initializer_list<Vec2> points, Real margin) {
     Vec2 low{rt::infinity, rt::infinity}, high{-rt::infinity, -rt::infinity};
     for (const Vec2 p : points) {

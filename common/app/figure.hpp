@@ -12,7 +12,7 @@ namespace app {
 
 class Progress;
 
-// Places and lengths are in units of the figure; y grows downwards.
+// Positions and lengths are in units of the figure; y grows downward.
 struct Box {
     rt::Real left = 0, top = 0, width = 0, height = 0;
 
@@ -25,7 +25,7 @@ struct Box {
 Box pixel_box(int left, int top, int width, int height);
 
 // How words are written: with capital letters of this height. Half the thickness of a stroke is
-// `weight` quarters of it.
+// `weight` quarters of the height.
 struct Lettering {
     rt::Real height;
     rt::Color color;
@@ -35,7 +35,8 @@ struct Lettering {
 // How wide a text is, from the first letter's left edge to the last one's right edge.
 rt::Real width_of(std::string_view text, rt::Real letter_height);
 
-// The average of shade(x, y) at nine places in a pixel, in pixels: smooth edges for any drawing.
+// The average of shade(x, y) at nine points of a pixel, with x and y in pixels:
+// smooth edges for any drawing.
 rt::Color average_of_nine(int column, int row,
                           const std::function<rt::Color(rt::Real x, rt::Real y)>& shade);
 
@@ -45,17 +46,18 @@ class Figure {
   public:
     // All of the image; a unit is a pixel.
     explicit Figure(rt::Image& image);
-    // So many units wide and high, as large as the image has room for, in its middle.
+    // This many units wide and high, as large as fits into the image, in its middle.
     Figure(rt::Image& image, rt::Real width, rt::Real height);
 
     // A part whose own top left corner is (0, 0). What is drawn in it does not reach beyond it.
     Figure part(const Box& box) const;
 
-    // The pixels whose middles lie within; for a camera's sake at least one, even where none does.
+    // The pixels whose middles lie inside; at least one, even where none does,
+    // because a camera needs one.
     int columns() const { return std::max(1, columns_); }
     int rows() const { return std::max(1, rows_); }
 
-    // Its pixels, for app::fill; one of them, where the image has it.
+    // The figure's pixels, for app::fill; and one of them, if the image has it.
     rt::Tile pixels() const { return {0, 0, columns_, rows_}; }
     void set(int column, int row, rt::Color color) {
         const int x = left_ + column, y = top_ + row;
@@ -66,8 +68,8 @@ class Figure {
     void fill(const std::function<rt::Color(int column, int row)>& shade,
               Progress* progress = nullptr);
 
-    // Mixes in colors by a share of their own at each place. Only places in `around` are looked at,
-    // and one pixel beyond.
+    // Mixes in colors, with a share of their own at each point. Only points in `around`, and one
+    // pixel beyond, are visited.
     void blend(const Box& around, const std::function<rt::Real(rt::Vec2)>& share_at,
                const std::function<rt::Color(rt::Vec2)>& color_at);
     // Mixes in colors wherever `distance`, in units, is below 0, with a smooth edge.
@@ -86,8 +88,8 @@ class Figure {
     void arrow(rt::Vec2 from, rt::Vec2 leave, rt::Vec2 arrive, rt::Vec2 to, rt::Color color,
                rt::Real thickness = rt::Real(1.6));
 
-    // Words by the place of their top left corner, top right corner, or middle. What is too small
-    // to be read is left out.
+    // Words, positioned by their top left corner, top right corner, or middle. Words too
+    // small to read are left out.
     void words(rt::Vec2 top_left, std::string_view text, const Lettering& letters);
     void words_before(rt::Vec2 top_right, std::string_view text, const Lettering& letters);
     void words_around(rt::Vec2 middle, std::string_view text, const Lettering& letters);

@@ -6,17 +6,17 @@
 
 namespace app {
 
-// Replaces the file as a whole: the bytes go to a new file beside it, which then takes its name, so
-// that a reader sees the old file or the new one, never a part. A path that is no regular file (a
-// device, a pipe) is written to directly; a pipe without a reader fails.
-// Throws std::system_error when it cannot; then an older file is as it was and no new one is left.
+// Replaces the file as a whole: the bytes go to a new file beside it, which then takes its name. So
+// a reader sees the old file or the new one, never a part. A path that is not a regular file (a
+// device, a pipe) is written to directly; a pipe without a reader fails. Throws std::system_error
+// on failure; an older file is then unchanged, and no new one is left behind.
 void replace_file(const std::filesystem::path& path, const std::string& bytes);
 
-// The file that a path means: through links the one that they point to, there or not. Throws
-// std::system_error where they lead in a circle.
+// The file that a path means: links are followed to the file that they point to, whether it exists
+// or not. Throws std::system_error if they form a circle.
 std::filesystem::path behind_links(std::filesystem::path path);
 
-// Makes a folder where it is missing. Throws Failure where it cannot.
+// Creates a folder if it is missing. Throws Failure if that fails.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace app

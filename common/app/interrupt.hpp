@@ -12,9 +12,10 @@ struct Stopped {
     double share_done = 0;  // 0 to 1
 };
 
-// While one lives, the first Ctrl-C (SIGINT) or SIGTERM does not end the program: it is noted here,
-// and whoever works looks from time to time. The next one ends the program as usual. Who chose to
-// ignore a signal (nohup) still does. There may be one at a time.
+// While an Interruption exists, the first Ctrl-C (SIGINT) or SIGTERM does not end the program: it
+// is recorded here, and the workers check for it from time to time. The next one ends the program
+// as usual. If the program was started with a signal ignored (nohup), it stays ignored. Only one
+// Interruption may exist at a time.
 class Interruption {
   public:
     Interruption();
@@ -22,14 +23,15 @@ class Interruption {
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
 
-    // The signal that came, 0 before any. May be called from any thread, and costs next to nothing.
+    // The signal that was received; 0 before any. May be called from any thread,
+    // and costs next to nothing.
     static int signal();
 
   private:
     OnSignal on_signal_;
 };
 
-// Of the picture nothing is done yet: the dark checkerboard that stands for what is missing.
+// Fills an image of which nothing is drawn yet with the dark checkerboard that marks missing parts.
 void draw_unfinished(rt::Image& image);
 
 }  // namespace app

@@ -35,7 +35,7 @@ struct Slip {
     std::string_view before;    // what stands before the token, without the blanks between
     std::string_view token;     // as far as it was read; empty where the text ended before it
     bool touches = false;       // no blank stands between them
-    bool ended = false;         // the text did, within the token or instead of it
+    bool ended = false;         // the text ended, within the token or instead of it
     std::string_view expected;  // one of those below
 };
 
@@ -63,14 +63,14 @@ std::size_t last_token(std::string_view text) {
         } else if (is_of_word(start)) {
             while (is_of_word(at)) ++at;
             const std::string_view word = text.substr(start, at - start);
-            // What is cut short reaches to the character that is wrong.
+            // A token that is cut short includes the character that is wrong.
             at += !is_digit(word.back()) && word != "true" && word != "false" && word != "null";
         }
     }
     return start;
 }
 
-// In a text: JSON has few ways to write what is no plain character.
+// What is wrong inside a text in quotes: JSON has few ways to write special characters.
 std::string broken_text(const Slip& slip) {
     const auto last = static_cast<unsigned char>(slip.token.back());
     if (slip.ended) return "a closing quote is missing";
@@ -79,7 +79,8 @@ std::string broken_text(const Slip& slip) {
     return "after \\ there must be one of \" \\ / b f n r t, or u and four hexadecimal digits";
 }
 
-// A slip that people make often, by the token and what could stand there; "" if it is another one.
+// The name of a common slip, by the token and what was expected in its
+// place; "" for any other slip.
 std::string named(const Slip& slip) {
     const char first = slip.token.empty() ? '\0' : slip.token[0];
     const char last = slip.before.empty() ? '\0' : slip.before.back();
@@ -113,7 +114,7 @@ std::string named(const Slip& slip) {
 std::string words(const Slip& slip) {
     constexpr std::size_t most = 40;
     std::string shown{slip.token.substr(0, most)};
-    for (char& c : shown)  // which may end within a character
+    for (char& c : shown)  // the text may be cut within a character
         if (c < ' ' || c > '~') c = '?';
     if (slip.token.size() > most) shown += " ...";
     const std::string found = slip.ended ? "the text ends here" : "unexpected " + shown;
@@ -180,7 +181,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
                                                        : path_of_item(path, open_[i].items.size());
         return path;
     }
-    // The parser stopped behind so many bytes.
+    // The parser stopped after this many bytes.
     Slip slip_at(std::size_t position) const {
         const bool ended = position > text_.size();
         const std::string_view text = std::string_view{text_}.substr(0, position);
@@ -224,7 +225,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     const std::string& text_;
     const std::string& name_;
     std::vector<Json> open_;  // objects and lists, from the outermost one
-    bool is_read_ = false;    // the whole
+    bool is_read_ = false;    // the whole text
 };
 
 nlohmann::json scalar(const Json& json) {

@@ -54,7 +54,7 @@ inline rt::Real distance_to_segment(rt::Vec2 p, rt::Vec2 a, rt::Vec2 b) {
 inline constexpr rt::Real letter_advance = rt::Real(3.4);  // from one letter to the next
 
 // The distance from p to the nearest stroke of a text. The first letter's box reaches from (0, 0)
-// at its top left to (2, 4); y grows downwards.
+// at its top left to (2, 4); y grows downward.
 inline rt::Real distance_to_text(rt::Vec2 p, std::string_view text) {
     const auto corner = [](char name, rt::Real left) {
         const int i = name - 'a';

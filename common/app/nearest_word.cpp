@@ -4,7 +4,8 @@
 namespace app {
 namespace {
 
-// How many letters to put in, take out or change, or neighbors to swap, to make one of the other.
+// The number of letters to insert, remove or change, or of neighbors to swap, to turn
+// one word into the other.
 std::size_t slips(const std::string& a, const std::string& b) {
     std::vector<std::vector<std::size_t>> table(a.size() + 1,
                                                 std::vector<std::size_t>(b.size() + 1));
@@ -25,7 +26,7 @@ std::size_t slips(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words) {
-    // A third of the letters may be wrong, and one of two.
+    // A third of the letters may be wrong, but always at least one.
     return nearest_word(wrong, words, std::max<std::size_t>(wrong.size() / 3, 1));
 }
 
@@ -33,7 +34,7 @@ std::string nearest_word(const std::string& wrong, const std::vector<std::string
                          std::size_t most) {
     std::string nearest;
     std::size_t best = most;
-    if (wrong.size() > 40) return {};  // what is longer than a word is no slip
+    if (wrong.size() > 40) return {};  // a text longer than a word is not a slip
     for (const std::string& word : words) {
         // A word without its end still means the word.
         if (wrong.size() >= 3 && word.rfind(wrong, 0) == 0) return word;

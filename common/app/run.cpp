@@ -48,8 +48,8 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
             "", "whole number"};
 }
 
-// A number that stands alone in a text, with a point as in C++ whatever the language of the
-// machine.
+// The number that a text consists of, with a decimal point as in C++ whatever the
+// language of the machine.
 std::optional<double> number_in(const std::string& text) {
     std::istringstream in{text};
     in.imbue(std::locale::classic());
@@ -144,7 +144,7 @@ class HeldPipe {
   public:
     explicit HeldPipe(const fs::path& path) {
         if (!fs::is_fifo(path)) return;
-        // A reader that was started at the same time may take a moment.
+        // A reader that was started at the same time may need a moment.
         for (int tries = 0; descriptor_ < 0 && tries < 100; ++tries) {
             if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
             descriptor_ = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
@@ -164,7 +164,7 @@ class HeldPipe {
     int descriptor_ = -1;
 };
 
-// Takes fewer threads where the system does not give as many, and says so.
+// Uses fewer threads if the system does not allow that many, and says so.
 void check_threads(const Program& program, const Request& request, Settings& settings) {
     if (settings.threads == 0) return;
     const int wanted = settings.threads;
@@ -256,7 +256,7 @@ std::string exit_codes(const Program& program) {
     return codes;
 }
 
-// The numbers among the settings, those that the program has.
+// The options for those numbers among the settings that the program has.
 void add_numbers(CLI::App& options, Settings& settings) {
     const auto add = [&](const char* name, int& value, const char* what, int high) {
         if (value == 0) return;  // this program has no such setting
@@ -350,7 +350,7 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
                            "this folder");
 }
 
-// What no option can check by itself.
+// Checks that no option can make by itself.
 void check_together(const Settings& settings) {
     if (settings.given.count("file") > 0 && settings.file.empty())
         throw UsageError("file: needs a name");

@@ -22,8 +22,8 @@ class Report;
 
 namespace app {
 
-// What the person asked for. A program that sets a default to 0 has no such option, so
-// the samples of a program without randomness cannot be asked for.
+// What the user asked for. If a program sets a default to 0, it does not have that option: a
+// program without randomness, for example, has no option for samples.
 struct Settings {
     int width = 960;   // pixels
     int height = 540;  // pixels
@@ -33,32 +33,34 @@ struct Settings {
     std::optional<std::uint64_t> seed = {};  // of everything random
     // Where the camera stands, what it looks at, and how much it sees. None: it cannot be moved.
     std::optional<rt::View> view = {};
-    // The word that was picked of each of the program's choices, in their order.
+    // The word that was picked for each of the program's choices, in their order.
     std::vector<std::string> picked = {};
-    // What was set of the program's numbers, by name.
+    // The values given for the program's numbers, by name.
     std::map<std::string, double> numbers = {};
     // The file that the program was given to read; empty if none.
     std::string file = {};
-    // The options that the person set, without the dashes: what a file says gives way to them.
+    // The options that were given, without the dashes: they take precedence over what a file says.
     std::set<std::string> given = {};
     // Prints what the program is about to do, and why; empty unless --explain asks for it.
     std::function<void(const std::string&)> explain = {};
 };
 
-// An option of one program alone, which takes one of a few words: --ending sky|black|roulette.
+// An option that only one program has, and that takes one of a few words:
+// --ending sky|black|roulette.
 struct Choice {
     std::string name;                // without the dashes
     std::string about;               // what is chosen
     std::vector<std::string> words;  // the first is the default
 };
 
-// An option of one program alone that is there or not: Settings::given says which.
+// An option that only one program has, and that takes no value: Settings::given
+// says whether it was given.
 struct Flag {
     std::string name;   // without the dashes
     std::string about;  // what it does
 };
 
-// An option of one program alone that takes a number greater than 0. It has no default.
+// An option that only one program has, and that takes a number greater than 0. It has no default.
 struct Number {
     std::string name;   // without the dashes
     std::string about;  // what it does, and its unit
@@ -87,8 +89,8 @@ struct Picture {
     std::uint64_t rays = 0;
     // More to print below the line about the image. Called only where something is printed.
     std::function<std::string()> words = {};
-    // What stopped the work before all was done; unfinished pixels are as draw_unfinished has
-    // them.
+    // What stopped the work before all was done; unfinished pixels are as
+    // draw_unfinished paints them.
     std::optional<Stopped> stopped = {};
 };
 
@@ -99,16 +101,16 @@ struct Program {
     Settings defaults;
     Picture (*render)(const Settings&, Progress&);
     void (*study)(study::Report&);
-    // How a .ppm file is encoded, where the chapter brings its own way.
+    // How a .ppm file is encoded, if the chapter has its own way.
     std::string (*encode_ppm)(const rt::Image&) = nullptr;
     std::vector<Choice> choices = {};
     std::vector<Flag> flags = {};
     std::vector<Number> numbers = {};
-    // What the file is that may be named without an option; empty if the program reads none.
+    // Describes the file that may be named without an option; empty if the program reads none.
     std::string reads = {};
-    // Whether render() calls Settings::explain where there is one; else there is no --explain.
+    // Whether render() calls Settings::explain when it is set; if not, there is no --explain.
     bool explains = false;
-    // Whether render() looks out for an Interruption; else Ctrl-C ends the program at once.
+    // Whether render() checks for an Interruption; if not, Ctrl-C ends the program at once.
     bool can_be_stopped = false;
 };
 
@@ -119,8 +121,8 @@ int run(int argc, const char* const* argv, const Program& program);
 // its default, as a JSON object of texts.
 std::string describe(const Program& program);
 
-// The same image drawn row by row: calls shade(x, y) for each pixel, and steps the progress. The
-// pixels lie in what Pixels is, such as a Canvas<Color>.
+// The same image drawn row by row: calls shade(x, y) for each pixel, and steps the progress. Pixels
+// is the type that holds the pixels, such as Canvas<Color>.
 template <class Pixels = rt::Image, class Shade>
 rt::Image draw(const Settings& settings, Progress& progress, Shade shade) {
     progress.start(settings.height);

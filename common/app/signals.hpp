@@ -10,13 +10,13 @@ namespace app {
 // The signals by which a person or the system ends a program.
 inline constexpr std::initializer_list<int> ending_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
-// While one lives, each of its signals first calls its action, and then ends the program as it
-// would have without. Several may live at once: all of them are called, the oldest first. A signal
-// that is ignored (nohup) or has another handler stays as it is.
+// While an OnSignal exists, each of its signals first calls its action, and then ends the program
+// as it would without it. Several may exist at once: all actions are called, the oldest first. A
+// signal that is ignored (nohup) or has another handler stays as it is.
 class OnSignal {
   public:
-    // Returns true where the program is to go on: then no other action is called. It may do only
-    // what is allowed in a handler of signals.
+    // Returns true if the program is to go on; then no other action is called. It may do only what
+    // is allowed in a signal handler.
     using Action = bool (*)(int signal);
 
     OnSignal(std::initializer_list<int> signals, Action action);

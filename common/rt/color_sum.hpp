@@ -14,7 +14,7 @@ class ColorSum {
         b_ += static_cast<double>(color.b);
     }
 
-    // The mean, if so many colors, 1 or more, were added.
+    // The mean of the colors that were added: `count` of them, 1 or more.
     Color mean(int count) const {
         return {static_cast<Real>(r_ / count), static_cast<Real>(g_ / count),
                 static_cast<Real>(b_ / count)};

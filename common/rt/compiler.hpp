@@ -10,24 +10,25 @@
 #define RT_CALLER_FILE __builtin_FILE()
 #define RT_CALLER_LINE __builtin_LINE()
 
-// Makes the compiler believe that somebody reads all of this value, and may have changed whatever
-// memory holds: neither it nor the work that led to it can be left out or done once for all.
+// Makes the compiler believe that all of this value is read here, and that all of memory
+// may have changed. So it can neither leave out the work that led to the value nor do it
+// once for all repetitions.
 #define RT_KEEP(value) asm volatile("" : : "r"(&(value)) : "memory")
 
-// For a function of a few loops over arrays, which compilers turn into wide instructions where it
-// stands alone, but not always where it is copied into a larger loop.
+// For a function of a few loops over arrays. Compilers turn such loops into wide instructions where
+// the function stands alone, but not always where it is inlined into a larger loop.
 #define RT_NOT_INLINED [[gnu::noinline]]
 
-// For a small function in the middle of a loop: it is always copied there, so that what it computes
-// stays in the processor's registers.
+// For a small function in the middle of a loop: it is always inlined there, so that its results
+// stay in the processor's registers.
 #define RT_INLINED [[gnu::always_inline]] inline
 
-// For a function that is the whole of a hot loop: what it calls is copied into it, however many
-// loops of its kind the program has, so that none of them runs slower than it would alone.
+// For a function that is the whole of a hot loop: everything that it calls is inlined into it,
+// however many such loops the program has. So none of them runs slower than it would alone.
 #define RT_INLINES_ALL [[gnu::flatten]]
 
-// The bytes of the widest register that this program is compiled for, vectors of numbers that fill
-// one, and a mask of such a vector (-1 or 0 each) as bits.
+// Vectors that fill the widest register that this program is compiled for, the bytes of that
+// register, and a mask of such a vector (each lane -1 or 0) as bits.
 #define RT_VECTOR_OF(bytes) __attribute__((vector_size(bytes)))
 #ifdef __SSE2__
 #include <immintrin.h>
@@ -70,8 +71,9 @@ inline unsigned rt_vector_bits(const Mask& mask) {
 }
 #define RT_VECTOR_BITS(mask) rt_vector_bits(mask)
 
-// Eight bytes, shifted left: their top bits. Eight numbers of 32 bits in the order of these places,
-// in one instruction, where there is one.
+// RT_TOP_BITS_OF_EIGHT: the top bits of eight bytes that are shifted left first.
+// RT_STORE_EIGHT_ORDERED: stores eight 32-bit numbers in the order that `places` gives, in one
+// instruction, where the processor has one.
 #ifdef __AVX2__
 #define RT_HAS_EIGHT_ORDERED
 #define RT_TOP_BITS_OF_EIGHT(bytes, shift)                                                        \

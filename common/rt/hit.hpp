@@ -3,7 +3,7 @@
 
 namespace rt {
 
-// Where a ray met a surface, and all that a material needs to know of the place.
+// Where a ray met a surface, and all that a material needs to know about that point.
 struct Hit {
     Real t = 0;  // the point is the ray's origin + t * direction
     Vec3 point;

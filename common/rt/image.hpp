@@ -13,11 +13,12 @@
 
 namespace rt {
 
-// A picture as a value: width x height colors in linear light. Pixel (0, 0) is the top left one,
-// x grows to the right and y grows downwards. Copying copies all the pixels.
+// A picture as a value: width x height colors in linear light. Pixel (0, 0) is at the top left, x
+// grows to the right and y grows downward. Copying copies all the pixels.
 //
-// The pixels belong to what the image was made of, such as the Canvas<Color> of exercise 00.3: the
-// image keeps it, copies it when it is copied itself, and destroys it at its own end.
+// The pixels belong to the object that the image was made from, such as the Canvas<Color> of
+// exercise 00.3. The image keeps that object, copies it when the image is copied, and destroys it
+// when the image is destroyed.
 class Image {
   public:
     Image() = default;
@@ -30,7 +31,7 @@ class Image {
         own(std::vector<Color>(size(), fill));
     }
 
-    // Takes over a canvas of colors: it is moved, and no pixel is copied.
+    // Takes over a canvas of colors by moving it: no pixel is copied.
     template <class Canvas>
     requires(!std::same_as<Canvas, Image> &&
              requires(Canvas canvas) {
@@ -98,12 +99,12 @@ class Image {
 
     int width_ = 0, height_ = 0;
     std::any owner_;                       // of the pixels
-    Color* (*find_)(std::any&) = nullptr;  // where they are in it
+    Color* (*find_)(std::any&) = nullptr;  // where the pixels are in it
     Color* pixels_ = nullptr;
 };
 
-// Calls shade(x, y) for every pixel and stores the color that it returns. The pixels lie in what
-// Pixels is, such as a Canvas<Color>.
+// Calls shade(x, y) for every pixel and stores the color that it returns. Pixels is the type that
+// holds the pixels, such as Canvas<Color>.
 template <class Pixels = Image, class Shade>
 Image make_image(int width, int height, Shade shade) {
     Image image = Pixels(width, height);

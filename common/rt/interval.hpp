@@ -8,7 +8,7 @@ namespace rt {
 struct Interval {
     Real min = 0, max = infinity;
 
-    // Both ends belong to it. False for a value that is not a number.
+    // Both ends belong to the interval. False for NaN.
     constexpr bool contains(Real x) const { return min <= x && x <= max; }
     constexpr bool is_empty() const { return min > max; }
     constexpr Real size() const { return is_empty() ? 0 : max - min; }

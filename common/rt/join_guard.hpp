@@ -4,10 +4,10 @@
 
 namespace rt {
 
-// Waits for threads at the end of its own scope, however that is left: also by an exception. A
-// std::thread that nobody has waited for ends the whole program when it is destroyed. Make the
-// vector first and the guard second, for scopes are cleared from their last variable on.
-// std::jthread of C++20 joins itself; not every standard library has it yet.
+// Joins threads at the end of its own scope, however the scope is left, even by an exception. A
+// std::thread that is destroyed before it was joined ends the whole program. Declare the vector
+// first and the guard second, because locals are destroyed in reverse order. std::jthread of C++20
+// joins by itself; not every standard library has it yet.
 class JoinGuard {
   public:
     explicit JoinGuard(std::vector<std::thread>& threads) : threads_{threads} {}

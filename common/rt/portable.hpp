@@ -9,15 +9,16 @@
 #include <limits>
 #include <numbers>
 
-// Sine, exponential and the others of <cmath> that libraries round differently.
+// Sine, exponential and the other functions of <cmath> that libraries round differently.
 //
 // IEEE 754 fixes every bit of the result of +, -, *, /, std::sqrt and std::fma. It does not fix
 // those of std::sin or std::exp: each library returns one of the numbers next to the true one, and
-// may choose another on another processor. A picture drawn with them depends on the library. The
+// may return another on another processor. A picture drawn with them depends on the library. The
 // functions here use only operations whose bits are fixed, so they return the same bits everywhere.
 //
-// They take and return what those of <cmath> do, infinity and NaN included. Results in double are
-// within 3 units in the last place. Those in float are computed in double and then rounded.
+// They take and return what their namesakes in <cmath> do, infinity and NaN included.
+// Results in double are within 3 units in the last place. Those in float are computed in
+// double and then rounded.
 
 namespace rt::portable {
 
@@ -45,8 +46,8 @@ constexpr double nearest(double x) {
     return (x + shift) - shift;
 }
 
-// c[0] + c[1] x + c[2] x^2 ... The even and the odd terms have a sum each, so that a processor can
-// work on both at once.
+// c[0] + c[1] x + c[2] x^2 ... The even and the odd terms are summed separately, so that a
+// processor can work on both sums at once.
 template <std::size_t terms>
 constexpr double polynomial(const std::array<double, terms>& c, double x) {
     const double square = x * x;
@@ -56,8 +57,8 @@ constexpr double polynomial(const std::array<double, terms>& c, double x) {
     return even + odd * x;
 }
 
-// Without their first terms: the Taylor series of e^x in x, of sin x / x, cos x and arctan x / x in
-// x^2, and of ln((1 + x) / (1 - x)) / x in x^2.
+// Taylor series, without their first terms: e^x in x; sin x / x, cos x and arctan x / x in x^2; and
+// ln((1 + x) / (1 - x)) / x in x^2.
 inline constexpr std::array exponential_series = [] {
     std::array<double, 13> c{};
     double factorial = 1;
@@ -127,6 +128,8 @@ inline Sum logarithm(double x) {
     return {high, (sum - high) + rest};
 }
 
+// Right to the last bits for any angle; rt/sine_cosine.hpp is faster, for parts of a turn and for
+// packs.
 struct SineCosine {
     double sine = 0, cosine = 0;
 };
@@ -227,7 +230,7 @@ template <std::floating_point N>
 N exp(N x) {
     return static_cast<N>(detail::exponential({static_cast<double>(x), 0}));
 }
-// Of x >= 0 only.
+// For x >= 0 only.
 template <std::floating_point N>
 N pow(N x, N y) {
     if (y == 0) return 1;

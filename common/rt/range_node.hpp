@@ -3,8 +3,8 @@
 
 namespace rt {
 
-// A node of a binary tree over things that are numbered: it stands for those from first on and
-// before last. It owns its two children; a leaf has none.
+// A node of a binary tree over numbered things: it stands for the things from number `first` up to,
+// but not including, number `last`. It owns its two children; a leaf has none.
 struct RangeNode {
     RangeNode(int first_thing, int end) : first{first_thing}, last{end} {}
 

@@ -41,7 +41,8 @@ class Rng {
         return bits >> turn | bits << (-turn & 31);
     }
 
-    // A random number in [0, 1): every multiple of epsilon/2 is equally likely, and 1 never comes.
+    // A random number in [0, 1): every multiple of epsilon/2 is equally likely,
+    // and 1 is never returned.
     constexpr Real uniform() {
         constexpr int digits = std::numeric_limits<Real>::digits;  // 24 in float, 53 in double
         if constexpr (digits <= 32) {
@@ -52,7 +53,8 @@ class Rng {
         }
     }
 
-    // A random number in [low, high); rounding can make it high where the two are close together.
+    // A random number in [low, high). Rounding can make it equal to high if
+    // the two are close together.
     constexpr Real uniform(Real low, Real high) { return low + (high - low) * uniform(); }
 
   private:
@@ -61,7 +63,7 @@ class Rng {
 };
 
 // The generator of one pixel: what it draws depends on the seed and the pixel alone, never on which
-// thread asks or in what order. Other seeds and pixels give independent streams.
+// thread asks or in what order. Different seeds and pixels give independent streams.
 constexpr Rng pixel_rng(std::uint64_t seed, int x, int y) {
     const auto pixel =
         std::uint64_t{static_cast<std::uint32_t>(y)} << 32 | static_cast<std::uint32_t>(x);

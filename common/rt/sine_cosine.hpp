@@ -11,8 +11,8 @@ struct SineCosine {
     Number sine{}, cosine{};
 };
 
-// The Taylor series of sine and cosine of 2 pi x, in x: (2 pi)^n / n! with alternating signs.
-// Enough terms that what is left out is less than a rounding for |x| <= 1/8.
+// The Taylor series of sine and cosine of 2 pi x, in x: (2 pi)^n / n! with alternating signs. It
+// has enough terms that the error of leaving out the rest is less than a rounding for |x| <= 1/8.
 inline constexpr std::size_t sine_terms = std::numeric_limits<Real>::digits <= 24 ? 6 : 10;
 inline constexpr std::array sine_series{6.28318530717958647693,  -41.3417022403997602340,
                                         81.6052492760750542034,  -76.7058597530613858416,
@@ -30,12 +30,13 @@ inline constexpr std::array cosine_series{1.0,
                                           0.282005968455791215070,
                                           -0.0363828411425456707718};
 
-// The sine and the cosine of 2 pi * turn, for a turn in [0, 1): within epsilon. It
-// is made of sums and products alone. So it gives the same bits with every compiler and
-// library, and, with Number a Pack of chapter 10, for many turns at once.
+// The sine and the cosine of 2 pi * turn, for a turn in [0, 1), to within epsilon. They are made of
+// sums and products alone, so they have the same bits with every compiler and library. If Number is
+// a Pack of chapter 10, many turns are computed at once.
 template <class Number>
 constexpr SineCosine<Number> sine_cosine_of_turn(Number turn) {
-    // Added and taken away again, this number rounds to whole ones: the nearest quarter of a turn.
+    // Adding this number and subtracting it again rounds to a whole number:
+    // the nearest quarter turn.
     constexpr Real shift = Real(1.5) / epsilon;
     const Number quarter = (4 * turn + shift) - shift;
     const Number rest = turn - Real(0.25) * quarter, square = rest * rest;
@@ -45,7 +46,7 @@ constexpr SineCosine<Number> sine_cosine_of_turn(Number turn) {
         cosine = cosine * square + static_cast<Real>(cosine_series[i]);
     }
     sine = sine * rest;
-    // A quarter of a turn further the cosine is the sine; the sine is the cosine, turned around.
+    // Adding a quarter turn turns the sine into the cosine, and the cosine into minus the sine.
     const auto one = quarter == Real(1), two = quarter == Real(2), three = quarter == Real(3);
     return {one ? cosine : (two ? -sine : (three ? -cosine : sine)),
             one ? -sine : (two ? -cosine : (three ? sine : cosine))};

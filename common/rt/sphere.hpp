@@ -8,7 +8,7 @@ struct Sphere {
     Real radius = 1;  // greater than 0
 };
 
-// The same sphere in another place.
+// The same sphere, moved by a vector.
 inline Sphere moved(const Sphere& sphere, Vec3 by) {
     return {sphere.center + by, sphere.radius};
 }

@@ -2,7 +2,7 @@
 // that are read.
 #include <cstdlib>
 
-// A small file can claim to unpack to anything: enough for 2^23 pixels of 16 bytes is enough.
+// A small file can claim to unpack to any size: room for 2^23 pixels of 16 bytes is enough.
 constexpr std::size_t most_bytes = std::size_t{1} << 27;
 #define STBI_MALLOC(size) ((size) <= most_bytes ? std::malloc(size) : nullptr)
 #define STBI_REALLOC(old, size) ((size) <= most_bytes ? std::realloc(old, size) : nullptr)

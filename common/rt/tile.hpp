@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 
 namespace rt {
@@ -17,20 +18,24 @@ struct Tile {
     friend constexpr bool operator==(const Tile&, const Tile&) = default;
 };
 
-// A picture, cut into square tiles from its top left pixel on. The tiles at the right and at the
-// lower edge hold what is left. A side of 0 pixels has no tiles.
+constexpr std::int64_t pixel_count(const Tile& tile) {
+    return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
+}
+
+// A picture, cut into square tiles from its top left pixel on. The tiles at the right and lower
+// edges hold what is left. A side of 0 pixels has no tiles.
 struct TileGrid {
     int width = 0, height = 0;  // pixels
     int tile_size = 16;         // pixels, 1 or more
 };
 
-// What is done with a part of the picture. The workers are numbered 0, 1, 2, ...; no two calls with
-// the same number overlap in time, so each worker may have memory of its own without a lock.
+// The work on one tile. The workers are numbered 0, 1, 2, ...; no two calls with the same number
+// overlap in time, so each worker may have memory of its own without a lock.
 using TileWork = std::function<void(const Tile& tile, int worker)>;
 
 // A way to spread the work over `workers` threads, 1 or more: every pixel lies in exactly one of
-// the tiles for which work is called. Returns when all work is done. What work throws reaches the
-// caller, after the last call has ended.
+// the tiles for which work is called. Returns when all work is done. An exception from work reaches
+// the caller after the last call has ended.
 using Strategy = void (*)(const TileGrid& grid, int workers, const TileWork& work);
 
 }  // namespace rt

@@ -26,7 +26,7 @@ struct ExerciseId {
     const char* id;
     const char* file;
     int line;
-    // Not explicit: todo("03.1") shall note the line on which it stands.
+    // Not explicit: todo("03.1") must record the line on which it is written.
     ExerciseId(const char* exercise, const char* f = RT_CALLER_FILE, int l = RT_CALLER_LINE)
         : id{exercise}, file{f}, line{l} {}
 };
@@ -36,9 +36,9 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
-// Stands in for the value of any type that a function was to return.
+// Stands in for a return value of any type.
 struct AnyValue {
-    // std::optional is left out: it already accepts whatever converts to its value.
+    // std::optional is excluded: it already accepts whatever converts to its value.
     template <class T>
     requires(!is_optional<T>) operator T() const {
         std::terminate();  // never called: todo has thrown by then

@@ -29,7 +29,7 @@ inline Vec3 operator*(Vec3 a, Vec3 b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
-// True when no component is infinite or not a number.
+// True when no component is infinite or NaN.
 inline bool is_finite(Vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -50,10 +50,10 @@ struct ScaledVec3 {
     int exponent = 0;
 };
 
-// Splits a vector so that products of its components can neither overflow nor underflow to
-// something that matters. Multiplying by a power of two rounds nothing, so the split is exact
-// (except that components 2^120 times smaller than the largest may lose their last bits).
-// The zero vector, and one that is not finite, come back as they are with exponent 0.
+// Splits a vector so that products of its components can neither overflow nor underflow in a way
+// that matters. Multiplying by a power of two rounds nothing, so the split is exact (except that
+// components 2^120 times smaller than the largest may lose their last bits). The zero vector, and
+// one that is not finite, are returned as they are, with exponent 0.
 inline ScaledVec3 split_scale(Vec3 v) {
     const Real largest = max_component(v);
     if (largest == 0 || !is_finite(v)) return {v, 0};

@@ -18,7 +18,7 @@ Vec ray_color(const Ray& ray, int depth, const Hittable& world) {
     return (1 - a) * Vec{1, 1, 1} + a * Vec{0.5, 0.7, 1};
 }
 
-// Its rays go through the pixels of a window in the world; their directions keep their lengths.
+// Its rays go through the pixels of a window in the world; their directions are not normalized.
 class Camera {
   public:
     Camera(int width, int height, double vertical_fov, const Vec& from, const Vec& at,

@@ -1,5 +1,5 @@
 #pragma once
-// Vectors, rays and chance of the baseline (see classic.hpp), as introductions write them.
+// Vectors, rays and random numbers of the baseline (see classic.hpp), as introductions write them.
 
 #include <cmath>
 #include <cstdlib>
@@ -53,7 +53,7 @@ inline double random_double(double low, double high) {
     return low + (high - low) * random_double();
 }
 
-// A direction: of places in a cube, the first that lies in the sphere within.
+// A random direction: draws points in a cube until one lies in the sphere within.
 inline Vec random_unit() {
     for (;;) {
         const double x = random_double(-1, 1), y = random_double(-1, 1), z = random_double(-1, 1);

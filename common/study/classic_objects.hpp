@@ -1,5 +1,6 @@
 #pragma once
-// All that a ray of the baseline can hit: a virtual function, and shared pointers to it.
+// Everything that a ray of the baseline can hit: objects with a virtual function,
+// held by shared pointers.
 
 #include <algorithm>
 #include <memory>

@@ -21,7 +21,8 @@ Cover make_cover() {
                    column = static_cast<Real>(i % 22 - 11);
         const Real x = uniform(), z = uniform();
         const Vec3 center{row + Real(0.9) * x, Real(0.2), column + Real(0.9) * z};
-        // By components, for a library has no operators of Vec3: those are the learner's (01.1).
+        // By components, because a library has no operators of Vec3: those
+        // are the learner's (01.1).
         const Real to_metal = center.x - 4;
         if (to_metal * to_metal + center.z * center.z <= Real(0.81)) continue;
         // Four in five are matte, most others metal.

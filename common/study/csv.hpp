@@ -1,5 +1,5 @@
 #pragma once
-// Tables as comma-separated values, as RFC 4180 has them.
+// Tables as comma-separated values, as RFC 4180 defines them.
 
 #include <istream>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace study {
 
-// A field as it stands in a file: one with commas, quotes or line breaks goes between quotes.
+// A field as written to a file: in quotes if it holds commas, quotes or line breaks.
 std::string csv_field(const std::string& text);
 
 // The fields of all lines, the heading's too. Fields between quotes may hold anything.

@@ -42,7 +42,7 @@ Report::Report(std::string chapter) : chapter_{std::move(chapter)} {}
 void Report::write_csv(const std::filesystem::path& folder) const {
     const auto path = folder / (chapter_ + ".csv");
     std::string text = header;
-    // The rows of an earlier run of the program that was built with the other precision.
+    // Keeps the rows of an earlier run of the program that was built with the other precision.
     const std::string other = precision() == "float" ? "double" : "float";
     std::ifstream in{path};
     for (const Line& line : read_csv(in))

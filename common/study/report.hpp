@@ -29,9 +29,9 @@ class Report {
     void add(Row row) { rows_.push_back(std::move(row)); }
     const std::vector<Row>& rows() const { return rows_; }
 
-    // Writes folder/CHAPTER.csv. Rows of the other precision that are in it already stay, so that
-    // running the double and the float program one after the other gives one file with both.
-    // Throws std::system_error when it cannot.
+    // Writes folder/CHAPTER.csv. Keeps the rows of the other precision that it already holds, so
+    // that running the double and the float program one after the other gives one file with both.
+    // Throws std::system_error on failure.
     void write_csv(const std::filesystem::path& folder) const;
 
     void print_table(std::FILE* out) const;

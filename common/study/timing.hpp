@@ -1,5 +1,5 @@
 #pragma once
-// How long pieces of work take, beside each other and alone.
+// How long pieces of work take, side by side and alone.
 
 #include <functional>
 #include <limits>
@@ -8,7 +8,7 @@
 
 namespace study {
 
-// Keeps the compiler from leaving out the computation of a value that nobody reads.
+// Keeps the compiler from leaving out a computation whose value nobody reads.
 template <class T>
 void keep(const T& value) {
     RT_KEEP(value);
@@ -16,28 +16,28 @@ void keep(const T& value) {
 
 using Work = std::function<void()>;
 
-// The processor's time for this program, in which others that run at the same time count less; or
-// the time on the wall, for work that several threads share.
+// Processor time of this program, which other running programs affect less; or wall-clock time, for
+// work that several threads share.
 enum class Clock { processor, wall };
 
 struct Turns {
     int rounds = 3;
-    // Within a round a work is repeated until it has taken this long.
+    // Within a round, each piece of work is repeated until it has taken this long.
     double at_least_ms = 0;
-    // A work that takes this long is timed in the first round alone.
+    // A piece of work that takes this long is timed in the first round only.
     double once_from_ms = std::numeric_limits<double>::infinity();
     Clock clock = Clock::processor;
 };
 
-// Times the works in turns: each of them in the first round, then each of them in the second, and
-// so on, so that whatever else the machine does disturbs all alike. Returns the nanoseconds of one
-// call: for each work a time a round.
+// Times the pieces of work in turns: all of them in the first round, then all of them in the
+// second, and so on. So whatever else the machine does disturbs all of them alike. Returns the
+// nanoseconds of one call: for each piece of work, one time per round.
 std::vector<std::vector<double>> rounds_ns(const std::vector<Work>& works, const Turns& turns = {});
 
-// The same, of each work the median of its rounds.
+// The same, but for each piece of work the median of its rounds.
 std::vector<double> in_turns_ns(const std::vector<Work>& works, const Turns& turns = {});
 
-// One work alone.
+// A single piece of work.
 double time_ns(const Work& work, const Turns& turns = {.rounds = 5, .at_least_ms = 1});
 
 }  // namespace study

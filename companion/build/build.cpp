@@ -58,16 +58,17 @@ void must_build(const Course& course, const std::string& target) {
 
 std::string first_error(const Course& course, const std::string& output,
                         const std::vector<fs::path>& files) {
-    // An error and what a compiler shows with it: before it how it came there, after it the source.
+    // An error, with what a compiler shows around it: before it the way that led
+    // there, after it the source.
     struct Error {
         std::string text;
-        std::string came_from;  // "file:line" of the learner's, where that led to it
+        std::string came_from;  // "file:line" of the learner's, if that led to it
         bool is_within = false;
     };
     std::vector<Error> errors;
     std::string linker, came_from, open_brace;
-    int shown = 0;  // lines of source
-    // "file:line" in a line of output, of one of the files.
+    int shown = 0;  // lines of source that were shown
+    // The "file:line" of one of the files in a line of output.
     const auto place_in = [&](const std::string& line) -> std::string {
         for (const fs::path& file : files)
             if (const auto at = line.find(file.string() + ':'); at != std::string::npos) {

@@ -23,7 +23,7 @@ Course side_build(const Course& course, const std::string& name,
         const std::string compiler = cached(course, "CMAKE_CXX_COMPILER");
         if (!compiler.empty()) command.push_back("-DCMAKE_CXX_COMPILER=" + compiler);
     }
-    if (fs::exists(course.build / "_deps"))  // what was fetched once
+    if (fs::exists(course.build / "_deps"))  // what was fetched is not fetched again
         command.push_back("-DFETCHCONTENT_BASE_DIR=" + (course.build / "_deps").string());
     const std::string native = cached(course, "RT_NATIVE");
     if (!native.empty()) command.push_back("-DRT_NATIVE=" + native);

@@ -7,12 +7,12 @@
 
 namespace companion {
 
-// The folder build/NAME, configured like the main build but for these arguments of CMake. What was
-// built there before stays. Throws app::Failure where CMake fails.
+// The folder build/NAME, configured like the main build except for these arguments of CMake. What
+// was built there before stays. Throws app::Failure if CMake fails.
 Course side_build(const Course& course, const std::string& name,
                   const std::vector<std::string>& arguments);
 
-// What the build's cache says of a variable, such as CMAKE_CXX_COMPILER; empty where nothing.
+// The value of a variable in the build's cache, such as CMAKE_CXX_COMPILER; empty if it has none.
 std::string cached(const Course& course, const std::string& variable);
 
 }  // namespace companion

@@ -9,7 +9,7 @@
 namespace companion {
 namespace {
 
-using Time = long long;  // as the file system has it
+using Time = long long;  // as the file system stores it
 
 Time written(const fs::path& file) {
     std::error_code gone;
@@ -45,10 +45,10 @@ Sources sources_of(const Course& course) {
     return all;
 }
 
-// What is known of the files that were compiled. Each is either what all that is there was built
-// from, or newer than that.
+// What is known of the files that were compiled. Each is either the one from which everything
+// present was built, or newer than that.
 struct Known {
-    bool finished = false;                           // the last build came to its end
+    bool finished = false;                           // the last build ran to its end
     Time latest = std::numeric_limits<Time>::min();  // nothing that was built is newer
     Sources sources;
 };
@@ -65,7 +65,7 @@ Known read_known(const Course& course) {
     std::string line, word, hash, group;
     in >> word >> known.latest;
     known.finished = word == "finished";
-    // All that was built was there when this was written, whatever the clock did before.
+    // Everything that was built existed when this was written, whatever the clock did before.
     known.latest = std::max(known.latest, written(file));
     for (Time time = 0; in >> hash >> time >> group && std::getline(in, line);)
         if (hash == "group")
@@ -86,13 +86,13 @@ void write_known(const Course& course, const Known& known) {
     app::replace_file(file_of(course), text.str());
 }
 
-// Whether the build would not see by itself that the files of a group are others than before.
+// Whether a group's files have changed in a way that the build would not notice by itself.
 bool is_hidden(const Known& known, const std::string& group,
                const std::map<std::string, Source>& now) {
     const auto found = known.sources.find(group);
     if (found == known.sources.end()) return true;
     const auto& before = found->second;
-    // A file more or less changes which one an #include finds.
+    // A file that is added or removed changes which one an #include finds.
     if (!std::equal(before.begin(), before.end(), now.begin(), now.end(),
                     [](const auto& a, const auto& b) { return a.first == b.first; }))
         return true;
@@ -123,7 +123,7 @@ bool compiles(const std::string& target, const std::string& group) {
            target == "08_effects_electives";
 }
 
-// Removes what was compiled and linked of a group, so that it is made anew.
+// Removes what was compiled and linked from a group, so that it is built again.
 void remove_built(const fs::path& build, const std::string& group) {
     std::vector<fs::path> stale;
     std::error_code none;
@@ -152,7 +152,8 @@ void remove_stale(const Course& course) {
 
 void note_built(const Course& course) {
     Known known = read_known(course);
-    // For a file saved during the build, nobody knows whether it was compiled before or after that.
+    // If a file is saved during the build, nobody knows whether it was
+    // compiled before or after that.
     Sources now = sources_of(course);
     for (auto& [group, files] : now)
         for (auto& [name, source] : files)

@@ -37,7 +37,7 @@ std::map<std::string, std::string> build_all(const Course& course, std::vector<C
         if (!checked->in_float)
             checked->warning = first_warning(course, together.output, exercise.files);
         if (together.ok) continue;
-        // What is built stays; an exercise that was built alone need not be built again.
+        // What was built stays; an exercise that was built alone need not be built again.
         const BuildResult alone =
             some.size() == 1 ? together : build(course, {target_of_one(*checked)});
         if (alone.ok) continue;
@@ -188,8 +188,7 @@ void run_tests(const Course& course, Checked& checked) {
     Tested tested = run_cases(course, checked);
     judge(course, checked, tested);
     if (const TestCase* const last = tested.ended_in(); last && last->hard) {
-        // The core alone; and each hard case gets its turn, although one before it ends the
-        // program.
+        // The core alone; then each hard case runs, even if an earlier one ends the program.
         Checked core = checked;
         core.trouble.clear();
         judge(course, core, run_cases(course, checked, "~[hard]"));
@@ -235,7 +234,7 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
     std::vector<Checked*> begun;
     for (const Exercise& exercise : exercises) {
         all.emplace_back().exercise = exercise;
-        // Before the build: what is saved during it may or may not be what the verdict is about.
+        // Before the build: a file saved during the build may or may not be part of what is judged.
         hashes.push_back(hash_of(course, exercise));
         if (all.back().trouble = trouble_with_files(course, exercise); !all.back().trouble.empty())
             all.back().verdict = Verdict::no_file;
@@ -247,7 +246,7 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
     std::map<std::string, Signatures> signatures;  // by chapter
     for (Checked* one : begun) {
         Checked& checked = *one;
-        // What was compiled before is not warned of again.
+        // The compiler does not repeat warnings on code that was compiled before.
         const Record& known = before[checked.exercise.id];
         if (checked.warning.empty() &&
             known.hash == hashes[static_cast<std::size_t>(one - all.data())])
@@ -275,7 +274,7 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
             const Verdict verdict = all[i].verdict;
             Record& record = state[all[i].exercise.id];
             record.passed = verdict == Verdict::passed;
-            // What waits for another exercise says nothing yet of its own answer.
+            // If it waits for another exercise, nothing is known yet of its own answer.
             const bool is_known =
                 verdict != Verdict::waiting && hash_of(course, all[i].exercise) == hashes[i];
             record.hash = is_known ? hashes[i] : "";

@@ -9,12 +9,12 @@ namespace companion {
 
 enum class Verdict {
     passed,        // the core; stars may be open
-    failing,       // an assertion of the core does not hold, or an exception came
+    failing,       // an assertion of the core does not hold, or an exception was thrown
     no_file,       // trouble says what is missing
-    to_write,      // its own rt::todo is still there; trouble says what that may come from
+    to_write,      // its own rt::todo is still there; trouble says what may cause that
     waiting,       // an exercise that it needs is still to be written
     not_compiled,  // trouble is the first error
-    crashed,       // trouble says of what
+    crashed,       // trouble says why
     endless        // it was stopped
 };
 
@@ -33,7 +33,7 @@ struct Checked {
     std::string trouble;               // what kept it from running to the end
     std::string warning;               // of the compiler, on its files
     std::string missing;               // waiting: the exercise that it needs
-    std::vector<std::string> left;     // to_write: the functions that are
+    std::vector<std::string> left;     // to_write: the functions still to write
     std::vector<LookAlikes> mistakes;  // that it looks like
     bool first_pass = false;           // passed: and never did before
     int stars = 0;                     // passed: how many there are
@@ -43,17 +43,16 @@ struct Checked {
 // Seconds after which an exercise's checkpoints are stopped.
 inline constexpr double most_seconds = 20;
 
-// Checks these exercises, each in a program of its own, and remembers the verdicts. One of which
-// nothing is written is not built. Throws app::Failure where the build itself is broken.
+// Checks these exercises, each in a program of its own, and remembers the verdicts. An exercise
+// that is not begun is not built. Throws app::Failure if the build itself is broken.
 std::vector<Checked> check_exercises(const Course& course, const std::vector<Exercise>& exercises);
 
-// Tries those that pass, and that compute with rt::Real, once more with Real as float. The verdict
-// of those whose core fails there changes, a hard case that fails is an open star, and both are
-// remembered. Returns how many were tried.
+// Tries those that pass, and that compute with rt::Real, once more with Real as float. If the core
+// fails there, the verdict changes; a hard case that fails is an open star. Both are remembered.
+// Returns how many were tried.
 int check_in_float(const Course& course, std::vector<Checked>& all);
 
-// How many of its test cases pass, and how many there are. Of one that was stopped, those that were
-// begun.
+// How many of its test cases pass.
 int passed_cases(const Checked& checked);
 
 }  // namespace companion

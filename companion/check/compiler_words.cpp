@@ -14,7 +14,7 @@ const Meaning meanings[]{
     {"never closed|expected .\\}. at end of input|extraneous closing brace|"
      "expected declaration before .\\}. token|function definition is not allowed here|"
      "a function-definition is not allowed here",
-     "The braces do not match: each { needs its own }. Count them from here upwards."},
+     "The braces do not match: each { needs its own }. Count them from here upward."},
     {"expected .;.|expected .,. or .;.",
      "A semicolon is missing at the end of this line or of the line before."},
     {"incompatible vector types in conditional|vector operands to the vector conditional|"

@@ -3,8 +3,7 @@
 
 namespace companion {
 
-// What a compiler's error or warning usually means, in plain words; empty where it is an unusual
-// one.
+// What a compiler's error or warning usually means, in plain words; empty for an unusual one.
 std::string plain_words(const std::string& error);
 
 }  // namespace companion

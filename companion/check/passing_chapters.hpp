@@ -1,5 +1,5 @@
 #pragma once
-// Which chapters' exercises are solved by the learner.
+// Which chapters' exercises the learner has solved.
 
 #include <companion/check/check.hpp>
 
@@ -15,7 +15,7 @@ struct CheckedChapter {
     std::string why() const;
 };
 
-// Checks all exercises of the core, in float too.
+// Checks all exercises of the core, also in float.
 std::vector<CheckedChapter> check_all_chapters(const Course& course);
 
 }  // namespace companion

@@ -50,7 +50,7 @@ std::vector<Candidate> candidates(const Signatures& known, const std::string& ex
     return found;
 }
 
-// The hashes that a signature in the file has under this key.
+// The hashes stored in the file under this key of a signature.
 std::set<std::string> hashes(const Json& signature, const std::string& key, const fs::path& file) {
     const Json* const list = app::find(signature, key, Json::Kind::list);
     if (!list) throw app::Failure(file.string() + ": a signature has no list '" + key + '\'');
@@ -78,7 +78,7 @@ Signatures read_signatures(const Course& course, const Chapter& chapter) {
     const Json json = [&] {
         try {
             return app::parse_json(read_file(file), file.string());
-        } catch (const app::UsageError& error) {  // which no user has written
+        } catch (const app::UsageError& error) {  // not written by the user
             throw app::Failure(error.what());
         }
     }();

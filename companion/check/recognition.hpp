@@ -16,11 +16,11 @@ fs::path signatures_file(const Course& course, const Chapter& chapter);
 Signatures read_signatures(const Course& course, const Chapter& chapter);  // empty where missing
 std::string to_text(const Signatures& signatures);
 
-// Mistakes that look the same from outside: one of them it is.
+// Mistakes that look the same from outside: it is one of them.
 using LookAlikes = std::vector<std::string>;
 
-// The mistake that an answer looks like; or the two that were made at once; or nothing, where no
-// mistake is alike enough or several are nearly as much.
+// The mistake that an answer looks like; or the two that were made at once; or nothing, if no
+// mistake is similar enough or several are nearly as similar.
 std::vector<LookAlikes> recognize(const Signatures& known, const std::string& exercise,
                                   const Signature& signature);
 

@@ -21,8 +21,8 @@ SanitizerReport read_sanitizer_report(const std::string& output,
                     report.what = line.substr(at + mark.size());
         if (report.what.empty()) continue;
         for (const fs::path& file : files) {
-            // Sanitizers name files as the compiler was told them: from the root of the disk, or
-            // from the folder of the build.
+            // Sanitizers name files as they were given to the compiler: from the root of the disk,
+            // or from the folder of the build.
             const std::string path = '/' + file.string() + ':';
             const auto at = line.find(path);
             if (at == std::string::npos) continue;
@@ -55,7 +55,7 @@ SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool 
         print("The first time, building takes about a minute.\n");
     must_build(side, target);
     std::vector<std::string> command = threads ? at_fixed_addresses() : std::vector<std::string>{};
-    // Where the library crashes, the learner's line is further up.
+    // If the library crashes, the learner's line is further up.
     command.insert(command.end(), {"env", "UBSAN_OPTIONS=print_stacktrace=1",
                                    (side.build / "check" / target).string()});
     const Result result = run_process({.command = command, .timeout = 10 * most_seconds});

@@ -6,8 +6,8 @@
 
 namespace companion {
 
-// What a sanitizer's report says: what happened, and where in the learner's files. Empty where the
-// output holds no report.
+// What a sanitizer's report says: what happened, and where in the learner's files. Empty if
+// the output holds no report.
 struct SanitizerReport {
     std::string what;   // "heap-use-after-free ..."
     std::string where;  // "exercises/00_toolchain/rt/canvas.hpp:31", the first within these files
@@ -18,13 +18,13 @@ SanitizerReport read_sanitizer_report(const std::string& output,
 // "heap-use-after-free ... at exercises/00_toolchain/rt/canvas.hpp:31"
 std::string to_text(const SanitizerReport& report);
 
-// What comes before a program's name on the command line so that it runs at addresses that are not
-// randomized, where the system can do so: the thread sanitizer cannot live with all that newer
-// kernels do to randomize them.
+// What comes before a program's name on the command line to run it at addresses that are not
+// randomized, if the system can do so: the thread sanitizer does not work with all the ways in
+// which newer kernels randomize them.
 std::vector<std::string> at_fixed_addresses();
 
 // Builds and runs the checkpoints with the address and undefined-behavior sanitizers, or with the
-// thread sanitizer. Throws app::Failure where the build fails.
+// thread sanitizer. Throws app::Failure if the build fails.
 struct SanitizedRun {
     bool passed = false;  // the checkpoints pass, and the sanitizers report nothing
     std::string words;    // what was reported

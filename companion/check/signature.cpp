@@ -86,8 +86,8 @@ Signature signature_of(const std::vector<TestCase>& tests) {
 }
 
 double similarity(const Signature& a, const Signature& b) {
-    // If the values depend on chance, the file records none of them, and only the assertions that
-    // always fail. Those must be there; whatever else fails counts less.
+    // If the values are a matter of chance, the file records none of them, and only the assertions
+    // that always fail. Those must be there; whatever else fails counts less.
     if (a.what.empty() || b.what.empty()) {
         const auto fewest = static_cast<double>(std::min(a.where.size(), b.where.size()));
         if (fewest == 0) return 0;

@@ -12,16 +12,16 @@ namespace companion {
 struct Signature {
     // Hashes of the assertions that failed: test case and expression, no line numbers.
     std::set<std::string> where;
-    // The same with the values that came, to three digits, so that how an answer rounds does not
-    // matter. Of many the smallest hashes are kept: an even sample of them.
+    // The same with the actual values, to three digits, so that the way an answer rounds does not
+    // matter. If there are many, the smallest hashes are kept: an even sample of them.
     std::set<std::string> what;
 };
 
-// Test cases that an rt::todo ended are left out: they say nothing of what was written.
+// Test cases that an rt::todo ended are left out: they say nothing about what was written.
 Signature signature_of(const std::vector<TestCase>& tests);
 
-// How alike two are, from 0 to 1: the share that both have of what either has, where and what
-// weighing the same. 0 where one is empty.
+// How similar two signatures are, from 0 to 1: what both have as a share of what either has, with
+// `where` and `what` weighted equally. 0 if one is empty.
 double similarity(const Signature& a, const Signature& b);
 
 bool operator==(const Signature& a, const Signature& b);

@@ -24,7 +24,7 @@ std::string one_line(const std::string& text) {
     return line;
 }
 
-// A text of an event; empty where it has none of this key.
+// The text of an event under this key; empty if it has none.
 std::string text_of(const Json& event, const std::string& key) {
     const Json* const found = app::find(event, key, Json::Kind::text);
     return found ? found->text : "";

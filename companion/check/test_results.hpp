@@ -6,12 +6,12 @@
 
 namespace companion {
 
-// An assertion that did not hold, or an exception that nobody expected.
+// An assertion that did not hold, or an unexpected exception.
 struct FailedAssertion {
-    std::string expression;             // as the test's source has it: "CHECK( a == b )"
+    std::string expression;             // as in the test's source: "CHECK( a == b )"
     std::string expanded;               // with the values: "1 == 2"
-    std::string exception;              // what was thrown, where something was
-    std::vector<std::string> messages;  // what the test says of it: expected, computed, hints
+    std::string exception;              // what was thrown, if anything
+    std::vector<std::string> messages;  // what the test says: expected and actual values, hints
     std::string missing;  // the exercise whose rt::todo was thrown, such as "01.3", or none
 };
 
@@ -22,16 +22,16 @@ struct TestCase {
     bool ended = false;  // false: it was running when the program ended
     std::string crash;   // what the program died of within it, "SIGSEGV - Segmentation ..."
     std::string
-        memory;  // where what it died of was a use of memory: "null", "stack", or nothing known
+        memory;  // if it died of a use of memory, where that was: "null", "stack", or unknown
     std::string output;  // what it printed
     std::vector<FailedAssertion> failures;
 };
 
-// The test cases that were begun, in their order. The lines may end anywhere, as those of a program
-// that was killed, and may have others among them, which the tested code printed.
+// The test cases that were begun, in their order. The lines may end anywhere, as when a program was
+// killed, and other lines may be among them, which the tested code printed.
 std::vector<TestCase> read_report(const std::string& lines);
 
-// The exercise whose rt::todo ended a test case, such as "01.3"; empty where none did.
+// The exercise whose rt::todo ended a test case, such as "01.3"; empty if none did.
 std::string missing_exercise(const TestCase& test);
 
 }  // namespace companion

@@ -106,8 +106,8 @@ std::string without_hexadecimal(std::string text) {
     return text;
 }
 
-// Addresses as "address A", "address B": all that they can tell is which ones are equal. Numbers of
-// 32 bits, eight digits, are not addresses.
+// Addresses as "address A", "address B": all that they can tell is which of them are equal. Numbers
+// of 32 bits, eight digits, are not addresses.
 std::string without_addresses(std::string text) {
     const char* const digits = "0123456789abcdefABCDEF";
     std::vector<std::string> seen;
@@ -169,7 +169,8 @@ bool says_more(const FailedAssertion& failure) {
 }
 
 std::string describe(const FailedAssertion& failure) {
-    // Of what was expected, the last counts: the earlier ones belong to earlier assertions.
+    // If several messages name expected values, the last counts: the others
+    // belong to earlier assertions.
     const auto expects = [](const std::string& message) {
         return message.find("expected ") != std::string::npos;
     };
@@ -198,8 +199,8 @@ std::string before_that(const std::string& failing) {
     return failing.empty() ? "" : "\nBefore that, this failed:\n" + failing;
 }
 
-// The test cases that fail, those of the core before the stars: the first with all that is known,
-// the others by name.
+// The test cases that fail, those of the core before the stars: the first one with everything that
+// is known, the others by name.
 std::string failing_cases(const Checked& checked) {
     std::string text, others;
     std::vector<TestCase> tests = checked.tests;

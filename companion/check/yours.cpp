@@ -10,7 +10,7 @@
 namespace companion {
 namespace {
 
-// The ids of those of these exercises that pass.
+// The ids of those among these exercises that pass.
 std::set<std::string> passing(const Course& course, const std::vector<Exercise>& exercises) {
     std::vector<Exercise> unchecked;
     for (const State state = read_state(course); const Exercise& exercise : exercises)

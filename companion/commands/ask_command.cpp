@@ -70,8 +70,8 @@ std::string what_fits(const Question& question) {
     return question.choices.empty() ? "a number, such as 0.75 or 3/4" : "one of the letters";
 }
 
-// Judges and remembers an answer, and prints the verdict: after the first wrong answer something to
-// think about, after the second the reason. Such a question comes again another day.
+// Judges and remembers an answer, and prints the verdict: after the first wrong answer a hint,
+// after the second the reason. Such a question is asked again another day.
 Reply take(const Course& course, const Question& question, const std::string& answer, bool again) {
     const Reply reply = reply_to(question, answer);
     if (reply == Reply::not_understood) {
@@ -94,7 +94,7 @@ Reply take(const Course& course, const Question& question, const std::string& an
     return reply;
 }
 
-// Judges the one answer that was given on the command line.
+// Judges the one answer given on the command line.
 int answer_one(const Course& course, const Open& open, const std::string& answer) {
     if (reply_to(open.question, answer) == Reply::not_understood)
         throw app::UsageError("ask --answer: question " + std::to_string(open.number) +

@@ -169,7 +169,7 @@ class Examination {
              std::to_string(warnings.size()) + " warnings", "none");
     }
 
-    // The checkpoints under the address and undefined-behavior sanitizers.
+    // Runs the checkpoints under the address and undefined-behavior sanitizers.
     void check_memory(const std::vector<Chapter>& all) {
         const Course checked =
             side_build(course_, "certify-memory",

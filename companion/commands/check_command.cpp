@@ -11,8 +11,7 @@
 namespace companion {
 namespace {
 
-// The exercises that a person means by "03.2", by "3" or "sphere", or by no name: all that are
-// begun.
+// The exercises that are meant by "03.2", by "3" or "sphere", or by no name: all that are begun.
 std::vector<Exercise> chosen(const Course& course, const Named& name) {
     if (name && name->find('.') != std::string::npos) return {find_exercise(course, *name)};
     if (name) return exercises(course, find_chapter(course, *name));
@@ -114,8 +113,8 @@ int check(const Course& course, const Named& name, bool every_star) {
     if (all.empty()) print("Nothing is written yet.\n");
     print(float_lines(course, all));
 
-    // Shown in detail is what helps most: the first exercise that is wrong, else the first that
-    // waits for another or is to be written.
+    // Shown in detail is the one that helps most: the first exercise that is wrong, else the first
+    // that waits for another or is to be written.
     auto shown = std::find_if(all.begin(), all.end(), is_wrong);
     const bool wrong = shown != all.end();
     if (!wrong)

@@ -9,18 +9,19 @@
 
 namespace companion {
 
-// What a person names after the command: a chapter, an exercise; nothing means all.
+// What is named after the command: a chapter, an exercise; nothing means all.
 using Named = std::optional<std::string>;
 
 // Each returns the exit code.
 
-// answer: to the first question that is open; without it, answers are read from the standard input.
+// answer: to the first open question; without it, answers are read from the standard input.
 int ask(const Course& course, const Named& chapter, const Named& answer);
 // The learner's part of `book --mine`: the page to share, and the headers for the book's figures.
 int book_mine(const Course& course);
-// every_star: all open stars are shown, else the first where one exercise is checked.
+// every_star: shows all open stars; otherwise only the first, if a single exercise is checked.
 int check(const Course& course, const Named& chapter_or_exercise, bool every_star);
-// The checkpoints of one exercise under the sanitizer that is named: "thread", or else the others.
+// Runs the checkpoints of one exercise under the sanitizer that is named:
+// "thread", or else the others.
 int check_sanitized(const Course& course, const std::string& exercise,
                     const std::string& sanitizer);
 int certify(const Course& course);
@@ -30,12 +31,12 @@ int hint(const Course& course, const std::string& exercise);
 int list(const Course& course);
 int mine(const Course& course);
 int own_new(const Course& course, const std::string& folder);
-// rung: 0 and no part is everything. seed: 0 is any.
+// rung: 0, with no part named, means everything. seed: 0 means any.
 int own_judge(const Course& course, const std::string& folder, int rung, const Named& part,
               std::uint64_t seed);
 int reset(const Course& course, const std::string& exercise);
 int run(const Course& course, const std::string& chapter, const std::vector<std::string>& options);
-// mine: with the learner's code where it passes, beside the solution's.
+// mine: measures the learner's code where it passes, next to the solution's.
 int study(const Course& course, const Named& chapter, bool mine);
 int watch(const Course& course, const Named& chapter);
 

@@ -31,7 +31,7 @@ std::string render_scene(const Course& course, const Chapter& chapter) {
 
 // Renders a chapter's picture and returns what the program printed about it. Throws app::Failure.
 std::string render(const Course& course, const Chapter& chapter) {
-    // An older picture must not pass for this one.
+    // An older picture must not be taken for this one.
     fs::remove(course.out() / chapter.picture());
     if (!chapter.has_exercises()) return render_scene(course, chapter);
     // In out/, so that the program prints the picture's name without a folder.
@@ -67,7 +67,7 @@ int demo(const Course& course) {
         try {
             said = render(course, chapter);
             std::printf("%-16s %s\n", chapter.name.c_str(), said.c_str());
-        } catch (const std::exception& error) {  // the others are drawn all the same
+        } catch (const std::exception& error) {  // the others are drawn anyway
             ok = false;
             std::fflush(stdout);
             std::fprintf(stderr, "%s: %s\n", chapter.name.c_str(), error.what());

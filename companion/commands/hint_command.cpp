@@ -40,7 +40,7 @@ int hint(const Course& course, const std::string& id) {
         return app::done;
     }
     std::string& words = all[static_cast<std::size_t>(number)];
-    std::erase(words, '`');  // Markdown's marks of code are not needed here
+    std::erase(words, '`');  // Markdown's code marks are not needed here
     std::printf("%s\n%s\n",
                 bold(exercise.id + ' ' + exercise.title + ", hint " + std::to_string(number + 1) +
                      " of " + std::to_string(all.size()))

@@ -21,7 +21,7 @@ std::string help() {
     return companion::read_file(companion::fs::path{COURSE_ROOT} / "companion/help.txt");
 }
 
-// The line of the help on one command, "check   [NN | NN.k]  build and try ...".
+// The help's line on one command, "check   [NN | NN.k]  build and try ...".
 std::string help(const std::string& command) {
     std::istringstream text{help()};
     for (std::string line; std::getline(text, line);)
@@ -33,7 +33,7 @@ bool is_help(const std::string& word) {
     return word == "--help" || word == "-h";
 }
 
-// The commands and what each of them takes, with what a person named.
+// The commands, what each of them takes, and what was named.
 struct CommandLine {
     CLI::App parser{"", "course"};
     Words names;
@@ -150,7 +150,7 @@ int obey(Words words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // In English: the companion reads the messages of compilers and CMake.
+    // In English, because the companion reads the messages of compilers and CMake.
     ::setenv("LC_ALL", "C", true);
     return app::run_or_explain("course", [&] { return obey({argv + 1, argv + argc}); });
 }

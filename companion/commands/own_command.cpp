@@ -14,7 +14,7 @@
 namespace companion {
 namespace {
 
-// Which part a person asks for, by --rung or by --part; empty: everything.
+// Which part --rung or --part asks for; empty: everything.
 std::string asked_part(int rung, const Named& part) {
     const std::vector<std::string> parts = judge_parts();
     const std::string name = part ? *part : rung != 0 ? "rung" + std::to_string(rung) : "";

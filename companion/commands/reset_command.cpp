@@ -22,7 +22,7 @@ fs::path new_folder(const Course& course, const Exercise& exercise) {
     const std::string name = exercise.id + '-' + time;
     for (int i = 1;; ++i) {
         const fs::path folder = kept / (i == 1 ? name : name + '-' + std::to_string(i));
-        if (fs::create_directory(folder)) return folder;  // false where it is there
+        if (fs::create_directory(folder)) return folder;  // false if it exists
     }
 }
 

@@ -18,7 +18,7 @@ bool says_where(const std::vector<std::string>& options) {
     });
 }
 
-// Whether code from an elective takes part in drawing.
+// Whether code from an elective helps to draw the picture.
 bool draws_by_elective(const std::vector<std::string>& options) {
     return std::any_of(options.begin(), options.end(), [](const std::string& option) {
         const std::string name = option.substr(0, option.find('='));

@@ -32,8 +32,8 @@ int study(const Course& course, const Named& name, bool mine) {
     int drawn = 0;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Chapter& chapter = chosen[i];
-        // Yours is measured between two runs of the solution: a difference as small as theirs does
-        // not count.
+        // Yours is measured between two runs of the solution: a difference no larger
+        // than theirs does not count.
         std::printf("study %s, %zu of %zu, about %d s\n", chapter.name.c_str(), i + 1,
                     chosen.size(), (mine ? 3 : 1) * chapter.study_seconds);
         std::fflush(stdout);

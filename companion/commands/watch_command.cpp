@@ -59,9 +59,9 @@ class Watch {
     }
 
   private:
-    // Finds the next exercise that does not pass, from the current one on, and says what to do.
-    // One that is already written is checked first, and skipped if it passes. If all pass, the
-    // current one stays, for its stars.
+    // Finds the next exercise that does not pass, from the current one on, and says what to do. One
+    // that is already written is checked first, and skipped if it passes. If all pass, the current
+    // one stays, for its stars.
     void go_on() {
         for (;;) {
             const State state = read_state(course_);

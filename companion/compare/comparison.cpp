@@ -8,7 +8,8 @@
 namespace companion {
 namespace {
 
-// The number of pictures of each program. If many tests are suspicious, a few more are enough.
+// The number of pictures of each program. Where many tests are suspicious, the short second step is
+// enough.
 constexpr int first_step = 8, second_step = 16, short_second_step = 8;
 constexpr double screening = 1.0 / 1000;  // of each test of the first step
 constexpr double wronged = 1.0 / 1000;    // share of right programs that the second step rejects
@@ -71,16 +72,16 @@ bool contains(const Tile& outer, const Tile& inner) {
            outer.top <= inner.top && inner.top < outer.top + outer.height;
 }
 
-// Adds a tile that differs, unless it is the last one again, or a block that contains a tile which
-// says more.
+// Adds a tile that differs, unless it contains one that is already there: the same tile, or a tile
+// of this block, which says more.
 void add_tile(std::vector<TileStatistics>& tiles, const TileStatistics& tile) {
     for (const TileStatistics& other : tiles)
         if (contains(tile.tile, other.tile)) return;
     tiles.push_back(tile);
 }
 
-// Of the allowed chance of error, 4 of 10 parts go to the tiles, and 2 to each of the three tests
-// of the picture as a whole.
+// The allowed chance of a false alarm is split: four tenths for the tiles, and two tenths for each
+// of the three tests of the picture as a whole.
 void confirm(Comparison& comparison, const Suspects& suspected) {
     const PictureStatistics& statistics = comparison.statistics;
     const auto tests = local_tests(statistics);
@@ -109,7 +110,7 @@ std::pair<Picture, Picture> draw_both(const TwoPrograms& programs, std::uint64_t
     return {std::move(mine), solution.get()};
 }
 
-// Draws one step's pictures of both programs and appends them. False where the sizes differ.
+// Draws one step's pictures of both programs and appends them. False if the sizes differ.
 bool draw_step(const TwoPrograms& programs, Seeds& seeds, int pictures, Comparison& comparison) {
     comparison.pictures = pictures;
     for (int i = 0; i < pictures; ++i) {

@@ -5,7 +5,7 @@
 namespace companion {
 
 // Both pictures side by side, and the solution's in gray with a heat map on it: orange where yours
-// is too bright, blue where it is too dark, violet where it has another color or noise.
+// is too bright, blue where it is too dark, violet where its color or noise differs.
 rt::Image comparison_sheet(const Comparison& comparison);
 
 }  // namespace companion

@@ -14,13 +14,13 @@ std::string region_of(const Tile& tile, int width, int height);
 std::vector<std::string> regions_of(const std::vector<TileStatistics>& tiles, int width,
                                     int height);
 
-// How the light of a place differs: "3.1 % too dark", "twice as bright as it should be", "drawn
+// How the light of a region differs: "3.1 % too dark", "twice as bright as it should be", "drawn
 // differently, by 12 % on average". A channel that stands out is named: "3.1 % too dark, 8.0 % too
-// little blue". The tiles are of one place.
+// little blue". The tiles belong to one region.
 std::string describe_difference(const std::vector<TileStatistics>& tiles);
 
-// A line for each region with differing tiles, the largest difference first, four at most; one line
-// where the whole picture differs.
+// A line for each region with differing tiles, the largest difference first, four at most; a single
+// line if the whole picture differs.
 std::vector<std::string> describe_by_region(const std::vector<TileStatistics>& differing,
                                             const std::vector<TileStatistics>& all, int width,
                                             int height);

@@ -6,17 +6,19 @@
 
 namespace companion {
 
-// The products of all pairs of pictures: sums over pixels of how far each is from the mean of all.
+// The products of all pairs of pictures: sums over pixels of the distances from
+// the mean of all pictures.
 class Products {
   public:
     explicit Products(std::size_t pictures) : count_{pictures}, sums_(pictures * pictures) {}
 
-    // One pixel's distances from the mean, a picture each.
+    // One pixel's distances from the mean, one for each picture.
     void add(const std::vector<double>& distances);
-    // Another place's products, scaled so that all places count alike.
+    // Another region's products, scaled so that all regions count equally.
     void add_scaled(const Products& other);
 
-    // The squared distance between the means of the pictures that are `mine` and of the others.
+    // The squared distance between the mean of the pictures that are `mine`
+    // and the mean of the others.
     double between(const std::vector<bool>& mine) const;
     // The sum of all squared distances from the mean of all.
     double total() const;
@@ -26,10 +28,10 @@ class Products {
     std::vector<double> sums_;
 };
 
-// How likely right programs' pictures are at least as far apart as the first `mine` are from the
-// rest: the share of the ways to deal them out anew that are. Whatever the noise is, this is exact,
-// for right programs' pictures can change places. All ways are tried where there are few, else
-// 20,000.
+// The probability that right programs' pictures are at least as far apart as the first `mine` are
+// from the rest: the share of all ways to deal the pictures out again for which that is true. This
+// is exact whatever the noise is, because right programs' pictures can be exchanged. All ways are
+// tried if there are few, otherwise 20,000.
 double permutation_p(const Products& products, std::size_t mine, std::size_t all);
 
 }  // namespace companion

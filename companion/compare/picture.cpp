@@ -7,7 +7,7 @@
 namespace companion {
 namespace {
 
-// The numbers of a .ppm file's head; a # starts a comment.
+// The numbers in the header of a .ppm file; a # starts a comment.
 class PpmReader {
   public:
     explicit PpmReader(const std::string& text) : text_{text} {}

@@ -46,7 +46,7 @@ Sample solution_of(const Both& both, const std::vector<double>& values) {
     return describe({values.begin() + static_cast<long>(both.mine.size()), values.end()});
 }
 
-// How much each picture differs from the mean of all, in all that is added.
+// How much each picture differs from the mean of all, over everything that is added.
 class Variation {
   public:
     explicit Variation(std::size_t pictures) : of_picture_(pictures) {}
@@ -78,7 +78,8 @@ std::vector<double> squared_distances(const std::vector<double>& values) {
     return squares;
 }
 
-// The tile's still pixels: counts those that differ, and returns the others, the noisy ones.
+// Handles the tile's still pixels: counts those that differ, and returns
+// the others, the noisy ones.
 std::vector<std::size_t> sort_out_still(const Both& both, TileStatistics& test,
                                         PictureStatistics& all) {
     std::vector<std::size_t> noisy;
@@ -100,7 +101,7 @@ std::vector<std::size_t> sort_out_still(const Both& both, TileStatistics& test,
 struct Sums {
     struct Channel {
         std::vector<double> light, squares;  // of each picture; squared distances from the mean
-        double rounding = 0;                 // the variance that one picture's light has from it
+        double rounding = 0;                 // the variance of a picture's light from rounding
     };
     std::array<Channel, 3> channels;
     Products products;

@@ -18,7 +18,7 @@ constexpr double many_pixels = 36'864;  // 256 x 144
 constexpr int few_samples = 9;          // 3 x 3 cells, so that jitter matters
 constexpr int few_bounces = 5;          // so that the ending of a path at its limit is visible
 
-// A file that is removed at the end.
+// A file that is removed when this object is destroyed.
 struct TemporaryFile {
     fs::path path;
     ~TemporaryFile() {

@@ -6,14 +6,14 @@
 namespace companion {
 
 // The regularized incomplete beta function I_x(a, b) for a, b > 0 and x in [0, 1]. Accurate to
-// about 12 digits, also where it is as small as 1e-300.
+// about 12 digits, even where it is as small as 1e-300.
 double incomplete_beta(double a, double b, double x);
 
-// How likely a value of Student's t distribution with `degrees` degrees of freedom, above 0, is
-// farther from 0 than t is, on either side.
+// The probability that a value of Student's t distribution with `degrees` degrees of freedom, above
+// 0, is farther from 0 than t is, on either side.
 double two_sided_p(double t, double degrees);
 
-// What a sample tells about the mean of what it was drawn from.
+// What a sample tells about the mean of its distribution.
 struct Sample {
     double mean = 0;
     double variance = 0;  // of one value, unbiased
@@ -22,11 +22,12 @@ struct Sample {
 
 Sample describe(const std::vector<double>& values);
 
-// How likely two samples of normal values with the same mean, whatever their variances, have means
-// at least as far apart as these. Both need two values or more. Where neither varies it is 1 for
-// equal means and 0 for others. `rounding` is the variance that a mean has from rounding alone: so
-// much is there also where nothing seems to vary. Source: Welch, "The generalization of 'Student's'
-// problem", Biometrika 34, 1947; degrees of freedom by Satterthwaite, Biometrics Bulletin 2, 1946.
+// The probability that two samples of normal values with the same mean, whatever their
+// variances, have means at least as far apart as these. Both need two values or more. If neither
+// varies, it is 1 for equal means and 0 for others. `rounding` is the variance that a mean has
+// from rounding alone: there is that much even where nothing seems to vary. Source: Welch, "The
+// generalization of 'Student's' problem", Biometrika 34, 1947; degrees of freedom by
+// Satterthwaite, Biometrics Bulletin 2, 1946.
 double welch_p(const Sample& a, const Sample& b, double rounding = 0);
 
 }  // namespace companion

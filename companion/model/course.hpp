@@ -22,21 +22,21 @@ struct Course {
 // The copy of the course that this program was built from.
 Course this_course();
 
-// A chapter as course.json has it. Paths are within the course. A chapter of exercises has hints;
-// one of rungs has a scene instead: there the learner writes a whole program, in a folder of their
-// own.
+// A chapter as course.json describes it. Paths are within the course. A chapter of
+// exercises has hints; one of rungs has a scene instead: there the learner writes a whole
+// program, in a folder of their own.
 struct Chapter {
     std::string name = {};   // "03_sphere"
     std::string title = {};  // "The sphere"
-    bool core = true;        // else it is an elective
+    bool core = true;        // if not, it is an elective
     int reading = 0;         // minutes for the text
     int minutes = 0;         // for the core, with reading
     int star_minutes = 0;    // beyond that
-    int study_seconds = 1;   // that its study takes, in both precisions
+    int study_seconds = 1;   // how long its study takes, in both precisions
     fs::path text = {}, hints = {};
     std::string caption = {};  // what its picture shows
-    bool uses_real = true;     // rt::Real, so that its exercises are checked in float, too
-    fs::path scene = {};       // that its picture is drawn of
+    bool uses_real = true;     // it uses rt::Real, so its exercises are checked in float, too
+    fs::path scene = {};       // the scene that its picture shows
 
     bool has_exercises() const { return scene.empty(); }
 
@@ -48,17 +48,17 @@ struct Chapter {
 // All chapters in their order.
 std::vector<Chapter> every_chapter(const Course& course);
 
-// Those of exercises.
+// The chapters of exercises.
 std::vector<Chapter> chapters(const Course& course);
 
-// Those of them that belong to the 35 hours: no electives.
+// Those among them that belong to the 35 hours: no electives.
 std::vector<Chapter> core_chapters(const Course& course);
 
-// The one of rungs; null where the course has none.
+// The chapter of rungs; null if the course has none.
 std::optional<Chapter> chapter_of_rungs(const Course& course);
 
-// The chapter of exercises that a person means by "3", "03", "03_sphere" or "sphere". Throws
-// app::UsageError, which says which there are.
+// The chapter of exercises that is meant by "3", "03", "03_sphere" or "sphere". Throws
+// app::UsageError, which lists the chapters.
 Chapter find_chapter(const Course& course, const std::string& name);
 
 }  // namespace companion

@@ -1,5 +1,5 @@
 #pragma once
-// course.json, where the facts of the course stand: its chapters and exercises.
+// course.json, which holds the facts of the course: its chapters and exercises.
 
 #include <companion/model/exercise.hpp>
 
@@ -10,8 +10,8 @@ struct CourseFile {
     std::vector<Exercise> exercises;  // of all chapters; what was shipped of them is not filled in
 };
 
-// Throws app::Failure where there is no such file, and app::UsageError, with the place in the file
-// and what would be right, where it is not as it should be.
+// Throws app::Failure if there is no such file, and app::UsageError, with the position in the file
+// and what would be right, if its content is wrong.
 CourseFile read_course_file(const Course& course);
 
 }  // namespace companion

@@ -111,7 +111,7 @@ std::string trouble_with_files(const Course& course, const Exercise& exercise) {
                "./course reset " + exercise.id + " restores the stub, git checkout -- " +
                file.string() + " what you last committed";
     }
-    // The chapter's others may be included: a compiler would wait at a pipe.
+    // Other files of the chapter may be included: a compiler would wait at a pipe.
     for (const fs::path& file : exercise.shipped)
         if (const fs::path path = course.root / file;
             fs::exists(path) && !why_no_file(path).empty())

@@ -1,5 +1,5 @@
 #pragma once
-// The exercises: what course.json says of them, and how far the learner's files are.
+// The exercises: what course.json says about them, and how far the learner's files are.
 
 #include <companion/model/course.hpp>
 #include <string>
@@ -17,7 +17,7 @@ struct Exercise {
         files;                   // that the learner writes, such as exercises/01_vectors/rt/dot.hpp
     int shipped_todos = 0;       // in these files, for this exercise
     int functions = 0;           // that the learner writes: those with an rt::todo
-    std::string shipped_hash{};  // of these files; empty where another exercise is in them, too
+    std::string shipped_hash{};  // of these files; empty if they also hold another exercise
     std::vector<fs::path> shipped{};  // all files of its chapter
 
     // "docs/01-vectors.md, section 01.3"
@@ -27,30 +27,31 @@ struct Exercise {
 // The exercises of a chapter in their order.
 std::vector<Exercise> exercises(const Course& course, const Chapter& chapter);
 
-// The same of all chapters, and of these.
+// The exercises of all chapters, or of some.
 std::vector<Exercise> exercises(const Course& course);
 std::vector<Exercise> exercises(const Course& course, const std::vector<Chapter>& some);
 
 // The exercise "NN.k", or the one to which a file belongs: relative to the course's folder, or with
-// its full path. Throws app::UsageError, which says which there are.
+// its full path. Throws app::UsageError, which lists the exercises.
 Exercise find_exercise(const Course& course, const std::string& id);
 
 // What the learner has written for an exercise: a hash over its files as they are now, and over
 // those that the learner has added to the chapter's folder, where the compiler finds them.
 std::string hash_of(const Course& course, const Exercise& exercise);
 
-// What is wrong with its files, in one line, where one is missing, a folder or a pipe:
-// "exercises/... is missing; ..."; else empty. Without a file of the learner's the compiler would
-// find the solution's.
+// What is wrong with its files, in one line, if one is missing, a folder or a pipe:
+// "exercises/... is missing; ..."; otherwise empty. If a file of the learner's were missing, the
+// compiler would find the solution's.
 std::string trouble_with_files(const Course& course, const Exercise& exercise);
 
-// Whether the learner has begun it: an rt::todo is gone, or a file of it alone is not as shipped.
+// Whether the learner has begun it: an rt::todo is gone, or a file that it has
+// alone is not as shipped.
 bool is_begun(const Course& course, const Exercise& exercise);
 
-// Its functions in which an rt::todo is left, by name.
+// Those of its functions that still have an rt::todo, by name.
 std::vector<std::string> functions_left(const Course& course, const Exercise& exercise);
 
-// How many rt::todo of this exercise are left in its files.
+// How many calls of rt::todo for this exercise are left in its files.
 int todos_left(const Course& course, const Exercise& exercise);
 
 }  // namespace companion

@@ -8,7 +8,7 @@ namespace companion {
 using Kind = app::Json::Kind;
 
 void Fact::fail(const std::string& what) const {
-    throw app::UsageError(file_ + ": " + (path_.empty() ? "the whole" : path_) + ' ' + what);
+    throw app::UsageError(file_ + ": " + (path_.empty() ? "the top level" : path_) + ' ' + what);
 }
 
 bool Fact::has(const char* key) const {

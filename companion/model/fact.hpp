@@ -7,8 +7,8 @@
 
 namespace companion {
 
-// A value of a JSON file and where it stands there. All members throw app::UsageError where it is
-// not what is asked for.
+// A value of a JSON file and its position there. All members throw app::UsageError if the value is
+// not of the kind that is asked for.
 class Fact {
   public:
     // The file's name is for messages. The JSON must outlive the fact.
@@ -21,7 +21,7 @@ class Fact {
     std::vector<Fact> list() const;  // of one or more
     std::string text() const;        // not empty
     double number() const;
-    int count(int least = 1) const;  // to 1000
+    int count(int least = 1) const;  // at most 1000
     bool yes() const;
     bool is_text() const { return json_.kind == app::Json::Kind::text; }
 

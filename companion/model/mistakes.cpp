@@ -43,7 +43,7 @@ class Reader {
     [[noreturn]] void fail(const std::string& what) const {
         throw app::Failure(place() + ": " + what);
     }
-    // The text of the line between this start and this end; empty if the line has others.
+    // The part of the line between this start and this end; empty if the line has other ones.
     std::string between(const std::string& start, const std::string& end) const {
         const std::string text = line();
         const bool fits = text.size() >= start.size() + end.size() && starts_with(start) &&
@@ -101,7 +101,7 @@ class Reader {
         mistake.remarks = std::move(values);
     }
 
-    // All up to the first edit or the next heading.
+    // Everything up to the first edit or the next heading.
     std::string paragraph() {
         std::string text;
         for (; !at_end() && !starts_with("Replace in ") && !starts_with("## "); ++at_)

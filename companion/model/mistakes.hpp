@@ -1,6 +1,6 @@
 #pragma once
 // The known mistakes of the exercises. tests/mistakes/NN_topic/NN.k.md holds those of one exercise:
-// words for the learner, and how each is made of the solution.
+// words for the learner, and how each is made from the solution.
 //
 //   # Mistakes of NN.k
 //
@@ -20,7 +20,7 @@
 //   what the mistake has instead; it may be nothing
 //   ```
 //
-// A mistake may have several edits, each of which starts from what the one before has made.
+// A mistake may have several edits, each of which starts from the result of the one before.
 
 #include <companion/model/course.hpp>
 #include <map>
@@ -41,21 +41,21 @@ struct Mistake {
     std::string caught_by;                       // the name of a test case
     std::string explanation;                     // in one line, however long
     std::map<std::string, std::string> remarks;  // the optional lines: "changes picture" is "yes"
-    std::vector<Edit> edits;                     // one at least
+    std::vector<Edit> edits;                     // at least one
 };
 
-// The mistakes that a file holds. Throws app::Failure, which says file and line, where it is not
-// written as above.
+// The mistakes that a file holds. Throws app::Failure, which says file and line, if it
+// is not written as above.
 std::vector<Mistake> read_mistakes(const fs::path& file);
 
 // All mistakes of a chapter, by exercise.
 std::vector<Mistake> read_mistakes(const Course& course, const Chapter& chapter);
 
-// A mistake by its name. Throws app::Failure where there is none.
+// A mistake by its name. Throws app::Failure if there is none.
 Mistake read_mistake(const Course& course, const Chapter& chapter, const std::string& name);
 
-// The files that a mistake changes, by name ("rt/refract.hpp"), made of those in a folder. Throws
-// app::Failure where the lines to be replaced are not there exactly once.
+// The files that a mistake changes, by name ("rt/refract.hpp"), made from those in a folder. Throws
+// app::Failure if the lines to be replaced do not occur exactly once.
 std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs::path& solution);
 
 }  // namespace companion

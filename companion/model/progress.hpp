@@ -1,5 +1,5 @@
 #pragma once
-// How far an exercise is, from its files and what is remembered: nothing is built.
+// How far an exercise is, from its files and what is remembered, without building anything.
 
 #include <companion/model/exercise.hpp>
 #include <companion/model/state.hpp>
@@ -7,7 +7,7 @@
 namespace companion {
 
 enum class Progress {
-    no_file,    // of the learner's: it is missing, or something else is in its place
+    no_file,    // the learner's file is missing, or something else is in its place
     to_write,   // as it was shipped, or nothing of it written yet
     begun,      // some of it written, some still rt::todo
     unchecked,  // written, and changed since the last check
@@ -25,10 +25,10 @@ Progress progress_of(const Course& course, const State& state, const Exercise& e
 // file is missing"
 const char* text(Progress progress);
 
-// A character that says the same where there are no colors.
+// A character that says the same without colors.
 char symbol(Progress progress);
 
-// Of these exercises, the first whose core does not pass; null where all do.
+// The first of these exercises whose core does not pass; null if all pass.
 const Exercise* first_open(const Course& course, const State& state,
                            const std::vector<Exercise>& exercises);
 

@@ -24,16 +24,16 @@ struct Question {
     double number = 0, tolerance = 0;
     std::size_t right_choice = 0;
 
-    std::string key() const;  // by which its answer is remembered: another one where it changes
+    std::string key() const;  // under which its answer is remembered: changes with the question
 };
 
-// The questions of a chapter; none where it has no file of them. Throws app::UsageError, with the
-// place in the file, where that is not as above.
+// The questions of a chapter; none if it has no file of them. Throws app::UsageError, with the
+// position in the file, if that is not as above.
 std::vector<Question> questions(const Course& course, const Chapter& chapter);
 
 enum class Reply { right, wrong, not_understood };
 
-// To what a person writes: a number such as 0.75, .75, 3/4 or 75 %, where what follows the number
+// To what a person writes: a number such as 0.75, .75, 3/4 or 75 %, where anything after the number
 // is ignored; or a choice, by its letter or its text.
 Reply reply_to(const Question& question, const std::string& answer);
 

@@ -17,7 +17,7 @@ fs::path folder_of(const Course& course) {
     return course.root / ".course";
 }
 
-// A member of an object. Throws app::Failure where it is missing or of another kind.
+// A member of an object. Throws app::Failure if it is missing or of another kind.
 const Json& member(const Json& object, const std::string& key, Json::Kind kind) {
     if (const Json* const found = find(object, key, kind)) return *found;
     throw app::Failure("it does not hold the progress of the course");

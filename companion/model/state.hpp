@@ -10,29 +10,29 @@
 
 namespace companion {
 
-// The verdict on the files with this hash; on any others nothing is known.
+// The verdict on the files with this hash; about others nothing is known.
 struct Record {
     bool passed = false;    // its core
     std::string hash;       // empty: never checked
-    int hints = 0;          // that were shown
-    std::string warning{};  // the compiler's on these files; it comes only when it compiles them
+    int hints = 0;          // how many were shown
+    std::string warning{};  // the compiler's; it comes only when it compiles these files
     int stars = 0;          // its hard test cases, where it passed
     int open_stars = 0;     // those of them that fail
     // When its core passed first, in seconds since 1970. 0: not yet.
     std::int64_t first_passed = 0;
 };
 
-// It passed, and nobody noted when.
+// It passed, but when is not known.
 inline constexpr std::int64_t unknown_time = -1;
 
-// How a question was answered last.
+// How a question was last answered.
 struct Answered {
     bool right = false;
     int tries = 0;
     std::string answer{};
 };
 
-// How the learner's own program of chapter 09 was judged last.
+// How the learner's own program of chapter 09 was last judged.
 struct OwnRecord {
     std::string folder{}, hash{};   // of the sources in it, as they were judged
     int lines = 0, passed = 0;      // of the verdict; no lines: never judged
@@ -51,14 +51,15 @@ struct State : std::map<std::string, Record> {  // by exercise
     DrawnRecord drawn{};
 };
 
-// The folder for what the companion keeps. It is made where it is missing.
+// The folder for what the companion keeps. It is created if it is missing.
 fs::path private_folder(const Course& course);
 
 // A missing file is an empty state. A file that is broken, or of another version, is set aside as
-// .course/state.broken-N.json, which is said on stderr, and the state begins anew.
+// .course/state.broken-N.json, with a message on stderr, and the state starts empty.
 State read_state(const Course& course);
 
-// Reads, changes and writes the state, whole or not at all. No two processes do it at once.
+// Reads, changes and writes the state, completely or not at all. Only one
+// process does so at a time.
 void change_state(const Course& course, const std::function<void(State&)>& change);
 
 }  // namespace companion

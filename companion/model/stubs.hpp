@@ -9,9 +9,9 @@
 
 namespace companion {
 
-using Stubs = std::map<fs::path, std::string>;  // "rt/dot.hpp" and what was in it
+using Stubs = std::map<fs::path, std::string>;  // "rt/dot.hpp" and its content
 
-// Throws app::Failure where the file is missing or is no such file.
+// Throws app::Failure if the file is missing or not in this format.
 Stubs shipped_stubs(const Course& course, const Chapter& chapter);
 
 // The stubs of exercises/NN_topic as they are now.
@@ -20,10 +20,10 @@ Stubs present_stubs(const Course& course, const Chapter& chapter);
 std::string to_text(const Stubs& stubs);
 Stubs stubs_from_text(const std::string& text);
 
-// How often a source says rt::todo("NN.k"); what is in comments does not count.
+// How often a source calls rt::todo("NN.k"); comments do not count.
 int count_todos(const std::string& source, const std::string& exercise);
 
-// The functions of a source in which an rt::todo of the exercise stands, by name, each once.
+// The functions of a source that contain an rt::todo of the exercise, by name, each once.
 std::vector<std::string> functions_to_write(const std::string& source, const std::string& exercise);
 
 }  // namespace companion

@@ -7,8 +7,8 @@
 
 namespace companion {
 
-// What the page says of a choice: an option for the compiler, and the figures that the learner
-// wrote.
+// What the page says about a choice: an option for the compiler, and the
+// figures that the learner wrote.
 struct AccuracyChoice {
     std::string option;
     std::optional<double> time, error;

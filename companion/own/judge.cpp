@@ -13,8 +13,8 @@ namespace {
 
 using Options = std::vector<std::string>;
 
-// The variance of a pixel and of a tile may be this many times ours. Independent samples have ours;
-// samples that are spread on purpose have less.
+// The variance of a pixel and of a tile may be this many times ours. Independent samples have our
+// variance; samples that are spread on purpose have less.
 constexpr double most_pixel_noise = 2, most_tile_noise = 4;
 
 // What is wrong with a picture; empty if it equals ours within the noise.
@@ -22,7 +22,7 @@ std::string what_differs(const Comparison& compared) {
     if (compared.sizes_differ) return "a picture of a different size from what the scene asks for";
     const PictureStatistics& found = compared.statistics;
     auto differing = compared.light_differs_in;
-    // Pixels without chance, such as the sky's, may differ by a step of rounding.
+    // Pixels without randomness, such as the sky's, may differ by a step of rounding.
     if (found.still_differs())
         for (const TileStatistics& tile : found.tiles)
             if (tile.still_differing > 0) differing.push_back(tile);
@@ -43,8 +43,8 @@ std::string what_differs(const Comparison& compared) {
     return words;
 }
 
-// The program's picture is the reference's within what chance explains. The false-alarm rate of one
-// comparison is 1 in 1000, so a fault has to show in two.
+// The program's picture equals the reference's within what chance explains. The false-alarm rate of
+// one comparison is 1 in 1000, so a fault must show in two.
 void look_at_picture(const Trial& trial, const OwnScene& scene, JudgedLine& line) {
     const auto with = [&](const OwnProgram& program) {
         return [&](std::uint64_t seed) {

@@ -1,6 +1,6 @@
 #pragma once
-// The verdict on a ray tracer of the learner's own, from the pictures that it draws and the time
-// that it takes.
+// The verdict on a ray tracer of the learner's own, from the pictures that it draws
+// and the time that it takes.
 
 #include <cstdint>
 #include <filesystem>
@@ -19,16 +19,16 @@ struct JudgedLine {
     std::string actual;         // "the same within the noise", "0.8 times as fast"
     std::string expected;       // "our picture", "at least 10 times as fast"
     std::string suggestion;     // where to look when it failed
-    bool busy_machine = false;  // which has other things to do, so that the time says little
+    bool busy_machine = false;  // busy with other things, so that the time says little
 };
 
 struct JudgeRequest {
     fs::path folder, reference;  // the learner's folder, and the course's own program
     std::uint64_t seed = 1;      // of the scenes
-    std::string part{};          // only this one; empty: everything
+    std::string part{};          // only this part; empty: everything
     int cores = 2;               // physical ones
     double patience = 60;        // seconds for one picture
-    // Called as a line begins, which may take long.
+    // Called when a line is begun, which may take long.
     std::function<void(const std::string& what)> begins = [](const std::string&) {};
 };
 
@@ -36,8 +36,8 @@ struct JudgeRequest {
 // "broken", "accuracy". A line's name begins with its part: "rung 1: ...", "hard: ...".
 std::vector<std::string> judge_parts();
 
-// Judges, and hands out each line as soon as it is known. A program that cannot be built is one
-// line that fails, and so is what is not looked at where the program does not end.
+// Judges, and reports each line as soon as it is known. A program that cannot be built is one line
+// that fails; so is everything that was not looked at because the program did not end.
 void judge(const JudgeRequest& request, const std::function<void(const JudgedLine&)>& report);
 
 }  // namespace companion

@@ -1,5 +1,5 @@
 #pragma once
-// A ray tracer of the learner's own, from outside: built by its own command, run as a program.
+// A ray tracer of the learner's own, seen from outside: built by its own command, run as a program.
 
 #include <atomic>
 #include <companion/compare/picture.hpp>
@@ -14,10 +14,11 @@ namespace fs = std::filesystem;
 
 class OwnProgram {
   public:
-    // Copies the folder's sources and runs `sh build.sh` with these options for the compiler in the
-    // copy, which goes away with this object. Throws app::Failure with the compiler's words.
+    // Copies the folder's sources and runs `sh build.sh` in the copy with these
+    // options for the compiler. The copy is removed with this object. Throws
+    // app::Failure with the compiler's words.
     OwnProgram(const fs::path& folder, const std::vector<std::string>& options = {});
-    // A program that is there already.
+    // A program that already exists.
     static OwnProgram existing(const fs::path& program) { return OwnProgram{program, Existing{}}; }
     ~OwnProgram();
     OwnProgram(const OwnProgram&) = delete;
@@ -25,13 +26,13 @@ class OwnProgram {
 
     struct Drawn {
         Result result;
-        Picture picture;    // none where the program failed
+        Picture picture;    // none if the program failed
         std::string bytes;  // of the file
     };
-    // Draws a scene, given as its text. How it ended stands in the result; throws app::Failure only
-    // where it wrote no picture all the same.
+    // Draws a scene, given as its text. The result says how it ended; throws app::Failure only if
+    // it succeeded and yet wrote no picture.
     Drawn draw(const std::string& scene, const std::vector<std::string>& options) const;
-    // The same for a scene that it must draw: throws app::Failure where it does not.
+    // The same for a scene that it must draw: throws app::Failure if it does not.
     Drawn picture(const std::string& scene, const std::vector<std::string>& options) const;
     // Calls it with any words. The folder that it runs in is empty.
     Result call(const std::vector<std::string>& words) const;

@@ -51,7 +51,7 @@ class Writer {
     std::ostringstream text_;
 };
 
-// Random numbers for a scene: any in a range, never round ones.
+// Random numbers for a scene: any number in a range, never round ones.
 class Any {
   public:
     Any(std::uint64_t seed, std::uint64_t scene) : random_{seed, scene} {}
@@ -95,8 +95,7 @@ Writer begin(Any& any, double scale = 1) {
     return scene;
 }
 
-// A dark ground under a bright sky: the two differ most in metal and glass, so an error there shows
-// most, too.
+// A dark ground under a bright sky: metal and glass differ most there, so an error shows most, too.
 Writer stage(Any& any, double scale = 1) {
     Writer scene{scale};
     scene.picture().camera({any(-1.5, 1.5), any(1, 1.8), any(3.4, 4)}, {0, 0.9, 0}, any(36, 44));
@@ -243,7 +242,7 @@ std::string accuracy_scene(std::uint64_t seed) {
 std::vector<Rung> own_rungs(std::uint64_t seed) {
     std::vector<Rung> rungs;
     std::uint64_t number = 0;
-    // A scene of its own numbers.
+    // A scene with numbers of its own.
     const auto scene = [&](const char* name, auto make, const char* suggestion, auto... more) {
         Any any{seed, ++number};
         return OwnScene{name, make(any, more...), suggestion};
@@ -328,7 +327,7 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
     }
     {
         Any any{seed, 103};
-        add("a ball of a thousandth",
+        add("a ball of radius 1/1000",
             ball_on_ground(any, {0, 0.002, 0.006}, {0, 0.0008, 0}, 0.1, 0.001),
             "A fixed tolerance is too large here: it skips hits nearer than the tolerance.");
     }
@@ -382,13 +381,13 @@ std::vector<OwnScene> broken_scenes() {
             {"a camera that looks at itself", "camera 0 0 5 0 0 5 0 1 0 40 0 1\n", ""},
             {"a color above 1", fine + "matte 0.5 1.5 0.5\n", ""},
             {"a fuzz above 1", fine + "metal 1 1 1 2\n", ""},
-            {"a number that is none", fine + "sphere 0 0 0 nan\n", ""}};
+            {"nan for a number", fine + "sphere 0 0 0 nan\n", ""}};
 }
 
 std::vector<BrokenCall> broken_calls() {
     return {{"no words at all", {}},
-            {"a scene file that is not there", {"not-there.txt", "out.ppm"}},
-            {"a folder for the picture that is not there", {"/dev/null", "not-there/out.ppm"}},
+            {"a missing scene file", {"not-there.txt", "out.ppm"}},
+            {"a missing folder for the picture", {"/dev/null", "not-there/out.ppm"}},
             {"a word for the number of threads", {"/dev/null", "out.ppm", "--threads", "many"}}};
 }
 

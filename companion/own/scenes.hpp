@@ -30,19 +30,20 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed);
 // 10,000 spheres of all materials, in a picture of this size with one sample a pixel.
 std::string crowd(std::uint64_t seed, int width, int height);
 
-// The same with every second sphere in there twice, of two materials: the later one counts.
+// The same, but every second sphere appears twice, with two materials: the later one counts.
 std::string crowd_with_twins(std::uint64_t seed, int width, int height);
 
-// A few spheres of all materials through a lens, in a small picture: each part of a program runs.
+// A few spheres of all materials through a lens, in a small picture, so that
+// each part of a program runs.
 std::string some_of_all(std::uint64_t seed);
 
-// On which the page accuracy.md is measured.
+// The scene for measuring the page accuracy.md.
 std::string accuracy_scene(std::uint64_t seed);
 
-// Files that are no scenes, and what is wrong with each.
+// Files that are not scenes, and what is wrong with each.
 std::vector<OwnScene> broken_scenes();
 
-// Words after the program's name with which it can do nothing. It runs in an empty folder.
+// Words after the program's name that make no sense to it. It runs in an empty folder.
 struct BrokenCall {
     std::string name;
     std::vector<std::string> words;

@@ -74,7 +74,7 @@ void judge_cores(const Trial& trial) {
             const std::string scene =
                 long_enough({trial.own, one}, trial.request.seed, Clock::wall, 1);
             const Turns mine = in_turns({trial.own, one}, {trial.own, all}, scene, Clock::wall, 5);
-            // Is it the program, or a machine that has other things to do?
+            // Is it the program, or is the machine busy with other things?
             const Turns ours =
                 in_turns({trial.reference, one}, {trial.reference, all}, scene, Clock::wall, 5);
             line.busy_machine = ours.ratio < asked;

@@ -7,11 +7,11 @@
 
 namespace companion {
 
-// The files of a folder that a person wrote, relative to it. Not among them: the program, pictures,
-// hidden files, folders named build, and what holds a zero byte, as object files do.
+// The files of a folder that a person wrote, relative to it. The program, pictures, hidden files,
+// folders named build, and files that hold a zero byte, such as object files, are not among them.
 std::vector<fs::path> own_sources(const fs::path& folder);
 
-// A hash over these files; empty where the folder is gone.
+// A hash over these files; empty if the folder is gone.
 std::string hash_of_own(const fs::path& folder);
 
 // Whether every line of its last verdict passed, and nothing has changed since.

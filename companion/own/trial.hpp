@@ -9,7 +9,7 @@ namespace companion {
 struct Trial {
     const JudgeRequest& request;
     const OwnProgram &own, &reference;
-    // Fills in what was found, and reports the line. A look that throws has failed.
+    // Fills in what was found, and reports the line. If the look throws, the line has failed.
     std::function<void(JudgedLine line, const std::function<void(JudgedLine&)>& look)> line;
 };
 
@@ -20,7 +20,7 @@ void judge_list(const Trial& trial);
 // The page accuracy.md.
 void judge_accuracy(const Trial& trial);
 
-// The time that runs of two programs or of one with other options take, measured in turns.
+// Two programs, or one with two sets of options, whose times are measured in turns.
 struct Timed {
     const OwnProgram& program;
     std::vector<std::string> options;
@@ -33,8 +33,8 @@ struct Turns {
 Turns in_turns(const Timed& first, const Timed& second, const std::string& scene, Clock clock,
                int turns);
 
-// A crowd in a picture so large that this takes as long as is wanted, so that reading the scene
-// does not count.
+// A crowd in a picture large enough that drawing it takes the wanted time, so that the time for
+// reading the scene does not count.
 std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, double wanted);
 
 // "1.53", and with another format "1.5 s".

@@ -13,13 +13,13 @@ enum class Held { holds, fails, shows };
 // One measurement, with the bound that it is held to. "shows" has no bound: it only informs.
 struct CertifiedFigure {
     Held held = Held::holds;
-    std::string exercise;  // "05.3"; empty where it is of the whole
+    std::string exercise;  // "05.3"; empty if it is about the whole
     std::string what, figure, bound;
-    bool star = false;  // asked for by the second grade alone
+    bool star = false;  // required only for the second grade
 };
 
-// The lines that the programs of tests/certify print; others are left out. An exercise with a star,
-// "01.4*", is one of the second grade.
+// The lines that the programs of tests/certify print; others are ignored. An exercise with a star,
+// "01.4*", belongs to the second grade.
 std::vector<CertifiedFigure> read_measurements(const std::string& text);
 
 // "holds  05.3  what: figure (at most bound)"

@@ -14,11 +14,10 @@ struct Exhibit {
     std::vector<std::string> plots;  // paths from out/
 };
 
-// What out/ and docs/ hold of a chapter.
+// What out/ and docs/ hold about a chapter.
 Exhibit collect(const Course& course, const Chapter& chapter, const std::string& rendered);
 
-// The page out/index.html, with paths relative to out/, and a link to the web book where there is
-// one.
+// The page out/index.html, with paths relative to out/, and a link to the web book if it exists.
 std::string gallery_html(const std::vector<Exhibit>& exhibits, bool with_book);
 
 }  // namespace companion

@@ -3,7 +3,7 @@
 
 namespace companion {
 
-// Text as HTML shows it.
+// Text escaped for HTML.
 std::string escape_html(const std::string& text);
 
 }  // namespace companion

@@ -6,13 +6,13 @@
 
 namespace companion {
 
-// A row of a study's table, and the precision that the program which measured it was built with.
+// A row of a study's table, and the precision of the program that measured it.
 struct Measurement : study::Row {
     std::string precision;
 };
 
-// All rows of a table that a chapter's program wrote with --study. Throws app::Failure where the
-// file is no such table.
+// All rows of a table that a chapter's program wrote with --study. Throws app::Failure if the
+// file is not such a table.
 std::vector<Measurement> read_measurements(const std::filesystem::path& table);
 
 // The rows of each study of a table, in the order in which the studies first appear.

@@ -25,7 +25,7 @@ std::string quoted(const std::string& text) {
     return result + '"';
 }
 
-// Whether this row measured the quantity: an error or a cost without a name was not.
+// Whether this row measured the quantity: an error or a cost without a name was not measured.
 bool measured(const Measurement& row, Quantity quantity) {
     if (quantity == &study::Row::error) return !row.error_name.empty();
     return quantity != &study::Row::cost || !row.cost_name.empty();
@@ -76,7 +76,7 @@ class Axis {
 
   private:
     // From the logarithms of the least and the largest value. The rows at the edges lie where
-    // gnuplot has marks, so that their names stand in place of numbers.
+    // gnuplot has marks, so that their names replace numbers.
     void set_logarithmic(double least, double most) {
         const double span = most - least, margin = 0.06 * span,
                      step = span > 20  ? 10
@@ -130,7 +130,7 @@ bool has(const std::vector<Measurement>& rows, const std::string& precision) {
                        [&](const Measurement& row) { return row.precision == precision; });
 }
 
-// What is drawn in a color of its own: a variant, or each x of it where x has no axis.
+// What is drawn in a color of its own: a variant, or each x of it if x has no axis.
 std::string name_of(const Measurement& row, bool with_x) {
     std::ostringstream name;
     name << row.variant;
@@ -153,7 +153,8 @@ std::vector<Panel> all_panels(const std::vector<Measurement>& rows, bool over_x)
     if (with_error == rows.end()) return {cost};
     if (!over_x) return {{&Row::cost, &Row::error, any.cost_name, with_error->error_name}};
     const Panel error{&Row::x, &Row::error, any.x_name, with_error->error_name};
-    // Level lines tell no more than a table does: then the error gets all the room.
+    // Level lines tell no more than a table does. If the cost is level, the
+    // error gets all the room.
     if (!depends_on_x(rows, &Row::cost) && depends_on_x(rows, &Row::error)) return {error};
     return {error, cost};
 }
@@ -187,7 +188,7 @@ void plot(std::ostream& out, const std::vector<Measurement>& rows, const Panel& 
                    << width << " lc rgb '" << colors[i % std::size(colors)] << "' pt "
                    << (is_float ? 6 : 7) << " ps " << point << " dt " << (is_float ? 2 : 1)
                    << " title " << title;
-            title = "\"\"";  // a name comes once
+            title = "\"\"";  // each name appears once
             ++count;
         }
     }
@@ -273,7 +274,7 @@ std::string plot_script(const std::vector<Measurement>& rows, const std::string&
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
         longest = std::max(longest, name.size());
     }
-    // The names stand below, in columns.
+    // The names are below, in columns.
     const std::size_t columns = std::max<std::size_t>(1, 900 / (9 * longest + 60)),
                       key_rows = (names.size() + 2 + columns - 1) / columns;
     const double key_height = 22 * static_cast<double>(key_rows) + 10, height = 420 + key_height;

@@ -5,10 +5,10 @@
 
 namespace companion {
 
-// A gnuplot script that draws the rows of one study into an SVG file: a color a variant, double
-// solid and float dashed. Where x takes three values or more, error and cost are drawn over x side
-// by side, or the error alone where the cost does not depend on x; else error against cost. A study
-// that timed nothing gets a bar a variant.
+// A gnuplot script that draws the rows of one study into an SVG file: one color per variant, double
+// solid and float dashed. If x takes three values or more, error and cost are drawn over x side by
+// side, or the error alone if the cost does not depend on x; otherwise error over cost. A study
+// that timed nothing gets one bar per variant.
 std::string plot_script(const std::vector<Measurement>& rows, const std::string& svg_file);
 
 }  // namespace companion

@@ -28,7 +28,7 @@ std::vector<std::string> study_programs(const Chapter& chapter, Whose whose) {
 void measure(const Course& course, const Chapter& chapter, bool show_tables, Whose whose) {
     const fs::path folder = study_folder(course, whose);
     app::make_folder(folder);
-    fs::remove(folder / chapter.table());  // an older one must not pass for this one
+    fs::remove(folder / chapter.table());  // an older one must not be taken for this one
     for (const std::string& program : study_programs(chapter, whose)) {
         Run run{.command = {course.program(program).string(), "--study", folder.string()},
                 .output = show_tables ? Output::shown : Output::errors_shown};

@@ -11,17 +11,17 @@ enum class Whose { solution, mine };
 // The programs that measure a chapter, in both precisions.
 std::vector<std::string> study_programs(const Chapter& chapter, Whose whose);
 
-// Runs the studies of a chapter in both precisions, into NN_topic.csv. Where show_tables, what they
-// print is shown. Throws app::Failure where a program fails.
+// Runs the studies of a chapter in both precisions, into NN_topic.csv. With show_tables, what they
+// print is shown. Throws app::Failure if a program fails.
 void measure(const Course& course, const Chapter& chapter, bool show_tables,
              Whose whose = Whose::solution);
 
 // Draws NN_topic-STUDY.svg for each study of the chapter's table; returns how many. Throws
-// app::Failure where gnuplot fails.
+// app::Failure if gnuplot fails.
 int draw_plots(const Course& course, const Chapter& chapter, Whose whose = Whose::solution);
 
 // The plots of a chapter, as paths from out/: those that were drawn here, in the order of its
-// table, or where it was never measured here those of docs/plots.
+// table; or those of docs/plots if it was never measured here.
 std::vector<std::string> plots(const Course& course, const Chapter& chapter);
 
 // Where the tables and plots are.

@@ -20,7 +20,7 @@ Rows by_key(const std::vector<Measurement>& all) {
     return rows;
 }
 
-// What one run says of a variant in one precision.
+// What one run says about a variant in one precision.
 struct Figures {
     double worst_error = 0;
     std::vector<double> costs;
@@ -53,8 +53,8 @@ bool differs(double mine, double solution, double again, double factor) {
     return differs(mine, solution, factor * wander) && differs(mine, again, factor * wander);
 }
 
-// An error that is itself a time tells no more than the cost does, and fluctuates more. Others are
-// chance, and are named so.
+// An error that is itself a time tells no more than the cost does, and fluctuates more. Other
+// errors are a matter of chance, and their names say so.
 bool wanders(const std::string& error_name) {
     return error_name.find("time") != std::string::npos ||
            error_name.find("by chance") != std::string::npos;

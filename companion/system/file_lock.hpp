@@ -3,8 +3,8 @@
 
 namespace companion {
 
-// While it lives, no other process holds the lock of this file, which is made where it is missing
-// and stays. Throws app::Failure where the file cannot be made.
+// While a FileLock exists, no other process holds the lock of this file, which is created if it is
+// missing, and stays. Throws app::Failure if the file cannot be created.
 class FileLock {
   public:
     explicit FileLock(const std::filesystem::path& path);

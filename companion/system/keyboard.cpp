@@ -9,10 +9,10 @@
 namespace companion {
 namespace {
 
-// How the terminal was, and is: for the handler of signals, and set before it is.
+// The terminal's settings before and while reading: for the signal handler, and set before it is.
 termios before, while_reading;
 
-// Ends, or at Ctrl-Z stops, with the terminal as it was; goes on after fg.
+// Ends, or at Ctrl-Z stops, with the terminal as it was; continues after fg.
 bool restore_terminal(int signal) {
     ::tcsetattr(STDIN_FILENO, TCSANOW, &before);
     if (signal != SIGTSTP) return false;
@@ -29,7 +29,7 @@ Keyboard::Keyboard(bool immediately) {
     while_reading.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
     while_reading.c_cc[VMIN] = 1;
     while_reading.c_cc[VTIME] = 0;
-    // Ctrl-C and Ctrl-\ are keys, too, even where a script had them ignored.
+    // Ctrl-C and Ctrl-\ are keys, too, even if a script ignored these signals.
     for (const int signal : {SIGINT, SIGQUIT}) std::signal(signal, SIG_DFL);
     on_signal_.emplace(
         std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT, SIGSEGV, SIGTSTP},
@@ -47,7 +47,7 @@ std::optional<char> Keyboard::key(int milliseconds) {
     char key = 0;
     const ssize_t count = ::read(STDIN_FILENO, &key, 1);
     if (count == 1) return key;
-    // An error such as that of a terminal that is gone does not go away either.
+    // An error, for example if the terminal is gone, would not go away either.
     if (count == 0 || errno != EINTR) at_end_ = true;
     return std::nullopt;
 }

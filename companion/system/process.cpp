@@ -34,7 +34,7 @@ struct Running {
 Running running[16];
 std::atomic<int> passed_on = 0;
 
-// True where a group is left to end by itself.
+// True if a group is left to end by itself.
 bool end_running_groups(int signal) {
     bool passed = false;
     for (const Running& one : running) {
@@ -48,8 +48,8 @@ bool end_running_groups(int signal) {
     return passed;
 }
 
-// While one of these lives, a signal that interrupts the companion also ends the group, or reaches
-// it. Beyond sixteen groups, one would live on.
+// While one of these exists, a signal that interrupts the companion also ends the group, or is
+// passed on to it. It works for sixteen groups at a time; one more would live on.
 class EndedOnInterrupt {
   public:
     EndedOnInterrupt(pid_t id, bool passes_signals) {
@@ -74,7 +74,7 @@ class EndedOnInterrupt {
     Running* one_ = nullptr;
 };
 
-// Between fork and exec: only system calls.
+// Between fork and exec, only system calls are allowed.
 [[noreturn]] void become(char* const* command, const char* folder, int out, int err,
                          std::size_t most_memory) {
     ::setpgid(0, 0);
@@ -90,7 +90,7 @@ class EndedOnInterrupt {
     ::_exit(127);
 }
 
-// A program that runs, and the end of the pipe from which its output is read.
+// A running program, and the end of the pipe from which its output is read.
 class Child {
   public:
     Child(pid_t id, int pipe) : id_{id}, pipe_{pipe}, start_{Clock::now()} {}
@@ -131,8 +131,8 @@ class Child {
         return ended == id_;
     }
 
-    // Asks it to end, so that it can say what it was at. False where it has not after half a
-    // second.
+    // Asks it to end, so that it can say what it was doing. False if it has not
+    // ended after half a second.
     bool end_politely(int& status, std::string& output) {
         ::kill(-id_, SIGTERM);
         for (const auto start = Clock::now();
@@ -143,7 +143,7 @@ class Child {
         return false;
     }
 
-    // Waits for output, this many milliseconds at most. True when some came.
+    // Waits for output, for at most this many milliseconds. True if there was some.
     bool read_for(int milliseconds, std::string& output) {
         pollfd from{pipe_, POLLIN, 0};  // poll skips a pipe of -1 and only waits
         if (::poll(&from, 1, milliseconds) <= 0) return false;

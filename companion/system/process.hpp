@@ -1,5 +1,5 @@
 #pragma once
-// Running other programs. The one place of the companion that knows the operating system.
+// Running other programs. The one part of the companion that knows the operating system.
 
 #include <filesystem>
 #include <string>
@@ -19,19 +19,19 @@ struct Run {
     // The program, then its arguments; no shell reads them, so they may hold anything. A program
     // without a slash in its name is looked up in PATH.
     std::vector<std::string> command;
-    std::filesystem::path folder = ".";  // that it runs in
+    std::filesystem::path folder = ".";  // in which it runs
     Output output = Output::captured;
-    // SIGINT and SIGTERM go on to the program, which may want to keep what is done, and it is
-    // waited for; else they end it and the companion at once.
+    // SIGINT and SIGTERM are passed on to the program, which may want to keep what is done, and the
+    // companion waits for it; otherwise they end the program and the companion at once.
     bool passes_signals = false;
     double timeout = 0;  // seconds after which it is asked to end, then killed with all that it
                          // started; 0 is never
-    std::size_t most_memory = 0;  // bytes that it may have, where the system can tell; 0 is any
-    std::size_t most_output = 0;  // bytes of captured output after which it is; 0 is never
+    std::size_t most_memory = 0;  // bytes that it may have, if the system can tell; 0 is any
+    std::size_t most_output = 0;  // bytes of captured output after which it is ended; 0 is never
 };
 
 struct Result {
-    int exit_code = 0;  // 127 where the program could not be started
+    int exit_code = 0;  // 127 if the program could not be started
     int signal = 0;     // that ended it, else 0
     int passed_on = 0;  // the last signal that was passed on to it, else 0
     bool timed_out = false;
@@ -44,15 +44,15 @@ struct Result {
 };
 
 // Runs a program to its end. Its standard input is empty. An interruption of the companion ends it,
-// too, or reaches it. Threads may run programs at the same time. Throws std::system_error where the
-// system refuses another process.
+// too, or is passed on to it. Threads may run programs at the same time. Throws std::system_error
+// if the system refuses another process.
 Result run_process(const Run& run);
 
 // How a run ended, for a person: "exit code 2", "it timed out after 20 s", "signal 11 (Segmentation
 // fault)".
 std::string how_it_ended(const Result& result);
 
-// True where a program of this name is in PATH.
+// True if a program of this name is in PATH.
 bool is_installed(const std::string& program);
 
 }  // namespace companion

@@ -8,7 +8,7 @@ namespace companion {
 // Prints to the standard output, at once.
 void print(const std::string& text);
 
-// Colors where the standard output is a terminal that has them and NO_COLOR is not set; else the
+// Colors, if the standard output is a terminal that has them and NO_COLOR is not set; otherwise the
 // text as it is. Nothing is said by color alone.
 std::string green(const std::string& text);
 std::string red(const std::string& text);
@@ -19,7 +19,7 @@ std::string dim(const std::string& text);
 // "[#####.....]": how much of a whole is done.
 std::string bar(int part, int whole, int width);
 
-// The text in lines of this many characters at most, each after an indent. Its own line ends stay.
+// The text in lines of at most this many characters, each after an indent. Its own line ends stay.
 std::string wrapped(const std::string& text, const std::string& indent, std::size_t width = 98);
 
 }  // namespace companion

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws docs/plots/accuracy.svg from docs/studies/accuracy.csv, with gnuplot, and prints the settings
-that lie on each scene's frontier: those that no other one beats in both time and error."""
+that are on each scene's frontier: those that no other setting beats in both time and error."""
 
 import csv
 import pathlib
@@ -32,8 +32,8 @@ STYLES = {
 
 
 def frontier(rows):
-    """The rows, by time, each of which has a smaller error than all before it, by 3 % or more: less is
-    chance."""
+    """The rows, by time, whose error is smaller than that of all rows before by 3 % or more: a smaller
+    difference is chance."""
     best = []
     for row in sorted(rows, key=lambda r: (float(r["cost"]), float(r["error"]))):
         if not best or float(row["error"]) < 0.97 * float(best[-1]["error"]):

@@ -23,7 +23,7 @@ struct Sphere {
     double radius;
 };
 
-// Where the ray meets the sphere: after t times its direction, or -1 where it misses.
+// Where the ray meets the sphere: at t times its direction, or -1 if it misses.
 double hit(Sphere sphere, Vec origin, Vec direction) {
     Vec offset = origin - sphere.center;
     double a = dot(direction, direction);

@@ -43,7 +43,7 @@ struct Random {
         state += 0x9e3779b97f4a7c15;
         return static_cast<double>(mix(state) >> 11) / (1ull << 53);
     }
-    Vec3 direction() {  // of length 1, all alike
+    Vec3 direction() {  // of length 1, all equally likely
         const double z = 1 - 2 * uniform(), angle = 2 * pi * uniform();
         const double r = std::sqrt(std::max(0.0, 1 - z * z));
         return {r * std::cos(angle), r * std::sin(angle), z};
@@ -109,12 +109,12 @@ void read_line(const std::string& line, Scene& scene, Material& material) {
         in >> sphere.center >> sphere.radius;
     else
         expect(false, "camera, glass, matte, metal, picture, sky or sphere, not " + word);
-    expect(!in.fail() && !(in >> more), "other numbers after " + word);
+    expect(!in.fail() && !(in >> more), "the right numbers after " + word);
     const auto [least, most] = std::minmax({scene.width, scene.height, scene.samples, scene.depth});
-    expect(least > 0 && most <= 10'000, "numbers of a picture from 1 to 10000");
-    expect(length(cross(scene.at - scene.from, scene.up)) > 0, "an up beside the view");
+    expect(least > 0 && most <= 10'000, "picture numbers from 1 to 10000");
+    expect(length(cross(scene.at - scene.from, scene.up)) > 0, "an up vector not along the view");
     expect(0 < scene.fov_deg && scene.fov_deg < 180, "a field of view between 0 and 180");
-    expect(scene.aperture >= 0 && scene.focus > 0, "a lens of 0 or more, a focus above 0");
+    expect(scene.aperture >= 0 && scene.focus > 0, "an aperture from 0, a focus above 0");
     for (const Vec3 c : {scene.below, scene.above, material.color})
         expect(std::min({c.x, c.y, c.z}) >= 0 && std::max({c.x, c.y, c.z}) <= 1, "color in [0, 1]");
     expect(0 <= material.fuzz && material.fuzz <= 1, "a fuzz from 0 to 1");
@@ -137,8 +137,8 @@ Scene read_scene(const std::string& path) {
     return scene;
 }
 
-// A ray that leaves a surface knows which: its own sphere it meets at t = 0, exactly, and in at
-// most one other place. So no tolerance is needed to leave it, near or far, large or small.
+// A ray that leaves a sphere knows which one. It meets that sphere at t = 0, exactly, and at most
+// at one other point. So it needs no tolerance to leave the sphere, near or far, large or small.
 struct Ray {
     Vec3 origin, direction;  // of length 1
     int leaves = -1;         // the number of the sphere that it starts on
@@ -152,7 +152,7 @@ void try_sphere(const std::vector<Sphere>& spheres, int number, const Ray& ray, 
     const Sphere& sphere = spheres[number];
     const Vec3 to_center = sphere.center - ray.origin;
     const double middle = dot(to_center, ray.direction);
-    double t = 2 * middle;  // where it leaves the sphere that it starts on, if it goes inside
+    double t = 2 * middle;  // where the ray leaves the sphere that it starts on, if it goes inside
     if (number != ray.leaves) {
         // From the line to the center: this error does not grow with the distance.
         const Vec3 offset = to_center - middle * ray.direction;
@@ -163,7 +163,7 @@ void try_sphere(const std::vector<Sphere>& spheres, int number, const Ray& ray, 
         const double b = (distance - r) * (distance + r) / a;
         t = std::min(a, b) > 0 ? std::min(a, b) : std::max(a, b);
     }
-    // Of equally near ones the highest number, in whatever order they come.
+    // Of equally near spheres the one with the highest number counts, whatever their order.
     if (t > 0 && (t < nearest.t || (t == nearest.t && number > nearest.sphere)))
         nearest = {t, number};
 }
@@ -174,8 +174,8 @@ struct Box {
         low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
         high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
     }
-    // Whether the ray enters before `end`. The not-a-number of a ray that runs in a side of the box
-    // is passed over, since it stands second in max and min.
+    // True if the ray enters before `end`. If a ray runs within a side of the box, max and min
+    // ignore the resulting NaN, because it is their second argument.
     bool meets(const Ray& ray, Vec3 inverse, double end) const {
         double first = 0, last = end;
         for (int axis = 0; axis < 3; ++axis) {
@@ -197,7 +197,7 @@ Box box_of(const Sphere& sphere) {
 
 class Tree {
   public:
-    // A list is a tree of one leaf.
+    // A list is a tree with a single leaf.
     Tree(const std::vector<Sphere>& spheres, bool list)
         : spheres_{spheres}, order_(spheres.size()) {
         const int count = static_cast<int>(spheres.size());
@@ -214,7 +214,7 @@ class Tree {
   private:
     struct Node {
         Box box;
-        int first, count;  // its spheres: places in order_
+        int first, count;  // its spheres: indices into order_
         int axis, right;   // the left child is the next node; right is 0 in a leaf
     };
 
@@ -261,7 +261,7 @@ Vec3 reflect(Vec3 d, Vec3 normal) {
 }
 
 // The share of light that glass reflects (Fresnel, the mean of both polarizations). The cosines are
-// those on both sides; eta is the index on this side divided by that on the other.
+// those on the two sides; eta is the index on this side divided by the index on the other.
 double reflectance(double cosine, double inner, double eta) {
 #ifdef SCHLICK  // see accuracy.md
     const double r = (1 - eta) / (1 + eta), beside = 1 - (eta > 1 ? inner : cosine);
@@ -272,7 +272,7 @@ double reflectance(double cosine, double inner, double eta) {
     return (s * s + p * p) / 2;
 }
 
-// Where light goes on that arrives along d; `outward` is the sphere's normal.
+// The direction in which light that arrives along d goes on; `outward` is the sphere's normal.
 Vec3 scatter(const Material& material, Vec3 d, Vec3 outward, Random& random) {
     const bool outside = dot(d, outward) < 0;
     const Vec3 normal = outside ? outward : -1 * outward;
@@ -288,7 +288,7 @@ Vec3 scatter(const Material& material, Vec3 d, Vec3 outward, Random& random) {
     const bool matte = material.kind == Kind::matte;
     Vec3 next = matte ? normal + random.direction()
                       : reflect(d, normal) + material.fuzz * random.direction();
-    // What strays below the surface is folded up: no light is lost.
+    // A direction that strays below the surface is folded up, so no light is lost.
     next = next - 2 * std::min(0.0, dot(next, normal)) * normal;
     return length(next) > 0 ? unit(next) : normal;
 }
@@ -342,10 +342,10 @@ class Renderer {
     Tree tree_;
     int seed_;
     Vec3 w_, u_, v_;  // back, to the right, up
-    double pixel_;    // its side, where all is sharp
+    double pixel_;    // its side, at the focus distance
 };
 
-// All rows, on as many threads; whichever is free takes the next one.
+// Renders all rows on this many threads; whichever thread is free takes the next row.
 std::vector<Vec3> render(const Scene& scene, const Renderer& renderer, int threads) {
     const int width = scene.width, height = scene.height;
     std::vector<Vec3> picture(static_cast<std::size_t>(width) * height);

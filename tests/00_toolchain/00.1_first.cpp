@@ -14,8 +14,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// What the text's scene has in a pixel: eye at the origin, the picture two wide units away and two
-// high, the ball and the ground of the text, the light's direction of the text.
+// What a pixel of the text's scene shows. The eye is at the origin, the picture is two units away
+// and two units high; the ball, the ground and the light's direction are those of the text.
 struct Place {
     enum Kind { sky, ball, ground } kind = sky;
     double normal[3]{};
@@ -30,7 +30,7 @@ double dot(const double (&a)[3], const double (&b)[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// The nearer place where a ray from outside meets a sphere around (0, y, -4), or infinity.
+// The t of the nearer point where a ray from outside meets a sphere around (0, y, -4), or infinity.
 double distance(const Ray& ray, double y, double radius) {
     const double to_center[3]{-ray.origin[0], y - ray.origin[1], -4 - ray.origin[2]};
     const double a = dot(ray.direction, ray.direction), b = dot(ray.direction, to_center);
@@ -59,7 +59,7 @@ Place place(int width, int height, int column, int row) {
     return place;
 }
 
-// The learner's picture, with what belongs into each pixel.
+// The learner's picture, with what belongs in each pixel.
 struct Drawn {
     Picture picture;
     std::vector<Place> places;
@@ -80,7 +80,7 @@ struct Drawn {
                static_cast<std::size_t>(column);
     }
 
-    // Two pixels around it belong to the same thing, and are all in the light or all in shadow.
+    // All pixels within two of it show the same thing, and are all in the light or all in shadow.
     bool is_inside(int column, int row) const {
         const Place& here = at(column, row);
         for (int y = std::max(row - 2, 0); y <= std::min(row + 2, picture.height - 1); ++y)
@@ -89,7 +89,7 @@ struct Drawn {
         return true;
     }
 
-    // Calls visit(column, row, place) for the pixels inside of a kind of thing.
+    // Calls visit(column, row, place) for the pixels inside a thing of this kind.
     template <class Visit>
     void inside_of(Place::Kind kind, Visit visit) const {
         for (int row = 0; row < picture.height; ++row)
@@ -104,14 +104,14 @@ struct Drawn {
         while (at(column, row).kind != Place::ground) ++row;
         return row;
     }
-    // The last row that shows none, and is not next to it: the ground rises towards the middle.
+    // The last row that shows no ground and is not next to any; the ground rises toward the middle.
     int last_of_sky() const {
         int row = picture.height;
         for (int column = 0; column < picture.width; ++column) row = std::min(row, horizon(column));
         return row - 3;
     }
 
-    // By how much two pixels differ, the channel in which they do most.
+    // By how much two pixels differ, in the channel where they differ most.
     int difference(int column, int row, int other_column, int other_row) const {
         int most = 0;
         for (int i = 0; i < 3; ++i)
@@ -120,7 +120,7 @@ struct Drawn {
         return most;
     }
 
-    // Above the horizon, whether a pixel is not the sky that the left edge of its row shows.
+    // Above the horizon: whether a pixel differs from the sky at the left edge of its row.
     bool differs_from_sky(int column, int row) const { return difference(column, row, 0, row) > 6; }
 
     double sum(int column, int row) const {
@@ -128,7 +128,7 @@ struct Drawn {
     }
 };
 
-// What a step expects and what is there instead; where it is as expected, nothing.
+// What a step expects and what the picture shows instead; empty if the step is as expected.
 struct Finding {
     std::string expected = {}, actual = {}, hint = {};
 };
@@ -150,19 +150,19 @@ std::string color(const Drawn& drawn, int column, int row) {
 Finding sky(const Drawn& drawn) {
     const int last = drawn.last_of_sky(), side = drawn.picture.width / 5;
     const char* const hint =
-        "In C++ row / height is 0 as both are whole numbers; (row + 0.5) / height has a fraction. "
-        "And up must be calculated from the row, not from the column";
+        "In C++ row / height is 0, since both are whole numbers; (row + 0.5) / height has a "
+        "fraction. And up must be calculated from the row, not from the column";
     if (drawn.difference(0, 0, 0, last) < 12)
         return {"a sky whose color changes from the top to the horizon",
                 "row 0 has the color " + color(drawn, 0, 0) + ", and row " + number(last) +
-                    " still " + color(drawn, 0, last),
+                    " still has " + color(drawn, 0, last),
                 hint};
     Finding finding;
     drawn.inside_of(Place::sky, [&](int column, int row, const Place&) {
-        // Not near the middle, where a disc that is wrong may be.
+        // Not near the middle, where a wrong disk may be.
         if (column > side && column < drawn.picture.width - side) return;
         if (!finding.expected.empty() || !drawn.differs_from_sky(column, row)) return;
-        finding = {"a sky that has one color in each of its rows",
+        finding = {"a sky with a single color in each row",
                    "in row " + number(row) + " column 0 is " + color(drawn, 0, row) +
                        " and column " + number(column) + " is " + color(drawn, column, row),
                    hint};
@@ -170,14 +170,15 @@ Finding sky(const Drawn& drawn) {
     return finding;
 }
 
-// Rows of the sky's part of the picture that a column's disc begins in, and columns in a row.
+// The disk in words: the row where it begins, and the columns that it covers just
+// above the horizon.
 std::string disc_in_words(int top, int left, int right) {
-    if (right < left) return "no disc";
-    return "a disc whose top is in row " + number(top) + ", and which goes from column " +
+    if (right < left) return "no disk";
+    return "a disk whose top is in row " + number(top) + ", and which goes from column " +
            number(left) + " to column " + number(right) + " just above the horizon";
 }
 
-Finding disc(const Drawn& drawn) {
+Finding disk(const Drawn& drawn) {
     const Picture& picture = drawn.picture;
     const int row = drawn.last_of_sky();
     const auto extent = [&](auto&& is_disc) {
@@ -202,14 +203,15 @@ Finding disc(const Drawn& drawn) {
             disc_in_words(actual[0], actual[1], actual[2]),
             actual[2] < 0
                 ? "The discriminant is b * b - 4 * a * c, where a is dot(direction, direction), b "
-                  "is 2 * dot(offset, direction) and c is dot(offset, offset) less the radius "
+                  "is 2 * dot(offset, direction) and c is dot(offset, offset) minus the radius "
                   "squared. The direction is (right, up, -2), the center (0, 0, -4)"
-                : "A row that is further down has a smaller up, and both right and up are divided "
-                  "by the height: only then is a disc round. The ball's center is (0, 0, -4), its "
-                  "radius 1, and the direction's third number is -2"};
+                : "Lower rows have a smaller up. Both right and up are divided by the height, or "
+                  "the disk is not round. The ball's center is (0, 0, -4), its radius 1, and the "
+                  "direction's third number is -2"};
 }
 
-// The ball's pixels in some rows against the color of their normals, whatever the brightness.
+// Compares the ball's pixels in some rows with the colors of their normals,
+// whatever the brightness.
 Finding normals(const Drawn& drawn, int first, int last, const std::string& what,
                 const std::string& hint) {
     double worst = 0.06;
@@ -239,8 +241,9 @@ Finding normals(const Drawn& drawn, int first, int last, const std::string& what
 }
 
 Finding normals_above(const Drawn& drawn) {
-    return normals(drawn, 0, drawn.last_of_sky(), "the upper ball in the colors of its normals",
-                   "Red grows to the right with the normal's x, green upwards with y, blue towards "
+    return normals(drawn, 0, drawn.last_of_sky(),
+                   "the upper part of the ball in the colors of its normals",
+                   "Red grows to the right with the normal's x, green upward with y, blue toward "
                    "you with z. The normal goes from the center to the point, not the other way, "
                    "and the point is eye + t * direction with the smaller t");
 }
@@ -250,24 +253,24 @@ Finding ground(const Drawn& drawn) {
     if (drawn.difference(0, above, 0, below) <
         std::max(20, 3 * drawn.difference(0, above - (below - above), 0, above)))
         return {
-            "at the left edge sky in row " + number(above) + " and ground in row " + number(below),
+            "at the left edge, sky in row " + number(above) + " and ground in row " + number(below),
             "their colors are nearly the same: " + color(drawn, 0, above) + " and " +
                 color(drawn, 0, below),
-            "The ground is a sphere of radius 1000 around (0, -1001, -4). Do you go through "
-            "both spheres, and is the normal divided by the radius?"};
+            "The ground is a sphere of radius 1000 around (0, -1001, -4). Do you go through both "
+            "spheres, and is the normal divided by the radius?"};
     return normals(drawn, drawn.last_of_sky(), drawn.picture.height,
                    "the ball in front of the ground",
-                   "Of two spheres that a ray meets the nearer one is seen: the smaller t, in "
-                   "whatever order they stand");
+                   "If a ray meets both spheres, you see the nearer one: the smaller t, in "
+                   "whatever order they are listed");
 }
 
-// How many pixels of a thing are as dark, or as bright, as they should be, and the first that is
-// not. Dark is what has less than 85 % of its brightest brightness.
+// How many pixels of a thing should be dark or lit, how many of these are not, and the first that
+// is not. A pixel is dark if it has less than 85 % of the thing's highest brightness.
 struct Shadow {
     int dark = 0, wrong_dark = 0, lit = 0, wrong_lit = 0;
     int column = -1, row = -1;
     bool should_be_dark = false;
-    double dark_column = 0, dark_row = 0;  // the middle of what is dark, on the ground
+    double dark_column = 0, dark_row = 0;  // the middle of the dark part, on the ground
 };
 
 Shadow shadow_on(const Drawn& drawn, Place::Kind kind) {
@@ -278,7 +281,7 @@ Shadow shadow_on(const Drawn& drawn, Place::Kind kind) {
     drawn.inside_of(kind, [&](int column, int row, const Place& here) {
         all.push_back(brightness(column, row, here));
     });
-    // Not the very brightest: a few specks of their own color should not decide.
+    // Not the very brightest: a few specks of another color should not decide.
     const auto high = all.end() - 1 - static_cast<std::ptrdiff_t>(all.size() / 50);
     std::nth_element(all.begin(), high, all.end());
     Shadow shadow;
@@ -310,8 +313,8 @@ Finding shadow(const Drawn& drawn) {
             continue;
         const char* const hint =
             "The light comes from the left, from above and from behind you: to_light is (-2, 2, "
-            "1). A point lies in shadow where a ray from the point, in this direction, meets any "
-            "of the spheres, its own with the second t too";
+            "1). A point is in shadow if a ray from the point in this direction meets any of the "
+            "spheres. For the point's own sphere, look at the second t, too";
         if (kind == Place::ball)
             return {"the ball's lower right side, which is turned away from the light, is darker",
                     number(100.0 * shadow.wrong_lit / shadow.dark) + " % of it is as bright as " +
@@ -325,7 +328,7 @@ Finding shadow(const Drawn& drawn) {
         });
         const std::string actual = shadow.dark_column == 0
                                        ? "the ground has the same brightness everywhere"
-                                       : "what is dark on the ground has its middle in column " +
+                                       : "the dark part of the ground has its middle in column " +
                                              number(shadow.dark_column) + " of row " +
                                              number(shadow.dark_row);
         return {"the ball's shadow on the ground, with its middle in column " +
@@ -340,12 +343,12 @@ struct Step {
     Finding (*find)(const Drawn&);
 };
 constexpr Step steps[]{{"sky", sky},
-                       {"disc", disc},
+                       {"disk", disk},
                        {"normals as colors", normals_above},
                        {"two spheres", ground},
                        {"shadow", shadow}};
 
-// The program runs once for all test cases. One that prints nothing is still to be written.
+// The program runs once for all test cases. If it prints nothing, it is still to be written.
 const first::Printed& printed() {
     static const first::Printed once = first::run(COURSE_FIRST_PROGRAM);
     if (once.trouble.empty() && first::words(once.text, 1).empty()) {
@@ -374,9 +377,9 @@ Finding unreadable() {
             trouble.find("color value") == std::string::npos
                 ? "It starts with P3, the width, the height and 255; three whole numbers follow "
                   "for each pixel, row by row"
-                : "A color's parts go from 0 to 1, and int(255 * color.x) makes a whole number of "
-                  "one, with a blank behind it. A normal has the length 1, so that its parts go "
-                  "from -1 to 1, and half of (normal + 1) from 0 to 1"};
+                : "A color's components go from 0 to 1; int(255 * color.x) turns one into a whole "
+                  "number, and a space follows it. A normal has length 1, so its components go "
+                  "from -1 to 1, and half of (normal + 1) goes from 0 to 1"};
 }
 
 const Drawn& drawn() {
@@ -389,7 +392,7 @@ const Drawn& drawn() {
     return once;
 }
 
-// A step counts when the ones before it are there.
+// A step counts only if all steps before it are done.
 void check_picture(const std::function<Finding(const Drawn&)>& find) {
     if (const Finding finding = unreadable(); !finding.expected.empty()) return expect(finding);
     std::string reached;
@@ -414,8 +417,8 @@ TEST_CASE("00.1 step 1 a sky that changes from the top to the horizon", "[00.1]"
     check_picture(sky);
 }
 
-TEST_CASE("00.1 step 2 a round disc in the middle", "[00.1]") {
-    check_picture(disc);
+TEST_CASE("00.1 step 2 a round disk in the middle", "[00.1]") {
+    check_picture(disk);
 }
 
 TEST_CASE("00.1 step 3 the ball has the colors of its normals", "[00.1]") {
@@ -431,7 +434,7 @@ TEST_CASE("00.1 step 5 the side away from the light and the ground behind the ba
     check_picture(shadow);
 }
 
-TEST_CASE("00.1 the disc is right to the pixel", "[00.1][hard]") {
+TEST_CASE("00.1 the disk is right to the pixel", "[00.1][hard]") {
     check_picture([](const Drawn& drawn) -> Finding {
         int wrong = 0, edge = 0;
         for (int row = 0; row <= drawn.last_of_sky(); ++row)
@@ -442,7 +445,7 @@ TEST_CASE("00.1 the disc is right to the pixel", "[00.1][hard]") {
             }
         // A color may by chance be close to the sky's.
         if (wrong <= edge / 10) return {};
-        return {"a disc of just the pixels whose middle lies in it",
+        return {"a disk of exactly the pixels whose middle lies in it",
                 number(wrong) + " pixels at its edge are wrong",
                 "A ray goes through the middle of its pixel: (row + 0.5) and (column + 0.5), "
                 "divided by the height"};
@@ -454,15 +457,14 @@ TEST_CASE("00.1 no specks in light and shadow", "[00.1][hard]") {
         for (const Place::Kind kind : {Place::ground, Place::ball}) {
             const Shadow shadow = shadow_on(drawn, kind);
             if (shadow.column < 0) continue;
-            return {std::string("light and shadow without specks, with their edges at the right "
+            return {std::string("light and shadow without specks, with their edges in the right "
                                 "place: ") +
                         pixel_name(shadow.column, shadow.row) +
                         (shadow.should_be_dark ? " is dark" : " is in the light"),
-                    "it is not, and so are " + number(shadow.wrong_dark + shadow.wrong_lit - 1) +
-                        " others",
-                    "Specks come from rays that meet, after a t of about 0, the very sphere that "
-                    "they start from: ask for t > 0.001. Where the edges are wrong look at "
-                    "to_light"};
+                    "it is not, and " + number(shadow.wrong_dark + shadow.wrong_lit - 1) +
+                        " other pixels are wrong, too",
+                    "Specks come from rays that meet the very sphere that they start from, at a t "
+                    "of about 0: require t > 0.001. If the edges are wrong, look at to_light"};
         }
         return {};
     });

@@ -14,8 +14,8 @@ std::string text(Color c) {
            checkpoint::text(c.b) + ')';
 }
 
-// Where the learner's function is not the one that was declared, the linker takes the one that
-// throws. Catch2 shows this beside the exception, and nowhere else.
+// If the learner's function is not the one that was declared, the linker takes the one that throws.
+// Catch2 shows this hint with the exception and nowhere else.
 Color gradient_at(const Corners& corners, Real across, Real down) {
     try {
         return rt::gradient(corners, across, down);
@@ -46,8 +46,8 @@ constexpr Corners four{{1, 2, 3}, {5, 7, 11}, {13, 17, 19}, {23, 29, 31}};
 
 TEST_CASE("00.2 each corner has its own color", "[00.2]") {
     const char* const hint =
-        "across = 0 is left and 1 is right, down = 0 is the top. Across mixes along a row, the "
-        "top one and the bottom one; down mixes these two";
+        "across = 0 is the left and 1 the right, down = 0 is the top. Mix by across along the top "
+        "edge and along the bottom edge, then mix these two by down";
     check_exactly(four, 0, 0, four.top_left, hint);
     check_exactly(four, 1, 0, four.top_right, hint);
     check_exactly(four, 0, 1, four.bottom_left, hint);
@@ -81,10 +81,10 @@ TEST_CASE("00.2 the ends are exact whatever is on the other side", "[00.2][hard]
     check_exactly(corners, 0, 0, sun, hint);
 }
 
-TEST_CASE("00.2 every place is right to the last digits", "[00.2][hard]") {
+TEST_CASE("00.2 every point is right to the last digits", "[00.2][hard]") {
     rt::Rng rng{1, 1};
     const auto one_in = [&](int n) { return rng.uniform() * static_cast<Real>(n) < 1; };
-    // Near either end, at an end, at the place before, or anywhere.
+    // Near either end, at an end, the same number as before, or anywhere.
     const auto place = [&](Real before) {
         if (one_in(4)) return before;
         if (one_in(8)) return Real(one_in(2));
@@ -95,8 +95,8 @@ TEST_CASE("00.2 every place is right to the last digits", "[00.2][hard]") {
     };
     Real across = 0, down = 0;
     for (int i = 0; i < 3000; ++i) {
-        // Light of any strength, and beside it light that is up to a million million times as
-        // strong, black, or the same.
+        // Light of any strength. Beside it is light that is up to a million million times as
+        // strong, or black, or the same.
         const int largest = std::numeric_limits<Real>::max_exponent / 4;
         const int strength = static_cast<int>(rng() % static_cast<unsigned>(2 * largest)) - largest;
         const auto light = [&] {
@@ -118,8 +118,8 @@ TEST_CASE("00.2 every place is right to the last digits", "[00.2][hard]") {
             const Exact sum =
                 mixed(mixed(exact(colors[0].*channel), exact(colors[1].*channel), across),
                       mixed(exact(colors[2].*channel), exact(colors[3].*channel), across), down);
-            // Eight roundings on the way of any corner. No term is negative, so the bound holds
-            // relative to the sum; and the smallest number that there is may be added by each mix.
+            // Each corner's color is rounded eight times on its way. No term is negative, so the
+            // bound is relative to the sum. Each mix may add the smallest number that exists.
             const double error = std::abs((exact(color.*channel) - sum).high);
             const double smallest = double(std::numeric_limits<Real>::denorm_min());
             if (error <= static_cast<double>(rt::rounding_bound(8)) * sum.high + 4 * smallest)
@@ -131,8 +131,7 @@ TEST_CASE("00.2 every place is right to the last digits", "[00.2][hard]") {
                  << checkpoint::text(colors[2].*channel) << " and "
                  << checkpoint::text(colors[3].*channel)
                  << " below.\nHint: mix three times: top, bottom, and those two, each as (1 - t) a "
-                    "+ "
-                    "t b. And is each number a Real? A float has 7 digits only");
+                    "+ t b. And is each number a Real? A float has only 7 digits");
             const std::string actual = checkpoint::text(color.*channel);
             const std::string expected = checkpoint::text(sum);
             REQUIRE(actual == expected);

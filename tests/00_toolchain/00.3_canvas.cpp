@@ -12,8 +12,8 @@ using Canvas = rt::Canvas<WatchedPixel>;
 
 namespace {
 
-// Widths and heights: square or not, odd or even, one pixel, more rows than columns and the
-// reverse.
+// Widths and heights: square or not, odd or even, one pixel, more rows than columns
+// and the reverse.
 constexpr std::pair<int, int> sizes[] = {{3, 2}, {1, 1}, {4, 4}, {1, 5}, {9, 3}, {2, 13}, {40, 30}};
 
 // Pixel (x, y) is 100 y + x.
@@ -27,8 +27,8 @@ Canvas numbered(int width, int height) {
     return canvas;
 }
 
-// What is wrong with a canvas whose pixel (x, y) should be expected(x, y), the first thing; empty
-// if nothing is.
+// The first thing that is wrong with a canvas whose pixel (x, y) should be expected(x, y); empty if
+// nothing is wrong.
 template <class Expected>
 std::string complaint(const Canvas& canvas, int width, int height, Expected expected) {
     if (canvas.width() != width || canvas.height() != height)
@@ -43,7 +43,7 @@ std::string complaint(const Canvas& canvas, int width, int height, Expected expe
     return {};
 }
 
-// Says what is wrong with a canvas that ought to be numbered.
+// Says what is wrong with a canvas that should be numbered.
 void check_numbered(const char* what, const Canvas& canvas, int width, int height,
                     const char* hint) {
     const std::string wrong = complaint(canvas, width, height, number_at);
@@ -51,7 +51,7 @@ void check_numbered(const char* what, const Canvas& canvas, int width, int heigh
     CHECK(wrong == "");
 }
 
-// Whether a canvas has these very pixels, which are another one's or were so.
+// Checks whether a canvas has these very pixels, which belong or belonged to another canvas.
 void check_pixels(const Canvas& canvas, const WatchedPixel* pixels, const std::string& expected) {
     const std::string actual = canvas.begin() == pixels ? "the same pixels" : "other pixels";
     CHECK(actual == expected);
@@ -66,26 +66,25 @@ void check_memory() {
     {
         INFO("pixels that were never destroyed: "
              << Watch::live_objects() << ", in " << Watch::live_blocks()
-             << " pieces of memory that were never released.\nHint: delete[] pixels_ in the "
-                "destructor, and no pointer to pixels may be overwritten while it owns them");
+             << " blocks of memory that were never released.\nHint: delete[] pixels_ in the "
+                "destructor, and never overwrite a pointer that still owns pixels");
         CHECK(Watch::live_objects() == 0);
         CHECK(Watch::live_blocks() == 0);
     }
     {
         INFO("released twice: "
              << Watch::released_twice
-             << ".\nHint: two canvases had the same pixels_, and each released it");
+             << ".\nHint: two canvases had the same pixels_, and each released them");
         CHECK(Watch::released_twice == 0);
     }
     {
         INFO(
-            "pixels were copied byte by byte, which is right for some types only.\nHint: "
-            "std::copy, "
-            "std::fill or = instead of memcpy");
+            "pixels were copied byte by byte, which is correct only for some types.\nHint: "
+            "std::copy, std::fill or = instead of memcpy");
         CHECK(Watch::byte_copies == 0);
     }
-    INFO("uses of pixels that were gone: " << Watch::dead_uses
-                                           << ".\nHint: a pointer or a reference outlived them");
+    INFO("uses of destroyed pixels: " << Watch::dead_uses
+                                      << ".\nHint: a pointer or a reference outlived them");
     CHECK(Watch::dead_uses == 0);
 }
 
@@ -97,18 +96,18 @@ TEST_CASE("00.3 a new canvas has its size and its color", "[00.3]") {
         const int before = Watch::live_objects();
         const Canvas canvas{width, height, WatchedPixel{7}};
         INFO(
-            "Hint: in this order: remember width and height, make the pixels with new "
-            "Pixel[size()], and give each the color. size() is width_ times height_; ( ) in place "
-            "of [ ] makes one pixel; `int width_ = width;` would make another variable");
+            "Hint: in this order: store width and height, make the pixels with new Pixel[size()], "
+            "and give each the color. size() is width_ times height_; ( ) instead of [ ] makes a "
+            "single pixel; `int width_ = width;` would make another variable");
         check_equal(canvas.width(), width);
         check_equal(canvas.height(), height);
         REQUIRE((canvas.begin() != nullptr));
         {
-            INFO("pixels that were used and never made: " << Watch::dead_uses);
+            INFO("pixels that were used but never made: " << Watch::dead_uses);
             REQUIRE(Watch::dead_uses == 0);
         }
         {
-            INFO("the pixels that were made for " << width << " x " << height);
+            INFO("the number of pixels made for " << width << " x " << height);
             check_equal(Watch::live_objects() - before, width * height);
         }
         CHECK(complaint(canvas, width, height, [](int, int) { return 7; }) == "");
@@ -132,16 +131,16 @@ TEST_CASE("00.3 a copy has pixels of its own", "[00.3]") {
         const int before = Watch::live_objects();
         Canvas copy = original;
         check_numbered("the copy", copy, width, height,
-                       "take over both sides from `other` first, since size() is made of them; "
-                       "then new pixels, then std::copy from the other's to your own");
+                       "copy width and height from `other` first, since size() needs them; then "
+                       "make new pixels, then std::copy the other's pixels to your own");
         {
             INFO(
                 "both canvases have the same pixels.\nHint: a copied pointer is not a copied "
-                "picture: new pixels, then copy the colors");
+                "picture: make new pixels, then copy the colors");
             check_pixels(copy, original.begin(), "other pixels");
         }
         {
-            INFO("the pixels that the copy made");
+            INFO("the number of pixels that the copy made");
             check_equal(Watch::live_objects() - before, width * height);
         }
         copy.at(width - 1, height - 1) = WatchedPixel{-9};
@@ -160,8 +159,8 @@ TEST_CASE("00.3 a move takes the pixels over", "[00.3]") {
         const Canvas taken = std::move(original);
         {
             INFO(
-                "pixels made or copied by the move.\nHint: take over the pointer, and set the "
-                "other one's to nullptr");
+                "pixels made or copied by the move.\nHint: take over the pointer, and set that of "
+                "the other canvas to nullptr");
             check_equal(Watch::made - made, 0);
             check_pixels(taken, pixels, "the same pixels");
         }
@@ -175,7 +174,7 @@ TEST_CASE("00.3 a move takes the pixels over", "[00.3]") {
     check_memory();
 }
 
-TEST_CASE("00.3 assignment copies or moves and releases what was there", "[00.3]") {
+TEST_CASE("00.3 assignment copies or moves and releases the old pixels", "[00.3]") {
     const Watch watch;
     const char* const hint = "std::swap each of the three members with other's";
     for (const auto& [width, height] : sizes)
@@ -217,19 +216,19 @@ TEST_CASE("00.3 flipped swaps top and bottom", "[00.3]") {
             INFO(
                 width << " x " << height
                       << ", flipped.\nHint: swap rows, not columns: row y with row height - 1 - y, "
-                         "for each y below height / 2: less leaves a row out, more swaps rows "
+                         "for each y below height / 2. Fewer swaps leave a row out, more swap rows "
                          "back; the middle one of an odd number of rows stays");
             const int last = height - 1;
             REQUIRE(complaint(turned, width, height,
                               [=](int x, int y) { return number_at(x, last - y); }) == "");
         }
-        check_numbered("the canvas that flipped was given a copy of", canvas, width, height,
-                       "flip the parameter, a value");
+        check_numbered("the canvas whose copy was passed to flipped", canvas, width, height,
+                       "flip the parameter, which is a value");
     }
     check_memory();
 }
 
-TEST_CASE("00.3 a canvas that is moved into flipped comes out again", "[00.3]") {
+TEST_CASE("00.3 flipped returns the pixels of a canvas that is moved into it", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         Canvas canvas = numbered(width, height);
@@ -240,14 +239,13 @@ TEST_CASE("00.3 a canvas that is moved into flipped comes out again", "[00.3]") 
         const int more = Watch::most_live - before;
         {
             INFO(
-                "the canvas that came out has other memory.\nHint: take the canvas as a value, "
-                "flip "
-                "that, and return it by its name");
+                "the canvas that was returned has other memory.\nHint: take the canvas by value, "
+                "flip it, and return it by its name");
             check_pixels(turned, pixels, "the same pixels");
         }
-        INFO(width << " x " << height << " pixels, and on the way there were " << more
-                   << " more at the same time. A swap of two needs one, or two.\nHint: no second "
-                      "canvas, and no row to put pixels aside: std::swap(a, b) for two pixels");
+        INFO(width << " x " << height << " pixels, and at one time there were " << more
+                   << " more. A swap of two pixels needs one or two more.\nHint: use no second "
+                      "canvas, and no row to put pixels aside: std::swap(a, b) swaps two pixels");
         CHECK(more <= 2);
     }
     check_memory();
@@ -258,23 +256,23 @@ TEST_CASE("00.3 largest is a reference to the pixel itself", "[00.3]") {
     for (const auto& [width, height] : {std::pair{3, 2}, {1, 1}, {1, 6}, {4, 5}}) {
         Canvas canvas{width, height, WatchedPixel{}};
         for (int place = 0; place < width * height; ++place) {
-            // The numbers go up and down, and the largest one is everywhere in turn.
+            // The numbers go up and down, and each pixel in turn is the largest.
             for (int i = 0; i < width * height; ++i)
                 canvas.begin()[i] = WatchedPixel{i == place ? 55 : 7 * i % 5};
             const WatchedPixel* const found = &rt::largest(canvas);
             const bool is_in_canvas = canvas.begin() <= found && found < canvas.end();
             {
                 INFO(
-                    "the reference leads to no pixel of the canvas.\nHint: is `pixel` of your loop "
-                    "a copy (no &), do you return a variable of the function, or is its parameter "
-                    "a value (no &)? All of these are gone when the function ends");
+                    "the reference does not refer to a pixel of the canvas.\nHint: is `pixel` of "
+                    "your loop a copy (no &), do you return a variable of the function, or is its "
+                    "parameter a value (no &)? All of these are gone when the function returns");
                 REQUIRE(is_in_canvas);
             }
             INFO(
                 width << " x " << height << " pixels, the largest is (" << place % width << ", "
                       << place / width
-                      << ").\nHint: go through all pixels, also the first and the last one; `found "
-                         "= &pixel` where `*found < pixel`, in this order, and pixels, not "
+                      << ").\nHint: go through all pixels, including the first and the last; "
+                         "`found = &pixel` if `*found < pixel`, in this order; compare pixels, not "
                          "addresses");
             REQUIRE(found->value() == 55);
         }
@@ -295,8 +293,8 @@ TEST_CASE("00.3 of several largest pixels the first is found", "[00.3][hard]") {
         REQUIRE(actual == expected);
     };
     check_found(0, 0,
-                "all are equal: the first one stays unless another is larger, so < and not <=. "
-                "And start with the first pixel itself, not with 0: all are below 0");
+                "all are equal: the first one stays unless another is larger, so < and not <=. And "
+                "start with the first pixel itself, not with 0: all are below 0");
     canvas.at(2, 1) = canvas.at(0, 2) = canvas.at(1, 3) = WatchedPixel{-4};
     check_found(2, 1,
                 "the first of the largest ones, row by row from the top: replace it only by one "
@@ -311,7 +309,7 @@ TEST_CASE("00.3 a canvas may be assigned to itself", "[00.3][hard]") {
         Canvas canvas = numbered(3, 2);
         const Canvas& same = canvas;
         canvas = same;
-        INFO("Hint: release the old pixels last, when the new ones are there already");
+        INFO("Hint: release the old pixels last, after the new ones are made");
         CHECK(Watch::dead_uses == 0);
         check_numbered("the canvas, after canvas = canvas,", canvas, 3, 2,
                        "std::swap each of the three members with other's");
@@ -329,8 +327,8 @@ TEST_CASE("00.3 a vector of canvases grows without copies", "[00.3][hard]") {
             canvases.push_back(std::move(canvas));
             INFO("pixels made when canvas number "
                  << i
-                 << " moved in.\nHint: a vector that grows moves its elements only when that is "
-                    "noexcept: Canvas(Canvas&& other) noexcept");
+                 << " moved in.\nHint: a vector that grows moves its elements only if their move "
+                    "constructor is noexcept: Canvas(Canvas&& other) noexcept");
             check_equal(Watch::made - made, 0);
         }
         for (const Canvas& canvas : canvases)
@@ -349,13 +347,13 @@ TEST_CASE("00.3 a canvas that was moved from can be used again", "[00.3][hard]")
         check_equal(static_cast<int>(empty_copy.size()), 0);
         check_equal(static_cast<int>(rt::flipped(empty_copy).size()), 0);
         canvas = taken;
-        check_numbered("an empty canvas to which one was assigned", canvas, 3, 2,
+        check_numbered("an empty canvas to which another was assigned", canvas, 3, 2,
                        "std::swap each of the three members with other's");
         taken = empty_copy;
         check_equal(taken.width(), 0);
         check_equal(taken.height(), 0);
         taken = std::move(canvas);
-        check_numbered("an empty canvas into which one was moved", taken, 3, 2,
+        check_numbered("an empty canvas into which another was moved", taken, 3, 2,
                        "std::swap each of the three members with other's");
         Canvas emptied = numbered(1, 2);
         const Canvas owner = std::move(emptied);
@@ -380,7 +378,7 @@ TEST_CASE("00.3 sides below 1 are refused and nothing is lost", "[00.3][hard]") 
         } catch (const std::invalid_argument&) {
             continue;
         } catch (const std::bad_alloc&) {
-            actual = "came as far as new, which was asked for an absurd number of pixels";
+            actual = "got as far as new, which was asked for an absurd number of pixels";
         } catch (const rt::NotImplemented&) {
             throw;
         } catch (...) {
@@ -392,12 +390,12 @@ TEST_CASE("00.3 sides below 1 are refused and nothing is lost", "[00.3][hard]") 
         CHECK(actual == "refused by std::invalid_argument");
     }
     INFO(
-        "Hint: throw before new. An object whose constructor throws is never destroyed, and what "
-        "it held is lost");
+        "Hint: throw before new. An object whose constructor throws is never destroyed, and the "
+        "memory that it held leaks");
     check_memory();
 }
 
-TEST_CASE("00.3 a heap that is full is no canvas that is lost", "[00.3][hard]") {
+TEST_CASE("00.3 a full heap loses no canvas", "[00.3][hard]") {
     const Watch watch;
     {
         Canvas canvas = numbered(3, 2);
@@ -413,14 +411,15 @@ TEST_CASE("00.3 a heap that is full is no canvas that is lost", "[00.3][hard]") 
         }
         {
             INFO(
-                "a million million pixels, for which there is no room. new throws.\nHint: any size "
-                "from 1 x 1 on is allowed, and what new throws is for the caller");
+                "a million million pixels, for which there is no memory: new throws.\nHint: any "
+                "size from 1 x 1 up is allowed; leave what new throws to the caller");
             CHECK(actual == "std::bad_alloc");
         }
         {
-            INFO("bytes that new was asked for: "
-                 << Watch::asked
-                 << ".\nHint: width times height may be more than an int holds; size() has room");
+            INFO(
+                "bytes requested from new: "
+                << Watch::asked
+                << ".\nHint: width times height may be more than an int holds; size() can hold it");
             if (Watch::asked != 0) CHECK(Watch::asked >= std::size_t{1} << 40);
         }
         bool thrown = false;
@@ -430,9 +429,8 @@ TEST_CASE("00.3 a heap that is full is no canvas that is lost", "[00.3][hard]") 
             thrown = true;
         }
         if (thrown)
-            check_numbered("a, after a = b for which there was no room,", canvas, 3, 2,
-                           "first the copy, then the exchange: the parameter `other` of operator= "
-                           "is a value");
+            check_numbered("a, after a = b for which there was no memory,", canvas, 3, 2,
+                           "copy first, then swap: the parameter `other` of operator= is a value");
         Watch::is_full = false;
     }
     check_memory();

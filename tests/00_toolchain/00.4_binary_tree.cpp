@@ -21,7 +21,7 @@ Tree node(Tree left = {}, Tree right = {}) {
     return root;
 }
 
-// A tree of any shape, of so many nodes: a bit of a list, a bit of a bush.
+// A tree of any shape with this many nodes: part list, part bush.
 Tree random_tree(int count, rt::Rng& rng) {
     if (count == 0) return {};
     const auto any = static_cast<int>(rng() % static_cast<unsigned>(count));
@@ -30,7 +30,7 @@ Tree random_tree(int count, rt::Rng& rng) {
     return node(std::move(left), random_tree(count - 1 - to_left, rng));
 }
 
-// As you would say it; the tree is not deep.
+// The definition, word for word; the tree is not deep.
 int plain_depth(const WatchedNode* root) {
     if (!root) return 0;
     return 1 + std::max(plain_depth(root->left.get()), plain_depth(root->right.get()));
@@ -46,8 +46,8 @@ void collect(const Node* root, std::vector<int>& things) {
     collect(root->right.get(), things);
 }
 
-// The first node whose children are not the halves of what it stands for, or that is no leaf though
-// it stands for one thing; "none" where all are right.
+// The first node whose children are not the halves of what it stands for, or that is not a leaf
+// though it stands for one thing; "none" if all are right.
 template <class Node>
 std::string unbalanced(const Node* root) {
     const int size = root->last - root->first;
@@ -69,19 +69,18 @@ void check_memory() {
     {
         INFO("nodes that were never destroyed: "
              << Watch::live_objects()
-             << ", pieces of memory that were never released: " << Watch::live_blocks()
-             << ".\nHint: a node lives in a unique_ptr all the time; release() gives up what you "
-                "own");
+             << ", blocks of memory that were never released: " << Watch::live_blocks()
+             << ".\nHint: a unique_ptr owns each node all the time; release() gives up ownership");
         CHECK(Watch::live_objects() == 0);
         CHECK(Watch::live_blocks() == 0);
     }
     INFO("destroyed twice: " << Watch::released_twice
                              << ".\nHint: a node has one owner. Do not make a second unique_ptr "
-                                "from get(); move the one that there is");
+                                "from get(); move the existing one");
     CHECK(Watch::released_twice == 0);
 }
 
-// A node like any other, and quickly made. It notes how many destructors run inside of each other.
+// A plain node, quickly made. It records how many destructors run inside each other.
 struct PlainNode {
     struct Level {
         ~Level() { --depth; }
@@ -94,10 +93,10 @@ struct PlainNode {
 
 constexpr int million = 1'000'000;
 
-// A tree a million nodes deep. Its way down turns to the left and to the right; at some of its
-// nodes the other side is empty, at some it has a leaf, at some three nodes, and for long stretches
-// it is always the same side: functions that call themselves for one side only, or only where there
-// are two children, and lists that are too short, are found out as well. It is made once and stays.
+// A tree a million nodes deep. The way down turns left and right, and for long stretches stays on
+// one side. The other side is empty at some nodes, has a leaf at some, and three nodes at some. So
+// the tree also catches functions that call themselves for one side only, or only where there are
+// two children, and lists that are too short. It is made once and stays.
 struct DeepTree {
     DeepTree() {
         std::unique_ptr<PlainNode> tree;
@@ -132,16 +131,16 @@ DeepTree& deep_tree() {
     return tree;
 }
 
-// What becomes of work() on the deep tree.
+// Checks what work() returns for the deep tree.
 template <class Work>
 void check_deep(int expected_number, Work work) {
     const PlainNode* const root = deep_tree().root;
     const std::string actual = in_own_process([&] { return std::to_string(work(root)); });
     const std::string expected = std::to_string(expected_number);
     INFO(
-        "a tree that is a million nodes deep. Where the program ends, the stack was full.\nHint: a "
+        "a tree that is a million nodes deep. If the program ended, its stack was full.\nHint: a "
         "function that calls itself for a child needs room on the stack for every level. Keep a "
-        "std::vector of the nodes that are still to be visited, which grows as it must");
+        "std::vector of the nodes that are still to be visited, which grows as needed");
     CHECK(actual == expected);
 }
 
@@ -166,7 +165,9 @@ TEST_CASE("00.4 the nodes of small trees are counted", "[00.4]") {
 TEST_CASE("00.4 the depth of small trees", "[00.4]") {
     const Watch watch;
     {
-        INFO("Hint: nodes on the longest way down, the root among them; the larger child counts");
+        INFO(
+            "Hint: count the nodes on the longest way down, including the root; the deeper child "
+            "counts");
         CHECK(rt::depth_of<WatchedNode>(nullptr) == 0);
         CHECK(rt::depth_of(node().get()) == 1);
         CHECK(rt::depth_of(node(node()).get()) == 2);
@@ -184,8 +185,8 @@ TEST_CASE("00.4 trees of any shape are counted and measured", "[00.4]") {
         const int count = static_cast<int>(rng() % 40);
         const Tree root = random_tree(count, rng);
         INFO("a tree of " << count
-                          << " nodes, of any shape.\nHint: each call starts anew, and every "
-                          << "node has its turn, whichever children it has");
+                          << " nodes, of any shape.\nHint: each call starts from zero, and every "
+                          << "node is visited, whichever children it has");
         REQUIRE(rt::count_nodes(root.get()) == count);
         REQUIRE(rt::depth_of(root.get()) == plain_depth(root.get()));
     }
@@ -215,10 +216,10 @@ TEST_CASE("00.4 a tree is made of halves", "[00.4]") {
                 }
                 {
                     INFO(
-                        "each thing is there: which of the nodes has not the halves of its own as "
-                        "children?\nHint: middle = first + (last - first) / 2; of an odd number "
-                        "the right half is the larger one, and one thing alone is a leaf. Below 0 "
-                        "(first + last) / 2 is rounded to the other side");
+                        "each thing is in the tree; which node's children are not its two "
+                        "halves?\nHint: middle = first + (last - first) / 2; of an odd number the "
+                        "right half is the larger one, and a single thing is a leaf. Below 0, "
+                        "(first + last) / 2 is rounded the other way");
                     REQUIRE(unbalanced(root.get()) == "none");
                 }
                 INFO("nodes that were made: each is needed once");
@@ -250,12 +251,12 @@ TEST_CASE("00.4 taking apart destroys every node once", "[00.4]") {
     check_memory();
 }
 
-TEST_CASE("00.4 no destructor runs inside of another", "[00.4][hard]") {
+TEST_CASE("00.4 no destructor runs inside another", "[00.4][hard]") {
     const Watch watch;
     rt::Rng rng{5, 5};
     for (int kind = 0; kind < 6; ++kind) {
         Tree root = kind == 0 ? random_tree(1000, rng) : Tree{};
-        // To the left, to the right, or by turns; with leaves on the other side, or without.
+        // To the left, to the right, or in turns; with leaves on the other side, or without.
         for (int i = 0; i < 1000; ++i) {
             Tree side = kind >= 3 ? node() : Tree{};
             const bool to_left = kind % 3 == 0 ? i % 2 == 0 : kind % 3 == 1;
@@ -263,10 +264,8 @@ TEST_CASE("00.4 no destructor runs inside of another", "[00.4][hard]") {
                            : node(std::move(side), std::move(root));
         }
         rt::take_apart(std::move(root));
-        INFO(
-            "destructors that ran inside of each other, in a tree 1000 nodes deep.\nHint: take "
-            "both "
-            << "children away from a node before it goes");
+        INFO("destructors that ran inside each other, in a tree 1000 nodes deep.\nHint: take both "
+             << "children from a node before it is destroyed");
         CHECK(Watch::deepest_destructor == 1);
     }
     check_memory();
@@ -291,10 +290,9 @@ TEST_CASE("00.4 a tree a million nodes deep is taken apart", "[00.4][hard]") {
         return std::to_string(PlainNode::Level::most) + " destructor at a time";
     });
     INFO(
-        "where the program ends, the stack was full.\nHint: does take_apart call itself? Each call "
-        "that waits takes room on the stack, also where no destructor runs inside of another. Keep "
-        "a "
-        "std::vector of unique_ptr, step 5 of the text");
+        "if the program ended, its stack was full.\nHint: does take_apart call itself? Each "
+        "waiting call takes room on the stack, even where no destructor runs inside another. Keep "
+        "a std::vector of unique_ptr, as in step 5 of the text");
     CHECK(actual == "1 destructor at a time");
 }
 
@@ -308,10 +306,9 @@ TEST_CASE("00.4 things may be numbered up to the largest int", "[00.4][hard]") {
             const bool is_root = root && root->first == first && root->last == last;
             return is_root ? unbalanced(root.get()) : "the root";
         });
-        INFO("which node has no halves, in a tree over "
+        INFO("which node's children are not its two halves, in a tree over "
              << first << " to " << last
-             << ".\nHint: first + last does not fit an int; first + (last - first) / "
-                "2 does");
+             << ".\nHint: first + last does not fit an int; first + (last - first) / 2 does");
         CHECK(actual == "none");
     }
 }

@@ -9,8 +9,8 @@ using rt::Link;
 
 namespace {
 
-// A chain through scattered places. Its numbers are of any size and sign, with all their digits;
-// some are 0, and some equal those before.
+// A chain whose links are scattered in memory. Its numbers are of any size and sign, with all their
+// digits; some are 0, and some equal the number before.
 struct Scattered {
     explicit Scattered(int count) : links(static_cast<std::size_t>(count)) {
         rt::Rng rng{5, static_cast<std::uint64_t>(count)};
@@ -30,7 +30,7 @@ struct Scattered {
         }
     }
 
-    // The sum, one after the other from the first to the last.
+    // The sum, added one by one from the first to the last.
     Real sum() const {
         Real so_far = 0;
         for (const Real value : values) so_far += value;
@@ -42,7 +42,7 @@ struct Scattered {
     const Link* first = nullptr;
 };
 
-// Three million links, one beside the other.
+// Three million links, side by side in memory.
 std::vector<Link> long_chain() {
     std::vector<Link> links(3'000'000);
     for (std::size_t i = 0; i < links.size(); ++i)
@@ -50,8 +50,8 @@ std::vector<Link> long_chain() {
     return links;
 }
 
-// Where a link leads, compared with where it should; nothing where it is right. It compares
-// addresses and follows none.
+// Where a link leads if that is wrong; empty if it is right. This compares addresses
+// and follows none.
 std::string misled(const std::vector<Link>& links, std::size_t i) {
     const bool is_last = i + 1 == links.size();
     const Link* const next = links[i].next;
@@ -60,18 +60,17 @@ std::string misled(const std::vector<Link>& links, std::size_t i) {
         "link " + std::to_string(i) + " of " + std::to_string(links.size()) + " leads ";
     if (is_last)
         return where +
-               "on, and is the last one.\nHint: the last link leads to nullptr; links[i].next = "
-               "&links[i + 1] has to stop one link before";
+               "on, but it is the last one.\nHint: the last link leads to nullptr; links[i].next = "
+               "&links[i + 1] must stop one link earlier";
     if (!next)
         return where +
-               "nowhere, and not to the link behind it.\nHint: is each link connected? `for (auto "
-               "link : links)` goes through copies of them, `auto&` through the links themselves";
+               "nowhere, not to the next link.\nHint: is each link connected? `for (auto link : "
+               "links)` goes through copies of them, `auto&` through the links themselves";
     return where +
-           "to another place, and not to the link behind it in the same vector.\nHint: not into "
-           "the "
-           "old chain; not into room that the vector has left since: when it is full it moves all "
-           "its links elsewhere, so connect them when all are there; and not into another vector: "
-           "a copy lies elsewhere, so return the one that you connected";
+           "to another address, not to the next link in the same vector.\nHint: it must not lead "
+           "into the old chain. Nor into memory that the vector has left: a full vector moves all "
+           "its links elsewhere, so connect them when it is complete. Nor into another vector: a "
+           "copy lies elsewhere, so return the one that you connected";
 }
 
 // Whether the links follow each other in memory with the values of the chain.
@@ -82,8 +81,8 @@ void check_gathered(const std::vector<Link>& links, const std::vector<Real>& val
         if (links[i].value != values[i]) {
             INFO("the value of link "
                  << i
-                 << ".\nHint: the values come unchanged, in the order of the chain; an int has "
-                    "nothing behind the point, a float 7 digits only");
+                 << ".\nHint: the values stay unchanged, in the order of the chain; an int has "
+                    "nothing after the decimal point, a float only 7 digits");
             const std::string actual = text(links[i].value), expected = text(values[i]);
             REQUIRE(actual == expected);
         }
@@ -108,10 +107,9 @@ const char* const in_order =
 
 TEST_CASE("00.5 the values of a chain are added up", "[00.5]") {
     const char* const hint =
-        "the sum starts at 0, `Real sum = 0;`: without a value it holds rubbish, and `auto sum = "
-        "0` is "
-        "an int, with nothing behind the point. And for (const Link* link = first; link; link = "
-        "link->next) visits each link once";
+        "the sum starts at 0, `Real sum = 0;`: without a value it holds garbage, and `auto sum = "
+        "0` is an int, with nothing after the decimal point. And for (const Link* link = first; "
+        "link; link = link->next) visits each link once";
     const Link three{Real(0.75), nullptr}, two{-2, &three}, one{Real(4.5), &two};
     check_sum("0.75", &three, Real(0.75), hint);
     check_sum("-2 and 0.75", &two, Real(-1.25), hint);
@@ -121,7 +119,7 @@ TEST_CASE("00.5 the values of a chain are added up", "[00.5]") {
 }
 
 TEST_CASE("00.5 an empty chain has the sum 0 and gathers nothing", "[00.5]") {
-    INFO("Hint: `Real sum = 0;` and `std::vector<Link> links;`, and no link to begin with");
+    INFO("Hint: `Real sum = 0;` and `std::vector<Link> links;`, with no link to begin with");
     CHECK(rt::sum_along(nullptr) == 0);
     CHECK(rt::gathered(nullptr).size() == 0);
 }
@@ -133,12 +131,12 @@ TEST_CASE("00.5 the gathered links come in the order of the chain", "[00.5]") {
         REQUIRE(links.size() == chain.values.size());
         std::vector<Real> values;
         for (const Link& link : links) values.push_back(link.value);
-        INFO("Hint: push_back appends, and the chain is walked from its first link on");
+        INFO("Hint: push_back appends; walk the chain from its first link");
         REQUIRE(values == chain.values);
     }
 }
 
-TEST_CASE("00.5 each gathered link leads to the one behind it", "[00.5]") {
+TEST_CASE("00.5 each gathered link leads to the next one", "[00.5]") {
     const Scattered chain{10}, other{12};
     const std::vector<Link> links = rt::gathered(chain.first);
     const std::vector<Link> others = rt::gathered(other.first);
@@ -176,17 +174,17 @@ TEST_CASE("00.5 chains of any length are gathered", "[00.5][hard]") {
 }
 
 TEST_CASE("00.5 a chain of millions of links leads from each link to the next", "[00.5][hard]") {
-    // Whoever reserves room for many links and connects while it fills passes up to there.
+    // Code that reserves room for many links, and connects them while it fills, passes up
+    // to that number.
     rt::gathered(nullptr);
     const std::vector<Link> chain = long_chain();
     {
-        // The right answer takes some hundredths of a second.
+        // The right answer takes a few hundredths of a second.
         const std::string actual = in_own_process(
             [&] { return std::to_string(rt::gathered(chain.data()).size()) + " links"; }, 5);
         INFO(
-            "where the program ends, the stack was full, or it took too long.\nHint: a loop, no "
-            "call for every "
-            "link, and push_back: what is inserted at the front moves all that is there");
+            "if the program ended, its stack was full, or it took too long.\nHint: use a loop, not "
+            "a call for every link, and push_back: inserting at the front moves all the others");
         REQUIRE(actual == "3000000 links");
     }
     const std::vector<Link> links = rt::gathered(chain.data());
@@ -207,7 +205,7 @@ TEST_CASE("00.5 the gathered chain outlives the old one", "[00.5][hard]") {
     {
         std::vector<Link> made = rt::gathered(chain.first);
         links = std::move(made);
-        for (Link& link : chain.links) link = {};  // and here it goes
+        for (Link& link : chain.links) link = {};  // and now the old chain is gone
     }
     check_gathered(links, chain.values);
     check_sum("the gathered chain", links.data(), chain.sum(), in_order);
@@ -221,8 +219,7 @@ TEST_CASE("00.5 a chain of millions of links does not fill the stack", "[00.5][h
     const std::string actual = in_own_process([&] { return text(rt::sum_along(chain.data())); });
     const std::string expected = text(expected_sum);
     INFO(
-        "where the program ends, the stack was full.\nHint: a loop, not a function that calls "
-        "itself "
-        "for the rest of the chain");
+        "if the program ended, its stack was full.\nHint: use a loop, not a function that calls "
+        "itself for the rest of the chain");
     CHECK(actual == expected);
 }

@@ -1,7 +1,7 @@
 #!/bin/sh
-# by_hand.sh ROOT: runs the commands of chapter 00's text, those in blocks of ```console, in a copy of
-# its files, and checks that each prints the lines that the text shows. Numbers may differ from machine
-# to machine, and … stands for anything.
+# by_hand.sh ROOT: runs the commands of chapter 00's text, those in blocks of ```console, in a copy of its
+# files, and checks that each prints the lines that the text shows. Numbers may differ from machine to
+# machine, and … stands for anything.
 set -u
 text=$1/docs/00-toolchain.md
 place=$(mktemp -d)
@@ -22,7 +22,7 @@ cd "$place/course" || exit 1
 failures=0
 commands=0
 command=''
-# expect LINE: among what the last command printed there is such a line.
+# expect LINE: the last command must have printed such a line.
 expect() {
     pattern=$(printf '%s\n' "$1" | sed 's/[][\.*^$]/\\&/g; s/^[0-9a-f]\{16\} /@address@/; s/0x[0-9a-f][0-9a-f]*/@hex@/g
         s/[0-9][0-9]*/[0-9][0-9]*/g; s/@hex@/0x[0-9a-f]*/g; s/@address@/[0-9a-f]* /; s/…/.*/g')
@@ -41,7 +41,7 @@ while IFS= read -r line; do
             [ -n "$inside" ] || continue
             command=${line#??}
             commands=$((commands + 1))
-            # Not in a shell of its own: cd shall last.
+            # Not in a shell of its own, because cd must last.
             eval "$command" >"$place/output" 2>&1 </dev/null
             ;;
         *)

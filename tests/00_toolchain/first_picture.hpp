@@ -1,5 +1,6 @@
 #pragma once
-// The learner's first ray tracer is a program of its own: what it prints, and the picture in that.
+// Runs the learner's first ray tracer, which is a program of its own, and reads the picture
+// that it prints.
 
 #include <fcntl.h>
 #include <signal.h>
@@ -16,10 +17,10 @@ namespace first {
 
 struct Printed {
     std::string text;
-    std::string trouble;  // why it did not come to its end, or empty
+    std::string trouble;  // why it did not finish, or empty
 };
 
-// Runs a program that reads nothing, for ten seconds at most, and takes 64 MiB of what it prints.
+// Runs a program without input, for ten seconds at most, and takes up to 64 MiB of what it prints.
 inline Printed run(const char* program) {
     constexpr unsigned seconds = 10;
     constexpr std::size_t most = std::size_t{64} << 20;
@@ -56,7 +57,7 @@ inline Printed run(const char* program) {
     if (!printed.trouble.empty()) return printed;
     if (WIFSIGNALED(status))
         printed.trouble = WTERMSIG(status) == SIGALRM
-                              ? "it had not ended after 10 seconds; does a loop never end?"
+                              ? "it was still running after 10 seconds; does a loop never end?"
                               : "it crashed (signal " + std::to_string(WTERMSIG(status)) +
                                     "); does it use an array past its end?";
     else if (WEXITSTATUS(status) == 127 && printed.text.empty())
@@ -80,7 +81,7 @@ struct Picture {
     }
 };
 
-// The words of a text, up to a number of them, without what stands behind a #.
+// The first words of a text, at most this many, without the comments after a #.
 inline std::vector<std::string> words(const std::string& text, std::size_t most) {
     std::vector<std::string> all;
     for (std::size_t at = 0; at < text.size() && all.size() < most;) {
@@ -97,14 +98,14 @@ inline std::vector<std::string> words(const std::string& text, std::size_t most)
     return all;
 }
 
-// A whole number of at most nine digits; -1 where the word is something else.
+// A whole number of at most nine digits; -1 if the word is something else.
 inline int whole_number(const std::string& word) {
     const bool is_one = !word.empty() && word.size() < 10 &&
                         word.find_first_not_of("0123456789") == std::string::npos;
     return is_one ? std::stoi(word) : -1;
 }
 
-// Reads a P3 picture. Where the text is none, `trouble` says at which word, and what was expected.
+// Reads a P3 picture. If the text is not one, `trouble` says at which word, and what was expected.
 inline Picture read_p3(const std::string& text, std::string& trouble) {
     constexpr int widest = 1920;
     constexpr std::size_t most = 3 * std::size_t{widest} * widest;
@@ -117,11 +118,11 @@ inline Picture read_p3(const std::string& text, std::string& trouble) {
     if (all.empty() || all[0] != "P3") {
         trouble = "its first word is " + word(0) + " where P3 was expected";
     } else if (number(1) < 1 || number(2) < 1 || number(1) > widest || number(2) > widest) {
-        trouble = "behind P3 stand " + word(1) + " and " + word(2) +
+        trouble = "after P3 come " + word(1) + " and " + word(2) +
                   " where a width and a height from 1 to 1920 were expected";
     } else if (number(3) != 255) {
-        trouble = "behind width and height stands " + word(3) +
-                  " where 255 was expected, the number of full brightness";
+        trouble = "after width and height comes " + word(3) +
+                  " where 255 was expected, the value of full brightness";
     }
     if (!trouble.empty()) return picture;
     picture.width = number(1);
@@ -137,7 +138,7 @@ inline Picture read_p3(const std::string& text, std::string& trouble) {
     }
     if (!picture.is_whole())
         trouble = "the header promises " + std::to_string(picture.width) + " x " +
-                  std::to_string(picture.height) + " pixels of 3 numbers each, and " +
+                  std::to_string(picture.height) + " pixels of 3 numbers each, but " +
                   std::to_string(picture.numbers.size()) + " numbers follow";
     return picture;
 }

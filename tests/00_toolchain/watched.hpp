@@ -1,8 +1,7 @@
 #pragma once
-// What the checkpoints of this chapter watch memory with: a pixel and a node that note when they
-// are made, copied and destroyed. What they are asked to release is kept until the end of the test
-// case, so that wrong code, which uses what is gone or releases it twice, fails instead of
-// crashing.
+// How the checkpoints of this chapter watch memory: with a pixel and a node that record when they
+// are made, copied and destroyed. Memory that is released is kept until the end of the test case,
+// so that wrong code, which uses it later or releases it twice, fails instead of crashing.
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,7 +12,7 @@
 
 namespace checkpoint {
 
-// Of one test case: declare it first, so that it goes last.
+// For one test case: declare it first, so that it is destroyed last.
 class Watch {
   public:
     Watch() {
@@ -35,14 +34,14 @@ class Watch {
     }
 
     inline static int released_twice = 0;      // objects and blocks
-    inline static int dead_uses = 0;           // of an object that is no more
+    inline static int dead_uses = 0;           // of a destroyed object
     inline static int byte_copies = 0;         // uses of an object that was copied byte by byte
     inline static int copies = 0;              // of objects
     inline static int made = 0;                // objects, copies among them
-    inline static int most_live = 0;           // objects that were there at the same time
-    inline static int deepest_destructor = 0;  // destructors that ran inside of each other
+    inline static int most_live = 0;           // objects that existed at the same time
+    inline static int deepest_destructor = 0;  // destructors that ran inside each other
     inline static std::size_t asked = 0;       // bytes of the last block that was asked for
-    inline static bool is_full = false;        // the heap: it gives nothing any more
+    inline static bool is_full = false;        // the heap: new throws
 
     static void* take(std::size_t size) {
         asked = size;
@@ -120,12 +119,12 @@ class WatchedPixel {
 
   private:
     int value_;
-    const WatchedPixel* self_ = this;  // its own address, as objects of some types know it
+    const WatchedPixel* self_ = this;  // its own address, which objects of some types store
 };
 
 // A node of a tree that is watched.
 class WatchedNode {
-    // Destroyed after the children: what is destroyed in between is destroyed inside.
+    // Destroyed after the children: a destructor that runs in between runs inside this one.
     struct Level {
         ~Level() { --depth; }
         inline static int depth = 0;

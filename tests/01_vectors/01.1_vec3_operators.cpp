@@ -10,7 +10,7 @@ namespace {
 
 constexpr Real no_number = std::numeric_limits<Real>::quiet_NaN();
 
-// Equal to the last bit, as far as == sees; not a number where not a number is expected.
+// Equal to the last bit, as far as == sees; NaN where NaN is expected.
 bool same(Real a, Real b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
@@ -29,7 +29,7 @@ void check(const std::string& what, Vec3 expected, Vec3 actual, const char* hint
 
 void check_plus(Vec3 a, Vec3 b) {
     check(text(a) + " + " + text(b), {a.x + b.x, a.y + b.y, a.z + b.z}, a + b,
-          "x with x, y with y, z with z: {a.x + b.x, ...}");
+          "add x to x, y to y, z to z: {a.x + b.x, ...}");
 }
 void check_minus(Vec3 a, Vec3 b) {
     check(text(a) + " - " + text(b), {a.x - b.x, a.y - b.y, a.z - b.z}, a - b,
@@ -61,7 +61,7 @@ TEST_CASE("01.1 a difference is the way from the second to the first", "[01.1]")
     check_minus({1, 2, 3}, {1, 2, 3});
 }
 
-TEST_CASE("01.1 a multiple is longer in every component", "[01.1]") {
+TEST_CASE("01.1 a multiple multiplies every component", "[01.1]") {
     check_times({1, 2, 3}, 2);
     check_times({1, 2, 3}, -1);
     check_times({1, 2, 3}, Real(0.5));
@@ -69,7 +69,7 @@ TEST_CASE("01.1 a multiple is longer in every component", "[01.1]") {
     check_times({5, -7, 11}, 3);
 }
 
-TEST_CASE("01.1 a quotient is shorter in every component", "[01.1]") {
+TEST_CASE("01.1 a quotient divides every component", "[01.1]") {
     check_over({2, 4, 6}, 2);
     check_over({5, -7, 11}, -4);
     check_over({1, 2, 3}, Real(0.5));
@@ -100,7 +100,7 @@ TEST_CASE("01.1 the other operators are made of these", "[01.1]") {
     check("(12, 18, 27) /= 6", {2, 3, Real(4.5)}, c, "it calls your v / s");
 }
 
-TEST_CASE("01.1 what is computed with stays as it is", "[01.1]") {
+TEST_CASE("01.1 the operands stay as they are", "[01.1]") {
     Vec3 a{1, 2, 3}, b{4, 6, 9};
     const Vec3 all[] = {a + b, a - b, a * 5, a / 5};
     check("a after all four", {1, 2, 3}, a, "return a new vector, and change neither a nor b");
@@ -121,7 +121,7 @@ TEST_CASE("01.1 each component is rounded once", "[01.1][hard]") {
     }
 }
 
-TEST_CASE("01.1 a quotient by a tiny number is not infinite before its time", "[01.1][hard]") {
+TEST_CASE("01.1 a quotient by a tiny number overflows only if it must", "[01.1][hard]") {
     // 1 / s overflows where s is subnormal; v / s need not.
     const Real tiny = std::numeric_limits<Real>::denorm_min() * 4;
     check_over(Vec3{tiny, -2 * tiny, 3 * tiny}, tiny);

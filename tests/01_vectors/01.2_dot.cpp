@@ -25,7 +25,7 @@ void check_dot(Vec3 a, Vec3 b) {
 TEST_CASE("01.2 the dot product sums the products of all three components", "[01.2]") {
     const Vec3 a{1, 2, 3}, b{10, 100, 1000};
     const Real computed = rt::dot(a, b);
-    INFO("dot((1, 2, 3), (10, 100, 1000)): expected 10 + 200 + 3000 = 3210, yours gives "
+    INFO("dot((1, 2, 3), (10, 100, 1000)): expected 10 + 200 + 3000 = 3210, actual "
          << text(computed));
     if (computed == 210) INFO("Hint: is the product of the z components in your sum?");
     CHECK(computed == 3210);
@@ -49,7 +49,7 @@ TEST_CASE("01.2 the dot product has the accuracy that three products allow", "[0
     for (int i = 0; i < 4000; ++i) {
         const Vec3 a = any_vector(rng, -apart, apart), b = any_vector(rng, -apart, apart);
         check_dot(a * any_number(rng, -far, far), b * any_number(rng, -far, far));
-        // Nearly perpendicular: the terms cancel but for their last digits.
+        // Nearly perpendicular: the terms cancel except for their last digits.
         const Vec3 c = any_vector(rng, -3, 3), d = any_vector(rng, -3, 3);
         const Real tilt = 1 + any_number(rng, -16, -1);
         if (c.z != 0) check_dot(c, {d.x, d.y, -tilt * (c.x * d.x + c.y * d.y) / c.z});

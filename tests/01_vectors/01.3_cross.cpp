@@ -20,7 +20,7 @@ void check_cross(Vec3 a, Vec3 b) {
 
 }  // namespace
 
-TEST_CASE("01.3 x cross y is z and so on around", "[01.3]") {
+TEST_CASE("01.3 x cross y is z and y cross z is x and z cross x is y", "[01.3]") {
     const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
     INFO(
         "Hint: if only signs are wrong, two products are swapped: the order is y z - z y, "
@@ -32,19 +32,20 @@ TEST_CASE("01.3 x cross y is z and so on around", "[01.3]") {
 
 TEST_CASE("01.3 the cross product changes its sign when its factors are swapped", "[01.3]") {
     const Vec3 a{1, 2, 3}, b{4, 5, 7};
-    INFO("cross((1, 2, 3), (4, 5, 7)) must be (-1, 5, -3), yours is " << text(rt::cross(a, b)));
+    INFO("cross((1, 2, 3), (4, 5, 7)): expected (-1, 5, -3), actual " << text(rt::cross(a, b)));
     CHECK(rt::cross(a, b) == Vec3{-1, 5, -3});
     CHECK(rt::cross(b, a) == Vec3{1, -5, 3});
 }
 
 TEST_CASE("01.3 the cross product of a vector with itself is exactly zero", "[01.3][hard]") {
     const Vec3 a{real(0.1), real(-0.7), real(0.3)};
-    INFO("yours is " << text(rt::cross(a, a))
-                     << ".\nHint: the two products of a component must round alike");
+    INFO("expected (0, 0, 0), actual "
+         << text(rt::cross(a, a))
+         << ".\nHint: the two products of a component must be rounded in the same way");
     CHECK(rt::cross(a, a) == Vec3{0, 0, 0});
 }
 
-TEST_CASE("01.3 the cross product is perpendicular to both and as long as it should be", "[01.3]") {
+TEST_CASE("01.3 the cross product is perpendicular to both and has the right length", "[01.3]") {
     // Small whole numbers, with which nothing is rounded.
     rt::Rng rng{2, 1};
     const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
@@ -61,8 +62,8 @@ TEST_CASE("01.3 the cross product is perpendicular to both and as long as it sho
 TEST_CASE("01.3 the cross product is within 1.5 ulp even where its products cancel",
           "[01.3][hard]") {
     for (const auto& row : exact::products()) check_cross(vec3(row.a), vec3(row.b));
-    // Products near the largest and the smallest numbers, and factors parallel but for their last
-    // digits.
+    // Products near the largest and the smallest numbers, and factors that are parallel except for
+    // their last digits.
     const Real apart = for_this_precision<Real>(3, 50), far = for_this_precision<Real>(8, 70);
     rt::Rng rng{2, 2};
     for (int i = 0; i < 6000; ++i) {

@@ -13,8 +13,8 @@ bool is_ordinary(const exact::Length& row) {
     return 1e-9 < row.length.high && row.length.high < 1e9;
 }
 
-// Errors of the sum of three squares: 3 roundings, halved by the root, and the root's own: 2.5
-// units.
+// The error allowed: the 3 roundings of the sum of three squares, halved by the root, and the
+// root's own: 2.5 units.
 void check_length(const exact::Length& row) {
     const Vec3 v = vec3(row.v);
     const Real computed = rt::length(v);
@@ -38,7 +38,8 @@ void check_normalize(const exact::Length& row) {
     REQUIRE(error_in_ulp(computed, row.unit) <= 3.5);
 }
 
-// A vector v 2^exponent with its length and direction, exact even where squares are no numbers.
+// A vector v 2^exponent whose length and direction are known exactly, even where squares
+// overflow or underflow.
 struct Scaled {
     Vec3 v;
     int exponent;
@@ -48,7 +49,8 @@ struct Scaled {
     }
 };
 
-// A vector of any size that has all its digits or, where that cannot be, is itself what counts.
+// A vector of any size. If it is too small to keep all its digits, the rounded vector is the
+// one that counts.
 Scaled any_scaled(rt::Rng& rng, int lowest, int highest) {
     const int exponent = lowest + static_cast<int>(rng() % static_cast<unsigned>(highest - lowest));
     Scaled scaled{any_vector(rng, -4, 0), exponent};
@@ -77,8 +79,8 @@ void check_scaled(const Scaled& scaled) {
             std::max(smallest, study::ulp(static_cast<Real>(exact_scaled_length.high))));
         INFO("length(" << text(v) << ")");
         HINT(std::scalbn(static_cast<Real>(exact_scaled_length.high), scaled.exponent), computed,
-             "the root of v . v, of a vector that split_scale has scaled where its squares are too "
-             "large or too small");
+             "the root of v . v; where the squares are too large or too small, scale v by "
+             "split_scale first");
         REQUIRE(times_allowed(scaled_back, exact_scaled_length, ulp) <= 2.5);
     }
     const Vec3 unit = rt::normalize(v);
@@ -113,7 +115,7 @@ TEST_CASE("01.4 normalize works on huge and tiny vectors", "[01.4][hard]") {
 TEST_CASE("01.4 vectors of any direction have a length", "[01.4]") {
     rt::Rng rng{3, 1};
     for (int i = 0; i < 2000; ++i) check_scaled(any_scaled(rng, -10, 10));
-    // Some are nearly as long as 1 already.
+    // Some already have a length of nearly 1.
     for (int i = 0; i < 200; ++i)
         check_scaled(
             {rt::normalize(any_vector(rng, -1, 0) + Vec3{2, 0, 0}) * (1 + any_number(rng, -15, -1)),
@@ -145,8 +147,7 @@ TEST_CASE("01.4 the smallest and the largest numbers have a length", "[01.4][har
 
 TEST_CASE("01.4 a vector without direction is refused", "[01.4][hard]") {
     INFO(
-        "Hint: throw std::domain_error(\"why\") where the vector is zero, infinite or not a "
-        "number; "
+        "Hint: throw std::domain_error(\"why\") if the vector is zero, infinite or NaN; "
         "is_finite(v) tells");
     const Real zero = 0, nan = std::numeric_limits<Real>::quiet_NaN();
     CHECK_THROWS_AS(rt::normalize({0, 0, 0}), std::domain_error);

@@ -11,7 +11,8 @@ Vec3 scaled(Vec3 v, int exponent) {
     return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
 }
 
-// The exact sign, both ways round. Within the rounding of edge-on any answer is right.
+// Checks for the exact sign, with the normal and its opposite. Within the rounding of edge-on, any
+// answer is right.
 void check_side(Vec3 normal, Vec3 to_viewer, int exponent, int other_exponent) {
     const ExactVec3 a = exact_vector(normal), b = exact_vector(to_viewer);
     const double dot = exact_dot(a, b).high;
@@ -22,9 +23,9 @@ void check_side(Vec3 normal, Vec3 to_viewer, int exponent, int other_exponent) {
          << text(n) << ", " << text(v) << "), which are "
          << std::acos(std::clamp(dot / exact_length(a).high / exact_length(b).high, -1.0, 1.0)) *
                 180 / 3.14159265358979
-         << " degrees apart.\nHint: no angle is so near 90 degrees, and no vector so short "
-            "or long, that it counts as edge-on: the sign alone decides, of vectors that "
-            "split_scale has scaled");
+         << " degrees apart.\nHint: no angle is so near 90 degrees, and no vector so short or "
+            "long, that it counts as edge-on: only the sign decides, once split_scale has scaled "
+            "the vectors");
     const int computed = rt::facing(n, v), from_behind = rt::facing(-n, v);
     REQUIRE(computed == side);
     REQUIRE(from_behind == -side);
@@ -62,7 +63,7 @@ TEST_CASE("01.5 nearly edge-on is not edge-on", "[01.5][hard]") {
 }
 
 TEST_CASE("01.5 exactly edge-on is 0 whatever the lengths", "[01.5][hard]") {
-    INFO("Hint: scaled by a power of two, as split_scale does, no digit of these vectors is lost");
+    INFO("Hint: scaling by a power of two, as split_scale does, loses no digit of these vectors");
     rt::Rng rng{4, 3};
     const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
     for (int i = 0; i < 500; ++i) {
@@ -93,7 +94,7 @@ TEST_CASE("01.5 tiny and huge vectors have a side too", "[01.5][hard]") {
         // Multiples of the smallest number.
         check_side(a, smallest, exponent(), lowest);
         check_side(smallest, a, lowest, exponent());
-        // Components that are nothing beside each other.
+        // Components so different that the smaller ones vanish beside the larger ones.
         const Real apart = for_this_precision<Real>(15, 60);
         check_side(any_vector(rng, -apart, apart), any_vector(rng, -apart, apart), 0, 0);
     }

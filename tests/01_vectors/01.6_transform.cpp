@@ -8,7 +8,8 @@ using rt::Mat4;
 
 namespace {
 
-// x is doubled, y goes to z, z to -y, and all moves by (10, 20, 30). Its inverse is known by hand.
+// x is doubled, y goes to z, z to -y, and everything moves by (10, 20, 30). Its inverse
+// was found by hand.
 const Mat4 map{{{{2, 0, 0, 10}, {0, 0, -1, 20}, {0, 1, 0, 30}, {0, 0, 0, 1}}}};
 const Mat4 inverse_of_map{{{{real(0.5), 0, 0, -5}, {0, 0, 1, -30}, {0, -1, 0, 20}, {0, 0, 0, 1}}}};
 
@@ -30,12 +31,12 @@ Mat4 any_map(rt::Rng& rng, Real low, Real high) {
     return rt::from_columns(x, y, z, origin);
 }
 
-// The sum of the products of two vectors' components, and one number more.
+// The sum of the products of two vectors' components, plus one more number.
 void check_sum(Vec3 a, Vec3 b, Real more, Real computed, const char* what) {
     const Exact expected = dot(a, b) + Exact(more);
     const double size =
         size_of_terms(exact_vector(a), exact_vector(b)) + static_cast<double>(std::abs(more));
-    INFO(what << ": expected " << text(expected) << ", but yours gives " << text(computed));
+    INFO(what << ": expected " << text(expected) << ", actual " << text(computed));
     REQUIRE(times_allowed(computed, expected, static_cast<double>(rt::rounding_bound(5)) * size) <=
             1);
 }
@@ -77,41 +78,42 @@ void check_maps(rt::Rng& rng, Real low, Real high) {
 
 TEST_CASE("01.6 a point is turned and moved", "[01.6]") {
     const Vec3 computed = rt::transform_point(map, {1, 2, 3});
-    INFO("yours gives " << text(computed)
-                        << ".\nHint: each row times (x, y, z, 1); (12, 17, 32) is 2 x, -z, y, then "
-                           "+ (10, 20, 30)");
+    INFO("expected (12, 17, 32), actual " << text(computed)
+                                          << ".\nHint: each row times (x, y, z, 1); (12, 17, 32) "
+                                             "is 2 x, -z, y, then + (10, 20, 30)");
     CHECK(computed == Vec3{12, 17, 32});
 }
 
 TEST_CASE("01.6 a direction is turned but not moved", "[01.6]") {
     const Vec3 computed = rt::transform_vector(map, {1, 2, 3});
-    INFO("yours gives " << text(computed) << ".\nHint: each row times (x, y, z, 0)");
+    INFO("expected (2, -3, 2), actual " << text(computed)
+                                        << ".\nHint: each row times (x, y, z, 0)");
     CHECK(computed == Vec3{2, -3, 2});
 }
 
 TEST_CASE("01.6 a normal stays perpendicular to its surface", "[01.6]") {
-    // A slope along (1, 1, 0) has the normal (1, -1, 0). Stretched twice in x it runs along (2, 1,
-    // 0).
+    // A slope along (1, 1, 0) has the normal (1, -1, 0). Stretched by 2 in x, it runs
+    // along (2, 1, 0).
     const Mat4 stretch = rt::scaling({2, 1, 1}), shrink = rt::scaling({real(0.5), 1, 1});
     const Vec3 along = rt::transform_vector(stretch, {1, 1, 0});
     const Vec3 normal = rt::transform_normal(shrink, {1, -1, 0});
     INFO("the surface now runs along " << text(along) << ", your normal is " << text(normal)
-                                       << ", which must be perpendicular to that.\nHint: the "
-                                          "columns of the inverse, not its rows, "
-                                          "times n");
+                                       << "; the two must be perpendicular.\nHint: the columns of "
+                                          "the inverse, not its rows, times n");
     CHECK(dot(along, normal).high == 0);
     CHECK(normal == Vec3{real(0.5), -1, 0});
 }
 
 TEST_CASE("01.6 a normal takes the columns of the inverse and does not move", "[01.6]") {
     const Vec3 computed = rt::transform_normal(inverse_of_map, {1, 2, 3});
-    INFO("yours gives " << text(computed)
-                        << ".\nHint: component x is column 0 of the inverse times n, and so on; "
-                           "the translation is left out");
+    INFO("expected (0.5, -3, 2), actual "
+         << text(computed)
+         << ".\nHint: component x is column 0 of the inverse times n, and so on; the translation "
+            "is left out");
     CHECK(computed == Vec3{real(0.5), -3, 2});
 }
 
-TEST_CASE("01.6 the product of two maps applies the right one first", "[01.6]") {
+TEST_CASE("01.6 the product of two maps applies the right-hand map first", "[01.6]") {
     const Mat4 move = rt::translation({1, 0, 0}), stretch = rt::scaling({2, 3, 4});
     const Mat4 moved_last = rt::multiply(move, stretch), moved_first = rt::multiply(stretch, move);
     INFO(
@@ -132,7 +134,7 @@ TEST_CASE("01.6 a map times its inverse is the identity", "[01.6][hard]") {
 }
 
 TEST_CASE("01.6 a sheared and squeezed surface keeps its normal", "[01.6][hard]") {
-    // Powers of two, so that nothing is rounded: the angle must be right exactly.
+    // Powers of two, so that nothing is rounded: the angle must be exactly right.
     const Real s = real(for_this_precision(0x1p-20, 0x1p-200));
     const Mat4 shear{{{{1, 4, 0, 7}, {0, s, 0, 8}, {0, 0, 1 / s, 9}, {0, 0, 0, 1}}}};
     const Mat4 unshear{{{{1, -4 / s, 0, 0}, {0, 1 / s, 0, 0}, {0, 0, s, 0}, {0, 0, 0, 1}}}};

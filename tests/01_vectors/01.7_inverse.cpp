@@ -36,8 +36,8 @@ struct Exactly {
     int exponents[3];
     Vec3 origin;
     ExactVec3 rows[3];
-    // The sum of the terms of the determinant without their signs, divided by the determinant, at
-    // its largest: it depends on the row or column that the determinant is developed by.
+    // The sum of the absolute values of the determinant's terms, divided by the determinant. It
+    // depends on the row or column by which the determinant is expanded; this is the largest.
     double condition = 0;
 
     Exactly(Vec3 a, Vec3 b, Vec3 c, int e, int f, int g, Vec3 moved)
@@ -67,26 +67,25 @@ struct Exactly {
         };
         return rt::from_columns(column(0), column(1), column(2), origin);
     }
-    // Where rounding cannot hide that there is an inverse, by a good measure.
+    // Whether there is an inverse by so wide a margin that rounding cannot hide it.
     bool is_clear() const {
         return condition > 0 && condition * static_cast<double>(rt::epsilon) < 1.0 / 16;
     }
     double allowed_ulp() const { return 4 + 6 * condition; }
 };
 
-// The linear part's numbers, the translation, and both ways between the spaces. Sums of terms are
-// allowed the errors of their terms.
+// Checks the linear part's numbers, the translation, and both transforms between the spaces. A sum
+// may have the errors of its terms.
 void check_inverse(const Exactly& exact, Vec3 point) {
     const Mat4 m = exact.map();
     INFO("the matrix:\n"
          << m
-         << "Hint: build the rows from your cross product, which keeps its "
-            "digits on nearly parallel columns, and split_scale the columns so that nothing "
-            "overflows");
+         << "Hint: build the rows from your cross product, which keeps its digits on nearly "
+            "parallel columns, and split_scale the columns so that nothing overflows");
     const Mat4 inverse = rt::inverse(m);
     const Real translations[] = {inverse(0, 3), inverse(1, 3), inverse(2, 3)};
     const ExactVec3 origin = exact_vector(exact.origin), p = exact_vector(point);
-    // An ulp is epsilon of the number at most, and each term is rounded up to four times more.
+    // An ulp is at most epsilon times the number, and each term is rounded up to four more times.
     const double of_terms = (exact.allowed_ulp() + 4) * static_cast<double>(rt::epsilon);
     for (int i = 0; i < 3; ++i) {
         const auto unscaled = [&](Real x) { return std::scalbn(x, exact.exponents[i]); };
@@ -103,7 +102,7 @@ void check_inverse(const Exactly& exact, Vec3 point) {
             const Exact moved = -exact_dot(expected, origin);
             INFO("the last number of row " << i << " of the inverse");
             HINT(moved, unscaled(translations[i]),
-                 "it is the inverse's row times the translation, negative");
+                 "it is minus the inverse's row times the translation");
             REQUIRE(times_allowed(unscaled(translations[i]), moved, of_terms * moves) <= 1);
         }
     }
@@ -141,20 +140,20 @@ TEST_CASE("01.7 the inverse undoes stretching and moving", "[01.7]") {
         "row 0 is " << text(row_of(computed, 0)) << ' ' << text(computed(0, 3)) << ", row 1 "
                     << text(row_of(computed, 1)) << ' ' << text(computed(1, 3)) << ", row 2 "
                     << text(row_of(computed, 2)) << ' ' << text(computed(2, 3))
-                    << ".\nHint: the last column of the inverse is the inverse's linear part times "
-                       "the translation, negative");
+                    << ".\nHint: the last column of the inverse is minus the inverse's linear part "
+                       "times the translation");
     CHECK(computed ==
           Mat4{{{{real(0.5), 0, 0, -5}, {0, 0, 1, -30}, {0, -1, 0, 20}, {0, 0, 0, 1}}}});
 }
 
-TEST_CASE("01.7 to_object and to_world are each other's way back", "[01.7]") {
+TEST_CASE("01.7 to_object and to_world undo each other", "[01.7]") {
     const Mat4 placement = rt::multiply(rt::translation({4, 8, -16}), rt::scaling({2, 4, 8}));
     CHECK(rt::to_world(placement, {1, 1, 1}) == Vec3{6, 12, -8});
     CHECK(rt::to_object(placement, {6, 12, -8}) == Vec3{1, 1, 1});
     CHECK(rt::to_object(placement, {4, 8, -16}) == Vec3{0, 0, 0});
 }
 
-TEST_CASE("01.7 any map that can be undone is", "[01.7]") {
+TEST_CASE("01.7 any map that has an inverse is inverted", "[01.7]") {
     rt::Rng rng{16, 1};
     const auto any = [&] { return any_vector(rng, -1, 1); };
     for (int i = 0; i < 300; ++i) {
@@ -162,7 +161,7 @@ TEST_CASE("01.7 any map that can be undone is", "[01.7]") {
         const Exactly exact{a, b, c, 0, 0, 0, origin};
         if (exact.condition > 0 && exact.condition < 100) check_inverse(exact, any());
     }
-    // A turn, a little more or less, and hardly a change at all.
+    // Nearly a turn, and nearly no change at all.
     for (int i = 0; i < 100; ++i) {
         const Real little = std::pow(Real(10), rng.uniform(-15, -1));
         const Mat4 turn = rt::rotation_y(rng.uniform(-3, 3) * Real(i % 2));
@@ -180,7 +179,7 @@ TEST_CASE("01.7 the inverse is as accurate as its determinant allows", "[01.7][h
     for (const auto& row : exact::inverses()) {
         const Mat4 computed = rt::inverse(matrix(row, {0, 0, 0}));
         const bool huge = std::abs(row.columns[0][0]) > 1e6 || std::abs(row.columns[0][0]) < 1e-6;
-        if (huge) continue;  // further down, of every size
+        if (huge) continue;  // further down, in every size
         const Exactly exact{
             vec3(row.columns[0]),  vec3(row.columns[1]), vec3(row.columns[2]), 0, 0, 0,
             any_vector(rng, -1, 1)};
@@ -191,14 +190,14 @@ TEST_CASE("01.7 the inverse is as accurate as its determinant allows", "[01.7][h
             REQUIRE(error_in_ulp(row_of(computed, i), row.rows[i]) <= exact.allowed_ulp());
         }
     }
-    // Ever nearer to a plane.
+    // Ever closer to a plane.
     const auto any = [&] { return any_vector(rng, -1, 1); };
     for (int i = 0; i < 600; ++i) {
         const Vec3 a = any(), b = any(), origin = any();
         const Vec3 c =
             rng.uniform(-2, 2) * a + rng.uniform(-2, 2) * b +
             std::pow(Real(10), rng.uniform(for_this_precision<Real>(-7, -16), 0)) * any();
-        // Stretched along the axes by powers of two, it is no flatter.
+        // Stretching along the axes by powers of two makes it no flatter.
         const int most = i % 2 == 0 ? 0 : for_this_precision(8, 20);
         const auto power = [&] {
             return std::scalbn(Real(1), static_cast<int>(rng() % 64) * most / 32 - most);
@@ -210,8 +209,8 @@ TEST_CASE("01.7 the inverse is as accurate as its determinant allows", "[01.7][h
 }
 
 TEST_CASE("01.7 one determinant counts for all rows", "[01.7][hard]") {
-    // The bound takes the largest sum of terms that the determinant can be developed into. With
-    // each row's own, those of its column, it would be too tight for some of these rows.
+    // The bound takes the largest sum of terms over all expansions of the determinant. With each
+    // row's own sum, that of its column, it would be too tight for some of these rows.
     rt::Rng rng{16, 4};
     for (int i = 0; i < 1500; ++i) {
         const auto any = [&] { return any_vector(rng, -1, 1); };
@@ -222,7 +221,7 @@ TEST_CASE("01.7 one determinant counts for all rows", "[01.7][hard]") {
         const Exactly exact{stretch * a, stretch * b, stretch * c, 0, 0, 0, any()};
         if (exact.is_clear()) check_inverse(exact, any());
     }
-    // Columns of numbers as different in size as they may be.
+    // Columns of numbers that differ in size as much as they may.
     const Real apart = for_this_precision<Real>(15, 140);
     for (int i = 0; i < 500; ++i) {
         const auto any = [&] { return rt::split_scale(any_vector(rng, -apart, 0)).v; };
@@ -236,7 +235,7 @@ TEST_CASE("01.7 a singular matrix is refused", "[01.7][hard]") {
     const auto check_refused = [](const Mat4& m) {
         INFO("this matrix flattens space:\n"
              << m
-             << "Hint: throw std::domain_error where the determinant, without its sign, is not "
+             << "Hint: throw std::domain_error if the absolute value of the determinant is not "
                 "larger than its own rounding error");
         CHECK(refusal_by_inverse(m) == "std::domain_error");
         CHECK(refusal_by_to_object(m) == "std::domain_error");
@@ -266,25 +265,23 @@ TEST_CASE("01.7 a matrix that is not finite is refused", "[01.7][hard]") {
                 Mat4 m{{{{2, 1, 0, 10}, {0, 3, -1, 20}, {-1, 1, 1, 30}, {0, 0, 0, 1}}}};
                 m(row, column) = bad;
                 INFO("inverse and to_object must throw std::domain_error for\n"
-                     << m
-                     << "Hint: not-a-number compares false with everything; is_finite(v) tells");
+                     << m << "Hint: NaN compares false with everything; is_finite(v) tells");
                 CHECK(refusal_by_inverse(m) == "std::domain_error");
                 CHECK(refusal_by_to_object(m) == "std::domain_error");
             }
 }
 
 TEST_CASE("01.7 a mirror is not singular", "[01.7]") {
-    INFO("its determinant is negative, which is no flaw: compare without the sign");
+    INFO("its determinant is negative, which is no flaw: compare its absolute value");
     check_inverse({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0, 0, 0, {1, 2, 3}}, {4, 5, 6});
 }
 
 TEST_CASE("01.7 small is not singular", "[01.7][hard]") {
-    // A scene in nanometers beside one in light years; its determinant is far from 1, not its
-    // shape.
+    // A scene in nanometers beside one in light years: the determinant is far from 1, but the
+    // shape is ordinary.
     INFO(
         "Hint: compare the determinant with its own rounding error, not with a constant; and "
-        "split_scale "
-        "the columns, so that no product of three overflows or underflows");
+        "split_scale the columns, so that no product of three overflows or underflows");
     const int far = for_this_precision(50, 480), apart = for_this_precision(16, 100);
     rt::Rng rng{16, 3};
     const auto any = [&] { return any_vector(rng, -1, 1); };
@@ -300,14 +297,15 @@ TEST_CASE("01.7 small is not singular", "[01.7][hard]") {
     }
     const Real smallest = std::numeric_limits<Real>::denorm_min();
     const Mat4 inverse = rt::inverse(rt::from_columns({1, 0, 0}, {0, smallest, 0}, {0, 0, 1}));
-    INFO("the number " << text(smallest) << " in the matrix becomes one too large for Real");
+    INFO("the number " << text(smallest)
+                       << " in the matrix has an inverse that is too large for Real");
     CHECK(inverse(1, 1) == rt::infinity);
 }
 
 TEST_CASE("01.7 a number too large for Real spoils no other", "[01.7][hard]") {
     const char* const hint =
-        "infinity times 0 and infinity minus infinity are not numbers: where the last column is "
-        "not finite, add up its terms before the scale is undone";
+        "infinity times 0 and infinity minus infinity are NaN: where the last column is not "
+        "finite, add up its terms before you undo the scale";
     const auto check = [&](const Mat4& m, const Mat4& expected) {
         const Mat4 computed = rt::inverse(m);
         for (int row = 0; row < 3; ++row)
@@ -327,7 +325,7 @@ TEST_CASE("01.7 a number too large for Real spoils no other", "[01.7][hard]") {
           {{{{infinite, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}});
     check(rt::from_columns({1, 0, 0}, {0, 0, 1}, {0, -tiny, 0}, {2, 0, -3}),
           {{{{1, 0, 0, -2}, {0, 0, 1, 3}, {0, -infinite, 0, 0}, {0, 0, 0, 1}}}});
-    // What moves by little enough moves back by a number that is not infinite.
+    // A translation that is small enough is undone by a number that is not infinite.
     check(rt::from_columns({0, 0, tiny}, {0, 1, 0}, {1, 0, 0}, {5, large, far}),
           {{{{0, 0, infinite, -large * large}, {0, 1, 0, -large}, {1, 0, 0, -5}, {0, 0, 0, 1}}}});
     // A tiny number of a translation is not lost beside a large one.

@@ -25,7 +25,7 @@ void check_basis(Vec3 w) {
                 << " (the numbers compared below are in units of epsilon)");
     {
         const double moved = static_cast<double>(max_component(kept - w) / rt::epsilon);
-        INFO("expected the third vector to be w itself, yours is " << text(kept));
+        INFO("expected the third vector to be w itself, actual " << text(kept));
         REQUIRE(moved <= 4);  // normalized once more, it may move a little
     }
     {
@@ -34,14 +34,14 @@ void check_basis(Vec3 w) {
         REQUIRE(dot_error(v, v, 1) <= allowed);
     }
     {
-        INFO("Hint: every two of u, v, w must be perpendicular");
+        INFO("Hint: any two of u, v, w must be perpendicular");
         REQUIRE(dot_error(u, v, 0) <= allowed);
         REQUIRE(dot_error(u, w, 0) <= allowed);
         REQUIRE(dot_error(v, w, 0) <= allowed);
     }
-    // u x v is w or -w by now; its scalar product with w tells which.
+    // u x v is w or -w by now; its dot product with w tells which.
     const Vec3 cross{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-    INFO("Hint: u x v must be w; if it is -w, swap u and v or turn one around");
+    INFO("Hint: u x v must be w; if it is -w, swap u and v or negate one of them");
     REQUIRE(cross.x * w.x + cross.y * w.y + cross.z * w.z > 0);
 }
 
@@ -64,12 +64,13 @@ TEST_CASE("01.8 there is a basis for every axis and its opposite", "[01.8][hard]
         }
 }
 
-TEST_CASE("01.8 there is a basis for 10000 directions and close to the axes", "[01.8][hard]") {
+TEST_CASE("01.8 there is a basis for 10000 directions and for those close to the axes",
+          "[01.8][hard]") {
     rt::Rng rng{7, 1};
     const auto component = [&] { return rng.uniform(-1, 1); };
     for (int i = 0; i < 10000; ++i)
         check_basis(rt::normalize({component(), component(), component()}));
-    for (int i = 0; i < 2000; ++i) {  // a little aside of an axis
+    for (int i = 0; i < 2000; ++i) {  // a little off an axis
         const Real aside = std::pow(Real(10), rng.uniform(-4, -1)), pole = i % 2 == 0 ? 1 : -1;
         const Real x = aside * component(), y = aside * component();
         check_basis(rt::normalize(i % 6 < 2   ? Vec3{pole, x, y}

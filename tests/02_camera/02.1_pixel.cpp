@@ -17,9 +17,8 @@ Camera camera(int width, int height, Real viewport_width, Real viewport_height) 
     return c;
 }
 
-// Somewhere in any pixel of any image, on a viewport of any shape. What is next to the middle of a
-// large image is left out: there no digit of x is left that more digits on the way could not
-// change.
+// A point in any pixel of any image, on a viewport of any shape. Points next to the middle of a
+// large image are left out: there, more digits on the way could change every digit of x.
 void check_anywhere(rt::Rng& rng, int most_pixels, Real smallest, Real largest) {
     const auto upto = [&](int n) { return static_cast<int>(rng() % static_cast<unsigned>(n)); };
     Camera c = camera(1 + upto(most_pixels), 1 + upto(most_pixels),
@@ -39,10 +38,9 @@ void check_anywhere(rt::Rng& rng, int most_pixels, Real smallest, Real largest) 
         if (std::abs(from_middle.high) * 2048 < pixels) return;
         const Exact exact = from_middle / Exact(pixels) * Exact(size);
         INFO(name);
-        HINT(
-            exact, computed,
-            "subtract half of the width from the column, which rounds nothing, then divide: a half "
-            "that is subtracted after the division cancels near the middle");
+        HINT(exact, computed,
+             "subtract half the width from the column, which rounds nothing, then divide: if you "
+             "subtract a half after the division, digits cancel near the middle");
         REQUIRE(error_in_ulp(computed, exact) <= 3);
     };
     INFO(c.width << 'x' << c.height << " pixels on a viewport of "
@@ -62,21 +60,23 @@ const Camera coarse = camera(4, 2, 8, 3);
 
 std::string suggestion(Vec2 p, Vec2 expected) {
     if (p.x == expected.x && p.y == -expected.y)
-        return "upside down: row 0 is the top row, and y grows upwards";
+        return "upside down: row 0 is the top row, and y grows upward";
     if (std::abs(3 * p.x - 4 * expected.x) < Real(0.01))
-        return "four pixels lie side by side: it is / width, not / (width - 1)";
+        return "four pixels lie side by side: divide by width, not by width - 1";
     if (p.x == expected.x + 4) return "x = 0 is the middle of the viewport, not its left edge";
     if (p.x == 0 || p.x == -4)
-        return "does a whole number divide a whole number? In C++ 1 / 4 is 0: make them Real first";
+        return "do you divide a whole number by a whole number? In C++ 1 / 4 is 0: convert to Real "
+               "first";
     if (p.x == expected.x - 1 || p.x == expected.x + 1)
-        return "half a pixel off: is the offset in it, once?";
+        return "half a pixel off: did you add the offset, once?";
     if (std::abs(p.x) > 4) return "is x in the units of the viewport, not of pixels?";
-    return "a pixel's width is the viewport's width / the number of columns; is the offset in it?";
+    return "a pixel's width is the viewport's width / the number of columns; did you add the "
+           "offset?";
 }
 
 }  // namespace
 
-TEST_CASE("02.1 x grows to the right and y upwards from the middle", "[02.1]") {
+TEST_CASE("02.1 x grows to the right and y upward from the middle", "[02.1]") {
     const struct {
         int column, row;
         Vec2 expected;
@@ -84,23 +84,25 @@ TEST_CASE("02.1 x grows to the right and y upwards from the middle", "[02.1]") {
     for (const auto& [column, row, expected] : pixels) {
         const Vec2 p = rt::pixel_to_viewport(coarse, column, row, {Real(0.5), Real(0.5)});
         INFO("4x2 pixels on a viewport of 8x3: the middle of column "
-             << column << ", row " << row << ": expected " << text(expected) << ", yours gives "
+             << column << ", row " << row << ": expected " << text(expected) << ", actual "
              << text(p) << ".\nHint: " << suggestion(p, expected));
         CHECK(p == expected);
     }
 }
 
-TEST_CASE("02.1 the offset counts from the top left corner of the pixel", "[02.1]") {
+TEST_CASE("02.1 the offset is measured from the top left corner of the pixel", "[02.1]") {
     const Vec2 top_left = rt::pixel_to_viewport(coarse, 1, 0, {0, 0});
     INFO(
-        "4x2 pixels on a viewport of 8x3, column 1, row 0: its top left corner is (-2, 1.5), yours "
-        "gives "
+        "4x2 pixels on a viewport of 8x3, column 1, row 0, offset (0, 0): expected its top left "
+        "corner (-2, 1.5), actual "
         << text(top_left)
-        << ".\nHint: offset (0, 0) is the corner, and a half that is "
-           "always added ignores the offset");
+        << ".\nHint: offset (0, 0) is the corner; a half that is always added ignores the offset");
     CHECK(top_left == Vec2{-2, Real(1.5)});
     const Vec2 inside = rt::pixel_to_viewport(coarse, 1, 0, {Real(0.25), Real(0.5)});
-    INFO("offset (0.25, 0.5) in it is at (-1.5, 0.75), yours gives " << text(inside));
+    INFO(
+        "4x2 pixels on a viewport of 8x3, column 1, row 0, offset (0.25, 0.5): expected (-1.5, "
+        "0.75), actual "
+        << text(inside));
     CHECK(inside == Vec2{Real(-1.5), Real(0.75)});
 }
 
@@ -112,11 +114,12 @@ TEST_CASE("02.1 the pixels fill the viewport from edge to edge", "[02.1]") {
         const Vec2 last = rt::pixel_to_viewport(c, width - 1, height - 1, {1, 1});
         INFO(width
              << "x" << height
-             << " pixels on a viewport of 16x32: the outermost corners are "
-                "(-8, 16) and (8, -16), yours gives "
+             << " pixels on a viewport of 16x32: expected the outermost corners (-8, 16) and (8, "
+                "-16), actual "
              << text(first) << " and " << text(last)
-             << ".\nHint: n pixels have n widths between the outer edges, so it is / width, not / "
-                "(width - 1); and half of an odd size is no whole number: make it a Real first");
+             << ".\nHint: n pixels have n widths between the outer edges, so divide by width, not "
+                "by width - 1; and half of an odd size is not a whole number: convert it to Real "
+                "first");
         CHECK(first == Vec2{-8, 16});
         CHECK(last == Vec2{8, -16});
     }
@@ -125,7 +128,7 @@ TEST_CASE("02.1 the pixels fill the viewport from edge to edge", "[02.1]") {
 TEST_CASE("02.1 an image of one pixel and one of 1x10000", "[02.1][hard]") {
     {
         const Vec2 middle = rt::pixel_to_viewport(camera(1, 1, 2, 2), 0, 0, {Real(0.5), Real(0.5)});
-        INFO("the middle of a single pixel is (0, 0), yours gives "
+        INFO("the middle of a single pixel: expected (0, 0), actual "
              << text(middle)
              << ".\nHint: width - 1 is 0 here, and so is width / 2 as long as width is an int");
         CHECK(middle == Vec2{0, 0});
@@ -135,17 +138,15 @@ TEST_CASE("02.1 an image of one pixel and one of 1x10000", "[02.1][hard]") {
     for (const int row : {0, 4999, 5000, 9999}) {
         const Vec2 p = rt::pixel_to_viewport(tall, 0, row, {Real(0.5), Real(0.5)});
         const Exact y = Exact(4999.5) - Exact(row);
-        INFO("1x10000 pixels of size 1, row " << row << ": yours gives " << text(p));
-        HINT(y, p.y,
-             "rows go with the height, and half of the height is subtracted before anything is "
-             "divided");
+        INFO("1x10000 pixels of size 1, row " << row << ": your point is " << text(p));
+        HINT(y, p.y, "rows go with the height; subtract half the height before you divide");
         CHECK(p.x == 0);
         CHECK(error_in_ulp(p.y, y) <= 3);
     }
 }
 
 TEST_CASE("02.1 every pixel is within three units in the last place", "[02.1][hard]") {
-    // Offset, division, product: three roundings. All else in the formula can be exact.
+    // Offset, division, product: three roundings. Everything else in the formula can be exact.
     rt::Rng rng{21, 1};
     for (int i = 0; i < 2000; ++i) {
         check_anywhere(rng, 10, 0, 1);

@@ -12,8 +12,8 @@ using namespace checkpoint;
 
 namespace {
 
-// tan is within 1 unit in the last place in the usual libraries, and within 2 in all that are
-// known; a sine by a cosine is within 4. Halving and doubling are exact.
+// tan is within 1 unit in the last place in the usual libraries, and within 2 in all known ones; a
+// sine divided by a cosine is within 4. Halving and doubling are exact.
 constexpr double allowed_height = 4;
 // Four units in the last place may grow to eight in a product, which rounds once more.
 constexpr double allowed_width = 9;
@@ -46,18 +46,18 @@ const char* suggestion(double degrees, double computed, double exact) {
         return std::abs(computed - value) <= 1e-5 * std::abs(value);
     };
     if (is(exact / 2))
-        return "that is half of it: the triangle reaches from the middle to the edge";
+        return "that is half of it: the triangle reaches only from the middle to the edge";
     if (is(2 * std::tan(radians))) return "the triangle has only half of the angle";
-    if (is(2 * std::sin(radians / 2))) return "opposite by adjacent is the tangent, not the sine";
+    if (is(2 * std::sin(radians / 2))) return "opposite over adjacent is the tangent, not the sine";
     if (is(2 * std::tan(radians / 2 * 3.14159265 / 180)) || is(2 * std::tan(degrees / 2)))
-        return "the angle comes in radians, and std::tan takes radians";
+        return "the angle is given in radians, and std::tan takes radians";
     if (computed == 0) return "1 / 2 is 0 in C++, a quotient of whole numbers: write / 2";
     return "2 tan(vertical_fov / 2); a Viewport lists its width first, then its height";
 }
 
 }  // namespace
 
-TEST_CASE("02.2 the height is twice the tangent of half of the angle", "[02.2]") {
+TEST_CASE("02.2 the height is twice the tangent of half the angle", "[02.2]") {
     for (const auto& row : exact::viewports()) {
         if (row.degrees < 20 || row.degrees > 140) continue;
         const Real fov = real(row.vertical_fov);
@@ -73,11 +73,11 @@ TEST_CASE("02.2 the height is twice the tangent of half of the angle", "[02.2]")
 TEST_CASE("02.2 the width is the height times the aspect ratio", "[02.2]") {
     for (const Real aspect : {Real(0.25), Real(1), Real(1.7), Real(2), Real(16)}) {
         const rt::Viewport viewport = rt::viewport_size(Real(1), aspect);
-        INFO("aspect ratio " << text(aspect) << ": yours is " << text(viewport.width)
+        INFO("aspect ratio " << text(aspect) << ": your viewport is " << text(viewport.width)
                              << " wide and " << text(viewport.height)
-                             << " high.\nHint: the angle given is the vertical one, so the "
-                                "height comes from it and the width from the height: width / "
-                                "height is the aspect ratio");
+                             << " high.\nHint: the angle given is the vertical one, so the height "
+                                "comes from it and the width from the height: width / height is "
+                                "the aspect ratio");
         const Exact expected = Exact(aspect) * Exact(viewport.height);
         CHECK(error_in_ulp(viewport.width, expected) <= 1);
     }
@@ -86,7 +86,7 @@ TEST_CASE("02.2 the width is the height times the aspect ratio", "[02.2]") {
 TEST_CASE("02.2 the height does not depend on the aspect ratio", "[02.2]") {
     const Real narrow = rt::viewport_size(Real(1), Real(0.5)).height;
     const Real wide = rt::viewport_size(Real(1), Real(2)).height;
-    INFO("heights for aspect ratio 0.5 and 2: yours gives "
+    INFO("aspect ratios 0.5 and 2: expected the same height for both, actual "
          << text(narrow) << " and " << text(wide)
          << ".\nHint: the field of view is the vertical one");
     CHECK(error_in_ulp(narrow, Exact(wide)) <= allowed_height);
@@ -119,7 +119,7 @@ TEST_CASE("02.2 no angle and no aspect ratio is too small or too large", "[02.2]
     check_viewport(smallest, 1, Exact(smallest));
     check_viewport(Real(0x1p-20), largest, near_0(Real(0x1p-20)));
 
-    // Below pi by d, the tangent of half of the angle is 1 / tan(d / 2).
+    // At an angle of pi - d, the tangent of half the angle is 1 / tan(d / 2).
     const Exact exact_pi{3.141592653589793116, 1.2246467991473532072e-16};
     Real fov = rt::pi;
     for (Real step = rt::epsilon; step < Real(1e-5); step *= 2) {
@@ -129,17 +129,16 @@ TEST_CASE("02.2 no angle and no aspect ratio is too small or too large", "[02.2]
     }
 }
 
-TEST_CASE("02.2 an angle of 0 or 180 degrees or not a number is refused", "[02.2][hard]") {
+TEST_CASE("02.2 an angle of 0 or 180 degrees or NaN is refused", "[02.2][hard]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const Real smallest = std::numeric_limits<Real>::denorm_min();
     for (const Real fov :
          {Real(0), Real(-0.0), -smallest, Real(-1), rt::pi, std::nextafter(rt::pi, Real(4)),
           4 * rt::pi, rt::infinity, -rt::infinity, nan}) {
-        INFO(
-            "viewport_size("
-            << text(fov)
-            << ", 1) must throw std::domain_error.\nHint: test for "
-               "what is right and throw otherwise; a comparison with not-a-number is always false");
+        INFO("viewport_size("
+             << text(fov)
+             << ", 1) must throw std::domain_error.\nHint: test for a valid angle and throw "
+                "otherwise; a comparison with NaN is always false");
         CHECK(refusal(fov, 1) == "std::domain_error");
     }
 }
@@ -151,8 +150,8 @@ TEST_CASE("02.2 an aspect ratio that is not a positive number is refused", "[02.
          {Real(0), Real(-0.0), -smallest, Real(-1), rt::infinity, -rt::infinity, nan}) {
         INFO("viewport_size(1, "
              << text(aspect)
-             << ") must throw std::domain_error.\nHint: the same test as for the "
-                "angle, with 0 and infinity");
+             << ") must throw std::domain_error.\nHint: the same test as for the angle, with 0 and "
+                "infinity");
         CHECK(refusal(1, aspect) == "std::domain_error");
     }
 }

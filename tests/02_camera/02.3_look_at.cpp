@@ -32,15 +32,16 @@ double flaw_in_ulp(const Basis& b) {
          static_cast<double>(max_component(uv - b.w)) / static_cast<double>(rt::epsilon)});
 }
 
-// w carries fewer than 4 roundings and u fewer than 8, half a unit each at most; a product of two
-// vectors adds up what both have, and v is one. orthonormal_basis keeps to 8 units.
+// w carries fewer than 4 roundings and u fewer than 8, half a unit each at most; a product of
+// two vectors adds up the errors of both, and v is such a product. orthonormal_basis stays
+// within 8 units.
 constexpr double allowed_flaw = 16;
 
 struct ExactBasis {
     ExactVec3 u, v, w;
 };
 
-// Of a view along `back`, which is exact, and any up that is not parallel.
+// The basis of a view along `back`, which is exact, with any up that is not parallel.
 ExactBasis exact_basis(const ExactVec3& back, Vec3 up) {
     const ExactVec3 right = exact_cross(exact_vector(up), back);
     return {exact_unit(right), exact_unit(exact_cross(back, right)), exact_unit(back)};
@@ -66,20 +67,18 @@ const char* suggestion(const Basis& b) {
     for (const Vec3 e : {b.u, b.v, b.w})
         if (length_error_in_ulp(e) > 16)
             return "a vector's length is not 1: cross products need normalize unless both vectors "
-                   "have "
-                   "length 1 and are perpendicular";
+                   "have length 1 and are perpendicular";
     if (std::abs(dot_in_double(b.v, b.w)) > 16 * static_cast<double>(rt::epsilon))
         return "v is not perpendicular to w: up itself is not v, cross(w, u) is";
-    return "u = up x w, v = w x u: the other order points the other way (right hand); where up x w "
-           "is "
-           "zero, orthonormal_basis(w)";
+    return "u = up x w, v = w x u: the other order points the other way (right-hand rule); where "
+           "up x w is zero, call orthonormal_basis(w)";
 }
 
 }  // namespace
 
 TEST_CASE("02.3 w points from the target back to the eye", "[02.3]") {
     const Basis b = rt::look_at({1, 2, 10}, {1, 2, 4}, {0, 1, 0});
-    INFO("from (1, 2, 10) at (1, 2, 4): expected w = (0, 0, 1), yours gives "
+    INFO("from (1, 2, 10) at (1, 2, 4): expected w = (0, 0, 1), actual "
          << checkpoint::text(b.w)
          << ".\nHint: the camera looks along -w, so w = normalize(from - at)");
     CHECK(b.w == Vec3{0, 0, 1});
@@ -96,7 +95,7 @@ TEST_CASE("02.3 u points right and v up in the picture", "[02.3]") {
     for (const auto& [name, at, u, v] : views) {
         const Basis b = rt::look_at({0, 0, 0}, at, {0, 1, 0});
         INFO("looking " << name << " with y up: expected u = " << checkpoint::text(u)
-                        << ", v = " << checkpoint::text(v) << ", yours gives " << text(b)
+                        << ", v = " << checkpoint::text(v) << ", actual " << text(b)
                         << ".\nHint: " << suggestion(b));
         CHECK(b.u == u);
         CHECK(b.v == v);
@@ -107,7 +106,7 @@ TEST_CASE("02.3 up may be slanted and of any length", "[02.3]") {
     for (const Vec3 up : {Vec3{0, 3, 4}, Vec3{0, Real(0.125), -2}, Vec3{0, 1, 100}}) {
         const Basis b = rt::look_at({0, 0, 0}, {0, 0, -2}, up);
         INFO("looking along -z with up " << checkpoint::text(up)
-                                         << ": expected u = (1, 0, 0), v = (0, 1, 0), yours gives "
+                                         << ": expected u = (1, 0, 0), v = (0, 1, 0), actual "
                                          << text(b) << ".\nHint: " << suggestion(b));
         CHECK(b.u == Vec3{1, 0, 0});
         CHECK(b.v == Vec3{0, 1, 0});
@@ -135,23 +134,24 @@ TEST_CASE("02.3 any view and any up", "[02.3]") {
         const ExactVec3 right = exact_cross(exact_vector(up), back);
         const double sine = exact_length(right).high / exact_length(back).high /
                             exact_length(exact_vector(up)).high;
-        if (!(sine > 0.1)) continue;  // or there is no view, or no up
+        if (!(sine > 0.1)) continue;  // otherwise there is no view or no up
         ++tried;
         const ExactBasis exact = exact_basis(back, up);
         const Basis b = rt::look_at(from, at, up);
         INFO("look_at(" << checkpoint::text(from) << ", " << checkpoint::text(at) << ", "
-                        << checkpoint::text(up) << ") gives " << text(b) << ", but expected is u = "
+                        << checkpoint::text(up) << ") gives " << text(b) << ", expected u = "
                         << checkpoint::text(exact.u) << ", v = " << checkpoint::text(exact.v)
                         << ", w = " << checkpoint::text(exact.w) << ".\nHint: " << suggestion(b));
         REQUIRE(error_in_ulp_of_1(b.w, exact.w) <= 6);
-        // A cross product of vectors that were normalized first has the sine under its error.
+        // The error of a cross product of vectors that were normalized first is
+        // divided by the sine.
         REQUIRE(error_in_ulp_of_1(b.u, exact.u) <= 16 / sine);
         REQUIRE(error_in_ulp_of_1(b.v, exact.v) <= 20 / sine);
     }
     REQUIRE(tried > 300);
 }
 
-TEST_CASE("02.3 coordinates of any size and a camera a million away", "[02.3][hard]") {
+TEST_CASE("02.3 coordinates of any size and a camera a million units away", "[02.3][hard]") {
     for (const auto& row : exact::views()) {
         if (row.nearly_parallel) continue;
         const Basis b = rt::look_at(vec3(row.from), vec3(row.at), vec3(row.up));
@@ -159,14 +159,15 @@ TEST_CASE("02.3 coordinates of any size and a camera a million away", "[02.3][ha
                         << checkpoint::text(vec3(row.at)) << ", " << checkpoint::text(vec3(row.up))
                         << ")");
         {
-            // normalize may be off by 3.5; the difference rounds once, in the component and in
-            // the length.
+            // normalize may be off by 3.5; the difference rounds once, in the component
+            // and in the length.
             HINT(row.w, b.w, "w = normalize(from - at), with a normalize that scales");
             REQUIRE(error_in_ulp(b.w, row.w) <= 6);
         }
         {
-            // Normalized first, up has 3.5 roundings and w 5.5. A cross product that is at least
-            // 1/2 long doubles that; with its own and its normalize these are 24 halves.
+            // Normalized first, up has 3.5 roundings and w 5.5. A cross product that is at
+            // least 1/2 long doubles that; with its own roundings and those of normalize,
+            // these are 24 halves.
             HINT(row.u, b.u, "scale before the cross product: its products must not overflow");
             REQUIRE(error_in_ulp_of_1(b.u, row.u) <= 12);
         }
@@ -190,13 +191,13 @@ TEST_CASE("02.3 the smallest and the largest up still point up", "[02.3][hard]")
         const Basis b = rt::look_at(from, {0, 0, 0}, upwards);
         INFO("look_at(" << checkpoint::text(from) << ", (0, 0, 0), " << checkpoint::text(upwards)
                         << ")");
-        HINT(exact.u, b.u, "scale up, too, before the cross product");
+        HINT(exact.u, b.u, "scale `up`, too, before the cross product");
         REQUIRE(error_in_ulp(b.u, exact.u) <= 8);
         REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
     }
 }
 
-TEST_CASE("02.3 the camera and its target may be the largest numbers apart", "[02.3][hard]") {
+TEST_CASE("02.3 the distance from camera to target may exceed the largest number", "[02.3][hard]") {
     constexpr int highest = std::numeric_limits<Real>::max_exponent;
     rt::Rng rng{23, 5};
     int tried = 0;
@@ -220,8 +221,8 @@ TEST_CASE("02.3 the camera and its target may be the largest numbers apart", "[0
                         << checkpoint::text(up) << ")");
         {
             INFO(
-                "All of these numbers are finite, so there is a view.\nHint: from - at is too long "
-                "for a Real; from / 2 - at / 2 points the same way");
+                "All of these numbers are finite, so there is a view.\nHint: from - at is too "
+                "large for a Real; from / 2 - at / 2 points the same way");
             REQUIRE(refusal(eye, target, up) == "nothing was thrown");
         }
         const Basis b = rt::look_at(eye, target, up);
@@ -271,21 +272,21 @@ TEST_CASE("02.3 a view nearly parallel to up keeps its digits", "[02.3][hard]") 
             // The cross product's components are within 2 roundings, which count in the component
             // and in the length, and normalize adds 3.5.
             HINT(row.u, b.u,
-                 "the view and up differ in their last digits only: take the cross product "
-                 "of up and from - at as they came, before normalize rounds them, and call them "
-                 "parallel only where it is zero");
+                 "the view and up differ only in their last digits: take the cross product of up "
+                 "and from - at as given, before normalize rounds them, and call them parallel "
+                 "only where it is zero");
             REQUIRE(error_in_ulp(b.u, row.u) <= 8);
         }
         HINT(row.v, b.v, "v = cross(w, u)");
         REQUIRE(error_in_ulp_of_1(b.v, row.v) <= 8);
-        INFO("yours gives " << text(b) << ".\nHint: " << suggestion(b));
+        INFO("your basis is " << text(b) << ".\nHint: " << suggestion(b));
         REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
     }
 }
 
 TEST_CASE("02.3 the smallest angle between view and up counts", "[02.3][hard]") {
-    // Two whole numbers that differ by 1 make the smallest angle there is; sizes of any power of
-    // two round nothing.
+    // Two whole numbers that differ by 1 make the smallest angle there is; scaling by a power of
+    // two rounds nothing.
     rt::Rng rng{23, 3};
     const Real most = for_this_precision<Real>(0x1p23, 0x1p52);
     const int far = for_this_precision(60, 600);
@@ -305,17 +306,17 @@ TEST_CASE("02.3 the smallest angle between view and up counts", "[02.3][hard]") 
         INFO("look_at(" << checkpoint::text(eye) << ", (0, 0, 0), " << checkpoint::text(upwards)
                         << ")");
         HINT(exact.u, b.u,
-             "no angle is so small that it counts as parallel: only where the cross product of up "
-             "and from - at, scaled but not normalized, is exactly zero");
+             "no angle is so small that it counts as parallel: up and the view are parallel only "
+             "if the cross product of up and from - at, scaled but not normalized, is exactly "
+             "zero");
         REQUIRE(error_in_ulp(b.u, exact.u) <= 8);
         REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
     }
 }
 
-TEST_CASE("02.3 nothing to look at and no up are refused", "[02.3][hard]") {
+TEST_CASE("02.3 a view without a direction and one without an up are refused", "[02.3][hard]") {
     INFO(
-        "look_at must throw std::domain_error.\nHint: normalize does that for from - at; ask about "
-        "up "
+        "look_at must throw std::domain_error.\nHint: normalize does that for from - at; check up "
         "before you cross it with anything: up == Vec3{} or not is_finite(up)");
     const Vec3 from{1, 2, 3}, at{4, -5, 6}, up{0, 1, 0};
     const Real nan = std::numeric_limits<Real>::quiet_NaN();

@@ -14,7 +14,8 @@ namespace {
 
 constexpr Vec2 middle{Real(0.5), Real(0.5)};
 
-// Stands at (7, 8, 9) and looks along +x: u is +z, v is +y, w is -x. 90 degrees from side to side.
+// A camera at (7, 8, 9) that looks along +x: u is +z, v is +y, w is -x. It sees 90 degrees from
+// side to side.
 Camera eastward() {
     Camera camera;
     camera.eye = {7, 8, 9};
@@ -73,7 +74,7 @@ void check_any_ray(rt::Rng& rng, Real far) {
                       << ", v = " << text(camera.basis.v) << ", w = " << text(camera.basis.w));
     {
         HINT(camera.eye, ray.origin,
-             "the ray starts at the eye, and the eye is nowhere else in it");
+             "the ray starts at the eye, and its direction does not depend on the eye");
         REQUIRE(text(ray.origin) == text(camera.eye));
     }
     HINT(expected, ray.direction,
@@ -85,7 +86,7 @@ void check_any_ray(rt::Rng& rng, Real far) {
 
 TEST_CASE("02.4 the ray starts at the eye", "[02.4]") {
     const Ray ray = rt::primary_ray(eastward(), 1, 1, middle);
-    INFO("the eye is at (7, 8, 9), yours starts at " << text(ray.origin));
+    INFO("the ray starts at the eye: expected (7, 8, 9), actual " << text(ray.origin));
     CHECK(ray.origin == Vec3{7, 8, 9});
 }
 
@@ -128,7 +129,7 @@ TEST_CASE("02.4 the corners of the picture are the corners of the viewport", "[0
         const Vec3 d = rt::primary_ray(eastward(), column, row, offset).direction;
         const Vec3 expected = signs / std::sqrt(Real(3));
         HINT(expected, d, "pass the offset on to pixel_to_viewport; the direction has length 1");
-        // The expected one, of two roundings, and yours, in which all but normalize is exact.
+        // The expected direction has two roundings; in yours, everything but normalize is exact.
         const Vec3 off = d - expected;
         CHECK(max_component(off) <= 3 * rt::epsilon);
     }
@@ -158,10 +159,9 @@ TEST_CASE("02.4 directions from 0.001 to 179.9 degrees and of one pixel", "[02.4
                          << row.column << ", row " << row.row << ", offset (" << row.offset[0]
                          << ", " << row.offset[1] << ')');
         HINT(row.direction, d,
-             "x u + y v - w, normalized; if 02.1 is not within its bound yet, that "
-             "comes first");
-        // Six roundings in each product at most, of which no more than sqrt(3) times turn it,
-        // and 3.5 in normalize: 14 halves of a unit.
+             "x u + y v - w, normalized; if 02.1 is not within its bound yet, fix that first");
+        // At most six roundings in each product, which turn the direction by no more than sqrt(3)
+        // times as much, and 3.5 in normalize: 14 halves of a unit.
         REQUIRE(error_in_ulp_of_1(d, row.direction) <= 7);
     }
 }

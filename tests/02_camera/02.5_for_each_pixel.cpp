@@ -22,11 +22,12 @@ std::string text(const Pixel& pixel) {
     return "column " + std::to_string(pixel.column) + " of row " + std::to_string(pixel.row);
 }
 std::string text(const Tile& tile) {
-    return "columns " + std::to_string(tile.left) + " to before " + std::to_string(tile.right) +
-           ", rows " + std::to_string(tile.top) + " to before " + std::to_string(tile.bottom);
+    return "columns " + std::to_string(tile.left) + " to just before " +
+           std::to_string(tile.right) + ", rows " + std::to_string(tile.top) + " to just before " +
+           std::to_string(tile.bottom);
 }
 
-// More calls than a tile has pixels are stopped, for a loop may never end.
+// Stops if there are more calls than the tile has pixels, since a loop may never end.
 std::vector<Pixel> visited(const Tile& tile, std::size_t most) {
     std::vector<Pixel> pixels;
     rt::for_each_pixel(tile, [&](int column, int row) {
@@ -59,8 +60,8 @@ void check(const Tile& tile) {
                             << text(actual[i]) << ".\nHint: "
                             << (swapped == expected[i]
                                     ? "the column comes first: visit(column, row)"
-                                    : "rows in the outer loop, from top; columns in the inner one, "
-                                      "from left"));
+                                    : "rows in the outer loop, from the top; columns in the inner "
+                                      "one, from the left"));
         REQUIRE(text(actual[i]) == text(expected[i]));
     }
     INFO("Hint: the last column is right - 1, the last row bottom - 1");
@@ -69,13 +70,13 @@ void check(const Tile& tile) {
 
 }  // namespace
 
-TEST_CASE("02.5 a row runs from the left to before the right", "[02.5]") {
+TEST_CASE("02.5 a row runs from left and stops just before right", "[02.5]") {
     check({0, 0, 1, 1});
     check({0, 0, 5, 1});
     check({0, 0, 2, 1});
 }
 
-TEST_CASE("02.5 rows run from the top to before the bottom", "[02.5]") {
+TEST_CASE("02.5 rows run from top and stop just before bottom", "[02.5]") {
     check({0, 0, 1, 4});
     check({0, 0, 3, 2});
     check({0, 0, 2, 3});
@@ -114,19 +115,19 @@ TEST_CASE("02.5 a tile without pixels makes no call", "[02.5][hard]") {
         check(tile);
 }
 
-TEST_CASE("02.5 very wide tiles and very high ones", "[02.5][hard]") {
+TEST_CASE("02.5 very wide and very tall tiles", "[02.5][hard]") {
     check({0, 0, 70'000, 2});
     check({0, 0, 2, 70'000});
 }
 
-TEST_CASE("02.5 tiles at the ends of what an int holds", "[02.5][hard]") {
+TEST_CASE("02.5 tiles at both ends of the range of int", "[02.5][hard]") {
     constexpr int most = std::numeric_limits<int>::max(), least = std::numeric_limits<int>::min();
     check({most - 3, most - 2, most, most});
     check({least, least, least + 3, least + 2});
     check({-3, -2, 2, 1});
 }
 
-TEST_CASE("02.5 what visit throws ends the loop and comes through", "[02.5][hard]") {
+TEST_CASE("02.5 an exception from visit ends the loop and reaches the caller", "[02.5][hard]") {
     int calls = 0;
     bool came_through = false;
     try {
@@ -141,7 +142,7 @@ TEST_CASE("02.5 what visit throws ends the loop and comes through", "[02.5][hard
 }
 
 TEST_CASE("02.5 one visit is called for all pixels", "[02.5][hard]") {
-    // It counts for itself, and cannot be copied.
+    // It has a counter of its own, and cannot be copied.
     std::vector<int> counts;
     rt::for_each_pixel(Tile{0, 0, 3, 2}, [&counts, count = std::make_unique<int>(0)](
                                              int, int) mutable { counts.push_back(++*count); });

@@ -21,13 +21,14 @@ std::string equation(Real a, Real b, Real c) {
     return "a = " + text(a) + ", b = " + text(b) + ", c = " + text(c);
 }
 
-// For small whole numbers nothing is rounded: the solutions are these.
+// For small whole numbers nothing is rounded: the solutions are exactly these.
 void check_exactly(Real a, Real b, Real c, Real low, Real high, const char* hint) {
     const auto roots = rt::solve_quadratic(a, b, c);
     const bool is_swapped = roots && low < high && roots->low == high && roots->high == low;
     INFO("solve_quadratic for " << equation(a, b, c) << ": expected (" << low << ", " << high
-                                << "), but yours gives " << text(roots) << ".\nHint: "
-                                << (is_swapped ? "low is the smaller one, for any signs" : hint));
+                                << "), actual " << text(roots) << ".\nHint: "
+                                << (is_swapped ? "low is the smaller solution, whatever the signs"
+                                               : hint));
     REQUIRE(text(roots) != "no solution");
     CHECK(error_in_ulp(roots->low, Exact(low)) <= 4);
     CHECK(error_in_ulp(roots->high, Exact(high)) <= 4);
@@ -53,7 +54,7 @@ void check_solutions(Real a, Real b, Real c, const char* hint, int i = 0, int j 
     const auto check = [&](const char* name, const std::optional<Roots>& roots) {
         INFO(name << " for " << equation(a_i, b_j, c_k) << ": expected "
                   << (any ? text(Roots{expected(low), expected(high)}) : "no solution")
-                  << ", but yours gives " << text(roots) << ".\nHint: " << hint);
+                  << ", actual " << text(roots) << ".\nHint: " << hint);
         const std::string count = roots ? "solutions" : "no solution";
         REQUIRE(count == (any ? "solutions" : "no solution"));
         if (!any) return;
@@ -61,7 +62,7 @@ void check_solutions(Real a, Real b, Real c, const char* hint, int i = 0, int j 
         REQUIRE(error_in_ulp(std::scalbn(roots->high, i - j), high) <= 4);
         REQUIRE(roots->low <= roots->high);
     };
-    // Before each a call with solutions: they are not those of the next one.
+    // Before each, another call whose solutions must not show up in the next one.
     rt::solve_quadratic(1, -3, 2);
     check("solve_quadratic", rt::solve_quadratic(a_i, b_j, c_k));
     const Real given = std::scalbn(real(discriminant.high), 2 * j);
@@ -70,14 +71,13 @@ void check_solutions(Real a, Real b, Real c, const char* hint, int i = 0, int j 
 }
 
 void check_none(const std::optional<Roots>& roots, const char* what) {
-    INFO(what << " has no solution, but yours gives " << text(roots)
-              << ".\nHint: return {} before anything is divided");
+    INFO(what << ", which has no solution: expected none, actual " << text(roots)
+              << ".\nHint: return {} before you divide anything");
     CHECK(text(roots) == "no solution");
 }
 
-// The equations of one kind, both functions: 4 units in the last place are what the derivation
-// allows. Half a unit each for the division, the sum, the root and half of the discriminant's
-// error.
+// Checks both functions with the equations of one kind. The derivation allows 4 units in the last
+// place. Half a unit each for the division, the sum, the root and half of the discriminant's error.
 void check_table(std::string_view kind, const char* hint) {
     for (const auto& row : exact::quadratics()) {
         if (row.kind != kind) continue;
@@ -86,12 +86,12 @@ void check_table(std::string_view kind, const char* hint) {
             INFO(name << " for " << equation(a, b, c) << "\nHint: " << hint);
             if (row.discriminant.high < 0) {
                 INFO("the discriminant is " << checkpoint::text(row.discriminant)
-                                            << ": no solution, but yours gives " << text(roots));
+                                            << ": expected no solution, actual " << text(roots));
                 REQUIRE(text(roots) == "no solution");
                 return;
             }
             INFO("expected (" << checkpoint::text(row.low) << ", " << checkpoint::text(row.high)
-                              << "), but yours gives " << text(roots));
+                              << "), actual " << text(roots));
             REQUIRE(roots.has_value());
             REQUIRE(error_in_ulp(roots->low, row.low) <= 4);
             REQUIRE(error_in_ulp(roots->high, row.high) <= 4);
@@ -106,7 +106,7 @@ void check_table(std::string_view kind, const char* hint) {
 
 TEST_CASE("03.1 both solutions are found and in order", "[03.1]") {
     const char* const hint =
-        "t^2 - 3 t + 2 = (t - 1)(t - 2); low is the smaller one, for any signs";
+        "t^2 - 3 t + 2 = (t - 1)(t - 2); low is the smaller solution, whatever the signs";
     check_exactly(1, -3, 2, 1, 2, hint);
     check_exactly(1, 3, 2, -2, -1, hint);
     check_exactly(-1, 3, -2, 1, 2, hint);
@@ -126,8 +126,7 @@ TEST_CASE("03.1 a discriminant of zero means one solution", "[03.1]") {
     const char* const hint = "a discriminant of 0 is not negative: low and high coincide";
     check_exactly(1, -6, 9, 3, 3, hint);
     check_exactly(4, 4, 1, Real(-0.5), Real(-0.5), hint);
-    check_exactly(1, 0, 0, 0, 0,
-                  "t^2 = 0 has the solution 0: here q is 0, and c / q is not a number");
+    check_exactly(1, 0, 0, 0, 0, "t^2 = 0 has the solution 0: here q is 0, and c / q is NaN");
 }
 
 TEST_CASE("03.1 any coefficients", "[03.1][hard]") {
@@ -149,8 +148,9 @@ TEST_CASE("03.1 the given discriminant is used", "[03.1]") {
         const auto roots = rt::roots_from_discriminant(1, -2 * m, c, 4 * s * s);
         INFO("roots_from_discriminant(1, " << text(-2 * m) << ", " << text(c) << ", "
                                            << text(4 * s * s) << "): expected " << text(m) << " -+ "
-                                           << text(s) << ", but yours gives " << text(roots)
-                                           << ".\nHint: do not compute the discriminant anew");
+                                           << text(s) << ", actual " << text(roots)
+                                           << ".\nHint: use the given discriminant; do not compute "
+                                              "it again");
         REQUIRE(text(roots) != "no solution");
         REQUIRE(error_in_ulp(roots->low, Exact(m) - Exact(s)) <= 6);
         REQUIRE(error_in_ulp(roots->high, Exact(m) + Exact(s)) <= 6);
@@ -177,7 +177,7 @@ TEST_CASE("03.1 a may be zero", "[03.1][hard]") {
     check_exactly(0, -2, -6, -3, -3, hint);
     check_exactly(0, 4, 0, 0, 0, hint);
     check_none(rt::solve_quadratic(0, 0, 1), "solve_quadratic: 0 t^2 + 0 t + 1 = 0");
-    check_none(rt::solve_quadratic(0, 0, 0), "solve_quadratic with a = b = 0, as documented,");
+    check_none(rt::solve_quadratic(0, 0, 0), "solve_quadratic with a = b = 0, as documented");
 }
 
 TEST_CASE("03.1 tiny numbers are not zero", "[03.1][hard]") {
@@ -190,7 +190,7 @@ TEST_CASE("03.1 tiny numbers are not zero", "[03.1][hard]") {
     };
     for (int i = 0; i < 1500; ++i) {
         // The solutions times 2^unit, all coefficients times 2^all; now and then one is 0. b stays
-        // between numbers whose squares are no trouble.
+        // between numbers whose squares neither overflow nor underflow.
         const Vec3 k = any_vector(rng, -2, 2);
         const int all = 5 * power(), unit = power() - all;
         check_solutions(std::scalbn(k.x, all), std::scalbn(k.y, all + unit),
@@ -202,25 +202,24 @@ TEST_CASE("03.1 tiny numbers are not zero", "[03.1][hard]") {
     }
 }
 
-TEST_CASE("03.1 a discriminant that is not a number means no solution", "[03.1][hard]") {
+TEST_CASE("03.1 a discriminant of NaN means no solution", "[03.1][hard]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     check_none(rt::roots_from_discriminant(1, -3, 2, nan),
-               "roots_from_discriminant: a discriminant that is not a number");
-    check_none(rt::solve_quadratic(1, nan, 2), "solve_quadratic: a b that is not a number");
+               "roots_from_discriminant: a discriminant of NaN");
+    check_none(rt::solve_quadratic(1, nan, 2), "solve_quadratic with b = NaN");
 }
 
 TEST_CASE("03.1 any equation is solved to four units in the last place", "[03.1][hard]") {
     check_table("random",
-                "of both solutions compute the one that does not cancel, q, and get the other as c "
-                "/ q; then "
-                "each step rounds once");
+                "of the two solutions, compute the one that does not cancel by q, and get the "
+                "other as c / q; then each step rounds once");
 }
 
 TEST_CASE("03.1 the small solution survives beside a large one", "[03.1][hard]") {
     check_table(
         "small root",
-        "-b and the root nearly cancel in one of the two solutions. Compute the other one, q, "
-        "and get this one from the product of both: c / q");
+        "-b and the root nearly cancel in one of the two solutions. Compute the other one, q, and "
+        "get this one from the product of both: c / q");
 }
 
 TEST_CASE("03.1 nearly equal solutions are told apart", "[03.1][hard]") {
@@ -234,8 +233,8 @@ TEST_CASE("03.1 nearly equal solutions are told apart", "[03.1][hard]") {
 TEST_CASE("03.1 a huge discriminant is no trouble", "[03.1][hard]") {
     check_table(
         "huge discriminant",
-        "get one solution as c / q; and b b - 4 a c is within range here, so let no other product "
-        "of yours leave it");
+        "get one solution as c / q; and b b - 4 a c is within range here, so none of your other "
+        "products may leave it");
 }
 
 TEST_CASE("03.1 a and c may be as large as any number", "[03.1][hard]") {
@@ -245,7 +244,8 @@ TEST_CASE("03.1 a and c may be as large as any number", "[03.1][hard]") {
     rt::Rng rng{31, 4};
     const int most = std::numeric_limits<Real>::max_exponent - 2, j = for_this_precision(14, 140);
     for (int n = 0; n < 1000; ++n) {
-        // a in the last two powers of two, or c; 4 a c is as large as b b, which is ordinary.
+        // a or c is in the last two powers of two; 4 a c is as large as b b, which is
+        // of ordinary size.
         const int i = n % 2 == 0 ? most : 2 * j - most;
         const auto size = [&] { return rng() % 2 == 0 ? rng.uniform(1, 3) : -rng.uniform(1, 3); };
         check_solutions(size(), size(), size(), hint, i, j);

@@ -37,7 +37,7 @@ std::string scene(const Sphere& sphere, const Ray& ray) {
 struct Meeting {
     bool moves = false;     // the direction is not zero
     bool hits = false;      // the line meets the sphere
-    bool is_clear = false;  // and so it does where all is rounded
+    bool is_clear = false;  // whether it does is clear in spite of rounding
     Exact low, high;
     double allowed = 0;
     double length = 0;  // of the direction
@@ -67,10 +67,8 @@ struct Meeting {
 // What a wrong answer suggests.
 const char* suggestion(const Meeting& exact, Interval within, const Hit& t) {
     if (!exact.moves) return "a is 0: a ray that does not move meets nothing";
-    if (!exact.hits)
-        return "the ray passes by: the discriminant is negative, and nothing is to be returned";
-    if (!t)
-        return "the discriminant is positive; ask for the nearer solution, then for the farther";
+    if (!exact.hits) return "the ray passes by: the discriminant is negative, so return {}";
+    if (!t) return "the discriminant is positive; check the nearer solution, then the farther one";
     if (!within.contains(*t)) return "this t is not within the interval: within.contains(t) tells";
     const auto computed = static_cast<double>(*t);
     if (exact.is_at(computed, exact.high))
@@ -78,12 +76,13 @@ const char* suggestion(const Meeting& exact, Interval within, const Hit& t) {
     if (exact.is_at(computed / exact.length, exact.low) ||
         exact.is_at(computed / exact.length, exact.high) ||
         exact.is_at(computed / exact.length / exact.length, exact.low))
-        return "t counts in lengths of the direction, whose square is a = dot(d, d)";
+        return "t is measured in lengths of the direction, whose square is a = dot(d, d)";
     return "f is the ray's origin minus the sphere's center; roots_from_discriminant takes a, 2 b, "
-           "c, and four quarters of the discriminant";
+           "c, and 4 times your quarter of the discriminant";
 }
 
-// Where both ends of the interval are clearly away from both solutions, or are clearly the ends.
+// Checks only where both ends of the interval are clearly away from both solutions, in
+// spite of rounding.
 void check_within(const Sphere& sphere, const Ray& ray, Interval within) {
     const Meeting exact{sphere, ray};
     if (exact.moves && !exact.is_clear) return;
@@ -98,7 +97,7 @@ void check_within(const Sphere& sphere, const Ray& ray, Interval within) {
     const bool has_low = exact.hits && is_in(exact.low);
     const bool has_high = exact.hits && !has_low && is_in(exact.high);
     if (exact.hits && !has_low && !(is_out(exact.low) && (has_high || is_out(exact.high)))) return;
-    // A hit before it must not show through.
+    // The hit of an earlier call must not show through.
     hit_sphere({{0, 0, -5}, 1}, forward, whole_line);
     const Hit t = hit_sphere(sphere, ray, within);
     const bool has_any = has_low || has_high;
@@ -106,29 +105,29 @@ void check_within(const Sphere& sphere, const Ray& ray, Interval within) {
     INFO(scene(sphere, ray) << ", t from " << checkpoint::text(within.min) << " to "
                             << checkpoint::text(within.max) << ": expected "
                             << (has_any ? "t = " + checkpoint::text(expected) : "no hit")
-                            << ", but yours gives " << text(t)
+                            << ", actual " << text(t)
                             << ".\nHint: " << suggestion(exact, within, t));
     const std::string came = t ? "a hit" : "no hit";
     REQUIRE(came == (has_any ? "a hit" : "no hit"));
     if (has_any) REQUIRE(times_allowed(*t, expected, exact.allowed) <= 1);
 }
 
-// The same for small whole numbers, with the answer by hand. The hint is for those who do not find
-// the hit, or find one that is none.
+// The same for small whole numbers, with an answer found by hand. The hint is for code that misses
+// the hit, or finds one where there is none.
 void check(const Sphere& sphere, const Ray& ray, Interval within, Hit expected, const char* hint) {
     const Hit t = hit_sphere(sphere, ray, within);
     const Meeting exact{sphere, ray};
     const bool same_kind = t.has_value() == expected.has_value();
     INFO(scene(sphere, ray) << ", t from " << within.min << " to " << within.max);
-    INFO("expected " << text(expected) << ", but yours gives " << text(t)
+    INFO("expected " << text(expected) << ", actual " << text(t)
                      << ".\nHint: " << (same_kind ? suggestion(exact, within, t) : hint));
     const std::string came = t ? "a hit" : "no hit";
     REQUIRE(came == (expected ? "a hit" : "no hit"));
     if (expected) CHECK(times_allowed(*t, Exact(*expected), exact.allowed) <= 1);
 }
 
-// A ray from so many radii away that passes the center at so many radii aside, of a sphere about as
-// far from (0, 0, 0) as it is large, and intervals of all kinds.
+// Checks a ray from `distance` radii away that passes the center at `aside` radii, a sphere about
+// as far from (0, 0, 0) as it is large, and intervals of all kinds.
 void check_any_interval(rt::Rng& rng, Real radius, Real distance, Real aside, Real length) {
     const auto across = [&](Vec3 w) {
         const Vec3 v = any_direction(rng);
@@ -165,7 +164,7 @@ void check_table(std::string_view kind, const char* hint) {
         const auto check_t = [&](const char* which, Interval within, Exact exact) {
             const Hit t = hit_sphere(sphere, ray, within);
             INFO(which << ": expected t = " << checkpoint::text(exact) << " within " << row.allowed
-                       << ", but yours gives " << text(t));
+                       << ", actual " << text(t));
             REQUIRE(text(t) != "no hit");
             REQUIRE(times_allowed(*t, exact, row.allowed) <= 1);
         };
@@ -175,7 +174,7 @@ void check_table(std::string_view kind, const char* hint) {
             check_t("farther hit", {middle, infinity}, row.high);
         } else {
             const Hit t = hit_sphere(sphere, ray, whole_line);
-            INFO("the ray passes by, but yours gives " << text(t));
+            INFO("the ray passes by: expected no hit, actual " << text(t));
             REQUIRE(text(t) == "no hit");
         }
     }
@@ -212,9 +211,9 @@ TEST_CASE("03.2 from inside the far side is hit", "[03.2]") {
 
 TEST_CASE("03.2 the direction may have any length", "[03.2]") {
     check({{0, 0, -5}, 1}, {{0, 0, 0}, {0, 0, -2}}, ahead, Real(2),
-          "t counts in lengths of the direction: a = dot(d, d) is 4 here");
+          "t is measured in lengths of the direction: a = dot(d, d) is 4 here");
     check({{0, 0, -5}, 1}, {{0, 0, 0}, {0, 0, Real(-0.5)}}, ahead, Real(8),
-          "t counts in lengths of the direction: a = dot(d, d) is 1/4 here");
+          "t is measured in lengths of the direction: a = dot(d, d) is 1/4 here");
     check({{0, 0, -5}, 1}, {{0, 0, 0}, {0, 0, Real(-0x1p-40)}}, ahead, Real(0x4p40),
           "short is not zero: compare a with 0 exactly");
 }
@@ -254,31 +253,31 @@ TEST_CASE("03.2 a ray that starts on the surface", "[03.2][hard]") {
     check(sphere, {start, {-2, -3, -6}}, {Real(0.5), infinity}, Real(2),
           "an interval that begins after 0 leaves the other solution, 2");
     check_table("surface",
-                "rounded to the surface, c is all rounding: 0 within what the bound allows");
+                "the start is rounded to the surface, so c is nothing but rounding: 0 within what "
+                "the bound allows");
 }
 
 TEST_CASE("03.2 near spheres are hit within the bound", "[03.2][hard]") {
     check_table("near",
-                "2 b and four quarters of the discriminant go to roots_from_discriminant. (Section "
-                "Hard cases "
-                "derives how exact t must be)");
+                "pass 2 b and 4 times your quarter of the discriminant to roots_from_discriminant. "
+                "(The section Hard cases derives how accurate t must be)");
 }
 
-TEST_CASE("03.2 a sphere a million radii away is hit where it should", "[03.2][hard]") {
+TEST_CASE("03.2 a sphere a million radii away is hit where it should be", "[03.2][hard]") {
     check_table(
         "far",
         "b^2 - 4 a c cancels when the sphere is far. 'The discriminant of a far sphere' in the "
         "text has one whose terms are as small as the sphere");
 }
 
-TEST_CASE("03.2 nearly tangent rays are decided rightly", "[03.2][hard]") {
+TEST_CASE("03.2 nearly tangent rays are decided correctly", "[03.2][hard]") {
     check_table(
         "grazing",
         "b^2 - 4 a c cancels when the sphere is far. 'The discriminant of a far sphere' in the "
         "text has one whose terms are as small as the sphere");
 }
 
-TEST_CASE("03.2 from inside both ways are right", "[03.2][hard]") {
+TEST_CASE("03.2 from inside both solutions are right", "[03.2][hard]") {
     check_table("inside", "one solution is negative, the other positive");
 }
 
@@ -288,7 +287,7 @@ TEST_CASE("03.2 tiny and huge spheres are hit", "[03.2][hard]") {
 }
 
 TEST_CASE("03.2 directions of any length give the same points", "[03.2][hard]") {
-    check_table("any direction", "t counts in lengths of the direction");
+    check_table("any direction", "t is measured in lengths of the direction");
 }
 
 TEST_CASE("03.2 the scene at any scale gives the same hits", "[03.2][hard]") {

@@ -25,7 +25,7 @@ std::string text(const Nearest& nearest) {
     return "number " + std::to_string(nearest->number) + " at t = " + checkpoint::text(nearest->t);
 }
 
-// What each sphere alone gives, compared.
+// The nearest of the hits that each sphere alone gives.
 Nearest by_comparing(const Spheres& spheres, const Ray& ray, Interval within) {
     Nearest nearest;
     for (std::size_t i = 0; i < spheres.size(); ++i) {
@@ -36,13 +36,14 @@ Nearest by_comparing(const Spheres& spheres, const Ray& ray, Interval within) {
 }
 
 const char* suggestion(const Nearest& expected, const Nearest& computed, std::size_t count) {
-    if (!expected) return "no sphere is met within the interval: return {}";
-    if (!computed) return "ask hit_sphere for every sphere, and keep what it gives";
-    if (computed->number >= count) return "the numbers of the spheres are 0 to their count minus 1";
+    if (!expected) return "no sphere is hit within the interval: return {}";
+    if (!computed) return "call hit_sphere for every sphere, and keep what it gives";
+    if (computed->number >= count) return "the spheres are numbered from 0 to their count minus 1";
     if (computed->number == expected->number)
         return "return the t that hit_sphere gave for this very sphere";
     if (computed->t == expected->t)
-        return "the number is the place in the list, from 0; of equally near ones the last counts";
+        return "the number is the index in the list, from 0; of equally near spheres the last "
+               "counts";
     return "after each hit move the far end of the interval down to it, and only the far end";
 }
 
@@ -70,7 +71,7 @@ SceneSphere sphere_at(Real t, int material = 0) {
 
 const SceneSphere beside{{{5, 0, -5}, 1}, 0};
 
-// A list of spheres about the place (0, 0, 0), a ray through their midst, and an interval.
+// Checks a list of spheres around (0, 0, 0), a ray through their midst, and intervals.
 void check_any(rt::Rng& rng, Real scale) {
     const std::size_t count = rng() % 12;
     Spheres spheres;
@@ -100,7 +101,7 @@ void check_any(rt::Rng& rng, Real scale) {
 
 }  // namespace
 
-TEST_CASE("03.3 the nearest sphere counts in whichever order they come", "[03.3]") {
+TEST_CASE("03.3 the nearest sphere counts in whatever order they are listed", "[03.3]") {
     check({sphere_at(2), sphere_at(6)}, forward, ahead, rt::NearestSphere{0, 2});
     check({sphere_at(6), sphere_at(2)}, forward, ahead, rt::NearestSphere{1, 2});
     check({sphere_at(6), sphere_at(2), sphere_at(10)}, forward, ahead, rt::NearestSphere{1, 2});
@@ -115,7 +116,7 @@ TEST_CASE("03.3 a ray that meets no sphere gives nothing", "[03.3]") {
     check({sphere_at(2)}, {{0, 0, 0}, {0, 0, 1}}, ahead, {});
 }
 
-TEST_CASE("03.3 every sphere of the list is asked", "[03.3]") {
+TEST_CASE("03.3 every sphere of the list is tested", "[03.3]") {
     for (std::size_t count = 1; count <= 40; ++count)
         for (std::size_t hit = 0; hit < count; ++hit) {
             Spheres spheres(count, beside);
@@ -124,12 +125,12 @@ TEST_CASE("03.3 every sphere of the list is asked", "[03.3]") {
         }
 }
 
-TEST_CASE("03.3 the number is the place in the list and not the material", "[03.3]") {
+TEST_CASE("03.3 the number is the index in the list and not the material", "[03.3]") {
     check({sphere_at(6, 4), beside, sphere_at(2, 7)}, forward, ahead, rt::NearestSphere{2, 2});
     check({sphere_at(6, 1), sphere_at(2, 0), beside}, forward, ahead, rt::NearestSphere{1, 2});
 }
 
-TEST_CASE("03.3 what is near but off the ray does not count", "[03.3]") {
+TEST_CASE("03.3 a sphere that is near but off the ray does not count", "[03.3]") {
     const SceneSphere near_by{{{3, 0, -1}, 1}, 0};
     check({near_by, sphere_at(6), near_by}, forward, ahead, rt::NearestSphere{1, 6});
     // The nearest center belongs to the small sphere, the nearest surface to the large one.
@@ -149,7 +150,7 @@ TEST_CASE("03.3 only t within the interval counts", "[03.3]") {
     check(spheres, forward, {13, infinity}, {});
 }
 
-TEST_CASE("03.3 a sphere behind the ray never hides one before it", "[03.3]") {
+TEST_CASE("03.3 a sphere behind the ray never hides one in front of it", "[03.3]") {
     const SceneSphere behind{{{0, 0, 3}, 1}, 0};
     check({behind, sphere_at(6), behind}, forward, ahead, rt::NearestSphere{1, 6});
     check({behind, sphere_at(6)}, forward, {-infinity, infinity}, rt::NearestSphere{0, -4});
@@ -188,7 +189,8 @@ TEST_CASE("03.3 of equally near spheres the last counts", "[03.3][hard]") {
     check({sphere_at(2), sphere_at(2)}, forward, {2, 2}, rt::NearestSphere{1, 2});
 }
 
-TEST_CASE("03.3 spheres around the ray count by where it leaves them", "[03.3][hard]") {
+TEST_CASE("03.3 spheres around the origin of the ray count by where it leaves them",
+          "[03.3][hard]") {
     const auto around = [](Real radius) { return SceneSphere{{{0, 0, 0}, radius}, 0}; };
     check({around(5), around(3), around(8)}, forward, ahead, rt::NearestSphere{1, 3});
     check({around(5), sphere_at(2), around(8)}, forward, ahead, rt::NearestSphere{1, 2});
@@ -199,7 +201,7 @@ TEST_CASE("03.3 spheres around the ray count by where it leaves them", "[03.3][h
 TEST_CASE("03.3 the last digit of t decides which sphere is nearer", "[03.3][hard]") {
     rt::Rng rng{33, 2};
     for (int i = 0; i < 1000; ++i) {
-        // Seen from the center, a sphere is hit at its radius.
+        // A ray from the center hits the sphere at t = radius.
         const Real radius = std::pow(Real(10), rng.uniform(-6, 6));
         const SceneSphere far{{{0, 0, 0}, radius}, 0};
         const SceneSphere near{{{0, 0, 0}, std::nextafter(radius, Real(0))}, 0};

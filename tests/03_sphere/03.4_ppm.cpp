@@ -25,7 +25,7 @@ std::string written(const Image& image) {
     return text;
 }
 
-// The start of what was written, for messages: ? for letters that a terminal cannot show.
+// The start of what was written, for messages: ? for characters that a terminal cannot show.
 std::string begin_of(const std::string& text) {
     std::string shown = text.substr(0, 60);
     for (char& letter : shown)
@@ -55,7 +55,7 @@ std::string list(const std::vector<int>& bytes) {
 
 void check_bytes(const Image& image, const std::vector<int>& expected, const char* hint) {
     const std::vector<int> bytes = bytes_of(image);
-    INFO("expected the bytes" << list(expected) << ", but yours are"
+    INFO("expected the bytes" << list(expected) << ", actual"
                               << (bytes.empty() ? " none that can be read" : list(bytes))
                               << ".\nHint: " << hint);
     CHECK(bytes == expected);
@@ -71,7 +71,7 @@ TEST_CASE("03.4 the header has the format and the size and 255", "[03.4]") {
     std::string format;
     int width = 0, height = 0, full = 0;
     in >> format >> width >> height >> full;
-    INFO("an image 3 wide and 2 high starts with P3, 3, 2 and 255, but yours with "
+    INFO("an image 3 wide and 2 high: expected P3, 3, 2 and 255 at the start, actual "
          << begin_of(text));
     CHECK(format == "P3");
     CHECK(width == 3);
@@ -82,9 +82,8 @@ TEST_CASE("03.4 the header has the format and the size and 255", "[03.4]") {
 TEST_CASE("03.4 bytes are written as numbers", "[03.4]") {
     const std::string text = written(Image{2, 1, white});
     INFO("the text is " << begin_of(text)
-                        << ".\nHint: a std::uint8_t prints as a letter, + in front makes it a "
-                           "number; and there must "
-                           "be a space or a new line after each");
+                        << ".\nHint: a std::uint8_t prints as a character, + in front makes it a "
+                           "number; and there must be a space or a new line after each");
     for (std::size_t i = 2; i < text.size(); ++i) {  // after P3
         const auto letter = static_cast<unsigned char>(text[i]);
         REQUIRE((std::isdigit(letter) || std::isspace(letter)));
@@ -116,7 +115,7 @@ TEST_CASE("03.4 light is stored in sRGB", "[03.4]") {
                 "the image holds linear light: rt::to_byte applies the sRGB curve");
 }
 
-TEST_CASE("03.4 an image of one pixel is an image", "[03.4][hard]") {
+TEST_CASE("03.4 an image may have a single pixel", "[03.4][hard]") {
     check_bytes(Image{1, 1, black}, {0, 0, 0}, "one pixel, three numbers");
     for (const Image& image : {Image{1, 7}, Image{7, 1}, Image{300, 1}, Image{1, 700}}) {
         INFO("an image of " << image.width() << 'x' << image.height() << " pixels starts with "
@@ -132,7 +131,8 @@ TEST_CASE("03.4 an image of one pixel is an image", "[03.4][hard]") {
 }
 
 TEST_CASE("03.4 light outside of 0 to 1 is clamped", "[03.4][hard]") {
-    const char* const hint = "more light than the file can hold is 255, less than none is 0";
+    const char* const hint =
+        "more light than the file can hold becomes 255, less than none becomes 0";
     check_bytes(Image{1, 1, {1, Real(1.5), 1000}}, {255, 255, 255}, hint);
     check_bytes(Image{1, 1, {-1, Real(-1e-6), Real(-1e30)}}, {0, 0, 0}, hint);
     check_bytes(Image{1, 1, {1 - rt::epsilon, 1 + rt::epsilon, Real(1e30)}}, {255, 255, 255}, hint);
@@ -175,23 +175,25 @@ TEST_CASE("03.4 any image comes out byte by byte", "[03.4][hard]") {
                            << (i % 3 == 0   ? "red"
                                : i % 3 == 1 ? "green"
                                             : "blue")
-                           << ": expected " << expected[i] << ", but yours is " << bytes[i]
-                           << ".\nHint: every pixel in its place, each channel by rt::to_byte");
+                           << ": expected " << expected[i] << ", actual " << bytes[i]
+                           << ".\nHint: write every pixel in its place, each channel by "
+                              "rt::to_byte");
             REQUIRE(bytes[i] == expected[i]);
         }
     }
 }
 
-TEST_CASE("03.4 no line is longer than 70 letters", "[03.4][hard]") {
+TEST_CASE("03.4 no line is longer than 70 characters", "[03.4][hard]") {
     std::istringstream in{written(Image{100, 2, white})};
     for (std::string line; std::getline(in, line);) {
-        INFO("a line of " << line.size() << " letters. Hint: the format asks for lines of at most "
-                          << "70; a line a pixel is simplest");
+        INFO("a line of " << line.size()
+                          << " characters.\nHint: the format asks for lines of at most "
+                          << "70; one line per pixel is simplest");
         REQUIRE(line.size() <= 70);
     }
 }
 
-TEST_CASE("03.4 a color that is no number is refused", "[03.4][hard]") {
+TEST_CASE("03.4 a color that is not finite is refused", "[03.4][hard]") {
     CHECK(bytes_of(Image{1, 1, white}).size() == 3);  // a color that is fine goes through
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const auto refusal = [](const Image& image) -> std::string {
@@ -213,8 +215,9 @@ TEST_CASE("03.4 a color that is no number is refused", "[03.4][hard]") {
                 Image image{4, 3, white};
                 image.at(place % 4, place / 4) = c;
                 INFO("an image with " << c << " in pixel (" << place % 4 << ", " << place / 4
-                                      << ") must end in std::logic_error.\nHint: ask "
-                                         "rt::is_finite(color) of every color before you write it");
+                                      << ") must throw std::logic_error.\nHint: check "
+                                         "rt::is_finite(color) for every color before you write "
+                                         "it");
                 CHECK(refusal(image) == "std::logic_error");
             }
 }

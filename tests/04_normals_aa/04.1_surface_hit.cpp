@@ -65,7 +65,7 @@ void for_shots(int count, Real far_power, Real far, Check check) {
         const Ray ray{sphere.center + radius * from,
                       any_size(rng, -lengths, lengths) * (aim - from)};
         auto t = rt::hit_sphere(sphere, ray, {});
-        if (t && rng() % 4 == 0)  // the place where it leaves
+        if (t && rng() % 4 == 0)  // the point where it leaves
             t = rt::hit_sphere(sphere, ray, {std::nextafter(*t, rt::infinity), rt::infinity});
         if (!t) continue;
         ++i;
@@ -79,7 +79,7 @@ std::string text(const Shot& shot) {
            ", t = " + text(shot.t);
 }
 
-// From the center to the place that t tells, in radii, without a detour over the scene's origin.
+// From the center to the point at t, in radii, without a detour through the scene's origin.
 ExactVec3 exact_outward(const Shot& shot) {
     const auto along = [&](Real o, Real c, Real d) {
         return (Exact(o) - Exact(c) + Exact(shot.t) * Exact(d)) / Exact(shot.sphere.radius);
@@ -108,8 +108,8 @@ void check_side(const Shot& shot, const Hit& hit) {
     INFO(text(shot));
     INFO("the cosine of direction and outward normal is "
          << cosine.high
-         << ".\nHint: the hit is in front where the ray's direction is against the outward "
-            "normal, by however little");
+         << ".\nHint: the hit is in front if the ray's direction points against the outward "
+            "normal, however slightly");
     REQUIRE(hit.front == (cosine.high < 0));
 }
 
@@ -120,32 +120,33 @@ TEST_CASE("04.1 a hit from outside has the outward normal and is in front", "[04
     const Hit hit = rt::surface_hit(sphere, {{1, 2, 10}, {0, 0, -1}}, 5);
     CHECK(hit.t == 5);
     {
-        INFO("expected the point (1, 2, 5), yours is " << text(hit.point));
+        INFO("expected the point (1, 2, 5), actual " << text(hit.point));
         CHECK(hit.point == Vec3{1, 2, 5});
     }
-    INFO("expected the normal (0, 0, 1), yours is "
+    INFO("expected the normal (0, 0, 1), actual "
          << text(hit.normal) << ".\nHint: from the center to the point, then normalize");
     CHECK(hit.normal == Vec3{0, 0, 1});
-    INFO("Hint: the ray came from outside when its direction is against the normal");
+    INFO("Hint: the ray came from outside if its direction points against the normal");
     CHECK(hit.front);
 }
 
 TEST_CASE("04.1 a hit from inside has the outward normal and is not in front", "[04.1]") {
     const Sphere sphere{{1, 2, 3}, 2};
     const Hit hit = rt::surface_hit(sphere, {{1, 3, 3}, {0, 2, 0}}, real(0.5));
-    INFO("a ray that starts in the sphere and leaves it upwards meets the point (1, 4, 3)");
+    INFO("a ray that starts in the sphere and leaves it upward meets the point (1, 4, 3)");
     CHECK(hit.point == Vec3{1, 4, 3});
-    INFO("Hint: the normal stays outward, also seen from inside: yours is " << text(hit.normal));
+    INFO("the normal points outward, even if seen from inside: expected (0, 1, 0), actual "
+         << text(hit.normal));
     CHECK(hit.normal == Vec3{0, 1, 0});
     CHECK_FALSE(hit.front);
 }
 
-TEST_CASE("04.1 the side is told for every ray", "[04.1]") {
+TEST_CASE("04.1 the side is right for every ray", "[04.1]") {
     for_shots(5000, 2, 100, [](const Shot& shot) {
         const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);
         if (hit.t != shot.t) {
             INFO(text(shot));
-            INFO("Hint: t is handed on as it is, a number of steps of the direction's length");
+            INFO("Hint: pass t on as it is, a number of steps of the direction's length");
             REQUIRE(text(hit.t) == text(shot.t));
         }
         if (hit.material != 0) {
@@ -156,7 +157,7 @@ TEST_CASE("04.1 the side is told for every ray", "[04.1]") {
     });
 }
 
-TEST_CASE("04.1 the side is told from as far as rounding leaves it", "[04.1][hard]") {
+TEST_CASE("04.1 the side is right from as far away as rounding allows", "[04.1][hard]") {
     const Real far = 1 / (16 * rt::epsilon);
     for_shots(20000, 2, far, [](const Shot& shot) {
         check_side(shot, rt::surface_hit(shot.sphere, shot.ray, shot.t));
@@ -174,10 +175,10 @@ TEST_CASE("04.1 normals have length 1 and lead from the center to the point", "[
             if (!(off_in_epsilons <= 2)) {
                 INFO(text(shot));
                 INFO("the normal is "
-                     << text(n) << ", its length is off 1 by " << off
-                     << ".\nHint: normalize the vector from the center to the point. t is "
-                        "rounded, so that vector is not quite as long as the radius: "
-                        "dividing by the radius is not enough");
+                     << text(n) << ", its length differs from 1 by " << off
+                     << ".\nHint: normalize the vector from the center to the point. t is rounded, "
+                        "so that vector is not quite as long as the radius: dividing by the radius "
+                        "is not enough");
                 REQUIRE(off_in_epsilons <= 2);
             }
 
@@ -230,7 +231,9 @@ TEST_CASE("04.1 the point lies on the surface within its error bound", "[04.1][h
             REQUIRE(off_over_allowed <= 1);
             REQUIRE(beside_over_allowed <= 1);
         }
-        INFO("Hint: each coordinate of the point was rounded, and so was what hangs on the radius");
+        INFO(
+            "Hint: each coordinate of the point was rounded, and so was everything that depends on "
+            "the radius");
         REQUIRE(off_over_bound <= 1);
     });
 }
@@ -259,7 +262,7 @@ TEST_CASE("04.1 the error bound is the one that the text derives", "[04.1][hard]
 TEST_CASE("04.1 a ray that grazes the sphere counts as in front", "[04.1][hard]") {
     const Hit hit = rt::surface_hit({{0, 0, 0}, 1}, {{-2, 0, 1}, {1, 0, 0}}, 2);
     INFO(
-        "direction (1, 0, 0), normal (0, 0, 1): their dot product is 0.\nHint: front holds if it "
+        "direction (1, 0, 0), normal (0, 0, 1): their dot product is 0.\nHint: front is true if it "
         "is not greater than 0; a ray from inside cannot graze");
     CHECK(hit.normal == Vec3{0, 0, 1});
     CHECK(hit.front);
@@ -277,7 +280,8 @@ TEST_CASE("04.1 a scene 2^30 times larger or smaller gives the same hits", "[04.
                 scaled.front == hit.front && scaled.point_error == s * hit.point_error)
                 continue;
             INFO(text(shot));
-            INFO("scaled by 2^" << power << ". Hint: a constant length somewhere, such as 0.001?");
+            INFO("scaled by 2^" << power
+                                << ".\nHint: is there a constant length somewhere, such as 0.001?");
             REQUIRE(text(scaled.point) == text(s * hit.point));
             REQUIRE(text(scaled.normal) == text(hit.normal));
             REQUIRE(scaled.front == hit.front);
@@ -302,14 +306,14 @@ TEST_CASE("04.1 a sphere too far away to be seen has a normal all the same", "[0
                           << text(ray.origin) << " along " << text(d) << ", t = 4096");
         const Hit hit = [&] {
             INFO(
-                "from the center to the point it is (0, 0, 0) here.\nHint: compare with the zero "
-                "vector, == Vec3{}, before you normalize");
+                "the vector from the center to the point is (0, 0, 0) here.\nHint: compare with "
+                "the zero vector, == Vec3{}, before you normalize");
             return rt::surface_hit({center, radius}, ray, t);
         }();
         {
             HINT(expected, hit.normal,
-                 "the zero vector has no direction; such a sphere is hit head on: the direction "
-                 "turned around, with length 1");
+                 "the zero vector has no direction; such a sphere is hit head on: take the ray's "
+                 "direction turned around, with length 1");
             REQUIRE(error_in_ulp(hit.normal, expected) <= 8);
         }
         INFO("Hint: hit head on means hit from outside");

@@ -7,7 +7,8 @@ using namespace checkpoint;
 
 namespace {
 
-// A light that stands at this height over the horizon, as its sine, and a floor.
+// What lambert gives for a floor and a light; the sine of the light's height above the
+// horizon is given.
 Real light_on_floor(Real height) {
     return rt::lambert({0, 1, 0}, {std::sqrt(1 - height * height), height, 0});
 }
@@ -60,15 +61,15 @@ TEST_CASE("04.2 the cosine is right for any two directions", "[04.2]") {
 TEST_CASE("04.2 the last light before sunset is not lost", "[04.2][hard]") {
     for (Real height = real(0.5); height > std::numeric_limits<Real>::min(); height /= 4) {
         const Real computed = light_on_floor(height);
-        INFO("the light stands " << text(height) << " above the horizon");
+        INFO("the light is " << text(height) << " above the horizon");
         {
             HINT(height, computed,
-                 "only what is below 0 becomes 0: there is no threshold above it");
+                 "only a value below 0 becomes 0: there is no threshold above it");
             REQUIRE(error_in_ulp(computed, height) <= allowed_ulps);
         }
         const Real set = light_on_floor(-height);
         if (set == 0) continue;
-        INFO("and now it stands as far below the horizon");
+        INFO("and now it is as far below the horizon");
         HINT(Real(0), set, "the cosine is negative there: take the larger of 0 and the cosine");
         REQUIRE(text(set) == "0");
     }

@@ -11,10 +11,9 @@ void check_area_ratio(Vec2 place, double expected, double computed, double allow
     const double error_over_allowed = std::abs(computed / expected - 1) / allowed;
     if (error_over_allowed <= 1) return;
     INFO("a small square of places around ("
-         << text(place.x) << ", " << text(place.y)
-         << ") becomes a patch of the sphere that should be " << text(static_cast<Real>(expected))
-         << " times as large; yours is " << text(static_cast<Real>(computed))
-         << " times as large.\nHint: " << hint);
+         << text(place.x) << ", " << text(place.y) << ") becomes a patch of the sphere: expected "
+         << text(static_cast<Real>(expected)) << " times as large, actual "
+         << text(static_cast<Real>(computed)) << " times as large.\nHint: " << hint);
     REQUIRE(error_over_allowed <= 1);
 }
 
@@ -27,20 +26,20 @@ TEST_CASE("04.3 uniform directions cover the sphere evenly", "[04.3]") {
     for (int i = 0; i < samples; ++i) {
         const Vec3 d = rt::uniform_direction(rt::random_place(rng));
         worst = std::max(worst, length_error(d) / static_cast<double>(rt::epsilon));
-        // Slices of equal height have equal surface.
+        // Slices of equal height have equal area.
         grid.add(d, [](double cosine) { return (1 - cosine) / 2 * rings; });
     }
     {
-        INFO("lengths are off 1 by up to " << worst << " epsilon, expected are 2 at most");
+        INFO("lengths differ from 1 by up to " << worst << " epsilon, expected at most 2");
         CHECK(worst <= 2);
     }
     const double statistic = chi_square(
         grid.counts,
         std::vector<double>(turns * rings, static_cast<double>(samples) / turns / rings));
-    INFO("chi-square of 200 cells of equal surface: "
+    INFO("chi-square of 200 cells of equal area: "
          << statistic
          << ".\nHint: z is spread evenly from -1 to 1, the angle about the z axis from 0 to 2 pi; "
-            "angles from the pole that are spread evenly crowd the poles");
+            "evenly spread angles from the pole crowd the poles");
     CHECK(statistic < chi_square_limit(turns * rings - 1));
 }
 
@@ -69,11 +68,11 @@ TEST_CASE("04.3 bounces follow the cosine about any normal", "[04.3]") {
         REQUIRE(below == 0);
     }
     {
-        INFO("lengths are off 1 by up to " << worst << " epsilon, expected are 2 at most");
+        INFO("lengths differ from 1 by up to " << worst << " epsilon, expected at most 2");
         CHECK(worst <= 2);
     }
     const double statistic = chi_square(counts, expected_by_cosine());
-    // The hint depends on the three inner rings: the share sin^2 lies within an angle.
+    // The hint depends on the three inner rings: a share of sin^2 lies within an angle.
     long close = 0;
     for (std::size_t i = 0; i < 3 * turns; ++i) close += counts[i];
     const double sine = std::sin(3 * 3.141592653589793 / 2 / rings);
@@ -84,12 +83,12 @@ TEST_CASE("04.3 bounces follow the cosine about any normal", "[04.3]") {
             ? "too many along the normal: the radius on the disk is the square ROOT of x, since x "
               "itself crowds the middle of the disk"
         : surplus < -noise
-            ? "too few along the normal: evenly spread directions, also when those below are "
-              "flipped up, do not follow the cosine. Radius sqrt(x), height sqrt(1 - x)"
-            : "as many along the normal as there should be, but not evenly around it, or not near "
+            ? "too few along the normal: evenly spread directions do not follow the cosine, even "
+              "if those below are flipped up. Radius sqrt(x), height sqrt(1 - x)"
+            : "the right number along the normal, but not spread evenly around it, or wrong near "
               "the horizon: the angle goes once around, 2 pi y; the height is sqrt(1 - x)";
     INFO("chi-square of a 20 x 10 grid of the hemisphere against cos / pi: "
-         << statistic << "; within 27 degrees of the normal are " << close << " directions of "
+         << statistic << "; within 27 degrees of the normal: actual " << close << " directions of "
          << samples << ", expected " << expected << ".\nHint: " << hint);
     CHECK(statistic < chi_square_limit(turns * rings - 1));
 }
@@ -125,7 +124,7 @@ TEST_CASE("04.3 the corners of the square give directions too", "[04.3][hard]") 
         INFO("place (" << text(place.x) << ", " << text(place.y) << ") gives " << text(d));
         REQUIRE(rt::is_finite(d));
         const double off_in_epsilons = length_error(d) / static_cast<double>(rt::epsilon);
-        INFO("its length is off 1 by so many epsilon; 2 are allowed");
+        INFO("this is how far its length is from 1, in epsilon; 2 are allowed");
         REQUIRE(off_in_epsilons <= 2);
     };
     for (const Vec2 place : corners) check(place);
@@ -163,7 +162,7 @@ TEST_CASE("04.3 bounces stay above the surface at any normal", "[04.3][hard]") {
         const auto direction = [&] {
             INFO("normal " << text(normal) << ", place (" << text(place.x) << ", " << text(place.y)
                            << ").\nHint: normal plus uniform direction may be the zero vector, "
-                              "which cannot be normalized; the lifted disk has no such place");
+                              "which cannot be normalized; the lifted disk has no such point");
             return rt::cosine_direction(normal, place);
         };
         const Vec3 d = direction();
@@ -175,9 +174,9 @@ TEST_CASE("04.3 bounces stay above the surface at any normal", "[04.3][hard]") {
                        << ") gives " << text(d));
         REQUIRE(rt::is_finite(d));
         {
-            INFO("its length is off 1 by " << length_error(d)
-                                           << ".\nHint: normalize the result, since the basis is "
-                                              "exact to 8 epsilon only");
+            INFO("its length differs from 1 by "
+                 << length_error(d)
+                 << ".\nHint: normalize the result, since the basis is accurate only to 8 epsilon");
             REQUIRE(in_epsilons <= 2);
         }
         INFO("Hint: even at the rim of the disk the height is sqrt(1 - x) > 0");

@@ -17,7 +17,7 @@ Hit hit_with(Vec3 normal, bool front) {
     return {2, Vec3{1, 2, 3} + normal, normal, front, rt::epsilon, 0};
 }
 
-// A direction from which a ray may have come to this side.
+// A direction in which a ray may arrive on this side.
 Vec3 toward(const Hit& hit, rt::Rng& rng) {
     const Vec3 d = any_direction(rng);
     return (Grid::dot(d, hit.normal) <= 0) == hit.front ? d : -d;
@@ -30,16 +30,16 @@ rt::Scatter bounce(const Lambertian& material, Vec3 incoming, const Hit& hit, au
     } catch (const std::domain_error&) {
         INFO("normal " << text(hit.normal) << ", hit from " << (hit.front ? "outside" : "inside"));
         FAIL(
-            "expected a direction, actual: the zero vector was to be normalized.\n"
+            "expected a direction, actual: an attempt to normalize the zero vector.\n"
             "Hint: normal plus unit vector may be zero; cosine_direction (04.3) never is");
     }
     FAIL(
         "expected a Scatter, actual none.\n"
-        "Hint: a matte surface absorbs nothing by chance: what it takes is in the attenuation");
+        "Hint: a matte surface absorbs nothing by chance: what it absorbs is in the attenuation");
     return {};
 }
 
-// Gives two numbers first, then random ones; and counts.
+// Gives two fixed numbers first, then random ones, and counts them.
 struct Scripted {
     Vec2 place;
     int drawn = 0;
@@ -60,14 +60,14 @@ void check_direction(const Hit& hit, Vec3 d) {
                    << ": expected a direction of length 1 on that side, actual " << text(d)
                    << ", whose cosine with the normal there is " << cosine);
     {
-        INFO("Hint: what is not a number comes from normalizing the zero vector by hand");
+        INFO("Hint: NaN comes from normalizing the zero vector by hand");
         REQUIRE(rt::is_finite(d));
     }
     {
         INFO("Hint: facing_normal(hit) is the normal on the side that the ray came from");
         REQUIRE(cosine > 0);
     }
-    INFO("its length is off 1 by " << off << " epsilon; 2 are allowed.\nHint: normalize it");
+    INFO("its length differs from 1 by " << off << " epsilon; 2 are allowed.\nHint: normalize it");
     REQUIRE(off <= 2);
 }
 
@@ -89,8 +89,8 @@ void check_distribution(bool front, std::uint64_t stream) {
     const double statistic = chi_square(counts, expected_by_cosine());
     INFO("chi-square of a 20 x 10 grid of the hemisphere against cos / pi: "
          << statistic << ", expected less than " << chi_square_limit(turns * rings - 1)
-         << ".\nHint: directions as likely as their cosine are those of cosine_direction (04.3), "
-            "at a place of two random numbers");
+         << ".\nHint: cosine_direction (04.3) gives directions distributed by their cosine, for a "
+            "place of two random numbers");
     CHECK(statistic < chi_square_limit(turns * rings - 1));
 }
 
@@ -190,7 +190,7 @@ TEST_CASE("04.4 equal parts of the square become directions with the density cos
         };
         const double cosine = Grid::dot(direction(place), pole);
         const double computed = area_ratio(direction, place, reach);
-        if (most != 2) return;  // another way to draw directions: it has been counted above
+        if (most != 2) return;  // directions drawn in another way: the counts above test them
         const double expected = 3.14159265358979323846 / cosine;
         // Close to the horizon, and where normal and unit vector all but cancel, rounding counts.
         if (cosine < 0.2 || Grid::dot(rt::uniform_direction(place), pole) < -0.5) continue;
@@ -199,13 +199,13 @@ TEST_CASE("04.4 equal parts of the square become directions with the density cos
         INFO("normal " << text(pole) << ": a small square of places around (" << text(place.x)
                        << ", " << text(place.y) << ") becomes a patch of the sphere, expected "
                        << expected << " times as large, actual " << computed
-                       << " times as large.\nHint: the density is cos / pi, as that of "
+                       << " times as large.\nHint: the density is cos / pi, like that of "
                           "cosine_direction (04.3)");
         REQUIRE(error <= allowed * (1 + 0.1 / cosine));
     }
 }
 
-TEST_CASE("04.4 place and distance of the hit do not matter", "[04.4]") {
+TEST_CASE("04.4 the position and distance of the hit do not matter", "[04.4]") {
     rt::Rng rng{44, 8};
     for (int i = 0; i < 1000; ++i) {
         Hit hit = hit_with(any_direction(rng), rng() % 2 == 0);
@@ -218,7 +218,7 @@ TEST_CASE("04.4 place and distance of the hit do not matter", "[04.4]") {
         hit.point_error = any_size(rng, -9, 0);
         const Vec3 b = bounce(clay, incoming, hit, other).direction;
         if (a == b) continue;
-        INFO("the same surface in another place gives "
+        INFO("the same surface at another position gives "
              << text(b) << " instead of " << text(a)
              << ".\nHint: the direction depends on the normal and the random numbers alone");
         REQUIRE(a == b);

@@ -34,7 +34,7 @@ double coverage(double cosine, double sine, double edge) {
            triangle(edge - cosine - sine);
 }
 
-// The offset of a place in a cell, in its cell and where it should be there.
+// Checks that the offset of a place in a cell lies in that cell, and where it should.
 void check_offset(int cell, int n, Vec2 place) {
     const Vec2 offset = rt::jittered_offset(cell, n, place);
     const int column = cell % n, row = cell / n;
@@ -48,26 +48,25 @@ void check_offset(int cell, int n, Vec2 place) {
     if (near_x && near_y && in_x && in_y) return;
     const auto all = [](Vec2 p) { return '(' + text(p.x) + ", " + text(p.y) + ')'; };
     INFO("cell " << cell << " of " << n << " x " << n << " is in column " << column << " and row "
-                 << row << ": with place " << all(place) << " yours gives " << all(offset));
+                 << row << ": with place " << all(place) << " your offset is " << all(offset));
     if (!near_x || !near_y) {
-        INFO(
-            "expected (column + x) / n across, (row + y) / n down, where (x, y) is the place: "
-            << all(sum)
-            << ".\nHint: the column of a cell is cell % n, its row cell / n in whole numbers. "
-               "Every "
-               "other division needs a Real: (column + 1) / n of whole numbers drops the fraction");
+        INFO("expected (column + x) / n across, (row + y) / n down, where (x, y) is the place: "
+             << all(sum)
+             << ".\nHint: the column of a cell is cell % n, its row cell / n in whole numbers. "
+                "Every other division needs a Real: (column + 1) / n of whole numbers drops the "
+                "fraction");
         REQUIRE(all(offset) == all(sum));
     }
     INFO(
-        "Hint: this is the next cell's edge. The sum is rounded, and the division once more: limit "
-        "the quotient, not the sum, to the largest number below (k + 1) / n, in x and in y");
+        "Hint: this is the next cell's edge. The sum is rounded, and so is the quotient: limit the "
+        "quotient, not the sum, to the largest number below (k + 1) / n, in x and in y");
     if (!in_x) REQUIRE(text(offset.x) == "less than " + text(expected(column + 1, 0)));
     REQUIRE(text(offset.y) == "less than " + text(expected(row + 1, 0)));
 }
 
 }  // namespace
 
-TEST_CASE("04.5 jittered offsets lie one in each cell", "[04.5]") {
+TEST_CASE("04.5 each cell has one jittered offset", "[04.5]") {
     rt::Rng rng{44, 1};
     for (int n = 1; n <= 16; ++n)
         for (int cell = 0; cell < n * n; ++cell) check_offset(cell, n, rt::random_place(rng));
@@ -78,7 +77,7 @@ TEST_CASE("04.5 jittered offsets lie one in each cell", "[04.5]") {
     }
 }
 
-TEST_CASE("04.5 the average takes each cell once and all samples", "[04.5]") {
+TEST_CASE("04.5 the average uses each cell once and all samples", "[04.5]") {
     rt::Rng rng{44, 2};
     for (int i = 1; i <= 134; ++i) {
         const int more[] = {1000, 1023, 1024, 1025}, samples = i <= 130 ? i : more[i - 131];
@@ -93,7 +92,7 @@ TEST_CASE("04.5 the average takes each cell once and all samples", "[04.5]") {
             else
                 ++counts[static_cast<std::size_t>(row * n + column)];
             ++calls;
-            // No two samples bring the same light, and some are very bright.
+            // Samples return different light, and some are very bright.
             const auto light = static_cast<Real>(calls * calls % 101);
             const Color color{light, samples % 7 ? 1000 * light : 0, light == 5 ? Real(1e6) : 1};
             sum += color;
@@ -122,11 +121,11 @@ TEST_CASE("04.5 the average takes each cell once and all samples", "[04.5]") {
     }
 }
 
-TEST_CASE("04.5 each sample lies anywhere in its cell whatever the others do", "[04.5]") {
+TEST_CASE("04.5 each sample is uniform in its cell and independent of the others", "[04.5]") {
     rt::Rng rng{44, 3};
     constexpr int pixels = 5000;
-    // Both coordinates of all samples of a pixel, each from 0 to 1 across its cell. In any two of
-    // them all pairs of values must be equally likely.
+    // Both coordinates of all samples of a pixel, each from 0 to 1 across its cell. For any two of
+    // them, all pairs of values must be equally likely.
     const auto check_pairs = [&](int samples, int n, const char* hint) {
         const auto size = static_cast<std::size_t>(2 * samples);
         std::vector<PairCounts> pairs(size * size);
@@ -162,17 +161,17 @@ TEST_CASE("04.5 each sample lies anywhere in its cell whatever the others do", "
             }
     };
     check_pairs(9, 3, "each cell gets a random_place(random) of its own, with two numbers");
-    check_pairs(3, 1, "each sample that is left gets a random_place(random) of its own");
+    check_pairs(3, 1, "each sample left over gets a random_place(random) of its own");
 
-    // With some left over: all of the pixel is equally likely.
+    // Those left over: every point of the pixel is equally likely.
     PairCounts places;
     for (int pixel = 0; pixel < pixels; ++pixel)
         rt::pixel_average(7, rng, [&](Vec2 offset) {
             places.add(offset.x, offset.y);
             return Color{};
         });
-    INFO("7 samples a pixel, 3 of them left over: the chi-square of all places in the pixel is "
-         << places.chi_square() << ".\nHint: what is left goes anywhere in the pixel");
+    INFO("7 samples a pixel, 3 of them left over: the chi-square of all points in the pixel is "
+         << places.chi_square() << ".\nHint: the samples left over go anywhere in the pixel");
     CHECK(places.chi_square() < PairCounts::limit());
 }
 
@@ -189,9 +188,9 @@ TEST_CASE("04.5 an edge pixel shows how much of it is covered", "[04.5]") {
             });
             jittered.add(static_cast<double>(average.g));
         }
-        INFO(samples << " samples, 400 seeds: mean " << jittered.mean() << ", covered " << covered
-                     << ", standard error " << jittered.standard_error());
-        // Right code stays within 6 standard errors in all but one of 500 million runs.
+        INFO(samples << " samples, 400 seeds: actual mean " << jittered.mean() << ", expected "
+                     << covered << ", standard error " << jittered.standard_error());
+        // Correct code stays within 6 standard errors in all but one of 500 million runs.
         CHECK(std::abs(jittered.mean() - covered) <= 6 * jittered.standard_error());
         if (samples < 16) continue;
         INFO("the variance is " << jittered.variance() << ", without the grid it is "
@@ -215,7 +214,7 @@ TEST_CASE("04.5 no rounding moves a sample into the next cell", "[04.5][hard]") 
     }
 }
 
-TEST_CASE("04.5 a million samples are not off in float either", "[04.5][hard]") {
+TEST_CASE("04.5 a million samples are accurate even in float", "[04.5][hard]") {
     rt::Rng rng{44, 6};
     for (const int samples : {1 << 18, 1'000'000}) {
         double red = 0, blue = 0;
@@ -225,8 +224,8 @@ TEST_CASE("04.5 a million samples are not off in float either", "[04.5][hard]") 
             blue += static_cast<double>(color.b);
             return color;
         });
-        INFO(samples << " samples.\nHint: a float sum that is large has no digits left for a small "
-                        "sample. Add up with a ColorSum, or each row of cells on its own");
+        INFO(samples << " samples.\nHint: a large float sum has no digits left for a small sample. "
+                        "Add up with a ColorSum, or each row of cells on its own");
         const auto check = [&](Real actual, double sum) {
             const double expected = sum / samples;
             INFO("expected " << expected << ", actual " << actual);

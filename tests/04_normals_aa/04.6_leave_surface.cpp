@@ -11,8 +11,8 @@ using rt::Hit, rt::Ray, rt::Sphere;
 
 namespace {
 
-// A place on a sphere of radius 10^-9 to 10^9, up to 10^6 radii from the scene's origin, as a ray
-// finds it from outside or from inside.
+// A point on a sphere of radius 10^-9 to 10^9, up to 10^6 radii from the scene's origin, as a ray
+// hits it from outside or from inside.
 struct Place {
     Sphere sphere;
     Hit hit;
@@ -62,22 +62,22 @@ TEST_CASE("04.6 the ray starts just off the surface on the side it leaves to", "
     hit.point_error = 8 * rt::epsilon;
     for (const Vec3 up : {Vec3{0, 0, 1}, Vec3{real(0.6), 0, real(0.8)}, Vec3{0, 1, real(1e-6)}}) {
         const Vec3 out = rt::leave_surface(hit, up), in = rt::leave_surface(hit, -up);
-        INFO("leaving (0, 0, 1) along " << text(up) << ": yours starts at " << text(out)
-                                        << ", and the other way at " << text(in));
-        INFO("Hint: along the normal, by the error of the point and that of the sum");
+        INFO("leaving (0, 0, 1) along " << text(up) << ": your ray starts at " << text(out)
+                                        << ", and in the opposite direction at " << text(in));
+        INFO("Hint: move along the normal, by the error of the point and that of the sum");
         CHECK(out.x == 0);
         CHECK(out.y == 0);
         CHECK(out.z >= 1 + 8 * rt::epsilon);
         CHECK(out.z <= 1 + 16 * rt::epsilon);
         {
-            INFO("Hint: a direction against the normal goes into the sphere, and starts inside");
+            INFO("Hint: a ray against the normal goes into the sphere, and starts inside");
             CHECK(in.z <= 1 - 8 * rt::epsilon);
             CHECK(in.z >= 1 - 16 * rt::epsilon);
         }
     }
 }
 
-TEST_CASE("04.6 the ray moves along the normal by the error and no more than four", "[04.6]") {
+TEST_CASE("04.6 the start moves along the normal by one to four times the error", "[04.6]") {
     rt::Rng rng{46, 8};
     for (int i = 0; i < 50'000; ++i) {
         const Place place = any_place(rng);
@@ -110,11 +110,11 @@ TEST_CASE("04.6 the ray moves along the normal by the error and no more than fou
             continue;
         INFO("the point " << text(hit.point) << " with normal " << text(hit.normal)
                           << " and point_error " << text(hit.point_error) << ", left along "
-                          << text(direction) << ": yours starts at " << text(start));
+                          << text(direction) << ": your ray starts at " << text(start));
         {
             INFO(
-                "Hint: it is moved to the wrong side. That is the side to which the new direction "
-                "points, by however little");
+                "Hint: it is moved to the wrong side. The right side is the one to which the new "
+                "direction points, however slightly");
             REQUIRE(moved_in_errors > 0);
         }
         {
@@ -122,7 +122,7 @@ TEST_CASE("04.6 the ray moves along the normal by the error and no more than fou
             REQUIRE(moved_in_errors >= 1 - 1e-3);
         }
         {
-            INFO("Hint: this starts too far away: it may be beyond another surface");
+            INFO("Hint: the ray starts too far away: it may start beyond another surface");
             REQUIRE(moved_in_errors <= 4);
         }
         INFO("Hint: move along the normal, not along the direction");
@@ -143,17 +143,17 @@ TEST_CASE("04.6 a million rays never meet the surface that they leave", "[04.6][
             INFO("it starts " << moved << " above the point, whose error is " << error);
             INFO("Hint: " << (moved < 0 ? "it starts on the wrong side"
                               : moved < 2 * error
-                                  ? "the sum point + distance * normal is rounded, too, and may "
+                                  ? "the sum point + distance * normal is rounded, too, which may "
                                     "take back a part of the move: add that to the distance"
                                   : "the distance must come from the error bound: a fixed one, "
-                                    "such as 0.001, or a fixed smallest t, is right for no other "
-                                    "size"));
+                                    "such as 0.001, or a fixed smallest t, is right for one size "
+                                    "only"));
             REQUIRE(!t);
         }
     }
 }
 
-TEST_CASE("04.6 a million rays meet what stands ten error bounds off", "[04.6][hard]") {
+TEST_CASE("04.6 a million rays meet a wall that is ten error bounds away", "[04.6][hard]") {
     rt::Rng rng{46, 5};
     for (int i = 0; i < 1'000'000; ++i) {
         const Place place = any_place(rng);
@@ -167,7 +167,7 @@ TEST_CASE("04.6 a million rays meet what stands ten error bounds off", "[04.6][h
             INFO(describe(place, hit.normal)
                  << " starts at " << text(start) << ", beyond a wall at a distance of "
                  << text(10 * hit.point_error));
-            INFO("Hint: start off the surface by its error, and by no more than that needs");
+            INFO("Hint: start off the surface by its error, and by no more than that requires");
             REQUIRE(t);
             REQUIRE(*t < r);
         }
@@ -179,29 +179,29 @@ TEST_CASE("04.6 a ray into the sphere meets its far side", "[04.6][hard]") {
     for (int i = 0; i < 100'000; ++i) {
         const Place place = any_place(rng);
         const Vec3 in = -leaving(place.hit.normal, rng);
-        // Through steep angles only: a chord as short as the error bound may come out at 0.
+        // At steep angles only: a chord as short as the error bound may be rounded to 0.
         const double cosine = -exact_dot(in, place.hit.normal) / std::sqrt(exact_dot(in, in));
         if (cosine < 0.1) continue;
         const Ray ray{rt::leave_surface(place.hit, in), in};
         const auto t = rt::hit_sphere(place.sphere, ray, {});
         const double length = std::sqrt(exact_dot(in, in)), chord = 2 * cosine / length;
         const double r = static_cast<double>(place.sphere.radius);
-        // The start is off by some error bounds along the normal and along the surface.
+        // The start is off by a few error bounds along the normal and along the surface.
         const double off = static_cast<double>(place.hit.point_error) / r;
         const double allowed = 100 * (off + static_cast<double>(rt::epsilon)) / length;
         const double found = t ? static_cast<double>(*t) / r : 0;
         if (std::abs(found - chord) <= allowed) continue;
         INFO(describe(place, in));
         INFO(
-            "Hint: it must start inside; what it meets then is the far end of its chord. This is "
-            "how far that is, in radii; it may be off by "
+            "Hint: the ray must start inside; what it meets then is the far end of its chord. The "
+            "values are its distance, in radii; it may be off by "
             << allowed);
         REQUIRE(t);
         REQUIRE(text(static_cast<Real>(found)) == text(static_cast<Real>(chord)));
     }
 }
 
-TEST_CASE("04.6 a ray starts inside a sphere of a few steps of the coordinates", "[04.6][hard]") {
+TEST_CASE("04.6 a ray starts inside a sphere of a few coordinate steps", "[04.6][hard]") {
     rt::Rng rng{46, 9};
     for (int i = 0; i < 200'000; ++i) {
         // Many centers are next to a power of two, where the steps become twice as long.
@@ -231,7 +231,7 @@ TEST_CASE("04.6 a ray starts inside a sphere of a few steps of the coordinates",
     }
 }
 
-TEST_CASE("04.6 a scene 2^30 times larger or smaller is left the same way", "[04.6][hard]") {
+TEST_CASE("04.6 a scene 2^30 times larger or smaller scales the start of the ray", "[04.6][hard]") {
     rt::Rng rng{46, 7};
     for (int i = 0; i < 10'000; ++i) {
         const Place place = any_place(rng);
@@ -245,7 +245,7 @@ TEST_CASE("04.6 a scene 2^30 times larger or smaller is left the same way", "[04
             const Vec3 expected = s * rt::leave_surface(place.hit, out);
             if (actual == expected) continue;
             INFO(describe(place, out) << ", scaled by 2^" << power);
-            INFO("Hint: a distance that does not come from the numbers at hand?");
+            INFO("Hint: is there a distance that does not come from the numbers at hand?");
             REQUIRE(text(actual) == text(expected));
         }
     }

@@ -18,7 +18,7 @@ namespace {
 
 // Worlds and materials that are no geometry at all: the loop must not know the difference.
 
-// The ground y = 0, as an idea: a ray that goes down always hits it, a ray that goes up never does.
+// An idealized ground y = 0: a ray that goes down always hits it, a ray that goes up never does.
 struct Ground {
     mutable int rays = 0;
     mutable Interval asked;
@@ -45,7 +45,7 @@ const Ray downward{{0, 1, 0}, {0, -1, 0}};
 const Color tint{real(0.5), real(0.25), 1};
 const Color sky_color{2, 3, 4};
 
-// Goes on downward for `bounces` bounces less one, then up: a path of as many bounces in all.
+// Goes on downward for all but the last of `bounces` bounces, then up: a path of `bounces` bounces.
 struct UpAfter {
     int bounces;
     mutable int done = 0;
@@ -83,7 +83,7 @@ std::string text(Color c) {
            checkpoint::text(c.b) + ')';
 }
 
-// As near as the products along a path are rounded.
+// Equal but for the rounding of the products along a path.
 bool is_near(Color a, Color b) {
     const auto near = [](Real x, Real y) {
         return std::abs(x - y) <= 1000 * rt::epsilon * std::abs(y);
@@ -172,8 +172,8 @@ Color radiance(const Story& story, rt::Rng& rng) {
             story.intervals.push_back(within);
             if (i > story.hits.size() + 50)
                 throw std::runtime_error(
-                    "the path does not end.\nHint: count the bounces, and "
-                    "follow what the ending says after each");
+                    "the path does not end.\nHint: count the bounces, and follow what the ending "
+                    "says after each");
             if (i >= story.hits.size()) return {};
             return story.hits[i];
         }
@@ -191,7 +191,7 @@ Color radiance(const Story& story, rt::Rng& rng) {
     const auto ending = [&](Color& throughput, rt::Rng& random) {
         story.throughputs.push_back(throughput);
         random();
-        const std::size_t bounce = story.incoming.size();  // so many have been made
+        const std::size_t bounce = story.incoming.size();  // how many have been made
         if (bounce >= story.bounces.size() && story.end == Story::End::ended_in_sky)
             return rt::Fate::ends_in_sky;
         if (bounce >= story.bounces.size() && story.end == Story::End::ended_in_black)
@@ -219,25 +219,25 @@ struct TimedGround : Ground {
 
 }  // namespace
 
-TEST_CASE("04.7 a path that hits nothing brings the sky of its direction", "[04.7]") {
+TEST_CASE("04.7 a path that hits nothing returns the sky in its direction", "[04.7]") {
     rt::Rng rng{45, 1};
     const Ground world;
     const rt::GradientSky sky{{0, 0, 0}, {1, 1, 1}};
     const Ray ray{{0, 5, 0}, {real(0.6), real(0.8), 0}};
     const Color light = rt::path_radiance(ray, world, UpAfter{1}, sky, rt::SkyEnding{}, 8, rng);
     if (!is_near(light, sky(ray.direction))) {
-        INFO("expected the sky 0.9 in every channel, yours gives " << text(light));
+        INFO("expected the sky 0.9 in every channel, actual " << text(light));
         CHECK(text(light) == text(sky(ray.direction)));
     }
     CHECK(world.rays == 1);
-    INFO("Hint: every t from 0 to infinity counts; leave_surface sees to the rest");
+    INFO("Hint: every t from 0 to infinity counts; leave_surface takes care of the rest");
     CHECK(world.asked.min == 0);
     CHECK(world.asked.max == rt::infinity);
     const Color bounced =
         rt::path_radiance(downward, world, UpAfter{1}, sky, rt::SkyEnding{}, 8, rng);
     INFO("straight down and up again: expected "
-         << text(tint) << ", yours gives " << text(bounced)
-         << ".\nHint: the light comes from where the path leaves to in the end");
+         << text(tint) << ", actual " << text(bounced)
+         << ".\nHint: the light comes from the direction in which the path finally leaves");
     if (!is_near(bounced, tint)) CHECK(text(bounced) == text(tint));
 }
 
@@ -248,7 +248,7 @@ TEST_CASE("04.7 every bounce multiplies the light by its attenuation", "[04.7]")
         const Color light = rt::path_radiance(downward, world, UpAfter{bounces},
                                               rt::UniformSky{sky_color}, rt::BlackEnding{}, 8, rng);
         const Color expected = power(tint, bounces) * sky_color;
-        INFO(bounces << " bounces: expected " << text(expected) << ", yours gives " << text(light));
+        INFO(bounces << " bounces: expected " << text(expected) << ", actual " << text(light));
         INFO("Hint: start with (1, 1, 1) and multiply channel by channel");
         if (!is_near(light, expected)) REQUIRE(text(light) == text(expected));
         REQUIRE(world.rays == bounces + 1);
@@ -259,11 +259,11 @@ TEST_CASE("04.7 an absorbed path is black", "[04.7]") {
     rt::Rng rng{45, 3};
     const Color light = rt::path_radiance(downward, Ground{}, Absorber{}, rt::UniformSky{},
                                           rt::SkyEnding{}, 8, rng);
-    INFO("Hint: no Scatter means that the light ends here; yours gives " << text(light));
+    INFO("no Scatter means that the light ends here: expected (0, 0, 0), actual " << text(light));
     if (!(light == Color{})) CHECK(text(light) == "(0, 0, 0)");
 }
 
-TEST_CASE("04.7 the material is told the incoming direction and the hit", "[04.7]") {
+TEST_CASE("04.7 the material gets the incoming direction and the hit", "[04.7]") {
     rt::Rng rng{45, 4};
     for (int i = 0; i < 500; ++i) {
         const Story story = any_story(rng);
@@ -275,7 +275,7 @@ TEST_CASE("04.7 the material is told the incoming direction and the hit", "[04.7
             if (error_in_ulp(story.incoming[k], ExactVec3{expected.x, expected.y, expected.z}) >
                 8) {
                 INFO("expected the incoming direction "
-                     << text(expected) << ", yours is " << text(story.incoming[k])
+                     << text(expected) << ", actual " << text(story.incoming[k])
                      << ".\nHint: pass on the direction in which the ray arrived, not the one from "
                         "the camera");
                 REQUIRE(text(story.incoming[k]) == text(expected));
@@ -295,14 +295,14 @@ TEST_CASE("04.7 the material is told the incoming direction and the hit", "[04.7
     }
 }
 
-TEST_CASE("04.7 any path brings the light that its bounces say", "[04.7]") {
+TEST_CASE("04.7 any path returns the light that its bounces determine", "[04.7]") {
     rt::Rng rng{45, 14};
     for (int i = 0; i < 2000; ++i) {
         const Story story = any_story(rng);
         rt::Rng twin = rng;
         const Color light = radiance(story, rng);
 
-        // The same path, told once more.
+        // The same path, followed once more.
         Color throughput{1, 1, 1}, expected;
         const std::size_t count = story.hits.size();
         std::size_t draws = 0, asked = 0;
@@ -335,8 +335,8 @@ TEST_CASE("04.7 any path brings the light that its bounces say", "[04.7]") {
                                   : "then the ending says ends_in_black"));
         for (std::size_t k = 0; k < story.rays.size(); ++k) {
             INFO("ray number " << k + 1
-                               << ".\nHint: every t from 0 to infinity counts; leave_surface sees "
-                                  "to the rest");
+                               << ".\nHint: every t from 0 to infinity counts; leave_surface takes "
+                                  "care of the rest");
             REQUIRE(story.intervals[k].min == 0);
             REQUIRE(story.intervals[k].max == rt::infinity);
         }
@@ -355,22 +355,21 @@ TEST_CASE("04.7 any path brings the light that its bounces say", "[04.7]") {
             if (off(ray.origin, next.origin) > 8) {
                 INFO(
                     "Hint: the next ray starts at leave_surface(hit, new direction), not at the "
-                    "old "
-                    "direction's; the first one where it was given");
+                    "old direction's; the first one where it was given");
                 REQUIRE(text(ray.origin) == text(next.origin));
             }
         }
         {
             INFO(
-                "so many rays were followed; expected is one more than there are bounces, unless "
-                "the path has ended before. Ask the ending after bounce number `depth` and after "
-                "every further one");
+                "the number of rays that were followed: expected one more than there are bounces, "
+                "unless the path has ended before. Ask the ending after bounce number `depth` and "
+                "after every further one");
             REQUIRE(story.rays.size() == count + !has_ended);
         }
         {
             INFO(
-                "so many times the ending was asked: after bounce number `depth`, and after every "
-                "further one");
+                "the number of times the ending was asked: it is asked after bounce number "
+                "`depth`, and after every further one");
             REQUIRE(story.throughputs.size() == asked);
         }
         for (std::size_t k = 0; k < asked; ++k)
@@ -381,16 +380,16 @@ TEST_CASE("04.7 any path brings the light that its bounces say", "[04.7]") {
                 REQUIRE(text(story.throughputs[k]) == text(throughputs[k]));
             }
         if (!is_near(light, expected)) {
-            INFO("expected the light " << text(expected) << ", yours gives " << text(light)
+            INFO("expected the light " << text(expected) << ", actual " << text(light)
                                        << ".\nHint: throughput times the sky in the direction in "
-                                          "which the ray goes on; black where it is absorbed or "
-                                          "ends in black. However dim, it counts");
+                                          "which the ray goes on; black if it is absorbed or ends "
+                                          "in black. However dim it is, it counts");
             REQUIRE(text(light) == text(expected));
         }
         for (std::size_t k = 0; k < draws; ++k) twin();
         INFO(
-            "Hint: the path itself draws no random number, and hands on `random` itself, not a "
-            "copy. This is the next number");
+            "Hint: the path itself draws no random number, and passes on `random` itself, not a "
+            "copy. The values are the next number");
         REQUIRE(rng() == twin());
     }
 }
@@ -408,12 +407,11 @@ TEST_CASE("04.7 the depth limit ends a path in the sky or in black", "[04.7]") {
                                                rt::SkyEnding{}, depth, rng);
         const Color in_black = rt::path_radiance(downward, black_world, never, rt::UniformSky{},
                                                  rt::BlackEnding{}, depth, rng);
-        INFO("depth " << depth << ": a path that would bounce for ever");
+        INFO("depth " << depth << ": a path that would bounce forever");
         {
-            INFO("SkyEnding: expected " << text(power(half, depth)) << ", yours gives "
-                                        << text(in_sky)
-                                        << ".\nHint: after `depth` bounces the sky of the last "
-                                           "direction, times the attenuation of all bounces");
+            INFO("SkyEnding: expected " << text(power(half, depth)) << ", actual " << text(in_sky)
+                                        << ".\nHint: after `depth` bounces take the sky in the "
+                                           "last direction, times the attenuation of all bounces");
             if (!is_near(in_sky, power(half, depth)))
                 REQUIRE(text(in_sky) == text(power(half, depth)));
         }
@@ -425,7 +423,7 @@ TEST_CASE("04.7 the depth limit ends a path in the sky or in black", "[04.7]") {
     }
 }
 
-TEST_CASE("04.7 the ray keeps what else it carries", "[04.7]") {
+TEST_CASE("04.7 the ray keeps whatever else it carries", "[04.7]") {
     rt::Rng rng{45, 6};
     const TimedRay ray{{0, 1, 0}, {0, -1, 0}, real(0.375)};
     const TimedGround world;
@@ -434,32 +432,32 @@ TEST_CASE("04.7 the ray keeps what else it carries", "[04.7]") {
     CHECK_FALSE(world.time_was_lost);
 }
 
-TEST_CASE("04.7 black darkens and the sky brightens by what the series says", "[04.7]") {
+TEST_CASE("04.7 black darkens and the sky brightens as the series says", "[04.7]") {
     const double albedo = 0.8, up = 0.25;
     for (const int depth : {1, 2, 4}) {
-        // The paths that end by themselves: after k bounces, of which the last goes up.
+        // The paths that end by themselves: after k bounces, the last of which goes up.
         double black = 0;
         for (int k = 1; k < depth; ++k) black += std::pow(albedo, k) * std::pow(1 - up, k - 1) * up;
         const double sky = black + std::pow(albedo, depth) * std::pow(1 - up, depth - 1);
         const Mean in_black = mean_light(real(albedo), depth, rt::BlackEnding{}, 7);
         const Mean in_sky = mean_light(real(albedo), depth, rt::SkyEnding{}, 8);
-        INFO("depth " << depth << ", BlackEnding: expected " << black << ", yours gives "
+        INFO("depth " << depth << ", BlackEnding: expected " << black << ", actual "
                       << in_black.mean() << " +- " << in_black.standard_error());
-        // Where all paths give the same, rounding of the products is left.
+        // Where all paths give the same, only the rounding of the products is left.
         const double rounding = depth * static_cast<double>(rt::epsilon);
         CHECK(std::abs(in_black.mean() - black) <= 4 * in_black.standard_error() + rounding);
-        INFO("depth " << depth << ", SkyEnding: expected " << sky << ", yours gives "
-                      << in_sky.mean() << " +- " << in_sky.standard_error());
+        INFO("depth " << depth << ", SkyEnding: expected " << sky << ", actual " << in_sky.mean()
+                      << " +- " << in_sky.standard_error());
         CHECK(std::abs(in_sky.mean() - sky) <= 4 * in_sky.standard_error() + rounding);
     }
 }
 
-TEST_CASE("04.7 Russian roulette is right on the average", "[04.7]") {
+TEST_CASE("04.7 Russian roulette is correct on average", "[04.7]") {
     const double albedo = 0.8, up = 0.25, exact = albedo * up / (1 - albedo * (1 - up));
     for (const int depth : {1, 3}) {
         const Mean light = mean_light(real(albedo), depth, rt::RouletteEnding{}, 9);
-        INFO("depth " << depth << ": expected " << exact << ", yours gives " << light.mean()
-                      << " +- " << light.standard_error()
+        INFO("depth " << depth << ": expected " << exact << ", actual " << light.mean() << " +- "
+                      << light.standard_error()
                       << ".\nHint: a path that goes on with probability p is divided by p");
         CHECK(std::abs(light.mean() - exact) <= 4 * light.standard_error());
     }
@@ -480,18 +478,18 @@ TEST_CASE("04.7 a gray sphere under a white sky returns its albedo", "[04.7]") {
                                                   rt::SphereList{{{{center, radius}, 0}}}, gray,
                                                   rt::UniformSky{}, rt::BlackEnding{}, 16, rng);
             if (std::abs(light.r - albedo) <= rt::epsilon) continue;
-            INFO("radius " << text(radius) << ": expected " << text(albedo) << ", yours gives "
+            INFO("radius " << text(radius) << ": expected " << text(albedo) << ", actual "
                            << text(light.r)
-                           << ".\nHint: the path met the sphere again that it had left, and was "
-                              "dimmed twice. Move by the error of the point plus what rounding the "
-                              "sum may take back");
+                           << ".\nHint: the path met the sphere again that it had just left, and "
+                              "was dimmed twice. Move by the error of the point plus what rounding "
+                              "the sum may take back");
             REQUIRE(text(light.r) == text(albedo));
         }
 }
 
 TEST_CASE("04.7 two facing spheres pass light on as their series says", "[04.7]") {
-    // From the point of the one sphere that faces the other, a share (r / d)^2 of all bounces meets
-    // the other, at distance d from its center: r = 1, d = 2 here, so that they almost touch.
+    // From the point of one sphere that faces the other, a share (r / d)^2 of all bounces meets the
+    // other, if d is the distance from its center: r = 1, d = 2 here, so that they almost touch.
     const double share = 0.25, albedo = 0.5;
     const rt::SphereList world{{{{{-2, 0, 0}, 1}, 0}, {{{1, 0, 0}, 1}, 0}}};
     const Color half{real(0.5), real(0.5), real(0.5)};
@@ -506,16 +504,16 @@ TEST_CASE("04.7 two facing spheres pass light on as their series says", "[04.7]"
         return light;
     };
     const auto check = [](const char* what, const Mean& light, double expected) {
-        INFO(what << ": expected " << expected << ", yours gives " << light.mean() << " +- "
+        INFO(what << ": expected " << expected << ", actual " << light.mean() << " +- "
                   << light.standard_error());
-        // Right code stays within 3 standard errors in all but one of 370 runs, and the seed is
-        // fixed.
+        // Correct code stays within 3 standard errors in all but one of 370 runs, and
+        // the seed is fixed.
         CHECK(std::abs(light.mean() - expected) <= 3 * light.standard_error());
     };
     const double first = albedo * (1 - share), second = albedo * albedo * share;
     check("depth 2, black", mean_light(rt::BlackEnding{}, 2), first);
     check("depth 2, sky", mean_light(rt::SkyEnding{}, 2), first + second);
-    // Deeper, what is left lies between the two.
+    // With more depth, the light lies between the two.
     const Mean roulette = mean_light(rt::RouletteEnding{}, 2);
     const Mean deep = mean_light(rt::SkyEnding{}, 32);
     CHECK(deep.mean() > first);
@@ -585,8 +583,8 @@ TEST_CASE("04.7 roulette follows bright paths and lets dark ones go", "[04.7][ha
             share = small_ones_go_on ? high : 1 - high;
         }
         if (!(std::abs(share - p) <= 2 * rt::epsilon)) {
-            INFO(describe() << ", yours goes on with " << text(share));
-            INFO("Hint: the probability is the largest channel, and most_likely at the most");
+            INFO(describe() << ", actual " << text(share));
+            INFO("Hint: the probability is the largest channel, but at most most_likely");
             REQUIRE(text(share) == text(p));
         }
         if (wrongly_divided) {
@@ -594,7 +592,7 @@ TEST_CASE("04.7 roulette follows bright paths and lets dark ones go", "[04.7][ha
             INFO("Hint: a path that goes on is divided by the probability, in all channels");
             REQUIRE(text(*wrongly_divided) == text(before / p));
         }
-        INFO("so many random numbers were drawn for one decision");
+        INFO("this is how many random numbers were drawn for one decision");
         REQUIRE(draws <= 1);
     }
 }
@@ -608,11 +606,9 @@ TEST_CASE("04.7 a black path ends whatever roulette draws", "[04.7][hard]") {
         Color throughput;
         Always random{drawn};
         const rt::Fate fate = rt::play_roulette(throughput, real(0.95), random);
-        INFO(
-            "throughput (0, 0, 0), drawn "
-            << text(drawn)
-            << ".\nHint: p is 0, and 0 / 0 is not a number. Go on only if the number drawn is less "
-               "than p");
+        INFO("throughput (0, 0, 0), drawn "
+             << text(drawn)
+             << ".\nHint: p is 0, and 0 / 0 is NaN. Go on only if the number drawn is less than p");
         const std::string name = fate == rt::Fate::ends_in_black ? "ends_in_black"
                                  : fate == rt::Fate::goes_on     ? "goes_on"
                                                                  : "ends_in_sky";
@@ -629,14 +625,14 @@ TEST_CASE("04.7 even a path between white surfaces ends by roulette", "[04.7][ha
         };
         const Color light = rt::path_radiance(downward, world, white, rt::UniformSky{},
                                               rt::RouletteEnding{}, 1, rng);
-        INFO("Hint: no path may be sure to go on, however bright it is");
+        INFO("Hint: no path may be certain to go on, however bright it is");
         if (!(light == Color{})) REQUIRE(text(light) == "(0, 0, 0)");
     }
 }
 
 TEST_CASE("04.7 a scene of any size gives the same picture", "[04.7][hard]") {
     constexpr int width = 24, height = 16;
-    // Two spheres that touch, a third that stands half in the ground.
+    // Two spheres that touch, and a third that is half in the ground.
     const auto picture = [](Real scale) {
         const auto sphere = [&](Real x, Real y, Real z, Real r) {
             return rt::SceneSphere{{scale * Vec3{x, y, z}, scale * r}, 0};
@@ -670,7 +666,7 @@ TEST_CASE("04.7 a scene of any size gives the same picture", "[04.7][hard]") {
         CHECK(different_pixels(std::scalbn(Real(1), power), 0) == 0);
     }
     // Other factors round every number of the scene. In double no path notices; in float one in
-    // some thousand meets another sphere than before, which shows as noise in its pixel.
+    // several thousand meets a different sphere than before, which shows as noise in its pixel.
     for (const Real scale : {real(1e-9), real(1e9)}) {
         INFO("scaled by " << text(scale));
         CHECK(different_pixels(scale, 1 / Real(255)) <= for_this_precision(width * height / 50, 0));

@@ -1,6 +1,6 @@
 #pragma once
-// Are directions spread over a hemisphere as they should be? By counting them, and by how much of
-// the sphere a small square of random numbers becomes.
+// Are directions spread over a hemisphere as they should be? This is tested by counting them, and
+// by how much of the sphere a small square of random numbers becomes.
 
 #include <rt/vec2.hpp>
 #include <rt/vec3.hpp>
@@ -21,7 +21,7 @@ inline const Vec2 edges[] = {{0, real(0.25)},         {largest, real(0.7)}, {rea
                              {real(0.5), largest},    {rt::epsilon / 2, 0}, {largest, real(0.125)},
                              {real(1e-20), real(0.3)}};
 
-// How far the length is off 1.
+// How far the length is from 1.
 inline double length_error(Vec3 v) {
     const Exact squared =
         Exact(v.x) * Exact(v.x) + Exact(v.y) * Exact(v.y) + Exact(v.z) * Exact(v.z);
@@ -80,9 +80,10 @@ inline std::vector<double> expected_by_cosine() {
     return expected;
 }
 
-// Places in a small rectangle become directions in a small patch of the sphere. This is the patch's
-// area divided by the rectangle's: the density of directions is 1 over it, whichever number of the
-// place turns, and from where. The rectangle reaches `reach` of the way to the square's edges.
+// Places in a small rectangle become directions in a small patch of the sphere. This is the
+// patch's area divided by the rectangle's: the density of directions is 1 over it, whichever
+// number of the place sets the angle, and wherever that starts. The rectangle reaches `reach` of
+// the way to the square's edges.
 template <class Direction>
 double area_ratio(const Direction& direction, Vec2 place, Real reach) {
     const Real h = reach * std::min(place.x, 1 - place.x),

@@ -6,8 +6,9 @@ using namespace checkpoint;
 
 namespace {
 
-// How far a computed vector is off the exact one, in epsilon of the vector's length: the accuracy
-// of each component is that of the whole, since any way of mirroring will do, one in a basis too.
+// How far a computed vector is from the exact one, in epsilon of the vector's length. Only the
+// accuracy of the whole vector counts, not that of each component, since any way of mirroring will
+// do, even one in a basis.
 double off_in_epsilons(Vec3 computed, const ExactVec3& correct) {
     return in_epsilon(length(correct - exact(computed)) / length(correct));
 }
@@ -41,8 +42,8 @@ TEST_CASE("05.1 a mirror turns the part along the normal around", "[05.1]") {
         if (off_in_epsilons(computed, exact(expected)) <= 8) return;
         INFO("reflect(" << text(incoming) << ", " << text(normal) << ")");
         const char* hint =
-            "take the part along the normal away twice: once stops the light at the "
-            "surface, twice throws it back";
+            "subtract the part along the normal twice: once stops the light at the surface, twice "
+            "throws it back";
         if (computed == -expected)
             hint = "`incoming` points at the surface, the result away from it";
         else if (length(unit(exact(expected)) - exact(computed)).high <=
@@ -74,8 +75,8 @@ TEST_CASE("05.1 reflection keeps the length and the angle", "[05.1]") {
             REQUIRE(longer <= 64);
         }
         INFO(
-            "Hint: the cosine with the normal must stay as it was, but for its sign. This is the "
-            "difference, in epsilon");
+            "Hint: the cosine with the normal must stay as it was, except for its sign. This is "
+            "the difference, in epsilon");
         REQUIRE(turned <= 64);
     }
 }
@@ -92,8 +93,8 @@ TEST_CASE("05.1 the mirror direction is right for any light and any normal", "[0
         if (i % 4 == 1) incoming = (i % 8 == 1 ? normal : -normal) + tiny * along;
         if (i % 2 == 0) incoming *= std::scalbn(Real(1), static_cast<int>(rng() % 80) - 40);
         check_mirrored(incoming, normal,
-                       "d - 2 (d . n) n, whatever the length and the angle: rounding allows the "
-                       "last digits only");
+                       "d - 2 (d . n) n, whatever the length and the angle: rounding may change "
+                       "only the last digits");
     }
 }
 

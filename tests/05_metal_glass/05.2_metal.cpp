@@ -14,7 +14,7 @@ namespace {
 
 constexpr double fuzz_values[]{0, 0.1, 0.3, 0.5, 1};
 
-// The seeds are fixed. With another one comparison in 370 would stray by more than 3 standard
+// The seeds are fixed. With other seeds, one comparison in 370 would stray by more than 3 standard
 // errors, one in 16000 by more than 4.
 
 // What rounding may do to an average of numbers up to 1 that have a few roundings each.
@@ -38,7 +38,7 @@ ExactVec3 folded(const ExactVec3& v, const ExactVec3& n) {
 }
 
 // How far a folded direction may be off, in epsilon: by the rounding of v, and by the lift where
-// the height may be rounding alone.
+// the height may be nothing but rounding.
 double allowed_in_epsilons(const ExactVec3& v, const ExactVec3& n, double in_v) {
     const double size = length(v).high, height = std::abs(dot(v, n).high) / size;
     return in_v + (height < 64 * static_cast<double>(rt::epsilon) ? 40 : 0);
@@ -58,8 +58,8 @@ struct Recorded {
     }
 };
 
-// Uniform directions that are as good as uniform_direction(place): the two numbers in the other
-// roles, the axes in another order, any of them turned around.
+// Uniform directions that are as good as uniform_direction(place): with the two numbers swapped,
+// the axes in another order, or any of them reversed.
 struct UniformDirection {
     int kind;  // 0 is the plain one
     static constexpr int kinds = 96;
@@ -85,14 +85,13 @@ rt::Hit floor_hit() {
 
 }  // namespace
 
-TEST_CASE("05.2 what points below is mirrored at the surface", "[05.2]") {
+TEST_CASE("05.2 a direction that points below is mirrored at the surface", "[05.2]") {
     const auto check = [](Vec3 v, Vec3 expected) {
         const Vec3 computed = rt::above_horizon(v, floor_normal);
         INFO("above_horizon(" << text(v) << ", (0, 1, 0))");
         if (off_in_epsilons(computed, exact(expected)) <= 8) return;
         HINT(expected, computed,
-             "turn the height over the surface, v . normal, around if it is below 0; then "
-             "normalize");
+             "if the height above the surface, v . normal, is below 0, reverse it; then normalize");
         CHECK(text(computed) == text(expected));
     };
     check({3, 4, 0}, {real(0.6), real(0.8), 0});
@@ -139,8 +138,8 @@ TEST_CASE("05.2 fuzz is added to the mirror direction and the sum is folded", "[
                                     << text(fuzz) << ", place (" << text(place.x) << ", "
                                     << text(place.y) << "))");
             HINT(folded(v, n), computed,
-                 "above_horizon(mirror + fuzz * s, normal) with the mirror direction by reflect "
-                 "and s by uniform_direction(place): the sum is folded, not s alone");
+                 "above_horizon(mirror + fuzz * s, normal) with the mirror direction from reflect "
+                 "and s from uniform_direction(place): the sum is folded, not s alone");
             REQUIRE(text(computed) == text(rounded(folded(v, n))));
         }
         kinds = left;
@@ -149,7 +148,7 @@ TEST_CASE("05.2 fuzz is added to the mirror direction and the sum is folded", "[
 
 TEST_CASE("05.2 scatter takes each parameter from the material and the hit", "[05.2]") {
     {
-        INFO("Hint: leave Metal as it was given, a mirror where no fuzz is named");
+        INFO("Hint: leave Metal as it was given: a mirror if no fuzz is named");
         CHECK(text(rt::Metal{}.fuzz) == "0");
     }
     rt::Rng rng{52, 10};
@@ -176,8 +175,8 @@ TEST_CASE("05.2 scatter takes each parameter from the material and the hit", "[0
         }
         {
             INFO(
-                "so many numbers were drawn from `random`. Hint: a place of the square has two: "
-                "random_place(random)");
+                "this is how many numbers were drawn from `random`.\nHint: a place in the unit "
+                "square has two: random_place(random)");
             REQUIRE(random.drawn.size() == 2);
         }
         const Real a = random.drawn[0], b = random.drawn[1];
@@ -193,9 +192,9 @@ TEST_CASE("05.2 scatter takes each parameter from the material and the hit", "[0
     }
 }
 
-TEST_CASE("05.2 fuzz spreads the light as far as it says", "[05.2]") {
+TEST_CASE("05.2 fuzz spreads the light by the right amount", "[05.2]") {
     // Head on nothing points below. For a direction m + f s, m and s of length 1 and s uniform, the
-    // cosine with m is 1 - f^2 / 3 on the average, and the rest cancels.
+    // cosine with m is 1 - f^2 / 3 on average, and the rest cancels.
     for (const double fuzz : fuzz_values) {
         rt::Rng rng{52, 2};
         Mean x, y, z;
@@ -209,7 +208,7 @@ TEST_CASE("05.2 fuzz spreads the light as far as it says", "[05.2]") {
         INFO("fuzz " << fuzz << ", light from straight above: the average direction is ("
                      << x.mean() << ", " << y.mean() << ", " << z.mean() << "), expected (0, "
                      << 1 - fuzz * fuzz / 3
-                     << ", 0)\nHint: above_horizon(mirror + fuzz * s, normal), s by "
+                     << ", 0)\nHint: above_horizon(mirror + fuzz * s, normal), s from "
                      << "uniform_direction(place): the sum is folded, not s alone");
         CHECK(std::abs(y.mean() - (1 - fuzz * fuzz / 3)) <= 4 * y.standard_error() + rounding);
         CHECK(std::abs(x.mean()) <= 4 * x.standard_error() + rounding);
@@ -217,9 +216,9 @@ TEST_CASE("05.2 fuzz spreads the light as far as it says", "[05.2]") {
     }
 }
 
-TEST_CASE("05.2 folding leaves the part along the surface as it was", "[05.2]") {
-    // It turns the height around and nothing else. So along the surface the average is the one
-    // without a surface: the mirror direction's part, times 1 - f^2 / 3.
+TEST_CASE("05.2 folding leaves the part along the surface unchanged", "[05.2]") {
+    // It reverses the height and nothing else. So along the surface the average is the one without
+    // a surface: the mirror direction's part, times 1 - f^2 / 3.
     for (const double angle : {60.0, 89.9})
         for (const double fuzz : fuzz_values) {
             rt::Rng rng{52, 3};
@@ -233,8 +232,8 @@ TEST_CASE("05.2 folding leaves the part along the surface as it was", "[05.2]") 
             INFO("fuzz "
                  << fuzz << " at " << angle << " degrees: the average part along the surface "
                  << "is " << x.mean() << ", expected " << expected
-                 << "\nHint: mirror what points below at the surface; do not drop it, flatten "
-                    "it or draw it again");
+                 << "\nHint: mirror a direction that points below at the surface; do not drop it, "
+                    "flatten it or draw it again");
             CHECK(std::abs(x.mean() - expected) <= 4 * x.standard_error() + rounding);
         }
 }
@@ -251,14 +250,15 @@ TEST_CASE("05.2 white metal in a white furnace stays white", "[05.2]") {
                 light.add(is_out ? static_cast<double>(bounce->attenuation.g) : 0);
             }
             INFO("fuzz "
-                 << fuzz << " at " << angle << " degrees: of 1, " << light.mean()
-                 << " came back, with a standard error of " << light.standard_error()
+                 << fuzz << " at " << angle
+                 << " degrees: expected that all light comes back, 1, actual " << light.mean()
+                 << ", with a standard error of " << light.standard_error()
                  << "\nHint: light whose direction points below the surface must not be lost");
             CHECK(std::abs(light.mean() - 1) <= 3 * light.standard_error() + rounding);
         }
 }
 
-TEST_CASE("05.2 metal takes away what its albedo says", "[05.2]") {
+TEST_CASE("05.2 metal attenuates light by its albedo", "[05.2]") {
     rt::Rng rng{52, 5};
     const rt::Color albedo{real(0.9), real(0.6), real(0.3)};
     for (const double angle : {0.0, 45.0, 89.0}) {
@@ -270,7 +270,7 @@ TEST_CASE("05.2 metal takes away what its albedo says", "[05.2]") {
         CHECK(text(bounce->attenuation.g) == text(albedo.g));
         CHECK(text(bounce->attenuation.b) == text(albedo.b));
     }
-    // From inside of a ball, say, light must stay inside.
+    // Inside a ball, say, light must stay inside.
     rt::Hit inside = floor_hit();
     inside.front = false;
     const auto bounce = scatter(rt::Metal{albedo, 1}, {0, 1, 0}, inside, rng);
@@ -286,7 +286,7 @@ TEST_CASE("05.2 no direction points below the surface even by rounding", "[05.2]
         const ExactVec3 along = unit(cross(exact(normal), exact(random_unit(rng))));
         const int digits = std::numeric_limits<Real>::digits;
         const Real height = std::scalbn(rng.uniform(-1, 1), i % 2 ? -(i % 70) : 1 - digits);
-        // Any length: what is small is small beside v.
+        // Any length: a height is small only relative to v.
         const int far = for_this_precision(40, 300);
         const int power =
             i % 4 ? 0 : static_cast<int>(rng() % static_cast<unsigned>(2 * far)) - far;
@@ -302,9 +302,9 @@ TEST_CASE("05.2 no direction points below the surface even by rounding", "[05.2]
         {
             INFO("the computed dot product with the normal is "
                  << text(cosine)
-                 << "\nHint: a height that is smaller than its own rounding error may "
-                    "have either sign; lift it above that error, to least = rounding_bound(16) * "
-                    "length(v): v + (max(|h|, least) - h) n");
+                 << "\nHint: a height that is smaller than its own rounding error may have either "
+                    "sign; lift it above that error, to least = rounding_bound(16) * length(v): v "
+                    "+ (max(|h|, least) - h) n");
             REQUIRE(cosine > 0);
         }
         {
@@ -312,13 +312,14 @@ TEST_CASE("05.2 no direction points below the surface even by rounding", "[05.2]
             REQUIRE(longer <= 2);
         }
         HINT(correct, computed,
-             "v . normal turned around if it is below 0, and lifted no more than rounding makes "
+             "v . normal is reversed if it is below 0, and lifted no more than rounding makes "
              "necessary: by rounding_bound(16) * length(v). This is how far it is off, in epsilon");
         REQUIRE(off <= allowed);
     }
 }
 
-TEST_CASE("05.2 along an axis all lengths and normals are lifted", "[05.2][hard]") {
+TEST_CASE("05.2 vectors along an axis are lifted whatever their length and the normal",
+          "[05.2][hard]") {
     // Two components are 0 here, and the third must be enough to tell how far to lift.
     rt::Rng rng{52, 12};
     for (int i = 0; i < 600; ++i) {
@@ -335,19 +336,20 @@ TEST_CASE("05.2 along an axis all lengths and normals are lifted", "[05.2][hard]
         INFO("above_horizon("
              << text(v) << ", " << text(normal) << ") = " << text(computed)
              << ", its dot product with the normal is " << text(cosine)
-             << "\nHint: least is rounding_bound(16) times the length of v, or |vx| "
-                "+ |vy| + |vz|: none of the three may be missing");
+             << "\nHint: least is rounding_bound(16) times the length of v, or |vx| + |vy| + |vz|: "
+                "none of the three may be missing");
         REQUIRE(text(cosine) == "greater than 0");
     }
 }
 
 TEST_CASE("05.2 fuzz may cancel the mirror direction", "[05.2][hard]") {
-    // The place (0, 0) stands for a uniform direction of +z in the reference; others may do it
-    // elsewhere. A zero vector must not reach normalize, and tiny ones must keep length 1.
+    // In the reference, the place (0, 0) becomes the uniform direction +z; in other code another
+    // place may. A zero vector must not reach normalize, and tiny ones must keep length 1.
     {
         INFO(
-            "above_horizon((0, 0, 0), (0, 1, 0)): expected the normal\nHint: normalize knows no "
-            "direction of the zero vector; ask for v == Vec3{} first, and return the normal");
+            "above_horizon((0, 0, 0), (0, 1, 0)): expected the normal\nHint: the zero vector has "
+            "no direction that normalize could keep; check v == Vec3{} first, and return the "
+            "normal");
         for (const Real zero : {Real(0), -Real(0)}) {
             const Vec3 computed = rt::above_horizon({zero, 0, zero}, floor_normal);
             if (!(computed == floor_normal)) CHECK(text(computed) == "(0, 1, 0)");
@@ -375,7 +377,7 @@ TEST_CASE("05.2 a white metal ball stays white at every scale", "[05.2][hard]") 
             const rt::MaterialList<rt::Metal> white{{{{1, 1, 1}, real(fuzz)}}};
             rt::Rng rng{52, 7};
             for (int i = 0; i < 500; ++i) {
-                // From straight at the ball to its rim. A convex ball is left after one bounce.
+                // From the ball's center to its rim. Light leaves a convex ball after one bounce.
                 const Real aside = std::sqrt(rng.uniform());
                 const rt::Ray ray{s * (Vec3{2, -1, 3} + Vec3{aside, 0, 9}), {0, 0, -1}};
                 const rt::Color light = rt::path_radiance(ray, world, white, rt::UniformSky{},

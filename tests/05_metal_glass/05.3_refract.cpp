@@ -14,14 +14,14 @@ Exact sine(Vec3 a, Vec3 b) {
 // Snell's law may be off by 4 epsilon, units in the last place of 1: the sine's own last place is
 // no measure, since each component of the result is rounded, and that turns it by up to half an
 // epsilon however small its sine is. Stored unit vectors are off by half an epsilon in length each,
-// the cosine by 3 roundings, which eta multiplies, and each component by 4 more. If the worst of
-// all came together it would be 6; in 5 million directions the largest error was 2.2.
+// the cosine by 3 roundings, which eta multiplies, and each component by 4 more. If all the worst
+// cases came together it would be 6; in 5 million directions the largest error was 2.2.
 constexpr double allowed = 4;
 
 Vec3 refract_or_fail(Vec3 incoming, Vec3 normal, Real eta) {
     const auto refracted = rt::refract(incoming, normal, eta);
     INFO("refract(" << text(incoming) << ", " << text(normal) << ", " << text(eta)
-                    << "): eta times sine is less than 1, but nothing came");
+                    << "): eta times sine is less than 1: expected a direction, actual none");
     REQUIRE(refracted.has_value());
     return *refracted;
 }
@@ -41,19 +41,19 @@ TEST_CASE("05.3 head on light goes straight on", "[05.3]") {
     }
 }
 
-TEST_CASE("05.3 light that enters glass bends towards the normal", "[05.3]") {
+TEST_CASE("05.3 light that enters glass bends toward the normal", "[05.3]") {
     const auto check = [](double sine_in, double eta, double sine_out) {
         const Vec3 incoming{real(sine_in), -real(std::sqrt(1 - sine_in * sine_in)), 0};
         const Vec3 expected{real(sine_out), -real(std::sqrt(1 - sine_out * sine_out)), 0};
         const Vec3 computed = refract_or_fail(incoming, floor_normal, real(eta));
         INFO("light along " << text(incoming) << " meets a surface with the normal "
                             << text(floor_normal) << ", eta = " << eta << ": its sine is "
-                            << sine_in << ", and the one behind is " << sine_out);
+                            << sine_in << ", and the sine behind is " << sine_out);
         const char* hint =
-            "sine behind = eta * sine before; the part along the surface is scaled "
-            "by eta, and the part along the normal follows from length 1";
+            "sine behind = eta * sine before; the part along the surface is scaled by eta, and the "
+            "part along the normal follows from length 1";
         if (computed.y > 0) hint = "the refracted light must point to the other side";
-        if (computed.x < 0) hint = "along the surface the light keeps its sense";
+        if (computed.x < 0) hint = "along the surface the light keeps its direction";
         HINT(expected, computed, hint);
         const double off_in_epsilons = in_epsilon(length(exact(computed) - exact(expected)));
         CHECK(off_in_epsilons <= 16);
@@ -63,7 +63,7 @@ TEST_CASE("05.3 light that enters glass bends towards the normal", "[05.3]") {
     check(0.75, 0.5, 0.375);
 }
 
-TEST_CASE("05.3 the law of Snell holds for 100000 directions", "[05.3]") {
+TEST_CASE("05.3 the law of refraction holds for 100000 directions", "[05.3]") {
     rt::Rng rng{53, 1};
     for (int i = 0; i < 100000; ++i) {
         const auto [incoming, normal] = random_arrival(rng);
@@ -74,7 +74,7 @@ TEST_CASE("05.3 the law of Snell holds for 100000 directions", "[05.3]") {
         if (std::abs(expected.high - 1) <= allowed * static_cast<double>(rt::epsilon)) continue;
         if (refracted.has_value() != (expected.high < 1)) {
             INFO("eta = " << text(eta) << ", eta * sine = " << text(expected)
-                          << "\nHint: above 1 no direction has such a sine: return {}, none");
+                          << "\nHint: no direction has a sine above 1: return {}");
             REQUIRE(refracted.has_value() == (expected.high < 1));
         }
         if (!refracted) continue;
@@ -82,7 +82,7 @@ TEST_CASE("05.3 the law of Snell holds for 100000 directions", "[05.3]") {
         const double off_in_epsilons = in_epsilon(computed - expected);
         if (off_in_epsilons <= allowed) continue;
         INFO("incoming " << text(incoming) << ", normal " << text(normal) << ", eta " << text(eta));
-        INFO("the sine behind the surface: expected " << text(expected) << ", but yours gives "
+        INFO("the sine behind the surface: expected " << text(expected) << ", actual "
                                                       << text(computed));
         INFO(
             "Hint: a sine from sqrt(1 - cosine^2) loses digits. This is how far it is off, in "
@@ -99,7 +99,7 @@ TEST_CASE("05.3 refracted light stays in the plane with length 1", "[05.3]") {
         const double sine_behind = (exact(eta) * sine(incoming, normal)).high;
         if (sine_behind > 0.999) continue;
         const Vec3 computed = refract_or_fail(incoming, normal, eta);
-        // The root magnifies what was rounded under it, unless it is taken of what is returned. The
+        // The root magnifies the rounding under it, unless it is taken from what is returned. The
         // cosine's 3 roundings and the normal's length count eta times.
         const double cosine_behind = std::sqrt(1 - sine_behind * sine_behind);
         const double longer = in_epsilon(length(exact(computed)) - Exact(1));
@@ -128,12 +128,12 @@ TEST_CASE("05.3 refracted light stays in the plane with length 1", "[05.3]") {
                 "far it is off, in epsilon");
             REQUIRE(beside <= allowed);
         }
-        INFO("Hint: along the surface it must keep its sense");
+        INFO("Hint: along the surface it must keep its direction");
         REQUIRE(sense > 0);
     }
 }
 
-TEST_CASE("05.3 any ratio of indices bends light as it says", "[05.3][hard]") {
+TEST_CASE("05.3 any ratio of indices bends light by the right amount", "[05.3][hard]") {
     // Ratios from a millionth to a million, and as near to 1 as there are numbers.
     rt::Rng rng{53, 6};
     for (int i = 0; i < 20000; ++i) {
@@ -154,7 +154,7 @@ TEST_CASE("05.3 any ratio of indices bends light as it says", "[05.3][hard]") {
         const ExactVec3 d = exact(incoming);
         const ExactVec3 along = exact(eta) * (d - dot(d, n) * n);
         const Exact squared = Exact(1) - dot(along, along);
-        // What is under the root is off by some epsilon, times eta squared in the textbook's
+        // What is under the root is off by a few epsilon, times eta squared in the textbook's
         // formula; near the critical angle either answer is right.
         const double rounding =
             6 * static_cast<double>(rt::epsilon) * std::pow(1 + static_cast<double>(eta), 2);
@@ -177,8 +177,7 @@ TEST_CASE("05.3 any ratio of indices bends light as it says", "[05.3][hard]") {
         INFO(describe());
         HINT(expected, *refracted,
              "eta (d + c n) is the part along the surface, for any eta greater than 0. Only eta == "
-             "1 "
-             "leaves the direction as it is: close to 1 is not enough");
+             "1 leaves the direction as it is: close to 1 is not enough");
         REQUIRE(off_over_allowed <= 1);
     }
 }
@@ -192,7 +191,7 @@ TEST_CASE("05.3 light that enters and leaves a slab goes on parallel", "[05.3]")
         const Vec3 within = refract_or_fail(incoming, normal, 1 / index);
         const Vec3 computed = refract_or_fail(within, normal, index);
         INFO("index " << text(index) << ", normal " << text(normal));
-        HINT(incoming, computed, "into the slab eta is 1 / index, out of it index");
+        HINT(incoming, computed, "into the slab eta is 1 / index, out of it, index");
         // Each surface is off by `allowed`; the second multiplies the first's error by its eta, and
         // 1 / index is rounded. The sine becomes an angle by division by the cosine.
         const double cosine = -dot(exact(incoming), exact(normal)).high;
@@ -268,7 +267,7 @@ TEST_CASE("05.3 a large ratio of indices does not blur the critical angle", "[05
                           << text(normal) << ": eta * sine - 1 = " << as_stored.high);
             if (as_stored.high > 0 && as_unit.high > 0) {
                 INFO(
-                    "Hint: look a second time within rounding_bound(8) * (1 + eta) of 0, at both "
+                    "Hint: look a second time within rounding_bound(8) * (1 + eta) of 0, on both "
                     "sides: the rounding error grows with eta");
                 REQUIRE(!refracted.has_value());
             }
@@ -282,8 +281,8 @@ TEST_CASE("05.3 a large ratio of indices does not blur the critical angle", "[05
             const Exact cosine = -dot(exact(*refracted), exact(normal));
             const Exact expected = -as_stored * (Exact(2) + as_stored);
             INFO("Hint: with e = eta * sine - 1, the square of the cosine is -e (1 + eta * sine)");
-            INFO("the square of the cosine behind: expected "
-                 << expected.high << ", but yours gives " << (cosine * cosine).high);
+            INFO("the square of the cosine behind: expected " << expected.high << ", actual "
+                                                              << (cosine * cosine).high);
             // 4 of 16 epsilon
             const double off_in_sixteenths =
                 std::abs((cosine * cosine - expected).high) * 16 / expected.high;
@@ -325,7 +324,7 @@ TEST_CASE("05.3 grazing light enters at the critical angle", "[05.3][hard]") {
         for (const Real height : {Real(0), std::numeric_limits<Real>::min(), rt::epsilon}) {
             const Vec3 computed = refract_or_fail({1, -height, 0}, floor_normal, eta);
             HINT(eta, computed.x,
-                 "at a right angle to the normal the sine is 1, and behind it eta");
+                 "at a right angle to the normal the sine is 1, and behind the surface it is eta");
             CHECK(error_in_ulp(computed.x, exact(eta)) <= 4);
             CHECK(computed.y < 0);
         }

@@ -7,8 +7,8 @@ using namespace checkpoint;
 
 namespace {
 
-// A surface, met at some angle: all that Fresnel's equations speak of, in twice the digits of
-// double.
+// A surface that light meets at some angle: everything in Fresnel's equations, in twice the
+// digits of double.
 struct Interface {
     Exact eta, cosine;
     Exact squared_beyond() const {
@@ -30,14 +30,14 @@ struct Interface {
         const Exact r = (Exact(1) - eta) / (Exact(1) + eta), x = Exact(1) - thin;
         return r * r + (Exact(1) - r * r) * x * x * x * x * x;
     }
-    // The cosine behind is a square root of a difference: how much it magnifies rounding errors.
+    // How much the cosine behind, a square root of a difference, magnifies rounding errors.
     double magnification() const {
         return 1 + (eta * eta * cosine * cosine / squared_beyond()).high;
     }
 };
 
-// The formulas round fewer than 50 times, counting a square twice, and the cosine behind brings its
-// own errors.
+// The formulas round fewer than 50 times, counting a square twice, and the cosine behind brings
+// its own errors.
 double allowed(const Interface& surface) {
     return static_cast<double>(rt::rounding_bound(50)) * surface.magnification();
 }
@@ -48,8 +48,8 @@ void check_interface(Real eta, Real cosine, const Check& check) {
     if (!surface.is_total()) check(eta, cosine, surface);
 }
 
-// Every angle and index ratio of a grid, as Real holds them, and others at random, but for total
-// reflection.
+// Every angle and index ratio of a grid, as Real holds them, and others at random, except
+// for total reflection.
 template <class Check>
 void for_each_interface(Check check) {
     for (const double ratio : {0.4, 0.5, 1 / 1.5, 0.75, 0.9, 1.1, 1.33, 1.5, 2.0, 2.5})
@@ -63,8 +63,8 @@ void for_each_interface(Check check) {
     }
 }
 
-// The hard ones: ratios of any size and as near to 1 as there are numbers, angles as near to 0, to
-// a right angle and to total reflection.
+// The hard cases: ratios of any size and as near to 1 as Real can hold, angles as near to 0, to a
+// right angle and to total reflection.
 template <class Check>
 void for_each_hard_interface(Check check) {
     rt::Rng rng{54, 4};
@@ -96,7 +96,7 @@ void check_error(Real computed, Exact expected, double limit, Real eta, Real cos
 
 }  // namespace
 
-TEST_CASE("05.4 the cosine behind the surface follows from the law of Snell", "[05.4]") {
+TEST_CASE("05.4 the cosine behind the surface follows from the law of refraction", "[05.4]") {
     for_each_interface([](Real eta, Real cosine, const Interface& surface) {
         const auto computed = rt::refracted_cosine(cosine, eta);
         if (!computed) {
@@ -125,7 +125,7 @@ TEST_CASE("05.4 head on both formulas give the square of the contrast", "[05.4]"
         }
 }
 
-TEST_CASE("05.4 Fresnel reflectance is the mean over both polarisations", "[05.4]") {
+TEST_CASE("05.4 Fresnel reflectance is the mean over both polarizations", "[05.4]") {
     for_each_interface([](Real eta, Real cosine, const Interface& surface) {
         const Real computed = rt::fresnel_reflectance(cosine, eta);
         const char* hint = "square r_s and r_p each, then take the mean";
@@ -152,14 +152,14 @@ TEST_CASE("05.4 reflectance and transmittance add up to 1", "[05.4]") {
     });
 }
 
-TEST_CASE("05.4 at the angle of Brewster one polarisation is left", "[05.4]") {
+TEST_CASE("05.4 at the Brewster angle one polarization is left", "[05.4]") {
     for (const double index : {1.1, 1.33, 1.5, 2.0, 2.5})
         for (const double n : {index, 1 / index}) {
             // tan(angle) = n, the index behind divided by the one in front: r_p is 0 there.
             const Real cosine = real(1 / std::sqrt(1 + n * n)), eta = real(1 / n);
             const double r_s = (n * n - 1) / (n * n + 1);
             const Interface surface{exact(eta), exact(cosine)};
-            INFO("index " << n << ": r_s^2 / 2 is left of the light");
+            INFO("index " << n << ": r_s^2 / 2 of the light is left");
             check_error(rt::fresnel_reflectance(cosine, eta), Exact(r_s * r_s / 2),
                         allowed(surface), eta, cosine,
                         "r_p = (cosine - eta * beyond) / (cosine + eta * beyond) is 0 here");
@@ -191,8 +191,8 @@ TEST_CASE("05.4 total reflection reflects everything", "[05.4]") {
         INFO("eta = " << text(eta) << ", cosine " << text(cosine)
                       << ": beyond the critical angle no light goes through, and all is reflected");
         CHECK_FALSE(beyond.has_value());
-        INFO("expected 1, but yours gives " << text(fresnel) << " (exact), " << text(schlick)
-                                            << " (Schlick)");
+        INFO("expected 1, actual " << text(fresnel) << " (exact), " << text(schlick)
+                                   << " (Schlick)");
         REQUIRE(text(fresnel) == "1");
         REQUIRE(text(schlick) == "1");
     }
@@ -228,7 +228,8 @@ TEST_CASE("05.4 no ratio and no angle costs digits", "[05.4][hard]") {
         }
         check_error(rt::schlick_reflectance(cosine, eta), surface.schlick(), 5 * allowed(surface),
                     eta, cosine,
-                    "Schlick's: the same cosine behind for eta > 1, and no other case");
+                    "Schlick's formula: take the same cosine behind for eta > 1; there is no "
+                    "other special case");
     });
     // And where nothing goes through, however near that is to the critical angle.
     rt::Rng rng{54, 5};
@@ -243,8 +244,8 @@ TEST_CASE("05.4 no ratio and no angle costs digits", "[05.4][hard]") {
         if (!beyond) continue;
         INFO("cosine " << text(cosine) << ", eta " << text(eta)
                        << ": the square of the cosine behind would be "
-                       << surface.squared_beyond().high << ", yours gives " << text(*beyond)
-                       << ".\nHint: none where it is below 0, by however little");
+                       << surface.squared_beyond().high << ": expected none, actual "
+                       << text(*beyond) << ".\nHint: return {} if it is below 0, however slightly");
         REQUIRE_FALSE(beyond.has_value());
     }
 }
@@ -268,10 +269,10 @@ TEST_CASE("05.4 both formulas are continuous at total reflection", "[05.4][hard]
             INFO(
                 "eta = " << ratio << ", " << ulps << " ulp from the critical angle: exact "
                          << fresnel << ", Schlick " << schlick
-                         << "\nHint: not a number comes from the root of a negative number or from "
-                            "0 / 0; a value too far from 1 from 1 - eta^2 (1 - c^2), which has no "
-                            "digits left here (take difference_of_products), or, Schlick's, from "
-                            "the wrong cosine");
+                         << "\nHint: NaN comes from the root of a negative number or from 0 / 0; a "
+                            "value too far from 1 comes from 1 - eta^2 (1 - c^2), which has no "
+                            "digits left here (take difference_of_products), or, in Schlick's "
+                            "formula, from the wrong cosine");
             const double rounding = static_cast<double>(rt::rounding_bound(8));
             REQUIRE(fresnel >= 1 - fresnel_falls);
             REQUIRE(schlick >= 1 - schlick_falls - rounding);
@@ -297,7 +298,7 @@ TEST_CASE("05.4 nearly equal indices keep their digits", "[05.4][hard]") {
     rt::Rng rng{54, 3};
     const int digits = std::numeric_limits<Real>::digits;
     for (int i = 0; i < 4000; ++i) {
-        // Any distance from 1 down to a few numbers.
+        // Any distance from 1, down to a few of Real's steps.
         const int exponent = 3 + i % (digits - 4);
         const Real distance = std::scalbn(i < 500 ? Real(1) : rng.uniform(1, 2), -exponent);
         const Real eta = rng() & 1 ? 1 + distance : 1 - distance;
@@ -308,12 +309,12 @@ TEST_CASE("05.4 nearly equal indices keep their digits", "[05.4][hard]") {
         const Exact expected = surface.reflectance();
         check_error(rt::fresnel_reflectance(cosine, eta), expected,
                     allowed(surface) * expected.high, eta, cosine,
-                    "eta c - c' cancels here; it equals (eta^2 - 1) / (eta c + c'), and "
-                    "eta^2 - 1 is (eta - 1) (eta + 1)");
+                    "eta c - c' cancels here; it equals (eta^2 - 1) / (eta c + c'), and eta^2 - 1 "
+                    "is (eta - 1) (eta + 1)");
     }
 }
 
-TEST_CASE("05.4 grazing light is reflected as a whole", "[05.4][hard]") {
+TEST_CASE("05.4 grazing light is reflected completely", "[05.4][hard]") {
     const double rounding = static_cast<double>(rt::rounding_bound(50));
     for (const double ratio : {0.05, 0.2, 0.4, 0.5, 1 / 1.5, 0.75, 0.9, 0.99})
         for (const Real cosine : {Real(0), std::numeric_limits<Real>::denorm_min(),

@@ -23,8 +23,9 @@ struct Fixed {
     }
 };
 
-// The smallest and the largest number: one reflects wherever anything is reflected, the other
-// nowhere. Which one reflects is for the learner to choose, and asked here: half is reflected.
+// The smallest and the largest random number: one reflects wherever anything is reflected,
+// the other nowhere. The learner chooses which one reflects; a reflectance of one half
+// finds it out here.
 constexpr Real smallest = 0, largest = 1 - rt::epsilon / 2;
 bool small_numbers_reflect() {
     rt::Hit hit;
@@ -58,7 +59,7 @@ const rt::GradientSky gradient{{real(0.2), real(0.1), 0}, {real(0.3), real(0.6),
 
 }  // namespace
 
-TEST_CASE("05.5 light enters glass and leaves it by the law of Snell", "[05.5]") {
+TEST_CASE("05.5 light enters glass and leaves it by the law of refraction", "[05.5]") {
     const rt::Dielectric glass{real(1.5)};
     for (const bool front : {true, false}) {
         const double sine = front ? 0.6 : 0.4, beyond = front ? 0.4 : 0.6;
@@ -71,12 +72,12 @@ TEST_CASE("05.5 light enters glass and leaves it by the law of Snell", "[05.5]")
                             << (front ? " from outside, eta = 1 / 1.5" : " from inside, eta = 1.5")
                             << ", the facing normal is " << text(Vec3{0, 1, 0}));
         const char* hint =
-            "eta is 1 / index where hit.front, else index; the normal that counts is "
+            "eta is 1 / index if hit.front, else index; the normal that counts is "
             "facing_normal(hit), on the side that the light comes from";
         if (distance(bounce->direction, {incoming.x, -incoming.y, 0}) <=
             static_cast<double>(rt::rounding_bound(32)))
             hint =
-                "this light was reflected: reflect where random.uniform() is less than the "
+                "this light was reflected: reflect if random.uniform() is less than the "
                 "reflectance, else refract";
         HINT(expected, bounce->direction, hint);
         if (distance(bounce->direction, expected) > static_cast<double>(rt::rounding_bound(32)))
@@ -84,7 +85,7 @@ TEST_CASE("05.5 light enters glass and leaves it by the law of Snell", "[05.5]")
     }
 }
 
-TEST_CASE("05.5 what is not let through is reflected", "[05.5]") {
+TEST_CASE("05.5 light that is not let through is reflected", "[05.5]") {
     const rt::Dielectric glass{real(1.5)};
     const auto check = [&](bool front, double degrees, Fixed random, const char* hint) {
         const Vec3 incoming = arriving_at_floor(degrees);
@@ -97,21 +98,21 @@ TEST_CASE("05.5 what is not let through is reflected", "[05.5]") {
         if (distance(bounce->direction, expected) > static_cast<double>(rt::rounding_bound(32)))
             CHECK(text(bounce->direction) == text(expected));
     };
-    const char* drawn = "reflect where random.uniform() is less than the reflectance";
+    const char* drawn = "reflect if random.uniform() is less than the reflectance";
     check(true, 30, always_reflect(), drawn);
     check(false, 30, always_reflect(), drawn);
-    const char* total = "where refract gives none, all light is reflected";
+    const char* total = "if refract returns none, all light is reflected";
     check(false, 42, never_reflect(), total);
     check(false, 89, never_reflect(), total);
 }
 
 TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
     {
-        INFO("Hint: leave the two materials as they were given, glass where no index is named");
+        INFO("Hint: leave the two materials as they were given: glass if no index is named");
         CHECK(text(rt::Dielectric{}.index) == "1.5");
         CHECK(text(rt::SchlickDielectric{}.index) == "1.5");
     }
-    // Any reflectance, as a function that tells what it is asked.
+    // Any reflectance, as a function that records what it is asked.
     rt::Rng rng{55, 1};
     for (int i = 0; i < 3000; ++i) {
         const Arrival arrival = random_arrival(rng);
@@ -154,8 +155,7 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
                 INFO(describe());
                 INFO("attenuation "
                      << bounce.attenuation
-                     << "\nHint: the lots that are drawn weigh the two ways already; "
-                        "neither is dimmed");
+                     << "\nHint: the random choice already weighs both ways; do not dim either");
                 REQUIRE(text(Vec3{bounce.attenuation.r, bounce.attenuation.g,
                                   bounce.attenuation.b}) == "(1, 1, 1)");
             }
@@ -168,13 +168,12 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
                                  (1 + 1 / std::max(1e-9, behind));
             if (through && distance(bounce.direction, *through) <= loose) return false;
             INFO(describe() << ", drawn " << text(drawn));
-            INFO("expected is either the mirror direction "
-                 << text(mirror) << " or the refracted one "
-                 << (through ? text(*through) : "(none)") << ", yours is "
-                 << text(bounce.direction));
+            INFO("expected either the mirror direction " << text(mirror) << " or the refracted one "
+                                                         << (through ? text(*through) : "(none)")
+                                                         << ", actual " << text(bounce.direction));
             INFO(
-                "Hint: eta is 1 / index where hit.front, else index; the normal is "
-                "facing_normal(hit), also for above_horizon");
+                "Hint: eta is 1 / index if hit.front, else index; the normal is "
+                "facing_normal(hit), for above_horizon, too");
             REQUIRE(text(bounce.direction) == text(through.value_or(mirror)));
             return false;
         };
@@ -195,9 +194,9 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
         if (!(std::abs(share - expected) <= 2 * rt::epsilon)) {
             INFO(describe());
             HINT(expected, share,
-                 through ? "this is the share that is reflected: where random.uniform() is less "
-                           "than the reflectance, also a tiny one"
-                         : "this is the share that is reflected. Where refract gives none, it is "
+                 through ? "this is the share that is reflected: reflect if random.uniform() is "
+                           "less than the reflectance, even a tiny one"
+                         : "this is the share that is reflected. If refract returns none, that is "
                            "all");
             REQUIRE(text(share) == text(expected));
         }
@@ -206,15 +205,15 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
         if ((through || cosine != -1) && !asks_right) {
             INFO(describe());
             INFO("expected reflectance(" << text(cosine_expected) << ", " << text(eta_expected)
-                                         << "), yours asks for reflectance(" << text(cosine) << ", "
+                                         << "), actual reflectance(" << text(cosine) << ", "
                                          << text(eta)
                                          << ")\nHint: cosine = -dot(incoming, normal) with the "
                                             "facing normal, and the eta of this side");
             REQUIRE(text(eta) == text(eta_expected));
             REQUIRE(text(cosine) == text(cosine_expected));
         }
-        INFO(describe() << ": so many numbers were drawn from `random`. Expected is one for each "
-                           "decision, and none where the reflectance is 0");
+        INFO(describe() << ": this is how many numbers were drawn from `random`. Each decision "
+                           "needs one, and a reflectance of 0 none");
         REQUIRE(draws <= (wanted > 0 ? 1 : 0));
         if (through && 0 < wanted && wanted < 1) REQUIRE(draws == 1);
     }
@@ -227,7 +226,7 @@ TEST_CASE("05.5 glass keeps all light", "[05.5]") {
             for (int i = 0; i < 20; ++i) {
                 const auto bounce = scatter(rt::Dielectric{real(1.5)}, arriving_at_floor(degrees),
                                             floor_hit(front), rng);
-                INFO("Hint: the lots that are drawn weigh the two ways already; neither is dimmed");
+                INFO("Hint: the random choice already weighs both ways; do not dim either");
                 REQUIRE(bounce.has_value());
                 const rt::Color weight = bounce->attenuation;
                 if (!(weight == rt::Color{1, 1, 1}))
@@ -237,7 +236,7 @@ TEST_CASE("05.5 glass keeps all light", "[05.5]") {
 
 TEST_CASE("05.5 a ball turns light by twice the difference of the angles", "[05.5]") {
     // Light that meets the ball at `aside` of its radius arrives at an angle a with that sine, goes
-    // on at b, and leaves at a again. Each time it turns by a - b, towards the middle.
+    // on at b, and leaves at a again. Each time it turns by a - b, toward the middle.
     const rt::SphereList world{{{{{0, 0, 0}, 1}, 0}}};
     const double index = 1.5;
     const Glass glass{{rt::Dielectric{real(index)}}};
@@ -273,11 +272,11 @@ TEST_CASE("05.5 a ball of index 1 is invisible", "[05.5][hard]") {
                                         {4, 9, 1}, x, y);
             };
             const rt::Color computed = draw(with_ball), expected = draw(empty);
-            // But for the rounding of directions that were normalized once more.
+            // Except for the rounding of directions that were normalized once more.
             const rt::Color off = computed - expected;
             if (std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)}) <= 64 * rt::epsilon)
                 continue;
-            INFO("pixel (" << x << ", " << y << "): expected " << expected << ", but yours gives "
+            INFO("pixel (" << x << ", " << y << "): expected " << expected << ", actual "
                            << computed
                            << "\nHint: where the reflectance is 0, refract, and draw no random "
                               "number: the next sample of the pixel needs it");
@@ -286,7 +285,7 @@ TEST_CASE("05.5 a ball of index 1 is invisible", "[05.5][hard]") {
         }
 }
 
-TEST_CASE("05.5 light that grazes is reflected to its own side", "[05.5][hard]") {
+TEST_CASE("05.5 grazing light is reflected to its own side", "[05.5][hard]") {
     rt::Rng rng{55, 5};
     for (int i = 0; i < 2000; ++i) {
         const Vec3 normal = random_unit(rng);
@@ -324,16 +323,16 @@ TEST_CASE("05.5 a white furnace through glass stays white", "[05.5][hard]") {
             const rt::Color light =
                 rt::path_radiance(ray, nested, glass, rt::UniformSky{}, rt::SkyEnding{}, 100, rng);
             if (light == rt::Color{1, 1, 1}) continue;
-            INFO("scale " << scale << ": expected white, but yours gives " << light);
+            INFO("scale " << scale << ": expected white, actual " << light);
             REQUIRE(text(light.g) == "1");
         }
     }
 }
 
 TEST_CASE("05.5 light finds its way out of glass at every scale", "[05.5][hard]") {
-    // Without lots: light that never is reflected where it may go through passes each of the three
-    // balls' surfaces twice, so 6 bounces are enough whatever the scale; were it caught on a
-    // surface again by rounding, they were not.
+    // Without chance: light that is never reflected where it may go through passes each of the
+    // three balls' surfaces twice, so 6 bounces are enough whatever the scale. If rounding caught
+    // it on a surface again, they would not be enough.
     for (const double scale : {1e-9, 1.0, 1e9}) {
         const Real s = real(scale);
         const rt::SphereList nested{{{{{0, 0, 0}, s}, 0},

@@ -1,4 +1,4 @@
-// Any design passes that keeps the contract: nothing here knows what the learner's material is.
+// Any design that keeps the contract passes: nothing here knows what the learner's material is.
 
 #include <array>
 #include <functional>
@@ -62,7 +62,7 @@ Sample any_sample(Rng& rng) {
 }
 
 std::string text_of(Color c) {
-    return "(" + text(c.r) + ", " + text(c.g) + ", " + text(c.b) + ")";
+    return '(' + text(c.r) + ", " + text(c.g) + ", " + text(c.b) + ')';
 }
 
 std::string text_of(const Bounce& bounce) {
@@ -103,8 +103,8 @@ void check_direction(const Sample& sample, const Bounce& bounce) {
     }
     INFO(
         "the dot product of the direction and the normal: expected any number but 0, actual: 0\n"
-        "Hint: along the surface light neither leaves nor enters; pass what is meant to leave "
-        "through above_horizon(direction, facing_normal(hit))");
+        "Hint: along the surface light neither leaves nor enters; pass a direction that is meant "
+        "to leave through above_horizon(direction, facing_normal(hit))");
     REQUIRE(cosine != 0);
 }
 
@@ -179,7 +179,7 @@ OwnMaterial extreme_material(Rng& rng) {
     return {color, rng() % 2 ? Real(rng() % 2) : any()};
 }
 
-// A random generator whose first three numbers are the smallest or the largest that there are.
+// A random generator whose first three numbers are the smallest or the largest that are possible.
 class Extreme : public Rng {
   public:
     // Bit 2 is for the first number, bit 0 for the third: whether it is the largest.
@@ -279,7 +279,7 @@ TEST_CASE("05.6 each channel of the color counts", "[05.6]") {
     }
 }
 
-TEST_CASE("05.6 it is none of the given materials", "[05.6]") {
+TEST_CASE("05.6 it is not one of the given materials", "[05.6]") {
     const Given all[]{
         given("Lambertian", [](const OwnMaterial& m) { return rt::Lambertian{m.color}; }),
         given("Metal with fuzz = amount",
@@ -310,13 +310,13 @@ TEST_CASE("05.6 it is none of the given materials", "[05.6]") {
             INFO(
                 "expected a material of its own, actual: in all 1000 samples it does what "
                 << other.name << " does" << (in_vain ? ", and draws random numbers in vain" : "")
-                << "\nHint: let something depend on the angle, on a random choice, on the place or "
-                   "on the amount");
+                << "\nHint: let something depend on the angle, on a random choice, on the position "
+                   "or on the amount");
             REQUIRE(differs);
         }
 }
 
-TEST_CASE("05.6 light that grazes keeps the contract", "[05.6][hard]") {
+TEST_CASE("05.6 grazing light keeps the contract", "[05.6][hard]") {
     Rng rng{56, 8};
     for (int i = 0; i < 8000; ++i) {
         const ExactVec3 n = exact(random_unit(rng));
@@ -342,7 +342,7 @@ TEST_CASE("05.6 light along the normal keeps the contract", "[05.6][hard]") {
     }
 }
 
-TEST_CASE("05.6 far and tiny places keep the contract", "[05.6][hard]") {
+TEST_CASE("05.6 far and tiny hits keep the contract", "[05.6][hard]") {
     Rng rng{56, 10};
     for (int i = 0; i < 4000; ++i) {
         Sample sample = any_sample(rng);
@@ -368,14 +368,15 @@ TEST_CASE("05.6 the smallest and the largest random numbers keep the contract", 
     }
 }
 
-TEST_CASE("05.6 a ball of it in a white furnace is nowhere brighter than 1", "[05.6][hard]") {
+TEST_CASE("05.6 a ball of the material in a white furnace is nowhere brighter than 1",
+          "[05.6][hard]") {
     for (const double scale : {1e-9, 1.0, 1e9}) {
         const Real s = real(scale);
         const rt::SphereList world{{{{s * Vec3{2, -1, 3}, s}, 0}}};
         Rng rng{56, 12};
         for (int i = 0; i < 1500; ++i) {
             const rt::MaterialList<OwnMaterial> material{{extreme_material(rng)}};
-            // From straight at the ball to its rim, or from inside of it.
+            // From the ball's center to its rim, or from inside it.
             const bool inside = i % 3 == 0;
             const Real aside = std::sqrt(rng.uniform());
             const Vec3 from = inside ? real(0.9) * aside * random_unit(rng) : Vec3{aside, 0, 9};

@@ -13,7 +13,7 @@ std::string text(Rows rows) {
     return "rows " + std::to_string(rows.begin) + " to " + std::to_string(rows.end);
 }
 
-// What is wrong with the slices of all workers, the first thing; empty if nothing is.
+// The first thing that is wrong with the slices of all workers; empty if nothing is.
 std::string complaint(int height, int workers) {
     int next = 0, most = 0, least = height;
     const std::string all =
@@ -23,26 +23,27 @@ std::string complaint(int height, int workers) {
         const std::string which = all + std::to_string(worker) + " has " + text(rows);
         if (rows.end < rows.begin) return which + ", which ends before it begins";
         least = std::min(least, rows.end - rows.begin);
-        if (rows.begin == rows.end) continue;  // no rows, wherever that is
+        if (rows.begin == rows.end) continue;  // an empty slice may be anywhere
         if (rows.begin < next)
             return which + ", but the rows before " + std::to_string(next) +
                    " are taken (a slice ends before its row `end`)";
-        if (rows.begin > next) return which + ", but nobody has row " + std::to_string(next);
+        if (rows.begin > next) return which + ", but no worker has row " + std::to_string(next);
         if (rows.end > height) return which + ", which is below the picture";
         next = rows.end;
         most = std::max(most, rows.end - rows.begin);
     }
     if (next != height)
         return all + std::to_string(workers - 1) + ", the last, ends at row " +
-               std::to_string(next) + ": the rest belongs to nobody";
+               std::to_string(next) + ": the rest belongs to no worker";
     if (most - least > 1)
         return all.substr(0, all.size() - 7) + "the longest slice has " + std::to_string(most) +
                " rows and the shortest " + std::to_string(least);
     return {};
 }
 
-// What is wrong with the slice of one worker of very many, who cannot all be asked; empty if
-// nothing seems to be. Those before it and behind it have as many rows, or one more or less.
+// What is wrong with the slice of one worker, where there are too many workers to ask them
+// all; empty if nothing seems wrong. The workers before and after it have as many rows, or
+// one more or fewer.
 std::string complaint_of_one(std::int64_t height, std::int64_t workers, std::int64_t worker) {
     const auto slice = [&](std::int64_t k) {
         return slice_rows(static_cast<int>(height), static_cast<int>(workers), static_cast<int>(k));
@@ -52,20 +53,20 @@ std::string complaint_of_one(std::int64_t height, std::int64_t workers, std::int
     const Rows rows = slice(worker), again = slice(worker);
     const std::string which = std::to_string(height) + " rows for " + std::to_string(workers) +
                               " workers: worker " + std::to_string(worker) + " has " + text(rows);
-    if (!(again == rows)) return which + ", and when asked once more " + text(again);
+    if (!(again == rows)) return which + ", but on a second call " + text(again);
     const std::int64_t count = std::int64_t{rows.end} - rows.begin;
     const std::int64_t least = height / workers, most = least + (height % workers != 0);
     if (count < least || count > most)
-        return which + ", which are " + std::to_string(count) + "; expected " +
+        return which + ", a count of " + std::to_string(count) + "; expected " +
                std::to_string(least) + (most > least ? ", or one more" : "");
     if (count == 0) return {};
     const std::int64_t behind = workers - 1 - worker;
     if (rows.begin < worker * least || rows.begin > worker * most)
-        return which + ", which the workers before cannot reach or must pass";
+        return which + ", which leaves too few rows or too many for the workers before it";
     if (height - rows.end < behind * least || height - rows.end > behind * most)
-        return which + ", which leaves too few rows or too many for those behind";
+        return which + ", which leaves too few rows or too many for the workers after it";
     if (after.begin < after.end && after.begin != rows.end)
-        return which + ", and the one behind has " + text(after);
+        return which + ", and the next worker has " + text(after);
     return {};
 }
 
@@ -101,7 +102,7 @@ TEST_CASE("06.1 no row is lost in a picture of any height", "[06.1][hard]") {
     constexpr int largest = std::numeric_limits<int>::max();
     for (const int height : {65'536, 100'000'000, largest})
         for (const int workers : {1, 2, 3, 7, 63, 64, 1000}) {
-            // As many rows are left over, in a picture of few.
+            // First a picture of few rows, in which as many are left over.
             REQUIRE(complaint(10 * workers + height % workers, workers) == "");
             INFO("Hint: height * worker may need more than the 32 bits of an int");
             REQUIRE(complaint(height, workers) == "");
@@ -112,7 +113,8 @@ TEST_CASE("06.1 no row is lost in a picture of any height", "[06.1][hard]") {
                                          static_cast<std::uint64_t>(end));
     };
     for (int i = 0; i < 3000; ++i) {
-        // Of any size: as many of 3 digits as of 9. The last worker and the first have their turn.
+        // Numbers of any size: those of 3 digits are as frequent as those of 9. In half of the
+        // rounds it is the last worker or the first.
         const auto any_size = [&] { return any_below((std::int64_t{largest} >> rng() % 31) + 1); };
         const std::int64_t height = i % 16 == 0 ? largest : any_size();
         const std::int64_t workers = i % 16 == 1   ? largest

@@ -18,10 +18,10 @@
 using namespace checkpoint;
 using rt::run_workers, rt::render_slices, rt::Tile, rt::TileGrid;
 
-// Memory that takes its time, where it is told to. With `together` it lets two threads go on at the
-// same moment: a container that grows without a lock, while another thread makes it grow as well,
-// is harmed once in a thousand times; so, soon. With `slowly` a thread that starts others is slower
-// than those that it has started.
+// An allocator that is slow on request. With `together` it lets two threads go on at the same
+// moment. If two threads make a container grow at the same time, without a lock, it is usually
+// damaged only once in a thousand times; this way it happens soon. With `slowly` a thread that
+// starts others is slower than those that it has started.
 namespace {
 enum class Memory { usual, together, slowly };
 std::atomic<Memory> memory = Memory::usual;
@@ -54,7 +54,7 @@ void operator delete(void* block, std::size_t) noexcept {
 
 namespace {
 
-// What workers throw: types of all kinds, and in each the number of the worker.
+// What workers throw: exceptions of several types, each with the worker's number.
 struct OwnType {
     int worker;
 };
@@ -79,7 +79,7 @@ std::string name_of(int worker) {
     return "the " + std::string{types[worker % 4]} + " of worker " + std::to_string(worker);
 }
 
-// What comes out of work(): the exception, or that there was none.
+// What work() throws, in words; or that it throws nothing.
 template <class Work>
 std::string what_comes_out(Work work) {
     try {
@@ -102,16 +102,16 @@ std::string what_comes_out(Work work) {
 }
 
 const char* const how_to_keep =
-    "an exception that leaves a thread's function ends the program: catch (...) it there, whatever "
-    "its type, keep std::current_exception() in the worker's own slot, and rethrow it after all "
-    "threads have ended. Two threads must not push_back to one vector";
+    "an exception that leaves a thread's function ends the program: catch it there by catch (...), "
+    "whatever its type, keep std::current_exception() in the worker's own slot, and rethrow it "
+    "after all threads have ended. Two threads must not push_back to one vector";
 
 }  // namespace
 
 TEST_CASE("06.2 each worker is called once with its own number", "[06.2]") {
     for (int round = 0; round < 20; ++round)
         for (const int workers : {1, 2, 3, 7, 64}) {
-            // One place more, for numbers that are none of the workers'.
+            // One more slot, for numbers that belong to no worker.
             std::vector<std::atomic<int>> calls(static_cast<std::size_t>(workers) + 1);
             run_workers(workers, [&](int worker) {
                 const bool known = 0 <= worker && worker < workers;
@@ -120,7 +120,7 @@ TEST_CASE("06.2 each worker is called once with its own number", "[06.2]") {
             for (int worker = 0; worker < workers; ++worker) {
                 INFO("round " << round << ": worker " << worker << " of " << workers
                               << "\nHint: a thread must have a copy of its number; the loop "
-                                 "variable itself has moved on when the thread looks at it");
+                                 "variable itself has moved on by the time the thread looks at it");
                 REQUIRE(calls[static_cast<std::size_t>(worker)] == 1);
             }
             REQUIRE(calls.back() == 0);
@@ -131,8 +131,9 @@ TEST_CASE("06.2 the workers run at the same time", "[06.2]") {
     for (const int workers : {1, 2, 4, 64}) {
         Roll roll{workers};
         run_workers(workers, [&](int worker) { roll.sign(worker); });
-        INFO(workers << " workers.\nHint: a thread for each worker, also for the first; start all "
-                     << "threads first, and wait for them (join) after that");
+        INFO(workers
+             << " workers.\nHint: start a thread for each worker, also for the first. Start all "
+             << "threads before you wait for them (join)");
         REQUIRE(roll.complaint() == "");
     }
 }
@@ -149,7 +150,7 @@ TEST_CASE("06.2 the work is done when run_workers returns", "[06.2]") {
         while (*done < 3) std::this_thread::yield();
         INFO("worker " << slow
                        << " is the last one to end.\nHint: join every thread; a detached one "
-                       << "lives on, and writes to what is gone");
+                       << "runs on, and writes to memory that is gone");
         CHECK(done_by_then == 3);
     }
 }
@@ -239,8 +240,8 @@ TEST_CASE("06.2 no thread is left running after an exception", "[06.2][hard]") {
             });
             return out + " after " + std::to_string(*ended) + " others have ended";
         });
-        INFO("worker " << thrower << " of 4 throws, the others are still at work.\nHint: all have "
-                       << "their turn; then rethrow");
+        INFO("worker " << thrower << " of 4 throws, the others are still at work.\nHint: let all "
+                       << "workers end, then rethrow");
         CHECK(actual == name_of(thrower * 4 + 1) + " after 3 others have ended");
     }
 }
@@ -250,7 +251,7 @@ TEST_CASE("06.2 of several exceptions the first worker's is thrown", "[06.2][har
     const std::string actual = in_own_process([] {
         rt::Rng rng{6, 2};
         for (int round = 0; round < 30; ++round) {
-            // Any of them throw, in any order in time.
+            // Any of the workers throw, one earlier and another later.
             const int workers = round % 3 ? 1 + static_cast<int>(rng() % 8) : 64;
             const auto any_bits = [&] { return std::uint64_t{rng()} << 32 | rng(); };
             const std::uint64_t throwers = any_bits() & any_bits() & any_bits(),
@@ -272,9 +273,8 @@ TEST_CASE("06.2 of several exceptions the first worker's is thrown", "[06.2][har
         return std::string{"the first one's"};
     });
     INFO(
-        "several workers throw, now the first one earlier, now later than the others.\nHint: a "
-        "slot "
-        "for each worker; then look through them in order. "
+        "several workers throw, and the first of them sometimes earlier, sometimes later than the "
+        "others.\nHint: a slot for each worker; then look through them in order. "
         << how_to_keep);
     CHECK(actual == "the first one's");
 }
@@ -282,8 +282,8 @@ TEST_CASE("06.2 of several exceptions the first worker's is thrown", "[06.2][har
 TEST_CASE("06.2 workers may throw at the same moment", "[06.2][hard]") {
     run_workers(0, [](int) {});
     const std::string actual = in_own_process([] {
-        // Now the containers of the workers grow together, now two threads on two cores throw
-        // without a step in between.
+        // In some rounds the containers of the workers grow at the same moment. In others, two
+        // threads on two cores throw without a step in between.
         for (int round = 0; round < 400; ++round) {
             const int workers = round < 20 ? 8 : round < 26 ? 64 : 2;
             const bool grow_together = workers == 8 || round > 200;
@@ -310,7 +310,7 @@ TEST_CASE("06.2 workers may throw at the same moment", "[06.2][hard]") {
 TEST_CASE("06.2 several calls at the same time know nothing of each other", "[06.2][hard]") {
     run_workers(0, [](int) {});
     const std::string actual = in_own_process([] {
-        // One type for the work of all.
+        // One type for the work of all calls.
         using AnyWork = std::function<void(int)>;
         MeetingPlace place;
         std::string of_five;
@@ -327,15 +327,15 @@ TEST_CASE("06.2 several calls at the same time know nothing of each other", "[06
         };
         const std::string of_three = what_comes_out([&] { run_workers(3, work); });
         other.join();
-        // A worker may have workers of its own; and what was thrown is forgotten.
+        // A worker may have workers of its own, and exceptions of earlier calls are forgotten.
         std::atomic<int> calls = 0;
         const AnyWork inner = [&](int) { ++calls; }, outer = [&](int) { run_workers(3, inner); };
         const std::string nested = what_comes_out([&] { run_workers(2, outer); });
         return of_three + "; " + of_five + "; " + nested + ", " + std::to_string(calls) + " calls";
     });
     INFO(
-        "3 workers, of whom 1 throws, while 5 others work elsewhere; then 2 workers with 3 workers "
-        "each.\nHint: threads and exceptions are variables of the function, not static");
+        "3 workers, and 1 of them throws, while 5 others work in another call; then 2 workers with "
+        "3 workers each.\nHint: threads and exceptions are variables of the function, not static");
     CHECK(actual == name_of(1) + "; no exception; no exception, 6 calls");
 }
 
@@ -352,7 +352,7 @@ TEST_CASE("06.2 a thread that cannot be started leaves none behind", "[06.2][har
     });
     INFO(
         "the system has no more threads, and the constructor of std::thread throws.\nHint: the "
-        "threads before it must be joined all the same. JoinGuard does that");
+        "threads that were started before must still be joined. JoinGuard does that");
     CHECK(actual == "std::system_error");
 }
 

@@ -16,15 +16,14 @@ using rt::Tile, rt::TileGrid, rt::tile_at, rt::tile_count, rt::take_tile;
 
 namespace {
 
-// A counter that counts as std::atomic<int> does, but whose every step is followed by another
-// worker, who takes a tile of its own at once. What two threads do to each other once in a million
-// times happens here every time.
+// A counter that counts as std::atomic<int> does, but after every step another worker takes a tile
+// at once. What two threads do to each other once in a million times happens here every time.
 class HauntedCounter {
   public:
     using value_type = int;
     using Order = std::memory_order;
 
-    // The other worker comes after every step, or after every second one by chance.
+    // The other worker comes after every step, or after half of the steps, picked at random.
     explicit HauntedCounter(unsigned seed) : always{seed == 0}, guests{seed, 6} {}
 
     int fetch_add(int n, Order = {}) {
@@ -60,7 +59,7 @@ class HauntedCounter {
         return compare_exchange_strong(expected, desired);
     }
 
-    // The number itself, for the test alone: looking at it is no step.
+    // The number itself, for the test alone: looking at it does not count as a step.
     int now() const { return value_; }
 
     // Which tiles the other worker took.
@@ -126,7 +125,7 @@ TEST_CASE("06.3 tiles of any size in pictures of any size", "[06.3]") {
                         << columns << " columns of tiles, " << rows << " rows");
         if (std::int64_t{columns} * rows > std::numeric_limits<int>::max()) continue;
         REQUIRE(tile_count(grid) == columns * rows);
-        // One of them, or one of the last.
+        // Any column and row, or the last ones.
         const int column = round % 3 ? any_to(columns) - 1 : columns - 1;
         const int row = round % 5 ? any_to(rows) - 1 : rows - 1;
         const int left = column * grid.tile_size, top = row * grid.tile_size;
@@ -146,7 +145,7 @@ TEST_CASE("06.3 every tile is taken once and then none", "[06.3]") {
     };
     for (int i = 0; i < 2000; ++i) {
         const auto tile = take_tile(next, 5), other = take_tile(next_of_other, 900);
-        INFO("call " << i + 1 << " for 5 tiles.\nHint: all that is remembered is in the counter");
+        INFO("call " << i + 1 << " for 5 tiles.\nHint: only the counter may remember anything");
         REQUIRE(words(tile) == (i < 5 ? std::to_string(i) : "none"));
         INFO("call " << i + 1 << " for the 900 tiles of another picture");
         REQUIRE(words(other) == (i < 900 ? std::to_string(i) : "none"));
@@ -167,15 +166,16 @@ TEST_CASE("06.3 every pixel is rendered once in tiles", "[06.3]") {
     for (int workers = 1; workers <= 64; ++workers) check({35, 21, 4}, workers, 54);
     check({40, 30, 1}, 3, 1200);
     check({333, 200, 13}, 2, 416);
-    // As fast as can be, for workers that come between two steps of each other.
+    // As fast as possible, so that workers come between each other's steps.
     const TileGrid many{400, 300, 1};
     std::vector<std::atomic<int>> counts(120'000);
     rt::render_tiles(many, 4, [&](const Tile& tile, int) {
         ++counts[static_cast<std::size_t>(tile.top * 400 + tile.left)];
     });
     INFO(
-        "400x300 tiles of one pixel, 4 workers: those that were not rendered once.\nHint: the "
-        "counter that all workers share is a std::atomic<int>, and take_tile takes from it");
+        "400x300 tiles of one pixel, 4 workers: how many of them were rendered exactly "
+        "once.\nHint: the counter that all workers share is a std::atomic<int>, and take_tile "
+        "takes from it");
     CHECK(std::count(counts.begin(), counts.end(), 1) == 120'000);
 }
 
@@ -185,8 +185,9 @@ TEST_CASE("06.3 all workers are at work at the same time", "[06.3]") {
         rt::render_tiles({workers * 3, 3, 3}, workers,
                          [&](const Tile&, int worker) { roll.sign(worker); });
         INFO(
-            workers << " workers, and as many tiles.\nHint: run_workers, and each worker gives its "
-                    << "own number to work");
+            workers
+            << " workers, and as many tiles.\nHint: call run_workers, and let each worker pass its "
+            << "own number to work");
         REQUIRE(roll.complaint() == "");
     }
 }
@@ -205,8 +206,8 @@ TEST_CASE("06.3 a slow tile does not hold up the others", "[06.3]") {
                 end.wait_for(1);
         });
         INFO("2 workers, 16 tiles: while one worker is busy with tile "
-             << slow << ", the other shall render all the rest.\nHint: whoever is free takes "
-             << "the next tile; nobody owns a tile beforehand");
+             << slow << ", the other must render all the rest.\nHint: whoever is free takes "
+             << "the next tile; no worker owns a tile beforehand");
         const std::string actual = in_time ? "in time" : "too late";
         CHECK(actual == "in time");
     }
@@ -219,23 +220,23 @@ TEST_CASE("06.3 no other worker comes between reading and adding", "[06.3][hard]
         std::multiset<int> taken;
         INFO(
             "Hint: between two steps (reading the counter, then changing or comparing it again) "
-            "another worker may take a tile. Read and add in one step, and decide by what that "
-            "gave");
+            "another worker may take a tile. Read and add in one step, and decide by the value "
+            "that it returned");
         for (int calls = 0; calls < 2 * count; ++calls) {
             if (const auto tile = take_tile(next, count)) {
                 taken.insert(*tile);
             } else {
-                INFO("none is returned when all are taken, which is when the counter is at");
+                INFO("take_tile returned none: expected a counter that is past the last tile");
                 REQUIRE(next.now() >= count);
             }
         }
         for (const int tile : next.taken)
             if (tile < count) taken.insert(tile);
         for (int tile = 0; tile < count; ++tile) {
-            INFO("tile " << tile << " of " << count << " is taken, so many times");
+            INFO("tile " << tile << " of " << count << ": how many times it is taken");
             REQUIRE(taken.count(tile) == 1);
         }
-        INFO("tiles that were taken, of " << count);
+        INFO("how many tiles were taken, of " << count);
         REQUIRE(taken.size() == count);
     }
 }
@@ -310,7 +311,7 @@ TEST_CASE("06.3 an exception in a tile reaches the caller", "[06.3][hard]") {
         }
         INFO(workers << " workers; tile (4, 4) throws 44");
         CHECK(actual == "44");
-        INFO("calls that had not ended by then");
+        INFO("how many calls had not ended by then");
         CHECK(running == 0);
     }
 }
@@ -327,8 +328,8 @@ TEST_CASE("06.3 a picture may be rendered while another one is", "[06.3][hard]")
         if (tile_number < 12) rt::render_tiles(inner, 2, std::ref(*inner_counts[tile_number]));
     });
     INFO(
-        "each tile of a picture renders another picture.\nHint: a counter for each call of "
-        "render_tiles, so nothing static");
+        "each tile of a picture renders another picture.\nHint: each call of render_tiles needs a "
+        "counter of its own, so nothing may be static");
     CHECK_RENDERED_ONCE(outer_counts);
     for (const auto& counts : inner_counts) CHECK_RENDERED_ONCE(*counts);
 }

@@ -43,7 +43,7 @@ std::uint64_t first_bits(const Key& k) {
     return high << 32 | random();
 }
 
-// So many of the first bits differ between two keys.
+// How many of the first 64 bits differ between two keys.
 int distance(const Key& a, const Key& b) {
     return std::popcount(first_bits(a) ^ first_bits(b));
 }
@@ -51,7 +51,7 @@ int distance(const Key& a, const Key& b) {
 // Numbers that have been seen.
 class Seen {
   public:
-    // False where it was there already.
+    // Returns false if the number has been seen before.
     bool add(std::uint64_t number) {
         ++count;
         std::size_t place = number % slots_.size();
@@ -68,12 +68,12 @@ class Seen {
     std::vector<std::uint64_t> slots_ = std::vector<std::uint64_t>(std::size_t{1} << 21);
 };
 
-// The chi-square statistic of right code stays below this in all but one of ten million runs, at
-// 255 degrees of freedom: there are some hundred of them here.
+// With 255 degrees of freedom, the chi-square statistic of right code stays below this in all but
+// one of ten million runs. Several hundred of them are computed here.
 constexpr double limit_of_255 = 391;
 
-// Whether draws of a generator have something to do with those of its neighbor, whose numbers are
-// larger by `step`. Each of the first four draws of the one is held against each of the other's.
+// Checks that the draws of a generator have nothing to do with those of its neighbor, whose numbers
+// are larger by `step`. Each of the first four draws of one is compared with each of the other's.
 void check_unrelated(const Key& step, const char* what) {
     constexpr int draws = 4;
     std::vector<long> high[draws][draws], low[draws][draws];
@@ -97,7 +97,7 @@ void check_unrelated(const Key& step, const char* what) {
                     ++low[i][k][(of_a[i] & 15) * 16 + (of_b[k] & 15)];
                 }
             ++differences[(of_b[0] - of_a[0]) >> 24];
-            // This generator turns its bits round before it gives them away.
+            // This generator rotates its bits before it returns them.
             if (x % 8 == 0) {
                 int least = 32;
                 for (int turn = 0; turn < 32; ++turn)
@@ -107,19 +107,21 @@ void check_unrelated(const Key& step, const char* what) {
         }
     const std::vector<double> expected(256, 64);
     INFO(what
-         << ": what one draws tells what the other draws.\nHint: numbers that differ by "
+         << ": the draws of one tell something about those of the other.\nHint: numbers that "
+            "differ by "
          << "1 must differ in half of their bits before they become a state; mix_bits does that. "
-         << "And each sample needs a state of its own, not a place further on in the same draws");
+         << "And each sample needs a state of its own, not a later position in the same draws");
     CHECK(chi_square(differences, expected) < limit_of_255);
     for (int i = 0; i < draws; ++i)
         for (int k = 0; k < draws; ++k) {
-            INFO("draw " << i << " of the one, draw " << k << " of the other");
+            INFO("draw " << i << " of one, draw " << k << " of the other");
             REQUIRE(chi_square(high[i][k], expected) < limit_of_255);
             REQUIRE(chi_square(low[i][k], expected) < limit_of_255);
         }
-    // Of 32 distances between bits that are drawn at random, the least is 10.1 on the average.
+    // Of 32 distances between bits that are drawn at random, the least is 10.1 on average.
     INFO(
-        "so many bits of the fourth draws differ, of 32, when the one is turned round to fit best");
+        "how many of the 32 bits of the fourth draws differ, when one of them is rotated to fit "
+        "best");
     CHECK(least_distance / 2048 > 9.5);
 }
 
@@ -129,7 +131,7 @@ std::string difference(const Image& actual, const Image& expected) {
         for (int x = 0; x < expected.width(); ++x)
             if (!(actual.at(x, y) == expected.at(x, y)))
                 return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is " +
-                       text(actual.at(x, y)) + ", and was " + text(expected.at(x, y));
+                       text(actual.at(x, y)) + "; expected " + text(expected.at(x, y));
     return {};
 }
 
@@ -185,12 +187,12 @@ TEST_CASE("06.4 neighbors have nothing to do with each other", "[06.4]") {
 }
 
 TEST_CASE("06.4 the average takes each sample once with its own generator", "[06.4]") {
-    // One type for all, so that what one call remembers another one finds.
+    // One type for all calls: whatever one call remembers, the next one finds.
     using Draw = std::function<Color(int, Rng&)>;
     Rng rng{6, 4};
     Key key{};
     for (const int count : {1, 2, 3, 6, 7, 7, 64, 100}) {
-        // Light of any size, also below 0, for an average knows nothing of light; and black.
+        // Light of any size, even below 0, because an average knows nothing about light; and black.
         const auto any = [&] {
             return std::scalbn(rng.uniform(-1, 1), static_cast<int>(rng() % 20));
         };
@@ -208,7 +210,7 @@ TEST_CASE("06.4 the average takes each sample once with its own generator", "[06
             const std::uint64_t high = random();
             bits.push_back(high << 32 | random());
             for (int i = 0; i < sample; ++i) random();  // a path may need more or fewer numbers
-            // An average inside of an average: each has a sum of its own.
+            // An average inside an average: each has a sum of its own.
             if (sample == 1)
                 average_samples(8, 7, 6, 2, Draw{[](int, Rng&) { return Color{9, 9, 9}; }});
             return colors[static_cast<std::size_t>(sample) % colors.size()];
@@ -217,11 +219,11 @@ TEST_CASE("06.4 the average takes each sample once with its own generator", "[06
         INFO(count << " samples of pixel (" << key.x << ", " << key.y << "), seed " << key.seed);
         {
             for (int i = 0; i < count; ++i) expected_samples.push_back(i);
-            INFO("draw is called for these samples.\nHint: each once, in their order");
+            INFO("the samples for which draw is called.\nHint: each of them once, in order");
             REQUIRE(samples == expected_samples);
         }
         for (std::size_t i = 0; i < bits.size(); ++i) {
-            INFO("sample " << i << " does not get the generator of its own");
+            INFO("sample " << i << " does not get its own generator");
             REQUIRE(bits[i] == first_bits({key.seed, key.x, key.y, static_cast<int>(i)}));
         }
         for (Real Color::*channel : {&Color::r, &Color::g, &Color::b}) {
@@ -237,9 +239,8 @@ TEST_CASE("06.4 the average takes each sample once with its own generator", "[06
                 std::abs((Exact(static_cast<double>(average.*channel)) - mean).high);
             if (error <= static_cast<double>(rt::rounding_bound(4 * count + 8) * largest)) continue;
             INFO(
-                "a color channel of the average.\nHint: add up what draw gives, all three "
-                "channels, "
-                "and divide by the number of samples as a Real");
+                "a color channel of the average.\nHint: add up what draw returns, all three "
+                "channels, and divide by the number of samples as a Real");
             const std::string actual = checkpoint::text(average.*channel);
             REQUIRE(actual == checkpoint::text(mean));
         }
@@ -274,8 +275,8 @@ TEST_CASE("06.4 any number of workers draws the same picture", "[06.4][hard]") {
 }
 
 TEST_CASE("06.4 no two samples share a generator however large the numbers", "[06.4][hard]") {
-    // A 64-bit state meets another one of a million once in 37 million runs; 32 bits meet 120
-    // times.
+    // Among a million states of 64 bits, two are equal once in 37 million runs. Among a million
+    // states of 32 bits, 120 pairs would be equal.
     Seen seen;
     std::string met;
     const auto add = [&](const Key& key) {
@@ -318,10 +319,9 @@ TEST_CASE("06.4 no two samples share a generator however large the numbers", "[0
                 add({seed, 0, a, small});
             }
         }
-    INFO("among "
-         << seen.count << " different keys this one draws what another one has drawn.\nHint: "
-         << "numbers that are shifted together into too few bits, or added up, meet those of "
-            "another pixel");
+    INFO("among " << seen.count << " different keys, this one draws the same as another.\nHint: if "
+                  << "the numbers are shifted together into too few bits, or added up, those of "
+                     "two pixels become equal");
     CHECK(met == "");
 }
 
@@ -336,7 +336,7 @@ TEST_CASE("06.4 every bit of the four numbers counts", "[06.4][hard]") {
         int sum = 0;
         for (const Key& key : keys) sum += distance(key, changed(key));
         INFO("bit " << bit << " of " << what
-                    << " changes: of the first 64 bits so many change, where "
+                    << " changes: how many of the first 64 bits change with it, where "
                     << "half of them should");
         const double mean = sum / 16.0;  // 32, give or take 1
         REQUIRE(mean > 25.5);
@@ -355,7 +355,7 @@ TEST_CASE("06.4 every bit of the four numbers counts", "[06.4][hard]") {
 }
 
 TEST_CASE("06.4 an exception reaches the caller from every strategy", "[06.4][hard]") {
-    // The given strategies, too; and first that there is a generator at all.
+    // The given strategies are tested, too; but first, that there is a generator at all.
     (void)sample_rng(1, 2, 3, 4);
     for (const auto& [name, strategy] : rt::strategies()) {
         INFO(name);

@@ -69,7 +69,7 @@ TEST_CASE("06.5 each job is called once", "[06.5]") {
         {"std::execution::par", rt::spread_by_standard_algorithm()}};
     for (const auto& [name, spread] : loops) {
         if (!spread) {
-            WARN("this build has no " << name << ": its loop is not asked for");
+            WARN("this build has no " << name << ": its loop is not tested");
             continue;
         }
         for (const int jobs : {0, 1, 2, 7, 100, 1000})
@@ -100,7 +100,8 @@ TEST_CASE("06.5 the loops run in several threads", "[06.5]") {
 
 TEST_CASE("06.5 OpenMP takes as many threads as it is told", "[06.5]") {
     if (!rt::spread_by_openmp()) return;
-    // More than there are cores, and fewer: each job waits for one of every worker to begin.
+    // More threads than there are cores, and fewer. Each job waits until every
+    // worker has begun one.
     for (const int workers : {1, 3, static_cast<int>(std::thread::hardware_concurrency()) + 2}) {
         std::atomic<int> begun = 0;
         std::atomic<bool> together = true;

@@ -1,6 +1,7 @@
 #pragma once
-// What the checkpoints of this chapter watch threads with. Nothing here waits for ever: what right
-// code brings about at once is given up after a while, so that wrong code fails instead of hanging.
+// The tools with which this chapter's checkpoints watch threads. Nothing here waits forever.
+// Right code ends every wait at once; otherwise the wait ends after a while, so wrong code fails
+// instead of hanging.
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -20,11 +21,11 @@ namespace checkpoint {
 
 inline constexpr std::chrono::seconds patience{2};
 
-// A place where threads wait for each other.
+// Here threads wait for each other.
 class MeetingPlace {
   public:
-    // Waits until this many have come. False when they did not come in time; after that nobody
-    // waits here any more.
+    // Waits until this many threads have come. Returns false if they did not come in time; after
+    // that, nobody waits here anymore.
     bool wait_for(int people) {
         std::unique_lock lock{mutex_};
         ++here_;
@@ -42,12 +43,12 @@ class MeetingPlace {
     bool gave_up_ = false;
 };
 
-// Workers who wait here for each other, and sign with their numbers and threads.
+// Workers wait here for each other, and sign with their numbers and threads.
 class Roll {
   public:
     explicit Roll(int workers) : workers_{workers} {}
 
-    // To be called by every worker once.
+    // Every worker calls this once.
     void sign(int worker) {
         {
             const std::lock_guard lock{mutex_};
@@ -57,8 +58,8 @@ class Roll {
         met_ += place_.wait_for(workers_);
     }
 
-    // What was not as it should be: each worker once, each in a thread of its own, all at the same
-    // time. Empty if nothing was.
+    // What went wrong; empty if nothing did. Each worker must come once, each in a thread of its
+    // own, all at the same time.
     std::string complaint() const {
         std::multiset<int> expected;
         for (int worker = 0; worker < workers_; ++worker) expected.insert(worker);
@@ -67,7 +68,7 @@ class Roll {
             return std::to_string(met_) + " of " + all + " workers met all the others";
         if (numbers_ != expected) return "the numbers of the workers are not 0 ... " + all + " - 1";
         if (threads_.count(std::this_thread::get_id()))
-            return "the thread that called is itself one of the workers";
+            return "the calling thread is itself one of the workers";
         if (static_cast<int>(threads_.size()) != workers_)
             return std::to_string(threads_.size()) + " threads for " + all + " workers";
         return {};
@@ -156,8 +157,8 @@ inline std::string text(const rt::Tile& tile) {
            " of rows " + std::to_string(tile.top) + " to " + std::to_string(tile.bottom);
 }
 
-// Leaves this process only so much more address space: enough for a few threads. False where that
-// cannot be done: under sanitizers, and where there is no /proc.
+// Leaves this process only a little more address space: enough for a few threads. Returns false
+// where that is impossible: under sanitizers, and where there is no /proc.
 inline bool leave_room_for_few_threads() {
     long pages = 0;
     if (std::FILE* const file = std::fopen("/proc/self/statm", "r")) {

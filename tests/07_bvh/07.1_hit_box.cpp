@@ -12,7 +12,7 @@ namespace {
 const Box unit{{0, 0, 0}, {1, 1, 1}};
 constexpr Interval ahead{0, infinity};
 
-// A ray with a margin of its own, mostly none: for small whole numbers all is exact.
+// A ray with a margin of its own, mostly none: with small whole numbers, everything is exact.
 SlabRay bare(Vec3 origin, Vec3 direction, Real margin = 0) {
     return {origin, {1 / direction.x, 1 / direction.y, 1 / direction.z}, margin};
 }
@@ -38,7 +38,7 @@ Vec3 turned(Vec3 v, int times) {
 
 TEST_CASE("07.1 a ray through the box hits it", "[07.1]") {
     check(unit, {-1, Real(0.5), Real(0.25)}, {1, Real(0.125), Real(0.125)}, ahead, true,
-          "it passes all three slabs at once from t = 1 to 2");
+          "it is in all three slabs at once from t = 1 to 2");
     check(unit, {-1, -1, -1}, {1, 1, 1}, ahead, true, "along the diagonal");
     check(unit, {Real(0.5), Real(0.5), Real(0.5)}, {1, 2, -4}, ahead, true,
           "it starts inside: the box begins at a negative t and ends at a positive one");
@@ -47,7 +47,8 @@ TEST_CASE("07.1 a ray through the box hits it", "[07.1]") {
 TEST_CASE("07.1 a ray past the box misses it", "[07.1]") {
     check(unit, {-1, 3, Real(0.5)}, {1, Real(0.5), Real(0.25)}, ahead, false, "far above the box");
     check(unit, {-1, Real(0.5), Real(0.5)}, {1, 2, Real(0.125)}, ahead, false,
-          "in the slab of x from t = 1 on, but of y only until 1/4: all three must overlap");
+          "it is in the slab of x from t = 1 on, but in that of y only until 1/4: all three must "
+          "overlap");
     check(unit, {2, Real(0.5), Real(0.5)}, {1, Real(0.125), Real(0.125)}, ahead, false,
           "the box is behind the ray");
 }
@@ -65,7 +66,7 @@ TEST_CASE("07.1 a ray may run backwards along each axis", "[07.1]") {
 
 TEST_CASE("07.1 only what lies within the interval counts", "[07.1]") {
     const Vec3 o{-2, Real(0.5), Real(0.25)}, d{1, Real(0.125), Real(0.125)};  // from t = 2 to 3
-    check(unit, o, d, {0, 1}, false, "the box begins behind the end of the interval");
+    check(unit, o, d, {0, 1}, false, "the box begins after the end of the interval");
     check(unit, o, d, {4, 9}, false, "the box ends before the interval begins");
     check(unit, o, d, {0, Real(2.5)}, true, "they overlap from 2 to 2.5");
     check(unit, o, d, {Real(2.25), Real(2.5)}, true, "the interval lies within the box");
@@ -99,9 +100,9 @@ TEST_CASE("07.1 rays in a face or an edge count as hits", "[07.1][hard]") {
             for (const Real way : {Real(1), Real(-1)})
                 for (const Real face : {Real(0), Real(1)}) {
                     const char* const hint =
-                        "0 * infinity is not a number: this plane must not decide, whether it is "
-                        "the nearer or the farther one. std::min(a, b) and std::max(a, b) return a "
-                        "where a comparison with b fails";
+                        "0 * infinity is NaN: this plane must not decide, whether it is the nearer "
+                        "or the farther one. std::min(a, b) and std::max(a, b) return a if their "
+                        "comparison is false";
                     const Real before = Real(0.5) - 2 * way;
                     check(unit, turned({before, face, Real(0.5)}, axis),
                           turned({way, a, Real(0.125) * way}, axis), ahead, true, hint);
@@ -138,8 +139,8 @@ TEST_CASE("07.1 empty boxes and empty intervals are never hit", "[07.1][hard]") 
 TEST_CASE("07.1 the margin makes the box larger", "[07.1][hard]") {
     const Vec3 above{-1, Real(1.5), Real(0.5)}, flat{1, Real(0.0625), 0};
     const char* const hint =
-        "the ray passes a little more than 1/2 above the box: a margin of 1 reaches it, of 1/2 "
-        "not. The low plane goes down by the margin and the high one up, once";
+        "the ray passes a little more than 1/2 above the box: a margin of 1 reaches it, one of 1/2 "
+        "does not. The low plane moves down by the margin and the high one up, once";
     check(unit, above, flat, ahead, false, hint, 0);
     check(unit, above, flat, ahead, false, hint, Real(0.25));
     check(unit, above, flat, ahead, false, hint, Real(0.5));
@@ -147,15 +148,16 @@ TEST_CASE("07.1 the margin makes the box larger", "[07.1][hard]") {
     for (const Real way : {Real(1), Real(-1)}) {
         const Vec3 from{Real(0.5), Real(0.5) - 2 * way, Real(-0.5)};
         const char* const in_face =
-            "straight up or down in a face of the grown box, which begins at t = 1: the low plane "
-            "goes down and the high one up, whichever of them the ray comes to first";
+            "the ray runs straight up or down in a face of the enlarged box, which begins at t = "
+            "1: the low plane moves down and the high one up, whichever of them the ray meets "
+            "first";
         check(unit, from, {0, way, 0}, ahead, true, in_face, Real(0.5));
         check(unit, from, {0, way, 0}, {0, 1}, true, in_face, Real(0.5));
     }
 }
 
-// All in whole numbers times powers of two, in which nothing is rounded: near misses from afar, at
-// all scales, each axis with its own.
+// Everything is a whole number times a power of two, so nothing is rounded: near misses from afar,
+// at all scales, with a different one for each axis.
 TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
     rt::Rng rng{71, 1};
     const auto whole = [&](long low, long high) {
@@ -169,7 +171,7 @@ TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
         const long margin = same_scale ? std::max(0L, whole(-4, 4)) : 0;
         const long size = 1L << whole(2, for_this_precision(16, 38));
         const long far = 1L << whole(2, for_this_precision(16, 38));
-        const long t = whole(-far / 4, far);  // of a place near the box
+        const long t = whole(-far / 4, far);  // of a point near the box
         const auto near_t = [&] {             // in quarters
             const long kind = whole(0, 5);
             return kind == 0   ? always * (whole(0, 1) * 2 - 1)
@@ -181,7 +183,7 @@ TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
             return std::ldexp(static_cast<Real>(quarters), t_power - 2);
         };
         const bool empty = i % 32 == 0;
-        const int axis = static_cast<int>(whole(0, 2));  // along it the direction is not 0
+        const int axis = static_cast<int>(whole(0, 2));  // the direction is not 0 along this one
         bool expected = !empty, zero = false;
         long first = -always, last = always;  // quarters of t
         Real origin[3], direction[3], low[3], high[3];
@@ -218,19 +220,18 @@ TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
         const Real grown = std::ldexp(static_cast<Real>(margin), power);
         if (hit_box(box, bare(vec(origin), vec(direction), grown), within) == expected) continue;
         check(box, vec(origin), vec(direction), within, expected,
-              empty  ? "this is the empty box, Box{}: it is left before it is entered"
-              : zero ? "a component of the direction is 0: see the cases with zeros and faces"
-              : margin
-                  ? "each low plane goes down by the margin and each high one up"
-                  : "nothing is rounded here: touching counts, both ends of the interval count, "
-                    "and nothing else does, be the numbers large or small",
+              empty    ? "this is the empty box, Box{}: it is left before it is entered"
+              : zero   ? "a component of the direction is 0: see the cases with zeros and faces"
+              : margin ? "each low plane goes down by the margin and each high one up"
+                       : "nothing is rounded here: touching counts, both ends of the interval "
+                         "count, and nothing else does, whether the numbers are large or small",
               grown);
         return;
     }
 }
 
-// Rays in any direction, which leave one slab just before or just after they enter another: past an
-// edge, or over it.
+// Rays in any direction that leave one slab just before or just after they enter another: they pass
+// an edge of the box, or just cut it.
 TEST_CASE("07.1 a near miss is a miss in any direction", "[07.1][hard]") {
     rt::Rng rng{71, 2};
     for (int i = 0; i < 4000; ++i) {
@@ -260,11 +261,10 @@ TEST_CASE("07.1 a near miss is a miss in any direction", "[07.1][hard]") {
         if (by < rounding || max_component(low - high) < 4 * by) continue;
         const SlabRay ray = bare(origin, d, margin);
         if (hit_box({low, high}, ray, ahead) == over) continue;
-        check(
-            {low, high}, origin, d, ahead, over,
-            over ? "it goes over an edge of the box, within it for a short way"
-                 : "it passes an edge of the box, not far from it: the margin is all that is added",
-            margin);
+        check({low, high}, origin, d, ahead, over,
+              over ? "it just cuts an edge of the box: it is inside for a short way"
+                   : "it passes close to an edge of the box: nothing but the margin is added",
+              margin);
         return;
     }
 }

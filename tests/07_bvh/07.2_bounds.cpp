@@ -78,7 +78,8 @@ TEST_CASE("07.2 two boxes join to one", "[07.2]") {
     check(inside, a, a, hint);
     const Box point{{3, 0, 0}, {3, 0, 0}}, flat{{3, 0, 0}, {4, 0, 1}};
     const char* const not_empty =
-        "a box of one point, or a flat one, is not empty; only Box{} is, and needs no case";
+        "a box of one point, or a flat one, is not empty; only Box{} is, and it needs no special "
+        "case";
     check(a, point, {{0, 0, 0}, {3, 1, 1}}, not_empty);
     check(point, a, {{0, 0, 0}, {3, 1, 1}}, not_empty);
     check(flat, a, {{0, 0, 0}, {4, 1, 1}}, not_empty);
@@ -110,7 +111,7 @@ TEST_CASE("07.2 boxes of all sizes join exactly", "[07.2][hard]") {
 TEST_CASE("07.2 the empty box adds nothing", "[07.2][hard]") {
     const Box a{{-5, -6, -7}, {-2, -3, -4}};
     const char* const hint =
-        "the empty box reaches from infinity to -infinity; it needs no case of its own";
+        "the empty box reaches from infinity to -infinity; it needs no special case";
     check_join({}, a, a, hint);
     check_join(a, {}, a, hint);
     check_join({}, {}, {}, hint);
@@ -128,8 +129,8 @@ TEST_CASE("07.2 no ray hits a sphere and misses its box", "[07.2][hard]") {
                           << checkpoint::text(sphere.radius) << ", " << checkpoint::text(ray)
                           << ": hit at t = " << checkpoint::text(*t));
         FAIL("your " << checkpoint::text(box)
-                     << " is missed.\nHint: does [07.1] pass, with the ray's margin? Then the box "
-                        "is too small: see the case of the margin above");
+                     << " is missed.\nHint: does [07.1] pass, with the ray's margin? If so, the "
+                        "box is too small: see the test of the margin above");
         return false;
     };
     int hits = 0;
@@ -137,7 +138,7 @@ TEST_CASE("07.2 no ray hits a sphere and misses its box", "[07.2][hard]") {
         const Real size = any_size(rng, -4, 4);
         const Sphere sphere{size * in_cube(rng), any_size(rng, -2, 2)};
         const Spheres only{{sphere, 0}};
-        // At the tip of the sphere along an axis its box is as near as it gets.
+        // At the sphere's tips along the axes, its box is nearest.
         const int axis = i % 3;
         const auto turn = [&](Vec3 v) {
             for (int k = 0; k < axis; ++k) v = {v.z, v.x, v.y};

@@ -10,7 +10,7 @@
 
 using namespace checkpoint;
 
-// Counts what is taken from the heap.
+// Counts the memory that is taken from the heap.
 namespace {
 std::size_t allocations = 0, allocated_bytes = 0;
 }
@@ -44,18 +44,18 @@ std::vector<Box> boxes_at(const std::vector<Vec3>& middles) {
     return boxes;
 }
 
-// What a learner sees of these two if the program dies in them.
+// What a learner sees if the program crashes in one of these two.
 int split_in_half(std::span<int> order, const std::vector<Box>& boxes) {
     INFO(
-        "Hint, if this crashes: a and b of the lambda are numbers of spheres already, boxes[a] and "
-        "not boxes[order[a]]; and it compares with < and never with <=");
+        "Hint, if this crashes: a and b of the lambda are already numbers of spheres, so write "
+        "boxes[a] and not boxes[order[a]]; and compare with <, never with <=");
     return rt::split_in_half(order, boxes);
 }
 
 std::unique_ptr<rt::TreeNode> tree_of(std::vector<int>& order, const std::vector<Box>& boxes) {
     INFO(
-        "Hint, if this crashes: does split_in_half pass? Then: boxes is passed on as it is, of the "
-        "order a part; and a leaf has no children to build");
+        "Hint, if this crashes: does split_in_half pass? If so: pass on all of boxes, but only a "
+        "part of the order; and a leaf has no children to build");
     return rt::build_node(std::span{order}, 0, std::span{boxes}, rt::split_in_half);
 }
 
@@ -67,8 +67,8 @@ std::vector<int> first_sorted(std::span<const int> order, std::size_t count) {
 
 const std::string ascending = "ascending";
 
-// How the numbers are ordered along the axis along which their middles lie farthest apart. Middles
-// may be rounded in more than one way: what differs by that counts as equal.
+// How the numbers are ordered along the axis along which their centers lie farthest apart. Centers
+// may be rounded in more than one way: if they differ only by that, they count as equal.
 std::string order_of_middles(std::span<const int> order, const std::vector<Box>& boxes) {
     Box middles;
     Real largest = 0;
@@ -88,14 +88,14 @@ std::string order_of_middles(std::span<const int> order, const std::vector<Box>&
         const auto before = [&](int a, int b) { return middle(a) < middle(b) - rounding; };
         const auto out = std::is_sorted_until(order.begin(), order.end(), before);
         if (out == order.end()) return ascending;
-        wrong = along_axis[axis] + (" a middle at " + text(middle(*(out - 1)))) +
+        wrong = along_axis[axis] + (" a center at " + text(middle(*(out - 1)))) +
                 " comes before one at " + text(middle(*out));
     }
     return wrong;
 }
 
-// Goes down a learner's tree and builds it once more beside it, on a list of its own. Splits give
-// the same for the same part.
+// Walks down a learner's tree and builds it again beside it, on a list of its own. A split returns
+// the same result for the same part.
 template <class Split>
 void follow(const rt::TreeNode& node, std::span<int> order, int first,
             const std::vector<Box>& boxes, const Split& split, int level) {
@@ -105,16 +105,16 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
     const int left =
         level < rt::most_levels ? split(order, boxes) : rt::split_in_half(order, boxes);
     const std::string where = "a node at level " + std::to_string(level) + " over " +
-                              std::to_string(order.size()) + " numbers from place " +
+                              std::to_string(order.size()) + " numbers from index " +
                               std::to_string(first) + " on, " + std::to_string(left) +
-                              " of which go to the left";
+                              " of them to the left";
     if (!(node.box == around)) {
         INFO(where);
         INFO("Hint: " << (level > rt::most_levels
                               ? "is it the part of the order that you think? From level "
                                 "most_levels on call split_in_half, and each call is one level "
                                 "deeper"
-                              : "join boxes[number] of the numbers in order, and no others"));
+                              : "join boxes[number] for the numbers in order, and no others"));
         REQUIRE(checkpoint::text(node.box) == checkpoint::text(around));
     }
     const char* const expected = left == 0 ? "a leaf" : "a node with two children";
@@ -124,8 +124,8 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
     if (std::string{expected} != actual) {
         INFO(where);
         INFO(
-            "Hint: for every part ask split, at level most_levels and deeper split_in_half, and "
-            "nothing else; only 0 makes a leaf. Both children are one level deeper");
+            "Hint: for every part call split, or at level most_levels and deeper split_in_half, "
+            "and nothing else; only 0 makes a leaf. Both children are one level deeper");
         REQUIRE(std::string{actual} == expected);
     }
     if (left == 0) {
@@ -154,10 +154,10 @@ TEST_CASE("07.3 a few spheres need no split", "[07.3]") {
         const auto boxes = boxes_at(std::vector<Vec3>(static_cast<std::size_t>(count)));
         auto order = numbers(boxes.size());
         const int left = split_in_half(order, boxes);
-        INFO(count << " spheres at one place");
+        INFO(count << " spheres in one place");
         INFO(
-            "Hint: up to leaf_size spheres stay together: return 0. Of more, half go to the left, "
-            "wherever they are");
+            "Hint: up to leaf_size spheres stay together: return 0. If there are more, half go to "
+            "the left, wherever they are");
         CHECK(left == (count <= rt::leaf_size ? 0 : count / 2));
     }
 }
@@ -177,14 +177,14 @@ TEST_CASE("07.3 half of the spheres go to the left", "[07.3]") {
         INFO("41 spheres, farthest apart along axis " << axis << "; yours: left " << left);
         REQUIRE(left == 20);
         CHECK(from_smallest(order) == numbers(41));
-        INFO("no middle may lie behind that of the next number in order, along this axis");
+        INFO("no center may lie beyond that of the next number in order, along this axis");
         CHECK(order_of_middles(order, boxes) == ascending);
     }
 }
 
-// At all scales and far from the origin, with other boxes between; often one axis is hardly longer
-// than the next, and often most of the middles are close together.
-TEST_CASE("07.3 numbers are sorted along the longest axis of their middles", "[07.3][hard]") {
+// At all scales and far from the origin, with other boxes in between. Often one axis is hardly
+// longer than the next, and often most of the centers are close together.
+TEST_CASE("07.3 numbers are sorted along the longest axis of their centers", "[07.3][hard]") {
     rt::Rng rng{73, 9};
     for (int i = 0; i < 1500; ++i) {
         const Real size = any_size(rng, -15, 15);
@@ -220,14 +220,14 @@ TEST_CASE("07.3 numbers are sorted along the longest axis of their middles", "[0
         REQUIRE(left == static_cast<int>(order.size()) / 2);
         REQUIRE(from_smallest(sorted) == from_smallest(order));
         INFO(
-            "Hint: only the numbers in order count. Join their middles, take the longest axis of "
-            "that, and sort all of them by the same middles along this axis");
+            "Hint: only the numbers in order count. Join their centers, take the longest axis of "
+            "the result, and sort all of them by the same centers along this axis");
         REQUIRE(order_of_middles(sorted, boxes) == ascending);
     }
 }
 
-TEST_CASE("07.3 middles decide and not corners", "[07.3]") {
-    // The corners are far apart along x, but all middles are at x = 0; they are apart along y.
+TEST_CASE("07.3 centers decide and not corners", "[07.3]") {
+    // The corners are far apart along x, but all centers are at x = 0; they are apart along y.
     std::vector<Box> boxes;
     for (int i = 0; i < 8; ++i) {
         const Real y = static_cast<Real>((i * 5) % 8) * 3;
@@ -237,10 +237,10 @@ TEST_CASE("07.3 middles decide and not corners", "[07.3]") {
     auto order = numbers(8);
     REQUIRE(split_in_half(order, boxes) == 4);
     {
-        INFO("the boxes are longest along x, but all their middles have the same x: sort along y");
+        INFO("the boxes are longest along x, but all their centers have the same x: sort along y");
         CHECK(first_sorted(order, 4) == std::vector<int>{0, 2, 5, 7});
     }
-    // All are apart along x, every second one so wide that its corners are out of the row.
+    // All are apart along x, but every second one is so wide that its corners are out of order.
     boxes.clear();
     for (int i = 0; i < 8; ++i) {
         const Real x = static_cast<Real>(3 * i), wide = i % 2 == 0 ? Real(1) : Real(100);
@@ -248,12 +248,13 @@ TEST_CASE("07.3 middles decide and not corners", "[07.3]") {
     }
     order = {7, 2, 5, 0, 3, 6, 1, 4};
     REQUIRE(split_in_half(order, boxes) == 4);
-    INFO("the middles are at x = 0, 3, 6 ... 21: sort by box.center(), and by neither corner");
+    INFO("the centers are at x = 0, 3, 6 ... 21: sort by box.center(), and by neither corner");
     CHECK(first_sorted(order, 4) == std::vector<int>{0, 1, 2, 3});
 }
 
 TEST_CASE("07.3 the axis depends on this part alone", "[07.3]") {
-    // Eight boxes far apart along x, which are none of ours; ours are apart along y.
+    // Eight boxes far apart along x that do not belong to this part; its own boxes
+    // are apart along y.
     std::vector<Vec3> middles;
     for (int i = 0; i < 8; ++i) middles.push_back({static_cast<Real>(100 * i), 0, 0});
     for (int i = 0; i < 8; ++i) middles.push_back({500, static_cast<Real>((i * 5) % 8) * 3, 0});
@@ -261,11 +262,11 @@ TEST_CASE("07.3 the axis depends on this part alone", "[07.3]") {
     auto order = numbers(16);
     REQUIRE(split_in_half(std::span{order}.subspan(8), boxes) == 4);
     INFO(
-        "boxes has 16 boxes, but order only the numbers 8 to 15, whose middles have the same x: "
-        "sort along y");
+        "boxes has 16 boxes, but order has only the numbers 8 to 15, whose centers have the same "
+        "x: sort along y");
     INFO(
-        "Hint: for (int number : order) take boxes[number]; start from the empty box, Box{}, as a "
-        "box at (0, 0, 0) is none of them");
+        "Hint: for (int number : order) take boxes[number]; start from the empty box, Box{}, "
+        "because a box at (0, 0, 0) is not one of them");
     CHECK(first_sorted(std::span{order}.subspan(8), 4) == std::vector<int>{8, 10, 13, 15});
 }
 
@@ -279,8 +280,7 @@ TEST_CASE("07.3 the box of a node is around its part alone", "[07.3]") {
     const Box expected{{29, 4, 4}, {81, 6, 6}};
     INFO("the numbers 8, 7, 5, 3: expected a " << checkpoint::text(expected) << ", but yours is a "
                                                << checkpoint::text(root->box));
-    INFO(
-        "Hint: for (int number : order) join boxes[number], to the node's box, which starts empty");
+    INFO("Hint: for (int number : order) join boxes[number] to the node's box, which starts empty");
     CHECK(checkpoint::text(root->box) == checkpoint::text(expected));
 }
 
@@ -355,12 +355,12 @@ TEST_CASE("07.3 the list is not copied", "[07.3]") {
     CHECK(bytes == nodes * sizeof(rt::TreeNode));
 }
 
-TEST_CASE("07.3 the root of a part knows its place", "[07.3]") {
+TEST_CASE("07.3 the root of a part knows where it begins", "[07.3]") {
     const auto boxes = rt::bounds_of(random_spheres(9));
     std::vector<int> order = numbers(9);
     const auto root =
         rt::build_node(std::span{order}.subspan(5), 5, std::span{boxes}, rt::split_in_half);
-    INFO("a leaf over the part of the order from place 5 on has first = 5");
+    INFO("a leaf over the part of the order from index 5 on has first = 5");
     REQUIRE(root->is_leaf());
     CHECK(root->first == 5);
     CHECK(root->count == 4);
@@ -392,8 +392,7 @@ TEST_CASE("07.3 bad splits do not make it deep", "[07.3][hard]") {
         CHECK(largest <= rt::leaf_size);
     }
     INFO("a split that takes off one sphere at a time; yours has "
-         << levels
-         << " levels.\nHint: at level most_levels and deeper call split_in_half in its place");
+         << levels << " levels.\nHint: at level most_levels and deeper call split_in_half instead");
     CHECK(levels >= rt::most_levels);
     // 64 are taken off, and halves of the other 1936 have 4 or fewer after 9 levels.
     CHECK(levels <= rt::most_levels + 10);

@@ -33,13 +33,13 @@ struct ByHand {
         rt::Search search{spheres, order, ray, within};
         {
             INFO(
-                "Hint, if this crashes: a leaf has no children, so return after its spheres; these "
-                "are at the places first ... first + count - 1 of search.order");
+                "Hint, if this crashes: a leaf has no children, so return after its spheres; they "
+                "are at the indices first ... first + count - 1 of search.order");
             rt::find_nearest(root, search);
         }
         INFO(
-            "sphere 2 is in no leaf.\nHint: a leaf's places are first ... first + count - 1: < and "
-            "not <=");
+            "sphere 2 is in no leaf.\nHint: a leaf's indices are first ... first + count - 1: < "
+            "and not <=");
         CHECK(search.nearest != 2);
         return search;
     }
@@ -53,7 +53,7 @@ void check_winner(const rt::Search& search, const Winner& expected, const char* 
     if (!same) CHECK(text(found) == text(expected));
 }
 
-// A search of another type, which meets spheres that have been moved.
+// A search of another type: it meets spheres that have been moved.
 struct MovedSearch : rt::Search {
     std::span<const Vec3> motions;
 
@@ -64,8 +64,8 @@ struct MovedSearch : rt::Search {
     }
 };
 
-// A tree over this part of an order, of a shape that split chooses: how many of so many places go
-// to the left, 0 for a leaf.
+// A tree over this part of an order, in a shape that split chooses: given a number of spheres,
+// split says how many of them go to the left, or 0 for a leaf.
 std::unique_ptr<rt::TreeNode> shaped_tree(const std::vector<int>& order,
                                           const std::vector<Box>& boxes, int first, int count,
                                           const std::function<int(int)>& split) {
@@ -92,7 +92,7 @@ std::vector<int> shuffled(int count, rt::Rng& rng) {
     return order;
 }
 
-// What a search must be after it went through a tree, here by a list of the nodes that wait.
+// What a search must be after it has gone through a tree, computed with a list of waiting nodes.
 void expect_of(const rt::TreeNode& root, rt::Search& search) {
     std::vector<const rt::TreeNode*> waiting{&root};
     while (!waiting.empty()) {
@@ -183,7 +183,7 @@ TEST_CASE("07.4 near ties are decided by t and ties by number", "[07.4][hard]") 
         std::vector<Vec3> motions;
         const int count = 2 + static_cast<int>(rng() % 4);
         for (int k = 0; k < count; ++k) {
-            // Farther away by nothing, by a rounding, or by anything more.
+            // Farther away by nothing, by one rounding, or by more.
             const Real by = rng() % 3 == 0 ? Real(0) : any_size(rng, rng() % 2 ? -17 : -8, 0);
             const bool behind = rng() % 16 == 0;
             add(spheres, middle + (by - (behind ? 20 : 0)) * size * d, size);
@@ -210,7 +210,7 @@ TEST_CASE("07.4 near ties are decided by t and ties by number", "[07.4][hard]") 
             count << " spheres whose hits are almost or exactly at the same t; the first is hit at "
                   << text(rt::hit_sphere(there[0].shape, ray, {}).value_or(-1)));
         INFO(
-            "Hint: compare t with == and <, and only at the same t the numbers. Ask each sphere "
+            "Hint: compare t with == and <, and the numbers only at the same t. Test each sphere "
             "once, by search.meets_sphere");
         REQUIRE(state(search) == state(after));
     }
@@ -246,25 +246,24 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
     }
     boxes /= rays;
     tests /= rays;
-    const char* hint = "does [07.3] pass? If so, look at find_nearest and at what it asks";
+    const char* hint = "does [07.3] pass? If so, look at what find_nearest tests";
     if (boxes == 0)
-        hint = "ask search.meets(node.box): it counts, and knows the interval that boxes need";
+        hint = "call search.meets(node.box): it counts, and knows the interval that boxes need";
     else if (tests == 0)
-        hint = "ask search.meets_sphere(number): it counts";
+        hint = "call search.meets_sphere(number): it counts";
     else if (boxes >= 1000)
         hint =
-            "return at once where search.meets(node.box) is false; if you do, all boxes are too "
-            "large: does [07.3] pass?";
+            "return at once if search.meets(node.box) is false. If you do so already, all boxes "
+            "are too large: does [07.3] pass?";
     else if (tests > boxes / 2)
-        hint = "a leaf has a box, too: ask it before its spheres";
+        hint = "a leaf has a box, too: test it before its spheres";
     else if (boxes > 95)
         hint =
-            "ask each box only once: either a node its own or its parent, but not both. And is "
-            "search.within.max moved to each hit?";
-    INFO("4096 spheres, 2047 boxes; for a ray yours tests " << boxes << " boxes and " << tests
-                                                            << " spheres. Expected are about 79 "
-                                                               "and 30.\nHint: "
-                                                            << hint);
+            "test each box only once: either the node tests its own box or its parent does, but "
+            "not both. And do you move search.within.max to each hit?";
+    INFO("4096 spheres, 2047 boxes; per ray yours tests "
+         << boxes << " boxes and " << tests
+         << " spheres; expected about 79 and 30.\nHint: " << hint);
     CHECK(boxes < 95);
     CHECK(boxes > 20);
     CHECK(tests < 40);
@@ -272,7 +271,7 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
 }
 
 TEST_CASE("07.4 hits move the end of the search", "[07.4]") {
-    // 1000 spheres behind each other: behind the first hit there is nothing to look for.
+    // 1024 spheres, one behind the other: behind the first hit there is nothing to look for.
     Spheres spheres;
     for (int i = 0; i < 1024; ++i) add(spheres, {static_cast<Real>(i), 0, 0}, Real(0.25));
     const rt::SphereTree tree = rt::make_tree(spheres, rt::split_in_half);
@@ -280,8 +279,8 @@ TEST_CASE("07.4 hits move the end of the search", "[07.4]") {
     INFO("a ray along a row of 1024 spheres; yours tests " << search.box_tests << " boxes and "
                                                            << search.sphere_tests << " spheres.");
     INFO(
-        "Hint: left comes before right, and what lies behind a hit is not met any more once "
-        "search.within.max is the hit's t");
+        "Hint: the left child comes before the right one, and nothing behind a hit is met anymore "
+        "once search.within.max is the hit's t");
     check_winner(search, {0, Real(4.75)}, "the first in the row");
     CHECK(search.sphere_tests <= 8);
     CHECK(search.box_tests <= 30);
@@ -320,16 +319,16 @@ TEST_CASE("07.4 each box that counts is asked once and left before right", "[07.
             INFO("a tree of " << count << " spheres, " << text(ray) << ", t from "
                               << text(within.min) << " to " << text(within.max));
             INFO(
-                "Hint: ask a node's box once, by search.meets, before anything below it; then the "
-                "left child with all below it, and only then the right one. A leaf's spheres are "
-                "asked once each");
+                "Hint: test a node's box once, by search.meets, before anything below it. Then "
+                "comes the left child with everything below it, and only then the right one. Test "
+                "each of a leaf's spheres once");
             REQUIRE(state(search) == state(expected));
         }
     }
 }
 
 TEST_CASE("07.4 a tree may have 84 levels", "[07.4][hard]") {
-    // most_levels, and 20 for halves of a million. From either end of a row of spheres.
+    // most_levels, and 20 more to halve a million. From either end of a row of spheres.
     const int levels = rt::most_levels + 20;
     Spheres spheres;
     for (int i = 0; i < levels; ++i) add(spheres, {static_cast<Real>(i), 0, 0}, Real(0.25));
@@ -346,12 +345,12 @@ TEST_CASE("07.4 a tree may have 84 levels", "[07.4][hard]") {
             const Ray ray{{start, 0, 0}, {static_cast<Real>(way), 0, 0}};
             rt::Search search{spheres, order, ray, {}}, expected = search;
             {
-                INFO("Hint, if this crashes: what waits may be as much as the tree has levels");
+                INFO("Hint, if this crashes: as many nodes may wait as the tree has levels");
                 rt::find_nearest(*tree, search);
             }
             expect_of(*tree, expected);
             INFO("a tree of " << levels << " levels, with one sphere beside each node");
-            INFO("Hint: no limit of your own, on levels or on nodes that wait");
+            INFO("Hint: set no limit of your own, neither on levels nor on waiting nodes");
             CHECK(state(search) == state(expected));
         }
     }
@@ -380,8 +379,8 @@ TEST_CASE("07.4 many threads search one tree", "[07.4][hard]") {
     int others = 0;
     for (auto& thread : threads) others += thread.get();
     INFO(
-        "rays that hit something else when four threads search at the same time.\nHint: nothing "
-        "may be static: what belongs to one ray is in its search");
+        "how many rays hit something else when four threads search at the same time.\nHint: "
+        "nothing may be static: what belongs to one ray is in its search");
     CHECK(others == 0);
 }
 

@@ -47,8 +47,8 @@ std::vector<int> sorted_along(int axis, const std::vector<Box>& boxes, std::vect
     return order;
 }
 
-// The least cost of a leaf and of all splits between different middles, tried one by one. In which
-// order equal middles come is the learner's choice.
+// The lowest cost of a leaf and of all splits between different centers, tried one by one. The
+// learner chooses in which order equal centers come.
 double best_cost(const std::vector<int>& numbers, const std::vector<Box>& boxes) {
     double best = double(numbers.size());
     for (int axis = 0; axis < 3; ++axis) {
@@ -85,36 +85,37 @@ void check_split(const std::vector<int>& part, const std::vector<Box>& boxes) {
     if (cost > best * factor) {
         std::string hint =
             "try every k from 1 to count - 1 along every axis: 1 * area(A) + k * area(left) + "
-            "(count - k) * area(right). In the end the numbers must be sorted along the axis that "
-            "k "
-            "belongs to";
+            "(count - k) * area(right). In the end, the numbers must be sorted along the axis that "
+            "k belongs to";
         if (k == 0)
             hint =
-                "a split is cheaper than a leaf here. The 1 counts area(A), when everything is "
-                "multiplied by it, and A is around the boxes of this part";
+                "a split is cheaper than a leaf here. Everything is multiplied by area(A), so the "
+                "1 becomes area(A); and A is the box around this part";
         else if (best >= leaf)
             hint = "a leaf is cheaper than any split: its cost is count * area(A)";
         else if (order.size() > 10)  // with few spheres it may be chance
             for (int axis = 0; axis < 3; ++axis)
-                if (cost_of(sorted_along(axis, boxes, order), k, boxes) <= best * factor)
-                    hint = std::string{"this number is right for the order along "} + "xyz"[axis] +
-                           ": sort along the best axis once more";
+                if (cost_of(sorted_along(axis, boxes, order), k, boxes) <= best * factor) {
+                    hint =
+                        "sort along the best axis once more: this count is right for the order "
+                        "along ";
+                    hint += "xyz"[axis];
+                }
         INFO(part.size() << " spheres, yours puts " << left << " of them to the left, at a cost of "
                          << cost << "; the best costs " << best << ", a leaf " << leaf
                          << ".\nHint: " << hint);
         REQUIRE(text(Real(cost)) == text(Real(best)));
     }
     if (k == 0) return;
-    // In the very order that came back no other k may be better.
+    // In the order that was returned, no other k may be better.
     for (std::size_t other = 1; other < part.size(); ++other) {
         const double better = cost_of(order, other, boxes);
         if (cost <= better * factor) continue;
-        INFO(part.size() << " spheres, yours puts " << left << " of them to the left, at a cost of "
-                         << cost << "; the same order with " << other << " to the left costs "
-                         << better
-                         << ".\nHint: was this the order that was measured? Sorted once more, "
-                            "equal middles must come in the same order: of two such let the lower "
-                            "number be first");
+        INFO(part.size()
+             << " spheres, yours puts " << left << " of them to the left, at a cost of " << cost
+             << "; the same order with " << other << " to the left costs " << better
+             << ".\nHint: is this the order whose costs you computed? If you sort once more, equal "
+                "centers must come in the same order: put the lower number first");
         REQUIRE(text(Real(cost)) == text(Real(better)));
     }
 }
@@ -200,8 +201,8 @@ TEST_CASE("07.5 the cheapest of all splits is found", "[07.5]") {
             check_split(rt::bounds_of(random_spheres(count, seed)));
 }
 
-// Few boxes at a time, for a leaf often costs nearly as much as a split; of all sizes; with other
-// boxes, which do not count, between them; some at one place.
+// Few boxes at a time, because then a leaf often costs nearly as much as a split. They have all
+// sizes, some are in one place, and between them are other boxes, which do not count.
 TEST_CASE("07.5 the cheapest of all splits or a leaf for any part of a scene", "[07.5][hard]") {
     rt::Rng rng{75, 5};
     for (int i = 0; i < 4000; ++i) {
@@ -272,21 +273,20 @@ TEST_CASE("07.5 a leaf where it is cheaper", "[07.5]") {
     const Box unit{{0, 0, 0}, {1, 1, 1}};
     expect_leaf({unit}, "one sphere cannot be split");
     expect_leaf(std::vector<Box>(12, unit),
-                "12 boxes at one place: any split costs 1 + 12, a leaf 12");
+                "12 boxes in one place: any split costs 1 + 12, a leaf 12");
     expect_leaf({unit, {{Real(1.5), 0, 0}, {Real(2.5), 1, 1}}},
-                "the split costs 1 + (6 + 6) / 12 = 2, just as a leaf: it must be cheaper");
+                "the split costs 1 + (6 + 6) / 12 = 2, the same as a leaf: it must be cheaper");
 }
 
 TEST_CASE("07.5 only this part counts", "[07.5]") {
-    // Numbers 0 to 5 are huge, and none of ours.
+    // Numbers 0 to 5 are huge, and do not belong to this part.
     std::vector<Box> boxes(6, cube({0, 0, 0}, 1000));
     for (int i = 0; i < 6; ++i) boxes.push_back(cube({5, 0, 0}, Real(0.5)));
     auto order = numbers(boxes.size());
     const int left = rt::split_by_area(std::span{order}.subspan(6), boxes);
-    HINT(
-        Real(0), static_cast<Real>(left),
-        "6 equal boxes at one place, a leaf. A is the box around those whose numbers are in order: "
-        "for (int number : order) join boxes[number]");
+    HINT(Real(0), static_cast<Real>(left),
+         "6 equal boxes in one place make a leaf. A is the box around those whose numbers are in "
+         "order: for (int number : order) join boxes[number]");
     CHECK(left == 0);
 }
 
@@ -307,16 +307,15 @@ TEST_CASE("07.5 rays test less in its tree", "[07.5]") {
         tests_half += a.box_tests + a.sphere_tests;
         tests_area += b.box_tests + b.sphere_tests;
     }
-    INFO("tests a ray: " << tests_half / 300 << " in the sorted tree, " << tests_area / 300
-                         << " in yours by area");
-    INFO(
-        "Hint: if all above passes, and [07.4], too: is A, the box around all, that of this part?");
+    INFO("tests per ray: " << tests_half / 300 << " in the sorted tree, " << tests_area / 300
+                           << " in yours by area");
+    INFO("Hint: if everything above passes, and [07.4] too: is A the box around this part alone?");
     CHECK(4 * tests_area < 3 * tests_half);
 }
 
 TEST_CASE("07.5 the empty box has no surface", "[07.5][hard]") {
     const Real empty = surface_area(Box{});
-    HINT(Real(0), empty, "box.size() of the empty box is 0, high - low is minus infinity");
+    HINT(Real(0), empty, "box.size() of the empty box is 0, but high - low is minus infinity");
     CHECK(empty == 0);
 }
 
@@ -329,8 +328,8 @@ TEST_CASE("07.5 hard scenes are split well", "[07.5][hard]") {
     }
 }
 
-TEST_CASE("07.5 equal middles keep the order that was measured", "[07.5][hard]") {
-    // All middles are at one place: sorting may leave the huge box anywhere.
+TEST_CASE("07.5 equal centers keep the order whose cost was computed", "[07.5][hard]") {
+    // All centers are in one place: sorting may leave the huge box anywhere.
     rt::Rng rng{75, 7};
     for (int i = 0; i < 60; ++i) {
         const int count = 17 + static_cast<int>(rng() % 60);
@@ -343,10 +342,10 @@ TEST_CASE("07.5 equal middles keep the order that was measured", "[07.5][hard]")
         {
             auto split = order;
             const int left = rt::split_by_area(split, boxes);
-            INFO(count << " boxes with the same middle, one of them huge: whatever the rule for "
-                          "equal middles, the rest can be kept apart from some of them\nHint: any "
-                          "k may be the best, also where the middles to its left and right are "
-                          "equal");
+            INFO(
+                count << " boxes with the same center, one of them huge: whatever the rule for "
+                         "equal centers, the rest can be kept apart from some of them\nHint: any k "
+                         "may be the best, even where the centers to its left and right are equal");
             REQUIRE(left > 0);
         }
         check_split(order, boxes);
@@ -355,8 +354,8 @@ TEST_CASE("07.5 equal middles keep the order that was measured", "[07.5][hard]")
 
 TEST_CASE("07.5 many spheres do not take long", "[07.5][hard]") {
     const auto boxes = rt::bounds_of(random_spheres(4000));
-    // Beside the time of the sorting, which any solution needs: little more than that, and more
-    // than 30 times as much with the boxes of one side computed anew for each k.
+    // Compared with the time of sorting, which any solution needs: little more than that, but more
+    // than 30 times as much if the boxes of one side are computed again for each k.
     double ratio = 0;
     int left = 0;
     for (int attempt = 0; attempt < 3; ++attempt) {
@@ -369,10 +368,10 @@ TEST_CASE("07.5 many spheres do not take long", "[07.5][hard]") {
         ratio = all / (sorting + 1.0 / CLOCKS_PER_SEC);
         if (ratio < 15) break;
     }
-    INFO("4000 spheres: yours takes " << ratio
-                                      << " times the time of sorting them.\nHint: let a box grow "
-                                         "by one sphere a step, from either end, and keep the "
-                                         "areas; the sorting is the longest part then");
+    INFO("4000 spheres: yours takes "
+         << ratio
+         << " times the time of sorting them.\nHint: let a box grow by one sphere per step, from "
+            "either end, and keep the areas. Then the sorting takes longest");
     CHECK(ratio < 15);
     INFO("yours puts " << left << " of 4000 to the left");
     CHECK(left > 1325);

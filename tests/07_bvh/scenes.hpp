@@ -40,7 +40,7 @@ inline std::vector<int> from_smallest(std::vector<int> numbers) {
     return numbers;
 }
 
-// As many spheres in a cube from -1 to 1; about as much of it is full for any number.
+// This many spheres in a cube from -1 to 1. For any number, about the same share of it is full.
 inline Spheres random_spheres(int count, std::uint64_t seed = 1) {
     rt::Rng rng{seed, 7};
     Spheres spheres;
@@ -59,7 +59,7 @@ inline std::vector<NamedScene> hard_scenes() {
         return scenes.back().spheres;
     };
     scenes.reserve(16);
-    Spheres& coincident = scene("20 spheres at one place");
+    Spheres& coincident = scene("20 spheres in one place");
     for (int i = 0; i < 20; ++i) add(coincident, {Real(0.25), 0, 0}, Real(0.5));
     Spheres& nested = scene("20 spheres within each other");
     for (int i = 1; i <= 20; ++i) add(nested, {}, static_cast<Real>(i) / 20);
@@ -118,7 +118,7 @@ inline Ray any_ray(const Spheres& spheres, rt::Rng& rng, int kind) {
         }
         case 5:  // from inside a sphere
             return {c + Real(0.9) * r * rng.uniform() * any_direction(rng), any_direction(rng)};
-        case 6: {  // from the surface, as rounding has it, along the surface
+        case 6: {  // from the surface, up to rounding, along the surface
             const Vec3 n = any_direction(rng), other = any_direction(rng);
             return {c + r * n, other - n * (other.x * n.x + other.y * n.y + other.z * n.z)};
         }

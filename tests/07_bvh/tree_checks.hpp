@@ -27,8 +27,8 @@ inline int check_places(const rt::TreeNode& node, int first) {
         return left + check_places(*node.right, first + left);
     }
     if (node.first != first || node.count < 1) {
-        INFO("a leaf holds " << node.count << " spheres from place " << node.first
-                             << " on; expected 1 or more from place " << first
+        INFO("a leaf holds " << node.count << " spheres from index " << node.first
+                             << " on; expected 1 or more from index " << first
                              << " on, where the leaves to the left of it end.\nHint: the right "
                                 "part begins at first + how many went to the left");
         REQUIRE(node.first == first);
@@ -40,7 +40,7 @@ inline int check_places(const rt::TreeNode& node, int first) {
 inline void check_node(const rt::TreeNode& node, const std::vector<int>& order,
                        const std::vector<Box>& boxes, std::vector<int>& leaves_of) {
     if (node.is_leaf()) {
-        INFO("a leaf of " << node.count << " from place " << node.first << " on");
+        INFO("a leaf of " << node.count << " from index " << node.first << " on");
         REQUIRE_FALSE(node.right);
         REQUIRE(node.count >= 1);
         REQUIRE(node.first >= 0);
@@ -51,7 +51,7 @@ inline void check_node(const rt::TreeNode& node, const std::vector<int>& order,
             if (node.box.contains(boxes[sphere])) continue;
             INFO("its " << text(node.box) << " does not contain its sphere's "
                         << text(boxes[sphere])
-                        << ".\nHint: join boxes[number] of all numbers in order, and no others");
+                        << ".\nHint: join boxes[number] for all numbers in order, and no others");
             REQUIRE(text(rt::join(node.box, boxes[sphere])) == text(node.box));
         }
         return;
@@ -59,16 +59,16 @@ inline void check_node(const rt::TreeNode& node, const std::vector<int>& order,
     REQUIRE(node.right);
     for (const rt::TreeNode* child : {node.left.get(), node.right.get()})
         if (!node.box.contains(child->box)) {
-            INFO("a node's "
-                 << text(node.box) << " does not contain its child's " << text(child->box)
-                 << ".\nHint: join boxes[number] of all numbers in order, and pass boxes "
-                    "on as it is: it belongs to the whole scene");
+            INFO("a node's " << text(node.box) << " does not contain its child's "
+                             << text(child->box)
+                             << ".\nHint: join boxes[number] for all numbers in order, and pass "
+                                "boxes on as it is: it belongs to the whole scene");
             REQUIRE(text(rt::join(node.box, child->box)) == text(node.box));
         }
     const Box both = rt::join(node.left->box, node.right->box);
     if (!(both == node.box)) {
         INFO("a node's " << text(node.box) << " is larger than its children's " << text(both)
-                         << ".\nHint: join boxes[number] of the numbers in order, and no others");
+                         << ".\nHint: join boxes[number] for the numbers in order, and no others");
         REQUIRE(text(node.box) == text(both));
     }
     check_node(*node.left, order, boxes, leaves_of);

@@ -71,7 +71,7 @@ TEST_CASE("08.1 a sphere with a map is an instance", "[08.1]") {
     for (const int map : {0, 1}) {
         scene.spheres[0].map = map;
         check(scene, {.mirror = true, .instances = true},
-              "the sphere has a map, and a material as others have: maps count from 0");
+              "the sphere has a map, and a material like any other: maps are numbered from 0");
     }
 }
 
@@ -116,8 +116,8 @@ TEST_CASE("08.1 a closed shutter stops all motion", "[08.1][hard]") {
     check(scene, {.motion = true}, "the velocity (-1, 0, 1) adds up to 0, but is motion");
     scene.spheres[0].velocity = {0, for_this_precision(Real(1e-30), Real(1e-200)), 0};
     check(scene, {.motion = true},
-          "the slowest motion is one, and its square is too small for a number: compare with "
-          "Vec3{}");
+          "even the slowest motion is motion, and its square is too small for a number: compare "
+          "with Vec3{}");
 }
 
 TEST_CASE("08.1 fog without density and a lens without opening are none", "[08.1][hard]") {
@@ -126,16 +126,16 @@ TEST_CASE("08.1 fog without density and a lens without opening are none", "[08.1
     scene.camera.lens = {0, 7};
     check(scene, {}, "the fog's density is 0, and the aperture as well");
     scene.fog->density = std::numeric_limits<Real>::min();
-    check(scene, {.fog = true}, "the thinnest fog still is fog");
+    check(scene, {.fog = true}, "even the thinnest fog is fog");
     scene.fog = rt::Fog{{{0, 0, 0}, 5}, Real(0.2), {0, 0, 0}};
     check(scene, {.fog = true},
           "fog of the color black scatters nothing, but like smoke it dims what is behind it");
     scene = ball_of(matte);
     scene.camera.lens.aperture = Real(1e-9);
-    check(scene, {.lens = true}, "a scene may be small: an aperture of 1e-9 still is one");
+    check(scene, {.lens = true}, "a scene may be small: even an aperture of 1e-9 is one");
 }
 
-// Scenes of all that there is, each often just not visible, with the effects that they call for.
+// Scenes with everything there is, much of it just not visible, and the effects that they call for.
 TEST_CASE("08.1 any scene calls for what can be seen of it", "[08.1][hard]") {
     rt::Rng rng{81, 1};
     const auto one_of = [&](unsigned n) { return rng() % n == 0; };
@@ -151,7 +151,7 @@ TEST_CASE("08.1 any scene calls for what can be seen of it", "[08.1][hard]") {
         scene.camera.shutter = one_of(3) ? Real(0) : short_time ? any_number() : Real(0.5);
         scene.camera.lens = {one_of(2) ? Real(0) : any_number(), any_size(rng, -6, 6)};
         expected.lens = scene.camera.lens.aperture > 0;
-        // Where there is none, there was one before: whoever reads it all the same finds that.
+        // Where there is no fog, there was fog before: code that reads it anyway finds the old one.
         scene.fog = rt::Fog{{{9, 9, 9}, any_size(rng, -3, 3)}, 1, {1, 1, 1}, rng.uniform(-1, 1)};
         if (one_of(2)) {
             scene.fog.reset();
@@ -236,7 +236,7 @@ TEST_CASE("08.1 any scene calls for what can be seen of it", "[08.1][hard]") {
                                         << text(scene.camera.lens.aperture) << list);
         INFO(
             "Hint: lens and fog are there with or without spheres, a sphere of any material may "
-            "move, and what one sphere calls for no other one takes back");
+            "move, and what one sphere calls for, no other sphere takes back");
         REQUIRE(names(found) == names(expected));
     }
 }

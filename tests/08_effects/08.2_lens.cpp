@@ -26,18 +26,18 @@ Camera camera_at(Vec3 from, Vec3 along, Real scale = 1) {
 const Vec2 middle{Real(0.5), Real(0.5)};
 
 // Rounding of a direction of length 1: the point on the viewport, three products and their sums,
-// normalize. The largest that an orderly computation may come to is a few times less.
+// normalize. The largest rounding of any orderly computation is a few times smaller.
 constexpr Real direction_error = rt::rounding_bound(40);
 
 void check_close(Vec3 computed, Vec3 expected, Real allowed, const char* hint) {
     if (max_component(computed - expected) <= allowed) return;
-    INFO("they differ by " << text(max_component(computed - expected)) << ", allowed are "
+    INFO("they differ by " << text(max_component(computed - expected)) << "; the limit is "
                            << text(allowed));
     INFO("Hint: " << hint);
     CHECK(text(computed) == text(expected));
 }
 
-// Any camera, lens and place of the picture; the lens small or large beside the distance of focus.
+// Any camera, lens and pixel. The lens is small or large compared with the distance of focus.
 struct Case {
     Camera camera;
     Lens lens;
@@ -76,8 +76,8 @@ Vec2 on_lens(const Case& any, Vec2 place) {
     return {rt::dot(off, any.camera.basis.u) / radius, rt::dot(off, any.camera.basis.v) / radius};
 }
 
-// The places on the lens: as far from its middle as the share of the area within it says, and
-// turned by the share of a turn from where place.y = 0 is, to one side or the other.
+// The sample points on the lens. Each is as far from the middle as its share of the area says, and
+// turned, to one side or the other, by its share of a turn from where place.y = 0 is.
 void check_places(const Case& any, rt::Rng& rng) {
     const Real rounding = rt::rounding_bound(60) +
                           8 * rt::epsilon * max_component(any.camera.eye) / any.lens.aperture;
@@ -105,14 +105,14 @@ void check_places(const Case& any, rt::Rng& rng) {
         INFO(text_of(any) << ", place " << text(x) << ", " << text(y));
         if (std::abs(away - std::sqrt(x)) > rounding) {
             INFO(
-                "how far the ray starts from the eye, of half the aperture.\nHint: the radius is "
-                "the root of the share of the area within it, place.x");
+                "how far from the eye the ray starts, in halves of the aperture.\nHint: the radius "
+                "is the square root of place.x, the share of the area within it");
             REQUIRE(text(away) == text(std::sqrt(x)));
         }
         if (apart(at, expected) > rounding) {
             const auto pair = [](Vec2 v) { return '(' + text(v.x) + ", " + text(v.y) + ')'; };
             INFO(
-                "where the ray starts, to the right and up of the eye, in halves of the aperture; "
+                "where the ray starts, to the right of the eye and up, in halves of the aperture; "
                 "for place.y = 0 that is "
                 << pair(on_lens(any, {x, 0}))
                 << ".\nHint: place.y is the share of a turn, and a full turn is 2 pi");
@@ -130,11 +130,12 @@ void check_direction(const Case& any, Vec2 place) {
     const Vec3 expected =
         rt::normalize(any.camera.basis.to_world({p.x - share * at.x, p.y - share * at.y, -1}));
     INFO(text_of(any) << ", place " << text(place.x) << ", " << text(place.y));
-    // Seen from a lens that is large beside the distance, the eye's rounded place counts more.
+    // If the lens is large compared with the distance, the rounding of the eye's
+    // position counts more.
     const Real eye = max_component(any.camera.eye) / any.lens.focus_distance;
     check_close(ray.direction, expected, direction_error + 8 * rt::epsilon * eye,
                 "from (x, y) on the lens it goes along (p.x - x / f, p.y - y / f, -1), turned by "
-                "the camera's basis; p is the place of this offset in the pixel");
+                "the camera's basis; p is the point of the viewport at this offset in the pixel");
 }
 
 // The point of a ray in the plane of focus.
@@ -186,7 +187,7 @@ TEST_CASE("08.2 all rays of a pixel meet in the plane of focus", "[08.2]") {
                                            << ", place " << text(place.x) << ", " << text(place.y));
                     {
                         INFO("the direction has length " << text(rt::length(ray.direction))
-                                                         << ", and must have 1: normalize it");
+                                                         << "; expected 1: normalize it");
                         if (!(std::abs(rt::length(ray.direction) - 1) <= direction_error))
                             REQUIRE(text(rt::length(ray.direction)) == "1");
                     }
@@ -194,7 +195,7 @@ TEST_CASE("08.2 all rays of a pixel meet in the plane of focus", "[08.2]") {
                     {
                         INFO(
                             "the ray starts at the eye, as if there were no lens.\nHint: the "
-                            "origin moves along u and v, to the place on the lens");
+                            "origin moves along u and v, to the sample point on the lens");
                         if (off == Vec3{}) REQUIRE(text(ray.origin) != text(usual.eye));
                     }
                     INFO("seen by the camera, to the right and up, the ray starts at "
@@ -227,20 +228,21 @@ TEST_CASE("08.2 the lens is a disk that faces the direction of view", "[08.2]") 
             if (tilt > rt::rounding_bound(30) * 4) CHECK(text(tilt) == "0");
         }
         INFO(
-            "Hint: the aperture is the diameter: no place is farther from the eye than half of it");
+            "Hint: the aperture is the diameter: no sample point is farther from the eye than half "
+            "of it");
         CHECK(rt::length(off) < lens.aperture * Real(0.501));
     });
     {
-        INFO("the farthest of 256 places, which may be 0.4 off");
+        INFO("the farthest of 256 sample points: it should be almost 0.4 off the eye");
         CHECK(farthest > Real(0.39));
     }
-    INFO("the mean of the places is off the eye by "
+    INFO("the mean of the sample points is off the eye by "
          << text(rt::length(sum / 256))
          << ".\nHint: they lie all the way around the eye: a full turn is 2 pi");
     CHECK(rt::length(sum / 256) < Real(0.001));
 }
 
-TEST_CASE("08.2 the places are spread evenly over the lens", "[08.2]") {
+TEST_CASE("08.2 the sample points are spread evenly over the lens", "[08.2]") {
     rt::Rng rng{82, 1};
     check_places({usual, {2, 3}, 80, 45, middle}, rng);
     for (int i = 0; i < 40; ++i) check_places(any_case(rng, 1, -2, 0), rng);
@@ -277,7 +279,7 @@ TEST_CASE("08.2 lenses of all sizes and distances of focus", "[08.2][hard]") {
 }
 
 TEST_CASE("08.2 far from the origin no digits are lost", "[08.2][hard]") {
-    // A pixel's place in the world has few digits left here, its direction has them all.
+    // A pixel's position in the world has few digits left here, but its direction has them all.
     const Real far = for_this_precision(Real(3e4), Real(3e12));
     const Lens lens{Real(0.01), 1};
     const Camera near = camera_at({0, 0, 0}, {0, 0, -1});
@@ -287,9 +289,9 @@ TEST_CASE("08.2 far from the origin no digits are lost", "[08.2][hard]") {
         const Vec3 expected = rt::lens_ray(near, lens, 150, 4, middle, place).direction;
         const Vec3 direction = rt::lens_ray(moved, lens, 150, 4, middle, place).direction;
         check_close(direction, expected, direction_error,
-                    "the direction does not depend on where the eye is: do not go from a point in "
-                    "the world to another, but from a place on the lens to a place in the plane of "
-                    "focus, both seen from the eye");
+                    "the direction does not depend on where the eye is: do not go from one point "
+                    "of the world to another, but from a point on the lens to a point in the plane "
+                    "of focus, both relative to the eye");
     });
 }
 
@@ -303,7 +305,7 @@ TEST_CASE("08.2 at any scale the directions are the same", "[08.2][hard]") {
             const Ray ray = rt::lens_ray(scaled, scaled_lens, 10, 80, middle, place);
             INFO("everything times " << text(scale));
             check_close(ray.direction, expected.direction, 4 * direction_error,
-                        "nothing but ratios of lengths may count");
+                        "only ratios of lengths may count");
             check_close(ray.origin / scale, expected.origin, rt::rounding_bound(60) * 4,
                         "the origin scales with the scene");
         });
@@ -312,7 +314,7 @@ TEST_CASE("08.2 at any scale the directions are the same", "[08.2][hard]") {
 
 TEST_CASE("08.2 a lens in focus at the far end of all numbers is a pinhole for stars",
           "[08.2][hard]") {
-    // The lens is nothing against the distance: all rays of a pixel are parallel.
+    // Compared with the distance, the lens is nothing: all rays of a pixel are parallel.
     const Lens lens{Real(0.5), std::numeric_limits<Real>::max() / 8};
     const Vec3 expected = rt::primary_ray(usual, 12, 70, middle).direction;
     for_each_place(5, [&](Vec2 place) {

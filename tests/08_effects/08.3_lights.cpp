@@ -27,8 +27,8 @@ void check_near(Real computed, Real expected, Real allowed) {
     if (!(std::abs(computed - expected) <= allowed)) CHECK(text(computed) == text(expected));
 }
 
-// The formula rounds 7 times on its way at most, so that it is right within 7 units.
-// A scale that is a power of two rounds nothing.
+// The formula rounds 7 times at most, so it is right within 7 units. A scale that is a power of
+// two rounds nothing.
 void check_height(Real radius, Real distance, Real scale = 1) {
     const Exact expected = exact_height(radius, distance);
     const Real height = rt::cone_height(scale * radius, scale * distance);
@@ -41,9 +41,8 @@ void check_height(Real radius, Real distance, Real scale = 1) {
                          ? "1 - cos a loses its digits where the light is small or far, and 1 - "
                            "sin^2 a where "
                            "it is close: use 1 - cos a = sin^2 a / (1 + cos a), and (d - r) (d + r)"
-                         : "at this size d^2 and (d - r) (d + r) are no numbers any more: divide "
-                           "each factor "
-                           "by d first"));
+                         : "at this size d^2 and (d - r) (d + r) overflow or underflow: divide "
+                           "each factor by d first"));
     CHECK(text(height) == text(expected));
 }
 
@@ -60,8 +59,8 @@ LightSample sampled(const Sphere& light, Vec3 from, Vec2 place) {
 const char* hint_on_size(Real radius, Real distance) {
     const Real squared = distance * distance;
     if (squared == 0 || squared > std::numeric_limits<Real>::max())
-        return ".\nHint: at this size (d - r) (d + r) is no number any more: divide a factor by d "
-               "first, from inside by r";
+        return ".\nHint: at this size (d - r) (d + r) overflows or underflows: divide a factor by "
+               "d first, from inside by r";
     if (distance > 100 * radius)
         return ".\nHint: the sine of a small angle is sqrt(k (2 - k)); 1 - cos^2 has no digits "
                "left";
@@ -82,8 +81,8 @@ void check_sample(const Sphere& light, Vec3 from, Vec2 place) {
         INFO("the direction's length must be 1 within 5 epsilon: normalize it");
         if (!(std::abs(length - 1) <= rt::rounding_bound(10))) CHECK(text(length) == "1");
     }
-    // At the rim the ray's place on the light changes with the root of what is rounded; what has to
-    // be right is the point's place along the normal.
+    // At the rim, the point that the ray meets moves with the root of the rounding error. What has
+    // to be right is the point's position along the normal.
     const Vec3 point = sample.distance * sample.direction - apart;
     {
         const Real away = rt::length(point);
@@ -94,7 +93,7 @@ void check_sample(const Sphere& light, Vec3 from, Vec2 place) {
     }
     {
         INFO("the light's surface must lie ahead, not behind: a distance is never negative");
-        // On the surface itself the way to it may be 0.
+        // On the surface itself, the distance to it may be 0.
         CHECK((distance == light.radius ? sample.distance >= 0 : sample.distance > 0));
     }
     // The near side: the one that is seen.
@@ -152,7 +151,7 @@ void check_cone(const Sphere& light, Vec3 from, rt::Rng& rng) {
             REQUIRE(text(density) == text(expected));
     }
     if (rounding > Real(0.01)) return;
-    // Beside the middle, in units of the widest.
+    // How far a sample's direction is from the middle, in units of the widest.
     const auto beside = [&](Real x, Real y) {
         const Vec3 d = sampled(light, from, {x, y}).direction;
         return Vec2{rt::dot(d, basis.u) / widest, rt::dot(d, basis.v) / widest};
@@ -181,9 +180,8 @@ void check_cone(const Sphere& light, Vec3 from, rt::Rng& rng) {
         INFO("place " << text(x) << ", " << text(y));
         if (!(std::abs(away - sine) <= rounding)) {
             INFO(
-                "the sine of the angle to the middle, by that of the rim.\nHint: with k = place.x "
-                "* "
-                "h the cosine is 1 - k and the sine sqrt(k (2 - k))");
+                "the sine of the angle to the middle, divided by that of the rim.\nHint: with k = "
+                "place.x * h the cosine is 1 - k and the sine sqrt(k (2 - k))");
             REQUIRE(text(away) == text(sine));
         }
         if (!(gap(at, expected) <= 2 * rounding)) {
@@ -222,8 +220,8 @@ TEST_CASE("08.3 the density is one over the solid angle", "[08.3]") {
         check_near(density, expected, rt::rounding_bound(30) * expected);
     }
     const Real inside = rt::light_density(usual, usual.center + Vec3{Real(0.2), 0, Real(0.1)});
-    INFO("from inside expected " << text(1 / (4 * rt::pi)) << ", but yours gives " << text(inside)
-                                 << ".\nHint: there the light is seen in every direction");
+    INFO("from inside: expected " << text(1 / (4 * rt::pi)) << ", but yours gives " << text(inside)
+                                  << ".\nHint: there the light is seen in every direction");
     check_near(inside, 1 / (4 * rt::pi), 4 * rt::epsilon);
 }
 
@@ -268,7 +266,7 @@ TEST_CASE("08.3 lights of all sizes at all distances", "[08.3][hard]") {
         const Real share = any_size(rng, i % 2 ? -1 : for_this_precision(-3, -9), 0);
         const Real radius = std::min(share, Real(0.99)) * distance;
         const Vec3 from = center + distance * any_direction(rng);
-        // Where the place of the one or the other is rounded, so is their distance.
+        // Where the position of one or the other is rounded, so is their distance.
         if (rt::length(from - center) > Real(1.001) * radius)
             check_cone({center, radius}, from, rng);
     }
@@ -291,16 +289,16 @@ TEST_CASE("08.3 the samples are spread evenly over the light as it is seen", "[0
         ++observed[static_cast<std::size_t>(6 * i + j)];
     });
     const double statistic = chi_square(observed, expected);
-    INFO("36 parts of equal solid angle get 100 of 3600 places each; chi-square is "
-         << statistic << ", of right code below " << chi_square_limit(35)
+    INFO("36 parts of equal solid angle should get 100 of 3600 sample points each; chi-square is "
+         << statistic << "; expected less than " << chi_square_limit(35)
          << ".\nHint: the height of the cap, 1 - cos, is spread evenly, not the angle to the "
             "middle; and the turn goes all the way around, 2 pi");
     CHECK(statistic < chi_square_limit(35));
 }
 
 TEST_CASE("08.3 a facing light gives the irradiance of the textbook", "[08.3]") {
-    // E = pi L sin^2 a. Over places in the middle of equal strips the mean of cos / density is
-    // exact, since the cosine changes evenly with place.x.
+    // E = pi L sin^2 a. Over sample points in the middle of equal strips, the mean of cos / density
+    // is exact, because the cosine changes evenly with place.x.
     const Real radiance = 3;
     for (const Real distance : {Real(1.01), Real(2), Real(10), Real(1000)}) {
         const Sphere light{{0, distance, 0}, 1};
@@ -322,9 +320,9 @@ TEST_CASE("08.3 two ways to find the same light count once in total", "[08.3]") 
     const auto check = [](Real density, Real other, Real expected) {
         INFO("densities " << text(density) << " and " << text(other));
         HINT(exact(expected), rt::shared_weight(density, other),
-             density != 0 && other != 0 ? "density^2 / (density^2 + other^2)"
-                                        : "of a ratio, divide the smaller density by the larger: "
-                                          "one of them may be 0");
+             density != 0 && other != 0
+                 ? "density^2 / (density^2 + other^2)"
+                 : "divide the smaller density by the larger, because one of them may be 0");
         check_near(rt::shared_weight(density, other), expected, 4 * rt::epsilon);
     };
     check(2, 2, Real(0.5));
@@ -343,7 +341,7 @@ TEST_CASE("08.3 two ways to find the same light count once in total", "[08.3]") 
 TEST_CASE("08.3 small and far lights keep their digits", "[08.3][hard]") {
     for (Real distance = 2; distance < for_this_precision(Real(1e15), Real(1e100)); distance *= 7)
         check_height(1, distance);
-    // The sun, as large as it is, seen from as far.
+    // The sun in its true size, seen from its true distance.
     const Sphere sun{{0, Real(1.496e11), 0}, Real(6.957e8)};
     for_each_place(4, [&](Vec2 place) { check_sample(sun, {0, 0, 0}, place); });
     const Real expected = rt::pi * Real(6.957e8 / 1.496e11) * Real(6.957e8 / 1.496e11);
@@ -362,7 +360,8 @@ TEST_CASE("08.3 just above the surface of a light nothing cancels", "[08.3][hard
 }
 
 TEST_CASE("08.3 at the rim of a light the way to it is a number", "[08.3][hard]") {
-    // The last place before the rim: h and k differ by one unit in the last place, if at all.
+    // The last sample point before the rim: h and k differ by one unit in the
+    // last place, if at all.
     const Real last = 1 - rt::epsilon / 2;
     rt::Rng random{8, 31};
     for (int i = 0; i < 10'000; ++i) {
@@ -375,8 +374,8 @@ TEST_CASE("08.3 at the rim of a light the way to it is a number", "[08.3][hard]"
         INFO("a light of radius " << text(light.radius) << " at distance " << text(height)
                                   << ", place.x = 1 - epsilon / 2: yours gives the distance "
                                   << text(distance)
-                                  << ".\nHint: k may be almost h, and h (2 - h) - k (2 - k) be "
-                                     "rounded below 0; (h - k) (2 - h - k) never is");
+                                  << ".\nHint: k may be almost h, and then h (2 - h) - k (2 - k) "
+                                     "may be rounded to less than 0. (h - k) (2 - h - k) never is");
         REQUIRE(text(distance) == text(std::sqrt(gap * (2 + gap)) * light.radius));
     }
 }
@@ -421,13 +420,13 @@ TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]")
     const double by_zones = chi_square(zones, expected), by_parts = chi_square(parts, expected);
     const double limit = chi_square_limit(199);
     {
-        INFO("200 parts of equal solid angle get "
+        INFO("200 parts of equal solid angle should get "
              << expected[0] << " of " << count
              << " directions each: chi-square by height.\nHint: "
                 "uniform_direction of 04.3");
         CHECK(by_zones < limit);
     }
-    INFO("200 parts of equal solid angle get "
+    INFO("200 parts of equal solid angle should get "
          << expected[0] << " of " << count
          << " directions each: chi-square by the angle around z."
             "\nHint: a full turn is 2 pi");
@@ -446,7 +445,7 @@ TEST_CASE("08.3 huge and tiny scenes overflow nowhere", "[08.3][hard]") {
 }
 
 TEST_CASE("08.3 a light however small is looked for", "[08.3][hard]") {
-    // As long as its cap's height is a number with all digits.
+    // As long as the height of its cap is a number with all its digits.
     const Real smallest = 4 * std::sqrt(std::numeric_limits<Real>::min());
     for (Real ratio = std::sqrt(rt::epsilon) / 4; ratio > smallest; ratio /= 32) {
         const Sphere star{{0, 1, 0}, ratio};
@@ -455,7 +454,7 @@ TEST_CASE("08.3 a light however small is looked for", "[08.3][hard]") {
         for (const Real density : {rt::light_density(star, {0, 0, 0}), sample.density}) {
             INFO("a light of radius " << text(ratio) << " at distance 1: expected the density "
                                       << text(expected) << ", but yours gives " << text(density)
-                                      << ".\nHint: no h is too small that is at least "
+                                      << ".\nHint: an h is not too small if it is at least "
                                          "std::numeric_limits<Real>::min()");
             check_near(density, expected, rt::rounding_bound(30) * expected);
         }
@@ -463,8 +462,8 @@ TEST_CASE("08.3 a light however small is looked for", "[08.3][hard]") {
 }
 
 TEST_CASE("08.3 a light too small for a number is not looked for", "[08.3][hard]") {
-    // Of heights a hundredth more and a hundredth less than that number only the first has a
-    // density.
+    // Of two heights, a hundredth more and a hundredth less than that number, only the
+    // first has a density.
     for (const Real factor : {Real(1.01), Real(0.99)}) {
         const Sphere star{{0, 8, 0},
                           8 * std::sqrt(factor) * std::sqrt(2 * std::numeric_limits<Real>::min())};
@@ -483,10 +482,10 @@ TEST_CASE("08.3 a light too small for a number is not looked for", "[08.3][hard]
                                   << text(rt::cone_height(star.radius, star.center.y)));
         {
             const Real density = rt::light_density(star, {0, 0, 0});
-            INFO("light_density gives " << text(density)
-                                        << " instead of 0.\nHint: below "
-                                           "std::numeric_limits<Real>::min() a number has no full "
-                                           "precision, and one over it may be infinite");
+            INFO("light_density gives "
+                 << text(density)
+                 << " instead of 0.\nHint: below std::numeric_limits<Real>::min() a number does "
+                    "not have full precision, and one over it may be infinite");
             CHECK(density == 0);
         }
         INFO("where light_density is 0, sample_light gives no sample");

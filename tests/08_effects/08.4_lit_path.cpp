@@ -22,7 +22,7 @@ struct FoundByChance : rt::SphereLights {
     bool empty() const { return true; }
 };
 
-// A mean that right code misses in one of 10000 runs: 3.89 standard errors.
+// Checks a mean. Right code misses it in one of 10000 runs: 3.89 standard errors.
 constexpr double limit = 3.89;
 
 double gray(Color color) {
@@ -40,7 +40,7 @@ struct Lit {
         world.spheres.push_back({sphere, static_cast<int>(materials.materials.size())});
         materials.materials.push_back(material);
     }
-    // After all materials.
+    // To be called after all materials are added.
     void add_light(const rt::Sphere& sphere, Color radiance) {
         lights.first_material = static_cast<int>(materials.materials.size());
         world.spheres.push_back(
@@ -62,7 +62,7 @@ struct Lit {
 void check_mean(const Mean& mean, double expected) {
     INFO("mean " << mean.mean() << ", expected " << expected << ", standard error "
                  << mean.standard_error());
-    // Rounding is all that is left where every sample is the same.
+    // If every sample is the same, only rounding is left.
     CHECK(std::abs(mean.mean() - expected) <=
           limit * mean.standard_error() + 1000 * static_cast<double>(rt::epsilon) * expected);
 }
@@ -75,12 +75,12 @@ void check_same(const Mean& a, const Mean& b) {
 }
 
 const rt::Lambertian white{{1, 1, 1}}, gray_matte{{Real(0.5), Real(0.5), Real(0.5)}};
-// A floor: it is convex, so that no light comes to it from itself.
+// A floor: it is convex, so no light comes to it from itself.
 const rt::Sphere floor_ball{{0, -10, 0}, 10};
 const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
 
-// Lights that are chosen as a test says, with one random number; they remember whom they were asked
-// for.
+// Lights that are chosen as a test says, with one random number. They remember the point for
+// which they were asked.
 struct OneSample : rt::SphereLights {
     std::optional<rt::ChosenLight> sample;
     mutable Vec3 asked_from{};
@@ -103,7 +103,7 @@ std::optional<rt::Scatter> scatter(const Absorbing&, Vec3, const rt::Hit&, Rando
     return 0;
 }
 
-// A world that is the same as another one as long as the ray's time is 0.25.
+// A world that finds the same as another one, and requires that the ray's time is 0.25.
 struct AtThatTime {
     const rt::SphereList& world;
     mutable int asked = 0;
@@ -179,8 +179,9 @@ TEST_CASE("08.4 one sample of direct light counts what the formula says", "[08.4
                      "that of the sample: shared_weight(sample.density, density of the place)");
         CHECK(direct.asked == 1);
         direct.goes_on = false;
-        check_direct(direct(), toward / density * radiance,
-                     "where the path does not go on nothing else finds the light: the weight is 1");
+        check_direct(
+            direct(), toward / density * radiance,
+            "where the path does not go on, nothing else finds the light: the weight is 1");
     }
 }
 
@@ -188,11 +189,11 @@ TEST_CASE("08.4 what is in the way or behind the surface gives no light", "[08.4
     const Color black;
     Direct direct{{0, 1, 0}, 5, 1};
     direct.lit.world.spheres.push_back({{{0, 3, 0}, Real(0.5)}, 0});
-    check_direct(direct(), black, "a sphere stands between the place and the light: sees_light");
+    check_direct(direct(), black, "a sphere is between the place and the light: sees_light");
     Direct behind{{0, 1, 0}, 5, 1};
     behind.lit.world.spheres.push_back({{{0, 8, 0}, Real(0.5)}, 0});
     check_direct(behind(), Color{2, 3, 4} * Real(1 / (1 + 1 / (rt::pi * rt::pi))) / rt::pi,
-                 "what stands behind the light is not in the way");
+                 "what is behind the light is not in the way");
     Direct below{{1, Real(-0.5), 0}, 5, 1};
     check_direct(below(), black, "the light lies below the floor: the place's density is 0 there");
     CHECK(below.asked == 0);
@@ -204,7 +205,7 @@ TEST_CASE("08.4 what is in the way or behind the surface gives no light", "[08.4
 TEST_CASE("08.4 direct light comes through the fog", "[08.4][hard]") {
     Direct direct{{0, 1, 0}, 5, 1};
     direct.goes_on = false;
-    // 5 units of the way, of which 2 are foggy; the ray to the floor stays outside.
+    // The way is 5 units long, and 2 of them are foggy; the ray to the floor stays outside.
     direct.lit.fog = {{{{0, 3, 0}, 1}, Real(0.5), {1, 1, 1}, 0}};
     check_direct(direct(), std::exp(Real(-1)) / rt::pi * Color{2, 3, 4},
                  "times place.fog.gets_through(ray, sample.distance), along the new ray");
@@ -263,7 +264,7 @@ TEST_CASE("08.4 a bounce draws the numbers for its light and a mirror draws none
         for (int i = 0; i < of_material; ++i) expected.uniform();
         if (asks) expected();
         INFO(
-            "Hint: the same generator goes to place.scatter and to direct_light, which is asked "
+            "Hint: pass the same generator to place.scatter and to direct_light. Call direct_light "
             "only where the density of the bounce is greater than 0");
         CHECK(random() == expected());
     };
@@ -314,7 +315,7 @@ TEST_CASE("08.4 a light that is seen directly shows its radiance", "[08.4]") {
 TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
     // Facing the light: E = pi L sin^2 a; a white floor sends back E / pi.
     for (const Real distance : {Real(1.2), Real(3), Real(40)}) {
-        // Not where the scene's origin is.
+        // Away from the scene's origin.
         const Vec3 place{5, 2, -3};
         Lit lit;
         lit.add({place + floor_ball.center, floor_ball.radius}, white);
@@ -329,7 +330,9 @@ TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
         const FoundByChance chance{lit.lights};
         check_mean(lit.mean(ray, chance, rt::SkyEnding{}, 2, 40000, 3), expected);
         {
-            INFO("paths end by roulette, in black: they too might have met the light, and share");
+            INFO(
+                "paths end by roulette, in black: they, too, might have met the light, so the "
+                "sample shares with them");
             check_mean(lit.mean(ray, lit.lights, rt::RouletteEnding{Real(0.5)}, 1, 40000, 6),
                        expected);
         }
@@ -402,7 +405,7 @@ TEST_CASE("08.4 what a mirror shows of a light counts in full", "[08.4][hard]") 
     const Mean direct = lit.mean(ray, lit.lights, rt::RouletteEnding{}, 6, 6000, 21);
     const Mean pure = lit.mean(ray, chance, rt::RouletteEnding{}, 6, 20000, 22);
     INFO(
-        "looked for, and found by chance alone; mirrors give a density of 0: then what the path "
-        "finds is all there is, with weight 1");
+        "the light is looked for, and found by chance alone. Mirrors give a density of 0: then "
+        "what the path finds is all there is, with weight 1");
     check_same(direct, pure);
 }

@@ -37,7 +37,7 @@ Mat4 any_map(rt::Rng& rng, Real stretch, Real size) {
     return map;
 }
 
-// A ray from outside or inside towards some point of the ellipsoid, whose direction has any length.
+// A ray from outside or inside toward some point of the ellipsoid, whose direction has any length.
 Ray ray_at(const Instance& instance, rt::Rng& rng, Real size) {
     const Vec3 aim = transform_point(instance.object_to_world, Real(0.9) * in_cube(rng));
     const Vec3 from = rng() % 4 ? aim + 9 * size * any_direction(rng)
@@ -62,7 +62,7 @@ std::string text(const std::optional<Real>& t) {
     return t ? "t = " + checkpoint::text(*t) : "no hit";
 }
 
-// |a - b| is at most so many times the rounding of numbers of this size.
+// Whether |a - b| is at most this many times the rounding of numbers of this size.
 bool is_near(Vec3 a, Vec3 b, Real size, Real times = 64) {
     return max_component(a - b) <= times * rt::epsilon * size;
 }
@@ -70,7 +70,7 @@ bool is_near(Vec3 a, Vec3 b, Real size, Real times = 64) {
 // Twice as long along x, half as long along z, around (5, 0, 0).
 const Mat4 egg{{{{2, 0, 0, 5}, {0, 1, 0, 0}, {0, 0, Real(0.5), 0}, {0, 0, 0, 1}}}};
 
-// How large the numbers are that a map and back leads through.
+// How large the numbers become on the way through a map and back.
 Real terms(const Mat4& m, Vec3 v) {
     Real largest = 0;
     for (int row = 0; row < 3; ++row)
@@ -92,8 +92,8 @@ TEST_CASE("08.5 the ray goes to the object's space", "[08.5]") {
         CHECK(ray.origin == Vec3{2, 2, 2});
     }
     HINT((Vec3{-2, 0, 6}), ray.direction,
-         "the direction (-4, 0, 3) has no place: transform_vector, and its length stays as it "
-         "comes out");
+         "the direction (-4, 0, 3) has no position: use transform_vector, and keep the length that "
+         "it returns");
     CHECK(ray.direction == Vec3{-2, 0, 6});
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("08.5 point and normal are the world's", "[08.5]") {
         CHECK(is_near(hit.normal, expected, 1));
     }
     {
-        INFO("t must be the t of the world's ray, as it was given: 4.1, and yours is "
+        INFO("t must be the t of the world's ray, as it was given: expected 4.1, but yours is "
              << checkpoint::text(hit.t));
         CHECK(hit.t == Real(4.1));
     }
@@ -180,7 +180,7 @@ TEST_CASE("08.5 a matrix that moves and scales alike gives a sphere", "[08.5]") 
         const auto fits = [&] {
             return t && std::abs(*t - *expected) * speed <= 3000 * rt::epsilon * size;
         };
-        // Where it is nearly missed both are all rounding.
+        // Where the ray nearly misses, both are nothing but rounding.
         const Hit there = rt::surface_hit(sphere, ray, *expected);
         if (std::abs(dot(ray.direction, there.normal)) < Real(0.1) * speed) continue;
         if (!fits()) REQUIRE(text(t) == text(expected));
@@ -194,7 +194,7 @@ TEST_CASE("08.5 a matrix that moves and scales alike gives a sphere", "[08.5]") 
     CHECK(hits > 1000);
 }
 
-TEST_CASE("08.5 hits lie on the surface with the normal across it", "[08.5][hard]") {
+TEST_CASE("08.5 hits lie on the surface and the normal is perpendicular to it", "[08.5][hard]") {
     rt::Rng rng{85, 2};
     int hits = 0;
     for (int i = 0; i < 6000; ++i) {
@@ -213,10 +213,11 @@ TEST_CASE("08.5 hits lie on the surface with the normal across it", "[08.5][hard
         {
             INFO("taken back to the object, the point "
                  << text(hit.point) << " is " << text(there) << ", at the distance "
-                 << text(rt::length(there)) << " of the origin; expected 1");
+                 << text(rt::length(there)) << " from the origin; expected 1");
             REQUIRE(std::abs(rt::length(there) - 1) <= 4 * rounding);
         }
-        // Along both directions across `there` the surface is flat: the normal is across them.
+        // The two directions perpendicular to `there`, moved to the world, are tangent to the
+        // surface: the normal is perpendicular to them.
         const rt::Basis basis = rt::orthonormal_basis(rt::normalize(there));
         for (const Vec3 across : {basis.u, basis.v}) {
             const Vec3 along = transform_vector(instance.object_to_world, across);
@@ -289,13 +290,14 @@ TEST_CASE("08.5 the box around an ellipsoid", "[08.5]") {
         if (!is_near(box.high, center + grown, size, 8))
             CHECK(checkpoint::text(box.high) == checkpoint::text(center + grown));
     };
-    check(egg, {2, 1, Real(0.5)}, "the middle is the last column, the reaches stand in the rows");
+    check(egg, {2, 1, Real(0.5)},
+          "the middle is the last column, and the rows say how far it reaches");
     check(multiply(rt::translation({1, 2, 3}),
                    multiply(rt::rotation_z(rt::pi / 4), rt::scaling({4, 3, 1}))),
           {Real(std::sqrt(12.5)), Real(std::sqrt(12.5)), 1},
           "the reach along x is the length of the first row: sqrt(8 + 4.5); columns are not rows");
     check(rt::translation({-100, 0, 0}), {1, 1, 1},
-          "the largest coordinate is by absolute value, of the middle and of the reach");
+          "take the largest coordinate by absolute value, of the middle and of the reach");
 }
 
 TEST_CASE("08.5 boxes are tight and hold their ellipsoids", "[08.5][hard]") {
@@ -306,7 +308,7 @@ TEST_CASE("08.5 boxes are tight and hold their ellipsoids", "[08.5][hard]") {
         const Mat4& m = instance.object_to_world;
         const Box box = rt::bounds_of(instance);
         const Vec3 center{m(0, 3), m(1, 3), m(2, 3)};
-        // The farthest point along x is that whose normal is (1, 0, 0), and so on.
+        // The farthest point along x is the one whose normal is (1, 0, 0), and so on.
         Vec3 half;
         for (int axis = 0; axis < 3; ++axis) {
             const Vec3 row = rt::normalize(Vec3{m(axis, 0), m(axis, 1), m(axis, 2)});

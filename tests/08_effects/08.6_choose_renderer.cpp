@@ -66,7 +66,7 @@ TEST_CASE("08.6 a renderer that lacks an effect is not chosen", "[08.6]") {
           "two effects are needed and number 0 has two, but others");
 }
 
-TEST_CASE("08.6 of those that have all the one with the fewest is chosen", "[08.6]") {
+TEST_CASE("08.6 the narrowest of those that have all is chosen", "[08.6]") {
     const Effects three{.mirror = true, .fuzz = true, .glass = true};
     const Effects four{.mirror = true, .fuzz = true, .glass = true, .fog = true};
     check({.glass = true}, {all, four, three, {.fuzz = true}}, 2, "number 2 has three effects");
@@ -82,7 +82,7 @@ TEST_CASE("08.6 of equals the first is chosen", "[08.6][hard]") {
           "numbers 1, 2 and 3 have one effect each");
 }
 
-TEST_CASE("08.6 when none has all that is said", "[08.6][hard]") {
+TEST_CASE("08.6 if none has all it throws and says so", "[08.6][hard]") {
     const auto refuses = [](const Effects& needed, const std::vector<Effects>& renderers) {
         check(needed, renderers, "std::invalid_argument",
               "none of these has all that is needed: throw std::invalid_argument, with a message "
@@ -109,8 +109,8 @@ TEST_CASE("08.6 for every set of effects", "[08.6][hard]") {
                     expected = "number " + std::to_string(k);
         if (answer(needed, renderers) == expected) continue;
         check(needed, renderers, expected,
-              "of those that have all that is needed the one with the fewest effects, of several "
-              "such the first in the list");
+              "of the renderers that have all that is needed, choose the one with the fewest "
+              "effects; of several such, the first in the list");
         return;
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Places of the unit square for the checkpoints of chapter 08: on a lens, or in a light's cap.
+// Sample points of the unit square for the checkpoints of chapter 08: for a lens, or
+// for a light's cap.
 
 #include <rt/real.hpp>
 #include <rt/vec2.hpp>

@@ -19,7 +19,7 @@ inline rt::SceneDescription scene_with(const rt::Effects& effects) {
     scene.images.push_back(make_image(8, 4, [](int x, int y) {
         return Color{static_cast<Real>(x) / 8, static_cast<Real>(y) / 4, Real(0.5)};
     }));
-    // What no sphere is made of must change nothing.
+    // Materials that no sphere is made of must change nothing.
     scene.materials = {Lambertian{{Real(0.5), Real(0.6), Real(0.4)}},
                        Dielectric{Real(1.3)},
                        Metal{{1, 1, 1}, Real(0.5)},
@@ -56,7 +56,7 @@ inline rt::SceneDescription scene_with(const rt::Effects& effects) {
         add({-2, Real(0.3), 3}, Real(0.2), Emitter{{1, 2, 4}});
     }
     if (effects.instances) {
-        // Beside each other and into each other, and into a plain sphere.
+        // Beside each other, reaching into each other and into a plain sphere.
         const auto add_map = [&](const Mat4& map) {
             add({map(0, 3), map(1, 3), map(2, 3)}, 3, red);
             scene.spheres.back().map = static_cast<int>(scene.maps.size());
@@ -72,7 +72,7 @@ inline rt::SceneDescription scene_with(const rt::Effects& effects) {
 
 inline constexpr unsigned sets_of_effects = 1u << rt::all_effects.size();
 
-// The set of effects whose bits are those of a number below that.
+// The set of effects given by the bits of a number less than sets_of_effects.
 inline rt::Effects numbered_effects(unsigned bits) {
     rt::Effects effects;
     for (std::size_t i = 0; i < rt::all_effects.size(); ++i)

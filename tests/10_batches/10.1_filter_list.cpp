@@ -14,7 +14,7 @@ using Masks = std::vector<std::uint8_t>;
 
 constexpr std::uint32_t unwritten = 0xdeadbeef;  // no list has this path
 
-// Up to twelve of the paths, from this place on.
+// Up to twelve of the paths, from this index on.
 std::string text(const Paths& list, std::size_t from = 0) {
     std::string all = from > 0 ? " ..." : "";
     for (std::size_t i = from; i < list.size() && i < from + 12; ++i)
@@ -30,7 +30,7 @@ std::string binary(const Masks& masks) {
     return '{' + all + (masks.size() > 12 ? " ... }" : " }");
 }
 
-// What it makes of a list. `beside` stands before and behind the masks.
+// What filter_list makes of a list. `beside` is the value before and after the masks.
 void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint8_t beside) {
     Paths expected;
     for (std::size_t i = 0; i < list.size(); ++i)
@@ -52,8 +52,8 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
                      << ", but yours gives " << count << ' ' << text(actual, first));
     {
         INFO(
-            "Hint: `to` has room for as many paths as the list has, and no more: what is written "
-            "before or behind it is somebody else's");
+            "Hint: `to` has room for as many paths as the list has, and no more: the memory before "
+            "and after it belongs to others");
         REQUIRE(to.stands());
     }
     {
@@ -61,7 +61,7 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
         REQUIRE(count == expected.size());
     }
     INFO(
-        "Hint: the paths, not their places in the list, in the same order; masks[i] belongs to "
+        "Hint: the paths, not their indices in the list, in the same order; masks[i] belongs to "
         "list[i]");
     REQUIRE(text(actual, first) == text(expected, first));
 }
@@ -103,7 +103,7 @@ TEST_CASE("10.1 every bit of every list", "[10.1]") {
         }
 }
 
-TEST_CASE("10.1 lists without a path and lists of which all or none go on", "[10.1][hard]") {
+TEST_CASE("10.1 empty lists and lists from which all or none go on", "[10.1][hard]") {
     check_filter({}, {}, 0);
     check_filter({}, {}, 7);
     for (const std::size_t size : {1, 2, 3, 8, 255, 256, 257, 5000, 65'537}) {

@@ -14,7 +14,7 @@ namespace {
 
 using Rays = std::vector<std::uint32_t>;
 
-// Up to ten of the rays, from this place on.
+// Up to ten of the rays, from this index on.
 std::string text(const Rays& rays, std::size_t from = 0) {
     std::string all = from > 0 ? " ..." : "";
     for (std::size_t i = from; i < rays.size() && i < from + 10; ++i)
@@ -38,7 +38,7 @@ std::string text(const Log& log, std::size_t i, std::size_t from) {
            text(log[i].rays, from);
 }
 
-// Fails at the first question that is another one than expected.
+// Fails at the first question that is not the expected one.
 void check_log(const Log& actual, const Log& expected) {
     for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
         std::size_t from = 0;
@@ -54,8 +54,8 @@ void check_log(const Log& actual, const Log& expected) {
             if (expected[i].is_leaf == actual[i].is_leaf && expected[i].number == actual[i].number)
                 hint =
                     "a child gets the rays that meet its box, all of them and no others; if they "
-                    "were right before, what an earlier child wrote has destroyed this node's "
-                    "list or masks: see what room it got";
+                    "were right before, what an earlier child wrote has destroyed this node's list "
+                    "or masks: check which room it got";
         }
         INFO("question " << i << ": expected " << text(expected, i, from) << ", but yours asks "
                          << text(actual, i, from));
@@ -76,7 +76,7 @@ struct LoggedTree {
     std::vector<Question> log;
 
     const Node& at(std::int32_t node) const { return nodes[static_cast<std::size_t>(node)]; }
-    // Whether a ray meets a child's box: anything, but always the same.
+    // Whether a ray meets a child's box: arbitrary, but always the same.
     std::uint8_t mask(std::int32_t node, std::uint32_t ray) const {
         const std::uint64_t random =
             rt::mix_bits(seed * 1'000'003ull + static_cast<std::uint64_t>(node) * 65'537 + ray);
@@ -94,7 +94,7 @@ struct LoggedTree {
         log.push_back({true, child, {list.begin(), list.end()}});
     }
 
-    // What should be asked, in which order.
+    // What should be asked, and in which order.
     void expect(Log& questions, std::int32_t node, const Rays& rays) const {
         questions.push_back({false, node, rays});
         for (const unsigned place : order(node)) {
@@ -161,7 +161,7 @@ void check_descend(int levels, std::uint64_t seed, std::size_t rays, bool is_cha
     INFO("it begins at node " << root << " with " << text(list));
     check_log(tree.log, expected);
     INFO("Hint: there is room for " << levels + 1 << " lists of " << rays
-                                    << " rays and their masks; it writes beside it");
+                                    << " rays and their masks; yours writes beside it");
     REQUIRE(lists.stands());
     REQUIRE(masks.stands());
 }
@@ -193,7 +193,8 @@ TEST_CASE("10.2 a hundred thousand rays", "[10.2][hard]") {
 
 TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come later",
           "[10.2][hard]") {
-    // A chain of nodes, each with a leaf first. Once a ray was in a leaf it meets no box any more.
+    // A chain of nodes, each with a leaf first. Once a ray has been in a leaf, it no
+    // longer meets any box.
     struct Shortened {
         std::vector<char> done = std::vector<char>(8, 0);
         std::array<std::uint8_t, 8> places{0, 1, 2, 3, 4, 5, 6, 7};
@@ -222,6 +223,6 @@ TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come late
     rt::descend(tree, 0, rays, {lists.data(), masks.data()});
     INFO(
         "a chain of four nodes: expected 3, 3, 2 and 2 rays in their tests\nHint: a node is tested "
-        "when its turn has come, not before its neighbor's leaves were visited");
+        "when its turn has come, not before its neighbor's leaves have been visited");
     CHECK(tree.lengths == std::vector<std::size_t>{3, 3, 2, 2});
 }

@@ -76,12 +76,12 @@ void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, cons
     }
     if (same_bits(pack.origin, before.origin) && same_bits(pack.direction, before.direction))
         return;
-    INFO("Hint: of the rays only t and sphere change: the next sphere needs the rest as it was");
+    INFO("Hint: change only t and sphere of the rays: the next sphere needs the rest as it was");
     REQUIRE(same_bits(pack.origin, before.origin));
     REQUIRE(same_bits(pack.direction, before.direction));
 }
 
-// A ray towards the sphere or past it, from outside or from inside.
+// A ray toward the sphere or past it, from outside or from inside.
 rt::Ray any_ray(rt::Rng& rng, const Sphere& sphere, Real largest_distance) {
     const Real r = sphere.radius;
     const Vec3 from = rng() % 4 == 0 ? Real(0.7) * r * in_cube(rng) / 2
@@ -92,8 +92,8 @@ rt::Ray any_ray(rt::Rng& rng, const Sphere& sphere, Real largest_distance) {
     return {sphere.center + from, any_size(rng, -2, 2) / length * along};
 }
 
-// Rays with another sphere as their nearest hit already, at the very same t. Its number is one of
-// `count`, from `lowest` on.
+// Rays that already have another sphere as their nearest hit, at the very same t. Its number is one
+// of `count`, from `lowest` on.
 void check_ties(rt::Rng& rng, PackInteger number, PackInteger lowest, PackInteger count,
                 const char* hint) {
     const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
@@ -180,7 +180,7 @@ TEST_CASE("10.3 one ray of a pack that meets it or one that does not", "[10.3]")
             rays.fill(one_meets ? misses : meets);
             rays[k] = one_meets ? meets : misses;
             check_pack(sphere, 7, rays,
-                       "each ray for itself: what one does is no reason to end for the others");
+                       "each ray by itself: what one does is no reason to stop for the others");
         }
 }
 
@@ -232,7 +232,7 @@ TEST_CASE("10.3 high numbers of spheres", "[10.3][hard]") {
                        "compare the numbers as whole numbers: rays.sphere is a pack of them");
 }
 
-TEST_CASE("10.3 what unused places hold does no harm", "[10.3][hard]") {
+TEST_CASE("10.3 what unused lanes hold does no harm", "[10.3][hard]") {
     rt::Rng rng{103, 5};
     const Real nothing = std::numeric_limits<Real>::quiet_NaN();
     for (int round = 0; round < 2000; ++round) {
@@ -242,7 +242,6 @@ TEST_CASE("10.3 what unused places hold does no harm", "[10.3][hard]") {
             one.ray = any_ray(rng, sphere, 1);
             if (rng() % 2 == 0) one = {{{nothing, 0, nothing}, {0, nothing, rt::infinity}}, 0, -1};
         }
-        check_pack(sphere, 3, rays,
-                   "a ray that is not made of numbers meets nothing and disturbs no other");
+        check_pack(sphere, 3, rays, "a ray that contains NaN meets nothing and disturbs no other");
     }
 }

@@ -31,17 +31,17 @@ void check_pack(const Lots& lots, rt::PackBits active, const char* hint) {
     try {
         directions = rt::cosine_direction(normal, place, active);
     } catch (const std::domain_error&) {
-        INFO("Hint: give `active` to normalize: what has no direction does not matter then");
-        FAIL("it throws because of a place of the pack that is not active");
+        INFO("Hint: pass `active` to normalize: then a lane without a direction does not matter");
+        FAIL("it throws because of a lane of the pack that is not active");
     }
     for (std::size_t i = 0; i < pack_size; ++i) {
         if (!(active >> i & 1)) continue;
         const Vec3 expected = rt::cosine_direction(lots[i].normal, lots[i].place);
         const Vec3 actual = get(directions, i);
         if (std::memcmp(&expected, &actual, sizeof expected) == 0) continue;
-        INFO("place " << i << " of the pack: the normal " << text(lots[i].normal)
-                      << " and the place (" << text(lots[i].place.x) << ", "
-                      << text(lots[i].place.y) << ") of the unit square");
+        INFO("lane " << i << " of the pack: the normal " << text(lots[i].normal)
+                     << " and the sample point (" << text(lots[i].place.x) << ", "
+                     << text(lots[i].place.y) << ") of the unit square");
         INFO("expected " << text(expected) << ", but yours gives " << text(actual)
                          << ".\nHint: " << hint);
         REQUIRE(text(actual) == text(expected));
@@ -75,7 +75,7 @@ TEST_CASE("10.4 the circle goes all the way around", "[10.4]") {
     }
 }
 
-TEST_CASE("10.4 normals along the axes and places at the edge", "[10.4][hard]") {
+TEST_CASE("10.4 normals along the axes and sample points at the edge", "[10.4][hard]") {
     rt::Rng rng{104, 2};
     const Real least = std::numeric_limits<Real>::min();
     const Vec3 axes[]{{1, 0, 0},      {0, 1, 0},     {0, 0, 1},          {-1, 0, 0},
@@ -96,7 +96,7 @@ TEST_CASE("10.4 normals along the axes and places at the edge", "[10.4][hard]") 
     }
 }
 
-TEST_CASE("10.4 what unused places hold does no harm", "[10.4][hard]") {
+TEST_CASE("10.4 what unused lanes hold does no harm", "[10.4][hard]") {
     rt::Rng rng{104, 3};
     const Real nothing = std::numeric_limits<Real>::quiet_NaN();
     for (int round = 0; round < 3000; ++round) {
@@ -115,11 +115,11 @@ TEST_CASE("10.4 what unused places hold does no harm", "[10.4][hard]") {
                     active |= rt::PackBits{1} << i;
             }
         }
-        check_pack(lots, active, "the result is asked for where the bit of `active` is set");
+        check_pack(lots, active, "only lanes whose bit of `active` is set need a result");
     }
 }
 
-TEST_CASE("10.4 any of the places may be active", "[10.4][hard]") {
+TEST_CASE("10.4 any of the lanes may be active", "[10.4][hard]") {
     rt::Rng rng{104, 4};
     const Real nothing = std::numeric_limits<Real>::quiet_NaN();
     for (std::size_t k = 0; k <= pack_size; ++k)

@@ -20,7 +20,7 @@ std::string text(const Numbers& numbers) {
     return '{' + all + (numbers.size() > 12 ? " ... }" : " }");
 }
 
-// What it makes of a list of kinds. `beside` stands before and behind the list.
+// What sort_by_kind makes of a list of kinds. `beside` is the value before and after the list.
 template <std::size_t count>
 void check_sort(const Kinds& kinds, std::uint8_t beside) {
     std::array<std::size_t, count + 1> first_expected{};
@@ -46,7 +46,7 @@ void check_sort(const Kinds& kinds, std::uint8_t beside) {
     {
         INFO(
             "Hint: `sorted` is as long as `kinds`, and nothing must be written beyond its ends: "
-            "does each kind begin at its own place, and go on by one?");
+            "does each kind begin at its own index, and go on by one?");
         REQUIRE(to.stands());
     }
     for (std::size_t place = 0; place < sorted.size(); ++place) {
@@ -55,7 +55,7 @@ void check_sort(const Kinds& kinds, std::uint8_t beside) {
                        << int(kinds[sorted_expected[place]]) << ", but yours gives "
                        << sorted[place]
                        << (sorted[place] == 0xdeadbeef ? ": nothing was written there" : ""));
-        INFO("Hint: the numbers i, not their kinds; those of a kind stay in their order");
+        INFO("Hint: the numbers i, not their kinds; numbers of the same kind stay in their order");
         REQUIRE(sorted[place] == sorted_expected[place]);
     }
 }
@@ -85,7 +85,7 @@ TEST_CASE("10.5 random kinds", "[10.5]") {
         check_sort<2>(some_kinds(rng, size, 2));
         check_sort<5>(some_kinds(rng, size, 5));
         check_sort<8>(some_kinds(rng, size, 8));
-        check_sort<9>(some_kinds(rng, size, 3));  // of six kinds there are none
+        check_sort<9>(some_kinds(rng, size, 3));  // six of the kinds do not occur
     }
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("10.5 two hundred thousand numbers", "[10.5][hard]") {
     rt::Rng rng{105, 3};
     const Kinds kinds = some_kinds(rng, 200'000, 8);
     std::vector<std::uint32_t> sorted(kinds.size());
-    const std::clock_t begin = std::clock();  // the processor's time, whatever else it does
+    const std::clock_t begin = std::clock();  // processor time, whatever else the machine does
     rt::sort_by_kind<8>(kinds, sorted);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     {

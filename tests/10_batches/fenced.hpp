@@ -1,6 +1,6 @@
 #pragma once
-// A list with numbers before and behind it that do not belong to it: what is written there, or read
-// from there, shows.
+// A list with numbers before and after it that do not belong to it: if something is written there,
+// or read from there, it shows.
 
 #include <algorithm>
 #include <span>
@@ -21,7 +21,7 @@ class Fenced {
     Number* data() { return all_.data() + width_; }
     std::size_t size() const { return all_.size() - 2 * width_; }
     std::span<Number> span() { return {data(), size()}; }
-    // Whether nothing was written before or behind the list.
+    // Whether nothing was written before or after the list.
     bool stands() const {
         const auto is_fence = [this](Number number) { return number == fence_; };
         const auto width = static_cast<std::ptrdiff_t>(width_);

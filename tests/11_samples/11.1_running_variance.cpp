@@ -58,10 +58,10 @@ const char* const divisor_hint =
     "squares / (count - 1). The numbers lie nearer to their own mean than to the true one, and one "
     "less makes up for that";
 
-// What is known of the numbers, against their exact mean and squares. Every step may round the mean
-// once or twice, which moves a mean by half a unit of the largest number and hardly shows in the
-// distances: their root mean square is off by 1.4 sqrt(n) units at most in four right ways on
-// 20,000 lists of 2 to 5000 numbers, and may be by 6.
+// Compares what is known of the numbers with their exact mean and squares. Every step may round the
+// mean once or twice, which moves a mean by half a unit of the largest number and hardly shows in
+// the distances. Four right ways were tried on 20,000 lists of 2 to 5000 numbers: the root mean
+// square of the distances was off by 1.4 sqrt(n) units at most. Here 6 are allowed.
 void check_known(const RunningVariance& known, const Numbers& numbers, const char* hint) {
     const auto count = static_cast<double>(numbers.size());
     const auto [mean, squares] = exactly(numbers);
@@ -71,13 +71,13 @@ void check_known(const RunningVariance& known, const Numbers& numbers, const cha
     const double unit = static_cast<double>(rt::epsilon) / 2 * largest;
     INFO(numbers.size() << " numbers " << text(numbers));
     {
-        INFO("Hint: every number counts once, from 0 on");
+        INFO("Hint: the count begins with 0, and every number adds 1");
         REQUIRE(known.count == static_cast<std::int64_t>(numbers.size()));
     }
     if (!(std::abs((mean - Exact(known.mean)).high) <= (count + 4) * unit)) {
         const char* words =
             "a new number moves the mean by its distance from it, divided by how many numbers "
-            "there are with the new one";
+            "there are, including the new one";
         if (only_single_precision(known.mean, mean.high)) words = single_precision_hint;
         INFO("expected the mean " << checkpoint::text(mean) << ", but yours is "
                                   << checkpoint::text(known.mean) << ".\nHint: " << words);
@@ -206,13 +206,13 @@ TEST_CASE("11.1 the variance of two throws of a die is right on average", "[11.1
     }
 }
 
-TEST_CASE("11.1 fewer than two numbers say nothing of the variance", "[11.1]") {
+TEST_CASE("11.1 fewer than two numbers say nothing about the variance", "[11.1]") {
     const auto check = [](const RunningVariance& known) {
         const Real actual = rt::variance(known);
         INFO(text(known));
         HINT(rt::infinity, actual,
-             "of fewer than two numbers nobody knows how far they scatter. 0 would claim that all "
-             "numbers are alike, and 0 / 0 is not a number");
+             "fewer than two numbers do not tell how far numbers scatter. 0 would claim that all "
+             "numbers are alike, and 0 / 0 is NaN");
         REQUIRE(checkpoint::text(actual) == checkpoint::text(rt::infinity));
     };
     check({});
@@ -248,8 +248,8 @@ TEST_CASE("11.1 many places at once do not mix", "[11.1]") {
     }
     for (std::size_t i = 0; i < 20; ++i)
         check_known(known[i], numbers[i],
-                    "all that is remembered stands in `known`: nothing else is kept from one call "
-                    "to the next");
+                    "everything that is remembered is in `known`: nothing else is kept from one "
+                    "call to the next");
 }
 
 TEST_CASE("11.1 far from zero no digits of the spread are lost", "[11.1][hard]") {
@@ -292,7 +292,7 @@ TEST_CASE("11.1 numbers of all sizes", "[11.1][hard]") {
         const RunningVariance known{3, 0, any_size(rng, -2 * most, 2 * most)};
         check_variance(known, Exact(known.squares) / Exact(2), divisor_hint);
     }
-    // One that is far brighter than all others, first and last.
+    // One number that is far brighter than all others, at the start and at the end.
     Numbers numbers(60, 1);
     numbers.front() = 1000;
     check_known(known_of(numbers), numbers, plain_hint);

@@ -19,7 +19,7 @@ std::string text(const RunningVariance& known) {
            ", squares " + checkpoint::text(known.squares);
 }
 
-// Some roundings, each of half a unit in the last place.
+// A few roundings, each of half a unit in the last place.
 constexpr double few_units = 6;
 
 void check_error(const RunningVariance& known, const char* hint) {
@@ -76,8 +76,8 @@ void check_count(Real variance, Real error, std::int64_t most, std::int64_t expe
     check_count(variance, error, most, expected, expected, hint);
 }
 
-// variance / error^2 within some roundings, as whole numbers from 1 to `most`. The exponents go
-// apart from the rest, which neither overflows nor underflows then.
+// variance / error^2 up to a few roundings, as whole numbers from 1 to `most`. The exponents are
+// computed apart from the rest, so nothing overflows or underflows.
 void check_rounded_count(Real variance, Real error, std::int64_t most, const char* hint) {
     int of_variance = 0, of_error = 0;
     const Exact a = std::frexp(variance, &of_variance), b = std::frexp(error, &of_error);
@@ -94,7 +94,7 @@ void check_rounded_count(Real variance, Real error, std::int64_t most, const cha
 
 const char* const count_hint =
     "the standard error is sqrt(variance / count). Set it equal to the error and solve for the "
-    "count; a part of a sample is a whole one more";
+    "count; a part of a sample counts as a whole one";
 const char* const overflow_hint =
     "variance / error^2 may be far larger than a std::int64_t can be, and error * error may lose "
     "its "
@@ -126,7 +126,7 @@ TEST_CASE("11.2 fewer than two numbers leave the error open", "[11.2]") {
         const Real actual = rt::standard_error(known);
         INFO(text(known));
         HINT(rt::infinity, actual,
-             "nothing is known of how far the numbers scatter: the error may be as large as you "
+             "nothing is known about how far the numbers scatter: the error may be as large as you "
              "like");
         REQUIRE(checkpoint::text(actual) == checkpoint::text(rt::infinity));
     }
@@ -155,8 +155,8 @@ TEST_CASE("11.2 how many numbers an error takes", "[11.2]") {
     check_count(9, 2, most, 3, count_hint);  // 2.25
     check_count(1, Real(0.75), most, 2, count_hint);
     check_count(16, 8, most, 1, count_hint);
-    check_count(1, 8, most, 1, "no number at all has no mean: at least 1");
-    check_count(0, 8, most, 1, "no number at all has no mean: at least 1");
+    check_count(1, 8, most, 1, "without any number there is no mean: at least 1");
+    check_count(0, 8, most, 1, "without any number there is no mean: at least 1");
     check_count(4, Real(0.5), 10, 10, "never more than `most`");
     check_count(4, Real(0.5), 16, 16, "never more than `most`");
     check_count(4, Real(0.5), 15, 15, "never more than `most`");
@@ -187,12 +187,12 @@ TEST_CASE("11.2 the error of billions of numbers", "[11.2][hard]") {
 }
 
 TEST_CASE("11.2 without an error the mean is surely right", "[11.2][hard]") {
-    const char* const hint = "0 / 0 is not a number: an error of 0 leaves nothing to chance";
+    const char* const hint = "0 / 0 is NaN: an error of 0 leaves nothing to chance";
     for (const Real distance : {Real(0), -Real(0), smallest, Real(1), largest})
         for (const Real error : {Real(0), -Real(0)}) check_chance(distance, error, 1, hint);
     for (const Real distance : {Real(0), smallest, Real(1), largest})
         check_chance(distance, rt::infinity, 0,
-                     "of a mean with an infinite error nothing is known: no distance is enough");
+                     "nothing is known about a mean with an infinite error: no distance is enough");
 }
 
 TEST_CASE("11.2 small chances and sizes of all kinds", "[11.2][hard]") {
@@ -225,10 +225,11 @@ TEST_CASE("11.2 small chances and sizes of all kinds", "[11.2][hard]") {
 TEST_CASE("11.2 no variance and no error", "[11.2][hard]") {
     for (const std::int64_t most :
          {std::int64_t{1}, std::int64_t{1000}, std::numeric_limits<std::int64_t>::max()}) {
-        const char* const none = "0 / 0 is not a number. Without variance one number is enough";
+        const char* const none = "0 / 0 is NaN. Without variance, one number is enough";
         for (const Real error : {Real(0), smallest, Real(1), largest})
             check_count(0, error, most, 1, none);
-        const char* const all = "the count would be infinite: as many as there may be, `most`";
+        const char* const all =
+            "the count would be infinite: return the most that is allowed, `most`";
         for (const Real variance : {smallest, Real(1), largest, rt::infinity})
             check_count(variance, 0, most, most, all);
         for (const Real error : {smallest, Real(1), largest})
@@ -242,7 +243,7 @@ TEST_CASE("11.2 counts of all sizes", "[11.2][hard]") {
     const std::int64_t any = std::numeric_limits<std::int64_t>::max();
     for (int i = 0; i < 2000; ++i) {
         const Real error = any_size(rng, low, -low);
-        // Half of them about right, the others anything.
+        // Half of the counts are ordinary, the others arbitrary.
         const Real half =
             std::clamp(error, std::pow(Real(10), low / 2 + 2), std::pow(Real(10), -low / 2 - 5));
         const Real variance =
@@ -251,17 +252,16 @@ TEST_CASE("11.2 counts of all sizes", "[11.2][hard]") {
         check_rounded_count(variance, i % 2 ? error : half, most, overflow_hint);
     }
     check_count(largest, 1, any, any, overflow_hint);
-    // One more than the greatest count, which is this number as a Real.
-    check_count(
-        std::ldexp(Real(1), 63), 1, any, any,
-        "as a Real `most` may be a little more than it is, here 2^63. So a Real that equals "
-        "it need not fit into a std::int64_t: ask with >=, not with >");
+    // One more than the greatest count. As a Real, the greatest count is this number, too.
+    check_count(std::ldexp(Real(1), 63), 1, any, any,
+                "as a Real, `most` may be a little larger than it is, here 2^63. So a Real that "
+                "equals it need not fit into a std::int64_t: compare with >=, not with >");
     check_count(largest, smallest, 7, 7, overflow_hint);
     check_count(smallest, largest, any, 1, overflow_hint);
     check_count(smallest, 1, any, 1, overflow_hint);
     const Real bit_more =
         1 + for_this_precision(std::ldexp(Real(1), -20), std::ldexp(Real(1), -40));
-    check_count(bit_more, Real(0.5), any, 5, "the least bit more than 4 is 5");
+    check_count(bit_more, Real(0.5), any, 5, "even a tiny bit more than 4 becomes 5");
     // The squares of these errors are 0 and infinite.
     const int low_power = for_this_precision(-80, -540), high_power = for_this_precision(70, 520);
     check_count(std::ldexp(Real(1), 10 + low_power), std::ldexp(Real(1), low_power), any, any,

@@ -17,13 +17,14 @@ constexpr Real largest = std::numeric_limits<Real>::max();
 constexpr Real smallest = std::numeric_limits<Real>::min();  // of those with all digits
 constexpr int most_of_all = std::numeric_limits<int>::max();
 
-// What a place is worth: fewest to greatest, which differ only where rounding decides.
+// How many samples a place is worth: from fewest to greatest. They differ only
+// where rounding decides.
 struct Expected {
     int fewest, greatest;
 };
 
 // share * spread * mean_spread / error^2, rounded up and within the limits, up to a few roundings.
-// The exponents go apart from the rest, which neither overflows nor underflows then.
+// The exponents are computed apart from the rest, so nothing overflows or underflows.
 Expected exact_worth(Real spread, Real mean_spread, Real error, CountLimits limits, double share) {
     int of_spread = 0, of_mean = 0, of_error = 0;
     const Exact a = std::frexp(spread, &of_spread), b = std::frexp(mean_spread, &of_mean),
@@ -49,8 +50,8 @@ bool is_right(int actual, Expected expected) {
 const char* const worth_hint =
     "in proportion to the spread, the deviation and not the variance: with n = spread * "
     "mean_spread / error^2 samples the place's variance spread^2 / n is spread / mean_spread times "
-    "error^2, and the mean of that over all places is error^2. A part of a sample is a whole one "
-    "more";
+    "error^2, and the mean of that over all places is error^2. A part of a sample counts as a "
+    "whole one";
 const char* const limits_hint = "at least limits.least and at most limits.most";
 const char* const overflow_hint =
     "error * error overflows or underflows here, or the result does not fit into an int. Divide "
@@ -117,7 +118,7 @@ void check_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error, Cou
     REQUIRE(both_counts(actual) == both_counts(wanted));
 }
 
-// A place of which one sample in sixteen is bright: 16, the others 0. The mean is 1.
+// A place where one sample in sixteen is bright, 16, and the others are 0. The mean is 1.
 Real rare_light(rt::Rng& rng) {
     return rng() % 16 == 0 ? Real(16) : Real(0);
 }
@@ -252,7 +253,7 @@ TEST_CASE("11.3 both halves together have the error that is asked for", "[11.3]"
 }
 
 TEST_CASE("11.3 rare light is neither lost nor gained", "[11.3]") {
-    // Right code is stopped with two seeds in a million: three times 5 standard errors. Halves that
+    // Right code fails with two seeds in a million: three times 5 standard errors. Halves that
     // decide for themselves are off by 80 or more.
     for (const int pilot : {2, 3, 4}) {
         rt::Rng rng{113, 10 + static_cast<std::uint64_t>(pilot)};
@@ -286,8 +287,8 @@ TEST_CASE("11.3 the mean of both halves and its error", "[11.3]") {
         if (std::abs(actual - expected) <= 4 * rt::epsilon * expected) return;
         INFO("the halves' means are " << text(mean.first) << " and " << text(mean.second));
         HINT(expected, actual,
-             "the halves err independently, so their mean is off as much as half their difference, "
-             "on average. It is the square of that");
+             "the halves err independently, so on average their mean is off by as much as half "
+             "their difference. The result is the square of that");
         REQUIRE(text(actual) == text(expected));
     };
     check_mean({2, 6}, 4);
@@ -377,7 +378,7 @@ TEST_CASE("11.3 errors and spreads of all sizes", "[11.3][hard]") {
     }
     const Real bit_more =
         1 + for_this_precision(std::ldexp(Real(1), -20), std::ldexp(Real(1), -40));
-    check_worth(4, bit_more, 1, any, {5, 5}, "the least bit more than 4 is 5");
+    check_worth(4, bit_more, 1, any, {5, 5}, "even a tiny bit more than 4 becomes 5");
     check_worth(largest, largest, smallest, any, {most_of_all, most_of_all}, overflow_hint);
     check_worth(largest, 1, smallest, any, {most_of_all, most_of_all}, overflow_hint);
     check_worth(smallest, smallest, largest, any, {1, 1}, overflow_hint);

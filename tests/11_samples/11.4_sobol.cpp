@@ -65,7 +65,7 @@ void check_point(std::uint32_t index) {
         "first; the columns begin with 0x80000000, 0xc0000000, 0xa0000000, 0xf0000000: each is c ^ "
         "c >> 1 of the one before, whether or not that one was used";
     if (actual.x != expected.x) hint = "x is reversed_bits(index)";
-    // What it is at the first few points, if it is one thing at all of them.
+    // What is wrong, if the same thing is wrong at all of the first few points.
     const auto always = [](auto other) {
         for (std::uint32_t i = 0; i < 16; ++i)
             if (rt::sobol_point(i) != other(i)) return false;
@@ -101,8 +101,8 @@ void check_common_bits(std::uint32_t a, std::uint32_t b, std::uint32_t seed) {
     INFO("they had their first " << expected << " bits in common: expected " << expected
                                  << " afterwards, but yours have " << actual);
     const char* hint =
-        "a bit may depend on itself and on those before it (to its left) only. Products and sums "
-        "carry to the left: mirror the bits first, and mirror them back at the end";
+        "a bit may depend only on itself and on the bits before it (to its left). Products and "
+        "sums carry to the left: mirror the bits first, and mirror them back at the end";
     if (actual > expected)
         hint =
             "two fractions that are different must stay so, from the same bit on: each bit is "
@@ -124,7 +124,7 @@ std::string text(Prefix p) {
     return all;
 }
 
-// Whether the bit behind a prefix is flipped, 0 or 1.
+// Whether the bit after a prefix is flipped, 0 or 1.
 unsigned flip(Prefix p, std::uint32_t seed) {
     return (rt::owen_scrambled(p.bits, seed) ^ p.bits) >> (31 - p.length) & 1;
 }
@@ -152,7 +152,7 @@ TEST_CASE("11.4 scrambled fractions have as many bits in common as before", "[11
     rt::Rng random{114, 2};
     for (int length = 0; length < 32; ++length)
         for (int i = 0; i < 60; ++i) {
-            // The same up to a bit that is different, and anything behind it.
+            // The same up to a bit that is different, and anything after it.
             const std::uint32_t a = random(), bit = 0x80000000u >> length;
             check_common_bits(a, a ^ bit ^ (random() & (bit - 1)), random());
         }
@@ -193,10 +193,10 @@ TEST_CASE("11.4 the flips of the first bits are random and independent", "[11.4]
                     "time, but with yours that happens "
                  << different << " times");
             INFO(
-                "Hint: the one flip tells the other. To flip the same bits of all fractions is not "
-                "enough (a digital shift): whether a bit is flipped depends on the bits before it "
-                "as well, and for each seed in another way. So the seed comes in between the "
-                "multiplications, by a sum, not before or after all of them by ^");
+                "Hint: one flip determines the other. It is not enough to flip the same bits of "
+                "all fractions (a digital shift): whether a bit is flipped also depends on the "
+                "bits before it, and differently for each seed. So the seed is added between the "
+                "multiplications, not combined by ^ before or after all of them");
             REQUIRE(is_one_half(different, seeds));
         }
 }
@@ -226,8 +226,8 @@ TEST_CASE("11.4 every box has one scrambled point of each block", "[11.4]") {
                                << " boxes: expected one point in each, but in yours " << empty
                                << " boxes are empty");
                 INFO(
-                    "Hint: the points of sobol_point are spread so, and scrambling must keep it. "
-                    "First make the test cases before this one pass");
+                    "Hint: the points of sobol_point are spread like this, and scrambling must "
+                    "keep it. First make the test cases before this one pass");
                 REQUIRE(empty == 0);
             }
         }
@@ -248,7 +248,7 @@ TEST_CASE("11.4 neighboring seeds give other points", "[11.4][hard]") {
     rt::Rng random{114, 9};
     std::vector<std::uint32_t> all;
     for (int i = 0; i < seeds; ++i) all.push_back(random());
-    // The places are those of Sobol's points, and their order, too.
+    // Both the coordinates of Sobol's points and their order are scrambled.
     const auto place = [](bool is_index, std::uint32_t i) { return is_index ? i : mirrored(i); };
     for (const bool is_index : {false, true})
         for (std::uint32_t shift = 0; shift < 3; ++shift)
@@ -270,13 +270,13 @@ TEST_CASE("11.4 neighboring seeds give other points", "[11.4][hard]") {
                      << same << " of " << seeds * static_cast<int>(points) << " are the same");
                 INFO(
                     "Hint: if the seed is added first, S + 1 gives the points of S again, one "
-                    "place further on: the mirrored fraction of point i is i itself. Mix x by a "
+                    "index further on: the mirrored fraction of point i is i itself. Mix x by a "
                     "multiplication before the seed comes in");
                 REQUIRE(same < seeds * static_cast<int>(points) / 8);
             }
 }
 
-TEST_CASE("11.4 no flip of the first seven bits tells another one", "[11.4][hard]") {
+TEST_CASE("11.4 no flip of the first seven bits determines another", "[11.4][hard]") {
     constexpr int words = 32, seeds = 64 * words;
     std::vector<Prefix> prefixes;
     for (int length = 0; length < 7; ++length)
@@ -304,10 +304,9 @@ TEST_CASE("11.4 no flip of the first seven bits tells another one", "[11.4][hard
                     "time, but with yours that happens "
                  << different << " times");
             INFO(
-                "Hint: the one flip often tells the other. If you use the steps of the comment, do "
-                "all of them: the seed is added (+= and not ^=, a sum carries), and x is "
-                "multiplied "
-                "by the odd number of the seed's first half as well");
+                "Hint: one flip often determines the other. If you use the steps of the comment, "
+                "do all of them: the seed is added (+= and not ^=, a sum carries), and x is "
+                "multiplied by the odd number of the seed's first half as well");
             REQUIRE(std::abs(correlation) < 0.25);
         }
 }
@@ -346,7 +345,7 @@ TEST_CASE("11.4 each flip depends on each bit before it", "[11.4][hard]") {
     }
 }
 
-TEST_CASE("11.4 three flips do not tell a fourth one", "[11.4][hard]") {
+TEST_CASE("11.4 three flips do not determine a fourth", "[11.4][hard]") {
     constexpr int trials = 256;
     rt::Rng random{114, 7};
     for (int bit = 4; bit < 32; ++bit) {
@@ -378,9 +377,10 @@ TEST_CASE("11.4 each bit of the seed counts", "[11.4][hard]") {
                          rt::owen_scrambled(fraction, seed ^ 1u << bit);
         }
         if (different > 0) continue;
-        INFO("bit " << bit << " of the seed, where 0 is the last one: expected another shuffling "
-                    << "with it than without it, but 100 fractions become the same with yours\n"
-                       "Hint: the seed has 32 bits, and another seed gives another shuffling");
+        INFO("bit "
+             << bit << " of the seed, where 0 is the last one: expected a different scrambling "
+             << "with it than without it, but 100 fractions become the same with yours\nHint: the "
+                "seed has 32 bits, and another seed gives a different scrambling");
         REQUIRE(different > 0);
     }
 }

@@ -46,7 +46,7 @@ std::string text(const WideColor& c) {
     return text(Color{static_cast<Real>(c.r), static_cast<Real>(c.g), static_cast<Real>(c.b)});
 }
 
-// Within so many roundings.
+// Equal within this many roundings.
 bool is_near(Real actual, Wide expected, int roundings) {
     return std::abs(wide(actual) - expected) <=
            wide(rt::rounding_bound(roundings)) * std::abs(expected);
@@ -110,8 +110,8 @@ void check_curve(Real luminance, Real white, int roundings = 16) {
              is_near(actual, expected, few_digits))
         hint =
             "a step on the way, such as luminance * luminance or white * white, is too large or "
-            "too small for a Real, or takes all digits away: divide before you multiply, and start "
-            "with L / (1 + L)";
+            "too small for a Real, or loses all digits: divide before you multiply, and start with "
+            "L / (1 + L)";
     else if (is_near(actual, wide(luminance) / (1 + wide(luminance)), few_digits))
         hint = "this is L / (1 + L), in which nothing becomes white: 1 + L / white^2 is missing";
     INFO("Hint: " << hint);
@@ -131,13 +131,13 @@ void check_mapped(const Color& color, Real white, int roundings = 40) {
         "the whole color gets one factor, the curve's luminance over the luminance before; the "
         "result's luminance is then what the curve says";
     if (luminance == 0)
-        hint = "the luminance of black is 0, and 0 / 0 is no number: black stays black";
+        hint = "the luminance of black is 0, and 0 / 0 is NaN: black stays black";
     else if (is_single(actual, expected))
         hint = single_precision_hint;
     else if (is_near(actual, wide(color), 1))
         hint =
             "the color came back as it was. Light of any size goes through the curve: it is dark "
-            "or bright only beside `white`, and no light but 0 is black";
+            "or bright only compared with `white`, and no light but 0 is black";
     else if (is_near(actual.r, expected_curve(wide(color.r), wide(white)), few_digits) &&
              is_near(actual.g, expected_curve(wide(color.g), wide(white)), few_digits))
         hint = "each channel went through the curve by itself: that changes the hue";

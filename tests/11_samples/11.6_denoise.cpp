@@ -60,7 +60,7 @@ void check_weight(int across, int down, const Features& a, const Features& b,
     const Distances d = distances(across, down, a, b, widths);
     const auto is = [&](Wide exponent) {
         const Wide expected = std::exp(-exponent);
-        // An error of the exponent counts by its size.
+        // An error of the exponent grows with its size.
         const int roundings = 20 + static_cast<int>(std::min<Wide>(10 * exponent, 1e5L));
         return std::abs(wide(actual) - expected) <= wide(rt::rounding_bound(roundings)) * expected +
                                                         wide(std::numeric_limits<Real>::min());
@@ -70,7 +70,7 @@ void check_weight(int across, int down, const Features& a, const Features& b,
     const Features floored_b{floored(b.albedo, widths.darkest), b.normal};
     if (!(actual >= 0))
         hint =
-            "0 / 0 or infinity - infinity: divide a difference by its width, and square it then; "
+            "0 / 0 or infinity - infinity: divide a difference by its width, and then square it; "
             "the square of a small width is 0";
     else if (is(d.sum()))
         hint = "exp(-d / 2): the half is missing";
@@ -84,7 +84,7 @@ void check_weight(int across, int down, const Features& a, const Features& b,
         hint = "the weights take the albedo as it is, even where it is less than widths.darkest";
     const Real expected = static_cast<Real>(std::exp(-d.sum() / 2));
     INFO("the weight of a pixel " << across << " across and " << down
-                                  << " down, squares of the distances in widths: place "
+                                  << " down, squares of the distances in widths: position "
                                   << static_cast<Real>(d.space) << ", albedo "
                                   << static_cast<Real>(d.albedo) << ", normal "
                                   << static_cast<Real>(d.normal) << ". Expected "
@@ -176,7 +176,7 @@ bool is_near(const Color& actual, const Color& expected, int roundings) {
            is_near(actual.b, expected.b, roundings);
 }
 
-// The number of the first pixel that is not as expected, or the number of all pixels.
+// The index of the first pixel that is not as expected, or the number of pixels if all are.
 int first_difference(const Image& actual, const Image& expected, int roundings) {
     int i = 0;
     for (; i < expected.width() * expected.height(); ++i) {
@@ -191,10 +191,10 @@ std::string suggestion(const Image& actual, const Scene& scene, const DenoiseWid
                        int roundings) {
     const std::pair<Slip, const char*> slips[] = {
         {Slip::in_place,
-         "pixels that are smooth already go into the next ones: read from the picture as it was "
+         "pixels that are already smoothed go into the next ones: read from the picture as it was "
          "given, and write to another one"},
         {Slip::not_normalized,
-         "the sum is divided by the sum of the weights, which is another one at each pixel"},
+         "the sum is divided by the sum of the weights, which is different at each pixel"},
         {Slip::narrow, "the last column or row within the radius is left out, on all sides"},
         {Slip::broad, "one column or row beyond the radius counts, on all sides"},
         {Slip::albedo_stays,
@@ -228,7 +228,7 @@ void check_denoised(const Scene& scene, const DenoiseWidths& widths, const char*
         REQUIRE(actual.width() == expected.width());
         REQUIRE(actual.height() == expected.height());
     }
-    // As many terms as there may be, and what is left of the weights' errors.
+    // Enough for all terms, and for what is left of the weights' errors.
     const int roundings = 200 + 2 * scene.width() * scene.height();
     const int i = first_difference(actual, expected, roundings);
     if (i == scene.width() * scene.height()) return;
@@ -367,8 +367,8 @@ TEST_CASE("11.6 noise falls by the sum of the squared weights", "[11.6]") {
     INFO(
         "Hint: a sum of weights times noise has the variance times the sum of the squared weights; "
         "all pixels within the radius must take part, each with its weight");
-    // Neighbors are smooth together, so these are about 700 independent numbers: right code is off
-    // by more once in ten million times.
+    // Neighbors are smoothed together, so these are about 700 independent numbers: right code is
+    // off by more once in ten million times.
     CHECK(std::abs(mean.variance() / expected - 1) < 0.3);
 }
 
@@ -390,7 +390,7 @@ TEST_CASE("11.6 one pixel or one row and a radius of any size", "[11.6][hard]") 
 
 TEST_CASE("11.6 surfaces that send back no light", "[11.6][hard]") {
     const char* const hint =
-        "a channel of the albedo may be 0: neither may it divide nor may its light be lost";
+        "a channel of the albedo may be 0: do not divide by it, and do not lose its light";
     rt::Rng rng{116, 6};
     const Real tiny = std::numeric_limits<Real>::min();
     for (int i = 0; i < 5; ++i) {
@@ -412,9 +412,9 @@ TEST_CASE("11.6 an albedo of more than 1 counts as it is", "[11.6][hard]") {
         Scene scene = any_scene(rng, 6, 5);
         for (Features& f : scene.features)
             if (rng() % 2) f.albedo = any_color(rng, real(0.5), 3);
-        check_denoised(scene, any_widths(rng, 2),
-                       "an albedo has no upper limit: only one less than widths.darkest counts as "
-                       "another one");
+        check_denoised(
+            scene, any_widths(rng, 2),
+            "an albedo has no upper limit: only one less than widths.darkest is replaced");
     }
 }
 

@@ -11,7 +11,7 @@ inline constexpr const char* single_precision_hint =
     "only the first seven digits are right. A Real has more: a step on the way is a `float`, by "
     "its type or by a constant such as 0.1f";
 
-// Whether a wrong number has the digits of a float, no more and hardly less, where Real is wider.
+// Whether a wrong number has the digits of a float, no more and hardly fewer, where Real is wider.
 template <class A, class B>
 bool only_single_precision(A actual, B expected) {
     if constexpr (std::is_same_v<rt::Real, float>) return false;

@@ -26,8 +26,8 @@ contents() {
     find . -type f -exec cksum {} + | LC_ALL=C sort
 }
 
-# refuses CODE WORDS ARGUMENTS...: ends with CODE after one line on stderr in which WORDS stand, and
-# leaves everything as it was. $wrapper holds a command that runs the program, $into its stdout.
+# refuses CODE WORDS ARGUMENTS...: ends with CODE after one line on stderr that contains WORDS, and leaves
+# everything as it was. $wrapper holds a command that runs the program, $into its stdout.
 wrapper=''
 into=$place/stdout
 refuses() {
@@ -77,7 +77,7 @@ if "$program" --help | grep -q -- --fov; then
     refuses 2 'two different points' --at 0,0.0,-0 --from 0,0,0 --out new.png
 fi
 
-# Where the image shall go.
+# Where the image is to go.
 refuses 2 'folder' --out folder
 refuses 2 'folder' --out folder.png
 refuses 2 '\.png or \.ppm' --out ''
@@ -93,7 +93,7 @@ refuses 1 'folder nowhere.*does not exist' --out dangling.png
 mkfifo pipe
 refuses 1 'nobody reads' --out pipe
 
-# Places that cannot be written to. Permissions do not hold for root, who becomes nobody where that
+# Paths that cannot be written to. Permissions do not hold for root, who becomes nobody if that
 # user can run the program.
 mkdir read_only
 chmod 555 read_only
@@ -141,7 +141,7 @@ if mount -t tmpfs -o size=8k tmpfs full 2>/dev/null; then
     refuses 1 'free some space' --width 45 --height 45 --out full/old.ppm
 fi
 
-# A user who may start few threads: none of its own, so that no other test counts.
+# A user who may start few threads: a user of its own, so that no other test's threads count.
 somebody="setpriv --reuid=$((50000 + $$ % 10000)) --regid=65534 --clear-groups prlimit"
 if [ -n "${nobody:-}" ] && $somebody --nproc=3 "$program" --help >"$place/stdout" 2>&1 &&
     grep -q -- --threads "$place/stdout"; then

@@ -13,7 +13,7 @@ complain() {
     sed 's/^/  stderr: /' stderr
 }
 
-# refuses FILE WORDS: the line begins with the file, and WORDS stand in it.
+# refuses FILE WORDS: the line begins with the file, and contains WORDS.
 refuses() {
     echo 'an older picture' >old.png
     for picture in old.png new.png; do
@@ -31,7 +31,7 @@ refuses() {
     [ -z "$(find . -name '*.part')" ] || complain "$1" "a temporary file was left"
 }
 
-# scene NAME MEMBERS: a scene file with these members beside those that it needs.
+# scene NAME MEMBERS: a scene file with these members, added to those that it needs.
 scene() {
     printf '{"camera": {"look_from": [0, 0, 5], "look_at": [0, 0, 0]},
         "materials": {"gold": {"type": "metal", "color": "#ffcc66"},

@@ -1,6 +1,6 @@
 #!/bin/sh
-# batches.sh PROGRAM SCENES: in batches every scene is drawn byte for byte as it is ray by ray, whatever
-# the number of threads, and --explain says what draws it.
+# batches.sh PROGRAM SCENES: in batches, every scene is drawn byte for byte as ray by ray, whatever the number
+# of threads, and --explain says what draws it.
 set -u
 program=$1
 place=$(mktemp -d)
@@ -11,7 +11,7 @@ complain() {
     echo "$1"
 }
 
-# Sizes that leave tiles at the rim and batches that are not full.
+# Sizes that leave smaller tiles at the edges, and batches that are not full.
 same() {
     name=$1
     shift

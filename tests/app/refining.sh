@@ -1,6 +1,6 @@
 #!/bin/sh
-# refining.sh PROGRAM SCENES: --target-error, --time-budget and --sampler do what they say, and say what they
-# took.
+# refining.sh PROGRAM SCENES: --target-error, --time-budget and --sampler do what they say,
+# and print what they took.
 set -u
 program=$1
 scenes=$2
@@ -13,8 +13,8 @@ complain() {
 }
 draw() { "$program" "$@" --width 48 --height 27 --depth 9; }
 
-# The error that is estimated is below the one that is asked for, in every scene and every way to sample;
-# the picture is the same for any number of threads.
+# The estimated error is below the one that is asked for, in every scene and with every way to sample; the
+# picture is the same for any number of threads.
 for scene in matte cover lights fog motion; do
     for way in "--sampler jittered" "--sampler sobol" --batches; do
         for threads in 1 3; do
@@ -29,7 +29,7 @@ for scene in matte cover lights fog motion; do
     done
 done
 
-# Without an aim: jittered samples are the usual ones, and Sobol's give another picture of the same light.
+# Without an aim: jittered samples are the usual ones, and Sobol's give a different picture of the same light.
 draw "$scenes/cover.json" --spp 4 --quiet --out "$place/usual.ppm"
 draw "$scenes/cover.json" --spp 4 --quiet --sampler jittered --out "$place/jittered.ppm"
 draw "$scenes/cover.json" --spp 4 --quiet --sampler sobol --out "$place/sobol.ppm"
@@ -47,7 +47,7 @@ took=$((($(date +%s%N) - start) / 1000000))
 if [ "$took" -lt 300 ] || [ "$took" -gt 2500 ]; then complain "--time-budget 0.5 took $took ms"; fi
 grep -q '^samples: .* a pixel on average' "$place/said" || complain "--time-budget does not say what it took"
 
-# What does not go together.
+# Options that exclude each other.
 refused() {
     expected=$1
     shift

@@ -1,18 +1,18 @@
 #!/bin/sh
 # small_picture.sh CHAPTER PRECISION PROGRAM...: the program still draws its picture, at 96 x 54 pixels,
-# byte for byte. small_pictures.txt holds the cksum of each. The program may have words before it that
-# run it, such as an emulator.
+# byte for byte. small_pictures.txt holds the cksum of each. Before the program there may be words that run
+# it, such as an emulator.
 #
-# small_picture.sh --update BUILD: draws all pictures with the programs of this build folder, and writes
-# the file anew. Build study_programs and 09_own_solution first.
+# small_picture.sh --update BUILD: draws all pictures with the programs of this build folder, and writes the
+# file again. Build study_programs and 09_own_solution first.
 set -eu
 here=$(dirname "$0")
 table=$here/small_pictures.txt
 drawn=$(mktemp -d)
 trap 'rm -rf "$drawn"' EXIT
 
-# line CHAPTER PRECISION PROGRAM...: the table's line for what this program draws. Of chapter 09 it is one
-# for each of its scenes.
+# line CHAPTER PRECISION PROGRAM...: the table's line for what this program draws. For chapter 09 there is
+# one for each of its scenes.
 line() {
     chapter=$1 precision=$2
     shift 2

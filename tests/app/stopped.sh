@@ -15,8 +15,8 @@ complain() {
 
 # stops SIGNAL CODE WORD
 stops() {
-    # Far more work than time. --foreground: without it, timeout signals the program twice, and the
-    # second one ends it at once.
+    # Far more work than time. Without --foreground, timeout would signal the program twice, and the second
+    # signal would end it at once.
     timeout --foreground --preserve-status -s "$1" 2 "$program" "$scene" --spp 20000 --quiet \
         --out "$place/$1.png" >"$place/stdout" 2>"$place/stderr"
     code=$?
@@ -30,7 +30,7 @@ stops INT 130 Ctrl-C
 stops TERM 143 SIGTERM
 [ -z "$(find "$place" -name '*.part')" ] || complain "temporary files were left"
 
-# Whoever ignores a signal still does: a shell's background jobs ignore Ctrl-C.
+# An ignored signal stays ignored: a shell's background jobs ignore Ctrl-C.
 "$program" "$scene" --width 160 --height 90 --spp 400 --threads 1 --quiet \
     --out "$place/ignored.png" 2>"$place/stderr" &
 sleep 1

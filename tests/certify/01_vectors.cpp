@@ -18,8 +18,8 @@ Vec3 any_vector(rt::Rng& rng) {
     return checkpoint::any_size(rng, -3, 3) * checkpoint::any_direction(rng);
 }
 
-// A sum of n products has n roundings on its longest way, of half an epsilon each; what they are
-// relative to is the sum without signs. Source: Higham, "Accuracy and Stability", section 3.1.
+// A sum of n products has n roundings on its longest way, of half an epsilon each; they are
+// relative to the sum without signs. Source: Higham, "Accuracy and Stability", section 3.1.
 void dot_product(Certificate& certificate) {
     rt::Rng rng{1, 1};
     double worst = 0;
@@ -35,7 +35,7 @@ void dot_product(Certificate& certificate) {
                         "epsilon");
 }
 
-// Lengths from 10^-exponent to 10^exponent: where it is 200, their squares do not fit.
+// Lengths from 10^-exponent to 10^exponent: if it is 200, their squares do not fit.
 void unit_vectors(Certificate& certificate, const char* exercise, int exponent) {
     rt::Rng rng{2, 1};
     double worst_direction = 0, worst_length = 0;

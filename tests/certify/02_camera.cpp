@@ -27,7 +27,7 @@ rt::View any_view(rt::Rng& rng) {
     return view;
 }
 
-// Of the ray through the upper edge and the one through the lower edge, in the middle column.
+// The angle between the rays through the upper and the lower edge, in the middle column.
 void field_of_view(Certificate& certificate) {
     rt::Rng rng{1, 2};
     double worst = 0;
@@ -63,7 +63,8 @@ void upright(Certificate& certificate) {
     for (int i = 0; i < cameras; ++i) {
         const rt::View view = any_view(rng);
         const rt::Basis b = rt::look_at(view.from, view.at, view.up);
-        // What up has across the view may be small beside it; that is how well u is known.
+        // The part of up across the view may be small compared with up; that is
+        // how well u is known.
         const Vec3 up = rt::normalize(view.up);
         sideways = std::max(sideways, static_cast<double>(std::abs(rt::dot(up, b.u))) / epsilon);
         upside_down += !(rt::dot(up, b.v) > 0);

@@ -104,7 +104,7 @@ void reflectance(Certificate& certificate) {
                       "");
 }
 
-// Glass neither eats nor makes light, and sends as much through as Fresnel says.
+// Glass neither absorbs nor creates light, and lets through as much as Fresnel says.
 void glass(Certificate& certificate) {
     rt::Rng rng{3, 5};
     rt::Hit hit;

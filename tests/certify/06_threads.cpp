@@ -62,7 +62,7 @@ void streams(Certificate& certificate) {
     const auto draw = [](int x, int y, int sample) {
         return static_cast<double>(rt::sample_rng(1, x, y, sample).uniform()) - 0.5;
     };
-    // A place, the ones beside and below it, and the next sample: each against each.
+    // A pixel, the ones beside and below it, and the next sample: each compared with each.
     constexpr int steps[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double worst = 0;
     for (const auto& a : steps)

@@ -10,7 +10,7 @@ namespace {
 
 using namespace certify;
 
-// As many in a cube from -1 to 1; about as much of it is full for any number.
+// This many in a cube from -1 to 1. For any number, about the same share of it is full.
 std::vector<rt::SceneSphere> spheres(int count) {
     rt::Rng rng{1, 7};
     std::vector<rt::SceneSphere> all;
@@ -44,7 +44,7 @@ void every_sphere_once(Certificate& certificate) {
     std::vector<int> seen(tree.spheres.size());
     if (tree.root) count(tree, *tree.root, seen);
     const auto wrong = std::count_if(seen.begin(), seen.end(), [](int n) { return n != 1; });
-    certificate.at_most("07.3", "10,000 spheres: those that are not in one leaf exactly",
+    certificate.at_most("07.3", "10,000 spheres: those that are not in exactly one leaf",
                         static_cast<double>(wrong), 0, "");
 }
 
@@ -113,10 +113,10 @@ void growth(Certificate& certificate) {
     certificate.shows("07.5", "a ray among 1,000 spheres", small.nanoseconds, "ns");
     certificate.shows("07.5", "a ray among 10,000 spheres", middle.nanoseconds, "ns");
     certificate.shows("07.5", "a ray among 100,000 spheres", large.nanoseconds, "ns");
-    certificate.at_most("07.5", "tests a ray among 10,000 spheres", middle.tests, 500, "");
+    certificate.at_most("07.5", "tests per ray among 10,000 spheres", middle.tests, 500, "");
     // A logarithm grows by 5/3 from 10^3 to 10^5; the number of spheres by 100. Boxes overlap, and
     // a ray meets more of them the smaller they are: six times is still far from linear.
-    certificate.at_most("07.5", "tests a ray, 100,000 spheres against 1,000",
+    certificate.at_most("07.5", "tests per ray, 100,000 spheres against 1,000",
                         large.tests / small.tests, 6, "times");
 }
 

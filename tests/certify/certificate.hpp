@@ -1,6 +1,6 @@
 #pragma once
 // The lines of the certificate: a measured figure, and the bound that it is held to. `course
-// certify` reads what these programs print: a line a measurement, its fields separated by tabs.
+// certify` reads what these programs print: one line per measurement, its fields separated by tabs.
 //
 //   holds or FAILS, exercise, what was measured, the figure, the bound
 //
@@ -31,7 +31,7 @@ inline std::string format(double figure, const char* unit) {
 
 class Certificate {
   public:
-    // The figure must be at most the bound; one that is not a number is not.
+    // The figure must be at most the bound; a NaN is not.
     void at_most(const char* exercise, const char* what, double figure, double bound,
                  const char* unit) {
         line(figure <= bound, exercise, what, figure, "at most " + format(bound, unit), unit);
@@ -57,8 +57,8 @@ class Certificate {
     bool all_hold_ = true;
 };
 
-// Runs the measurements of a chapter, each on its own, so that one that throws leaves the others
-// alone. Returns the exit code.
+// Runs the measurements of a chapter, each on its own, so if one throws, the others still run.
+// Returns the exit code.
 template <class... Measurements>
 int certify(const Measurements&... measurements) {
     Certificate certificate;

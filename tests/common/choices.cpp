@@ -36,7 +36,7 @@ TEST_CASE("a program has choices of its own and their first word is the default"
     CHECK(picked_color == "blue");
 }
 
-TEST_CASE("a choice takes none but its words", "[choices]") {
+TEST_CASE("a choice takes only its own words", "[choices]") {
     CHECK(run_with({"--color", "green"}) == app::bad_input);
     CHECK(run_with({"--color"}) == app::bad_input);
     CHECK(run_with({"--color", ""}) == app::bad_input);
@@ -44,7 +44,7 @@ TEST_CASE("a choice takes none but its words", "[choices]") {
     CHECK(picked_color.empty());
 }
 
-TEST_CASE("a flag is there or not and takes nothing", "[choices]") {
+TEST_CASE("a flag is given or not and takes no value", "[choices]") {
     CHECK(run_with({}) == app::done);
     CHECK_FALSE(is_framed);
     CHECK(run_with({"--framed", "--color", "blue"}) == app::done);

@@ -49,7 +49,7 @@ TEST_CASE("brighter light never gets a smaller byte", "[color]") {
     for (int i = 0; i <= 10'000; ++i) {
         const int byte = rt::to_byte(static_cast<Real>(i) / 10'000);
         CHECK(byte >= before);
-        CHECK(byte <= before + 3);  // the steepest part, near black, climbs 3295 / 10000 a step
+        CHECK(byte <= before + 3);  // the steepest part, near black, climbs 3295 / 10000 per step
         before = byte;
     }
 }

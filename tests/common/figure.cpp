@@ -20,9 +20,9 @@ int painted(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("a figure's units fill the image, and stand in its middle", "[figure]") {
+TEST_CASE("a figure's units fill the image, and lie in its middle", "[figure]") {
     Image image{40, 20};
-    Figure figure{image, 10, 10};  // 2 pixels a unit, and 10 pixels left free on both sides
+    Figure figure{image, 10, 10};  // 2 pixels per unit, and 10 pixels left free on both sides
     figure.box({0, 0, 10, 10}, white);
     CHECK(painted(image) == 20 * 20);
     CHECK(image.at(9, 0) == Color{});

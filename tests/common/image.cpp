@@ -17,7 +17,7 @@ TEST_CASE("an image keeps each pixel in its place", "[image]") {
     CHECK(image.at(1, 1) == Color{});
 }
 
-TEST_CASE("an image can start filled, and copies are apart", "[image]") {
+TEST_CASE("an image can start filled, and copies are independent", "[image]") {
     const Image white{2, 2, {1, 1, 1}};
     Image copy = white;
     CHECK(copy == white);

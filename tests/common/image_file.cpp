@@ -54,7 +54,7 @@ TEST_CASE("a PPM file holds the image, as another program reads it", "[image_fil
     check_decoded(rt::encode_ppm(test_image()));
 }
 
-TEST_CASE("a PPM file is its heading and three bytes a pixel", "[image_file]") {
+TEST_CASE("a PPM file is its header and three bytes per pixel", "[image_file]") {
     Image image{2, 1, {1, 1, 1}};
     image.at(1, 0) = {0, Real(0.5), 2};
     CHECK(rt::encode_ppm(image) == std::string("P6\n2 1\n255\n\xff\xff\xff\x00\xbc\xff", 17));

@@ -73,7 +73,7 @@ TEST_CASE("a report prints a dash for an error that was not measured", "[report]
     CHECK(text.find("0.125") == std::string::npos);
 }
 
-TEST_CASE("a report prints a table a study", "[report]") {
+TEST_CASE("a report prints one table per study", "[report]") {
     const std::string text = table_of(one_row(0.25));
     INFO(text);
     for (const char* const part :

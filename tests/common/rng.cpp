@@ -13,8 +13,9 @@ namespace {
 
 using checkpoint::Real;
 
-// The number that a chi-square statistic of so many degrees of freedom exceeds with a probability
-// of 5e-7. Source: Wilson and Hilferty, "The distribution of chi-square", PNAS 17, 1931.
+// The number that a chi-square statistic with this many degrees of freedom exceeds
+// with a probability of 5e-7. Source: Wilson and Hilferty, "The distribution of
+// chi-square", PNAS 17, 1931.
 double chi_square_limit(double degrees, double z) {
     const double a = 2 / (9 * degrees);
     return degrees * std::pow(1 - a + z * std::sqrt(a), 3);

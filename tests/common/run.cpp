@@ -166,7 +166,7 @@ TEST_CASE("a picture that was stopped is written, and the exit code says so", "[
     const auto before = std::signal(SIGINT, SIG_DFL);  // the test program has a handler of its own
     CHECK(run({"--out", folder / "a.ppm"}, stopped) == 128 + SIGINT);
     CHECK(read_file(folder / "a.ppm").find("P6\n9 9\n255\n") == 0);
-    // Where nothing is done, an older picture stays.
+    // If nothing was drawn, an older picture stays.
     stopped.render = [](const app::Settings&, app::Progress&) {
         app::Picture picture{rt::Image{3, 3}};
         picture.stopped = {SIGINT, 0.001};

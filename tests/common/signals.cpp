@@ -60,7 +60,7 @@ TEST_CASE("an action may let the program go on", "[signals]") {
           }) == "y 0");
 }
 
-TEST_CASE("a signal that nobody waits for does what it did", "[signals]") {
+TEST_CASE("a signal that nobody waits for does what it did before", "[signals]") {
     CHECK(ended_by([] {
               std::signal(SIGHUP, SIG_IGN);
               const app::OnSignal kept{{SIGHUP}, write_name<'i'>};

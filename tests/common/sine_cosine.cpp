@@ -16,7 +16,7 @@ double error_in_epsilons(Real computed, const Exact& exact) {
     return std::abs((exact - computed).high) / static_cast<double>(rt::epsilon);
 }
 
-// Of all bits of many results one number (FNV-1a).
+// One number from all bits of many results (FNV-1a).
 constexpr std::uint64_t hash_of_bits() {
     std::uint64_t hash = 14695981039346656037u;
     const auto add = [&](Real number) {
@@ -60,7 +60,7 @@ TEST_CASE("a sine or cosine that is almost 0 keeps its digits", "[sine_cosine]")
         CHECK(checkpoint::error_in_ulp(sine, row.sine) <= 2);
         CHECK(checkpoint::error_in_ulp(cosine, row.cosine) <= 2);
     }
-    // 2 pi times as long, down to where numbers begin to have fewer digits.
+    // The sine is 2 pi times the turn, down to where numbers begin to have fewer digits.
     const Exact whole{0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};
     for (Real turn = Real(0x1p-30); turn >= std::numeric_limits<Real>::min(); turn /= 3) {
         const auto [sine, cosine] = sine_cosine_of_turn(turn);
@@ -83,10 +83,10 @@ TEST_CASE("the squares of sine and cosine add up to 1", "[sine_cosine]") {
     }
 }
 
-TEST_CASE("a quarter of a turn further the cosine is the sine", "[sine_cosine]") {
+TEST_CASE("a quarter of a turn further on the cosine is the sine", "[sine_cosine]") {
     for (int i = 0; i < 3 << 16; ++i) {
-        // A quarter more rounds nothing, and no turn is an eighth, which two quarters are nearest
-        // to.
+        // Adding a quarter rounds nothing. None of these turns is an eighth, to which two quarters
+        // would be equally near.
         const Real turn = static_cast<Real>(2 * i + 1) / (8 << 16);
         const auto here = sine_cosine_of_turn(turn),
                    further = sine_cosine_of_turn(turn + Real(0.25));
@@ -96,7 +96,7 @@ TEST_CASE("a quarter of a turn further the cosine is the sine", "[sine_cosine]")
     }
 }
 
-// Of every compiler and library, while compiling and while running.
+// With every compiler and library, at compile time and at run time.
 TEST_CASE("sine and cosine of a turn have the same bits everywhere", "[sine_cosine]") {
     constexpr std::uint64_t compiled = hash_of_bits();
     CHECK(compiled ==

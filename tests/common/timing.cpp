@@ -32,7 +32,7 @@ TEST_CASE("works are timed in turns", "[timing]") {
     CHECK(times[1].size() == 3);
 }
 
-TEST_CASE("a work that takes long is timed once", "[timing]") {
+TEST_CASE("work that takes long is timed once", "[timing]") {
     int calls = 0;
     const auto times = study::rounds_ns({[&] { ++calls; }}, {.rounds = 3, .once_from_ms = 0});
     CHECK(calls == 1);

@@ -29,12 +29,12 @@ TEST_CASE("an error in the learner's file goes before others", "[build]") {
           "/usr/include/v.h:9:1: error: elsewhere\n    9 | v");
     CHECK(first_error(here, elsewhere + there, mine) ==
           "exercises/01_x/rt/a.hpp:3:5: error: mine\n    3 | a");
-    // Else one that came from there.
+    // Otherwise an error that comes from code in there.
     const std::string from = "/c/exercises/01_x/rt/a.hpp:7:2:   required from here\n";
     CHECK(first_error(here, "/c/t.hpp:1:1: error: other\n" + from + elsewhere, mine) ==
           "/usr/include/v.h:9:1: error: elsewhere\n    9 | v\n"
           "  which came from exercises/01_x/rt/a.hpp:7");
-    // A brace that is never closed: what follows makes no sense, and the last note says it.
+    // A brace that is never closed: what follows makes no sense, and the last note says so.
     CHECK(first_error(here,
                       elsewhere + "/c/tests/t.cpp:99:1: error: expected '}' at end of input\n" +
                           "/c/exercises/01_x/rt/a.hpp:4:14: note: to match this '{'\n",

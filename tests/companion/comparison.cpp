@@ -71,7 +71,7 @@ TEST_CASE("right programs are seldom called wrong", "[comparison]") {
         alarms += !companion::compare({program(other_order), program(noisy), true},
                                       static_cast<std::uint64_t>(100 + run))
                        .same;
-    // One in a thousand is expected: two in a hundred would come once in 200 times.
+    // One in a thousand is expected: two in a hundred would happen once in 200 times.
     CHECK(alarms <= 1);
 }
 

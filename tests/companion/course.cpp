@@ -72,7 +72,7 @@ TEST_CASE("a wrong course.json is refused with the place and what would be right
     CHECK(refusal("") == "course.json is empty; expected a JSON object { ... }");
     CHECK(refusal("{\n 1}").rfind("course.json:2:2: ", 0) == 0);
     CHECK(refusal("{}") == "course.json: chapters is missing");
-    CHECK(refusal("[]") == "course.json: the whole should be an object, { ... }");
+    CHECK(refusal("[]") == "course.json: the top level should be an object, { ... }");
     CHECK(refusal(chapter_with("[]")) ==
           "course.json: chapters[0].exercises should be a list, [ ... ], of one or more");
     const auto with = [](const std::string& was, const std::string& is) {

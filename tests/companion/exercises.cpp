@@ -85,7 +85,7 @@ TEST_CASE("every exercise has minutes and stubs that say so", "[exercises]") {
 namespace {
 
 // Formulas on lines of their own, or within a line where they say that things are equal or how they
-// compare; a symbol within a line is read like a word.
+// compare; a single symbol within a line is read like a word.
 struct Reading {
     int words = 0, formulas = 0;
 

@@ -33,7 +33,7 @@ TEST_CASE("a study's table is read", "[measurements]") {
     CHECK(studies[1][0].study == "u");
 }
 
-TEST_CASE("what is no table is refused with its reason", "[measurements]") {
+TEST_CASE("what is not a table is refused, with the reason", "[measurements]") {
     const TemporaryFolder folder;
     CHECK_THROWS_AS(companion::read_measurements(folder / "missing.csv"), app::Failure);
     write_file(folder / "short.csv", heading + "a,b\n");

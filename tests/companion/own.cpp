@@ -1,5 +1,5 @@
 // Judging a ray tracer of the learner's own: what is made up, what is read, what is remembered.
-// That wrong programs are stopped is tested by tests/support/own_mistakes.cpp.
+// tests/support/own_mistakes.cpp tests that wrong programs are stopped.
 
 #include <companion/own/accuracy.hpp>
 #include <companion/own/judge.hpp>
@@ -67,7 +67,7 @@ TEST_CASE("every scene that is made up is a scene", "[own]") {
     }
 }
 
-TEST_CASE("what is broken is refused by our program", "[own]") {
+TEST_CASE("our program refuses what is broken", "[own]") {
     const OwnProgram ours = OwnProgram::existing(our_program());
     for (const OwnScene& scene : broken_scenes()) {
         INFO(scene.name);
@@ -79,7 +79,7 @@ TEST_CASE("what is broken is refused by our program", "[own]") {
     }
 }
 
-TEST_CASE("the same seed makes the same scenes, another one others", "[own]") {
+TEST_CASE("the same seed makes the same scenes, another seed makes others", "[own]") {
     const auto text = [](std::uint64_t seed) { return own_rungs(seed)[2].scenes[0].text; };
     CHECK(text(5) == text(5));
     CHECK(text(5) != text(6));
@@ -113,7 +113,7 @@ TEST_CASE("a program that draws nothing fails line by line", "[own]") {
                 "different size"));
 }
 
-TEST_CASE("a program that does not end is not asked for ever", "[own]") {
+TEST_CASE("a program that does not end is not waited for forever", "[own]") {
     const auto lines = verdict_on(program("sleep 60"), "hard");
     REQUIRE(lines.size() == 3);
     CHECK(holds(lines[0].actual, "it timed out"));
@@ -153,7 +153,7 @@ TEST_CASE("the page on accuracy is read", "[own]") {
 
 TEST_CASE("accuracy asks for two choices and for the measured figures", "[own]") {
     const TemporaryFolder folder;
-    // With an option it draws the same.
+    // With an option, it draws the same picture.
     write_file(folder / "build.sh", program("printf \"P3 1 1 255 0 0 0\" >$2"));
     const auto lines = [&](const std::string& page) {
         write_file(folder / "accuracy.md", page);
@@ -180,7 +180,7 @@ TEST_CASE("a verdict holds until the sources change", "[own]") {
     const OwnRecord passed{folder.path().string(), hash, 40, 40};
     CHECK(own_passes(passed));
     CHECK(standing_of(passed) == "your own ray tracer passes");
-    // What is drawn and built, hidden, or made by a tool is none of it.
+    // Pictures, what was built, hidden files and what a tool makes do not count.
     write_file(folder / "one.ppm", "P3\n");
     write_file(folder / "own", "a program");
     write_file(folder / "main.o", std::string("\0\1", 2));

@@ -17,7 +17,7 @@ TEST_CASE("both kinds of .ppm are read", "[picture]") {
     CHECK(companion::parse_ppm("P6\n2 1\n255\n\x01\x02\x03\x0a\xff\x23") == expected);
 }
 
-TEST_CASE("what is no .ppm is refused", "[picture]") {
+TEST_CASE("what is not a .ppm is refused", "[picture]") {
     for (const char* const text :
          {"", "P", "P3", "P5\n1 1\n255\nx", "P3\n1 1\n255\n1 2", "P3\n1 1\n255\n1 2 256",
           "P3\n0 1\n255\n", "P3\n1 1\n65535\n1 2 3", "P6\n1 1\n255\nxx", "P6\n1 1\n255\nxxxx",
@@ -92,7 +92,7 @@ TEST_CASE("the picture of a comparison shows both and where they differ", "[pict
     stbi_image_free(pixels);
 }
 
-TEST_CASE("dealing pictures out anew tells chance from difference", "[picture]") {
+TEST_CASE("dealing the pictures out again tells chance from difference", "[picture]") {
     // 4 against 4 can be dealt out in 70 ways, two of which are the worst.
     companion::Products apart{8}, alike{8};
     const std::vector<double> groups{1, 1.01, 0.99, 1, -1, -1.02, -0.99, -0.99};

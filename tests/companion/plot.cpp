@@ -66,7 +66,7 @@ TEST_CASE("a study that timed nothing is drawn as bars", "[plot]") {
     const std::string script = companion::plot_script(all, "plot.svg");
     CHECK(script.find("with boxxyerror") != std::string::npos);
     CHECK(script.find("\nset logscale x") != std::string::npos);
-    // The longest bar stands last, which is on top.
+    // The longest bar comes last, which is on top.
     CHECK(script.find("\"a_b^{c}\" 2") != std::string::npos);
 }
 

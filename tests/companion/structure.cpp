@@ -45,8 +45,8 @@ struct TestCase {
     std::string name, tags;
 };
 
-// The checkpoints of a chapter; what tests its given code, in a folder of its own, is left out.
-// A test case's name may be given as several literals, one after the other.
+// The checkpoints of a chapter. The tests of its given code, in a folder of their own, are left
+// out. A test case's name may be given as several literals, one after the other.
 std::vector<TestCase> test_cases(const std::string& chapter) {
     std::vector<TestCase> all;
     const std::regex pattern{"TEST_CASE\\(((?:\\s*\"[^\"]*\")+)\\s*,\\s*\"([^\"]*)\"\\s*\\)"};
@@ -198,7 +198,7 @@ TEST_CASE("every exercise has a stub that says which one it is", "[stubs]") {
 }
 
 TEST_CASE("no chapter uses what comes after it, and common uses no chapter", "[structure]") {
-    // Headers that stand on the learner's; the libraries of common are compiled without them.
+    // Headers that build on the learner's; the libraries of common are compiled without them.
     const std::map<std::string, std::string> by_chapter{
         {"common/rt/vec3.hpp", "01_vectors"},
         {"common/app/fill.hpp", "02_camera"},
@@ -374,8 +374,8 @@ TEST_CASE("the texts' formulas survive Markdown", "[structure]") {
             FAIL_CHECK(
                 name(document)
                 << ": GitHub shows " << command
-                << " as something else: it takes the backslash before a mark away, and knows "
-                   "not all of TeX. Write \\thinspace, \\cr, \\lbrace, \\mathrm");
+                << " as something else: it removes the backslash before a punctuation mark, and "
+                   "does not know all of TeX. Write \\thinspace, \\cr, \\lbrace, \\mathrm");
     }
 }
 

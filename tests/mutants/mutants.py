@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Mutants: do the checkpoints stop small wrong changes of each solution?
+"""Mutants: do the checkpoints stop small wrong changes to each solution?
 
-Takes the solution of an exercise, makes many small changes of it (an operator, a comparison, a
+Takes the solution of an exercise, makes many small changes to it (an operator, a comparison, a
 constant, a sign, another variable of the same type, a dropped statement ...) and runs the exercise's
 checkpoints on each. A mutant that passes all of them, in double and in float, has survived: either a
 better test is needed, or no test should stop it. The latter are listed with the reason in NN.k.txt
@@ -11,11 +11,11 @@ All mutants of a file are compiled into one program; the environment variable RT
 
     a + b   becomes   (rt_mutant == 7 ? a - b : a + b)
 
-A mutant that does not compile so is left out. What cannot be chosen while the program runs, such as a
-parameter by value instead of by reference, is compiled alone.
+A mutant that does not compile in this form is left out. A mutant that cannot be chosen while the program
+runs, such as a parameter by value instead of by reference, is compiled alone.
 
 verified.json holds a hash of each exercise's solution, checkpoints and reasons as they were when no
-mutant survived. With --changed, an exercise whose hash is another one is tried with all mutants, and the
+mutant survived. With --changed, an exercise whose hash has changed is tried with all mutants, and the
 others with a few (--sample).
 
 Needs python3 with libclang (package python3-clang), ninja and a configured build folder.
@@ -45,7 +45,7 @@ except ImportError:
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 
-# Exercises in which any design passes that keeps a contract: a small change makes another right one.
+# Exercises in which any design passes that keeps a contract: a small change makes another right design.
 FREE = {"05.6"}
 
 # ---- Making mutants ----------------------------------------------------------------------------
@@ -490,7 +490,7 @@ class Program:
         return words, name
 
     def compile(self, edited, only_errors=False):
-        """Compiles with the edited folder first. Returns the errors; empty where it compiles."""
+        """Compiles with the edited folder first. Returns the errors; empty if it compiles."""
         objects, errors = [], ""
         for command in self.compiles:
             file = pathlib.Path(command["file"])
@@ -550,7 +550,7 @@ class Exercise:
         self.reasons = HERE / f"{self.id}.txt"
 
     def hash(self):
-        """Of all that its mutants depend on, but for the headers that it includes."""
+        """A hash of all that its mutants depend on, except for the headers that it includes."""
         files = [ROOT / "solutions" / self.chapter / name for name in self.files]
         files += [self.test, self.reasons, *sorted((ROOT / "tests" / self.chapter).glob("*.hpp")),
                   *sorted((ROOT / "tests/support").glob("*.hpp"))]
@@ -649,7 +649,7 @@ def run_exercise(exercise, build, sample, float_too, log):
     chosen = sorted((m for m in kept if m.form != "alone"), key=lambda m: m.number)
     alone = [m for m in kept if m.form == "alone"]
     if sample:
-        # The same few each time, other ones after a change.
+        # The same few each time, but different ones after a change.
         order = lambda m: hashlib.sha256((exercise.id + m.key).encode()).digest()
         chosen = sorted(chosen, key=order)[:sample]
         alone = []
@@ -714,11 +714,11 @@ def run_exercise(exercise, build, sample, float_too, log):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="small wrong changes of the solutions: do the "
+    parser = argparse.ArgumentParser(description="small wrong changes to the solutions: do the "
                                                  "checkpoints stop them?")
-    parser.add_argument("exercises", nargs="*", help="NN or NN.k; all where none is named")
+    parser.add_argument("exercises", nargs="*", help="NN or NN.k; all if none is named")
     parser.add_argument("--build", default=str(ROOT / "build"), help="a configured build folder")
-    parser.add_argument("--sample", type=int, default=0, help="only so many of each exercise")
+    parser.add_argument("--sample", type=int, default=0, help="only this many of each exercise")
     parser.add_argument("--changed", action="store_true",
                         help="all of the exercises that are not as verified.json knows them, a few of the "
                              "others")

@@ -1,6 +1,6 @@
 // A mathematical library whose results are off by a unit in the last place, one way or the other,
-// for about half of all numbers: loaded before the system's, it stands for any other library. What
-// IEEE 754 prescribes, such as sqrt, fma and fmod, it leaves alone.
+// for about half of all numbers: loaded before the system's, it stands in for any other library. It
+// leaves alone what IEEE 754 prescribes, such as sqrt, fma and fmod.
 #include <dlfcn.h>
 
 #include <bit>

@@ -1,5 +1,5 @@
 #!/bin/sh
-# another_library.sh LIBRARY BUILD: the pictures are the same where the functions of <cmath> are rounded
+# another_library.sh LIBRARY BUILD: the pictures are the same if the functions of <cmath> are rounded
 # differently. BUILD/bin has the programs; those in float may be missing.
 set -u
 small_picture=$(dirname "$0")/../app/small_picture.sh

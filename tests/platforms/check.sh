@@ -32,7 +32,7 @@ each_name() {
     done
 }
 
-# left_out NAME: says why there is no such configuration, or nothing.
+# left_out NAME: says why there is no such configuration; prints nothing if there is one.
 left_out() {
     case $1 in
     g++*-libc++-*) echo "g++ comes with libstdc++ alone" ;;
@@ -48,7 +48,7 @@ compiles() {
     echo "$code" | "$@" -std=c++20 -x c++ - -o /dev/null 2>/dev/null
 }
 
-# missing NAME: says which tool this machine lacks, or nothing.
+# missing NAME: says which tool this machine lacks; prints nothing if it has all.
 missing() {
     local compiler=${1%%-*}
     case $1 in
@@ -119,7 +119,7 @@ check() {
             -R "^(-$drawn)\.small_picture(_in_float)?$|^(-$checked)_checkpoint_solution"
 }
 
-# excluded NAME: tests that say nothing there.
+# excluded NAME: tests that tell nothing there.
 excluded() {
     case $1 in
     *-aarch64)

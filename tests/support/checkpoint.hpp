@@ -1,5 +1,5 @@
 #pragma once
-// What checkpoints are written with: Catch2, exact values, and errors in units in the last place.
+// The tools of the checkpoints: Catch2, exact values, and errors in units in the last place.
 
 #include "catch.hpp"
 
@@ -26,7 +26,7 @@ struct ExactVec3 {
     Exact x, y, z;
 };
 
-// Picks what belongs to the precision that is tested.
+// Picks the value for the precision that is tested.
 template <class T>
 constexpr T for_this_precision(T in_float, T in_double) {
     return std::is_same_v<Real, float> ? in_float : in_double;
@@ -41,7 +41,7 @@ inline Vec3 vec3(const double (&v)[3]) {
     return {real(v[0]), real(v[1]), real(v[2])};
 }
 
-// The error of a computed vector in units in the last place, component by component, the largest.
+// The largest error of a computed vector's components, in units in the last place.
 inline double error_in_ulp(Vec3 computed, const ExactVec3& exact) {
     return std::max({study::error_in_ulp(computed.x, exact.x),
                      study::error_in_ulp(computed.y, exact.y),
@@ -70,6 +70,6 @@ inline std::string text(const ExactVec3& v) {
 
 // A line of a failing checkpoint's message that is put together only when it is needed: what was
 // computed, what was expected, what that suggests.
-#define HINT(expected, computed, suggestion)                               \
-    INFO("expected " << checkpoint::text(expected) << ", but yours gives " \
-                     << checkpoint::text(computed) << ".\nHint: " << (suggestion))
+#define HINT(expected, computed, suggestion)                                                    \
+    INFO("expected " << checkpoint::text(expected) << ", actual " << checkpoint::text(computed) \
+                     << ".\nHint: " << (suggestion))

@@ -1,10 +1,9 @@
 // The error rates of `course compare`, measured.
 //
 //   compare_programs differ MINE SOLUTION...     exit 0 when the two programs' pictures differ
-//   compare_programs alarms RUNS PROGRAM...      compares each program with itself, RUNS times,
-//   with
-//                                                new seeds; exit 0 when at most one run in 300 says
-//                                                that it differs
+//   compare_programs alarms RUNS PROGRAM...      compares each program with itself, RUNS times
+//                                                with new seeds; exit 0 when at most one run in
+//                                                300 says that it differs
 #include <chrono>
 #include <companion/compare/program_pictures.hpp>
 #include <cstdio>
@@ -32,7 +31,7 @@ int differ(const char* mine, const char* solution) {
     }
 }
 
-// On a machine that has too much to do a program may be stopped for being slow: then once more.
+// On a busy machine a program may be stopped for being slow: then this tries again.
 companion::Comparison patiently(const companion::TwoPrograms& pair, std::uint64_t start) {
     for (int i = 0; i < 5; ++i) try {
             return companion::compare(pair, start);
@@ -49,8 +48,8 @@ int alarms(int runs, int count, char** programs) {
         int alarms = 0, second_steps = 0;
         const auto start = Clock::now();
         for (int run = 0; run < runs; ++run) {
-            // Other seeds for the second program's first pictures: equal code must not get away
-            // with equal bits.
+            // Other seeds for the second program's first pictures: equal code must not pass merely
+            // because its bits are equal.
             auto fair = pair;
             fair.solution = [&](std::uint64_t seed) { return pair.solution(seed ^ 0x5555); };
             const auto found = patiently(fair, static_cast<std::uint64_t>(1000 + run));

@@ -20,8 +20,8 @@ class PairCounts {
         return checkpoint::chi_square(counts_,
                                       std::vector<double>(64, static_cast<double>(pairs_) / 64));
     }
-    // Many of these tests are made, and right code may use its random numbers in any order: this
-    // is exceeded once in a thousand million.
+    // There are many of these tests, and correct code may use its random numbers in any order: it
+    // exceeds this limit once in a thousand million tests.
     static double limit() {
         return 63 * std::pow(1 - 2.0 / (9 * 63) + 6 * std::sqrt(2.0 / (9 * 63)), 3);
     }

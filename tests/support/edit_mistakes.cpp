@@ -1,6 +1,6 @@
-// edit_mistakes FILE.md SOLUTION FOLDER: makes the mistakes of one exercise. What each changes in
-// the folder SOLUTION goes to FOLDER/NAME/rt; a file that is there already as it should be stays as
-// it is, so that nothing is compiled again for it.
+// edit_mistakes FILE.md SOLUTION FOLDER: makes the mistakes of one exercise. The files of the
+// folder SOLUTION that a mistake changes go to FOLDER/NAME/rt. A file that already has the right
+// contents is left alone, so that nothing is compiled again for it.
 
 #include <app/errors.hpp>
 #include <companion/model/mistakes.hpp>

@@ -1,6 +1,6 @@
-// image_compare A B: exit 0 when two image files show the same picture, which is when at most one
-// pixel in a thousand differs by more than one step of 255 in any channel. Else says how they
-// differ.
+// image_compare A B: exit 0 when two image files show the same picture, that is, when at most
+// one pixel in a thousand differs by more than one step of 255 in any channel. Otherwise it says
+// how they differ.
 #include <stb_image.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The entry point of every program of test cases, and the reporter that the companion reads. With
-// `-r events` every event is a line of JSON, written whole and at once: what a crash leaves behind
-// are whole lines. Catch2 3 brings its own main().
+// `-r events` every event is a line of JSON, written whole and at once: a crash leaves only whole
+// lines behind. Catch2 3 brings its own main().
 #include <sys/resource.h>
 
 #include <csignal>
@@ -21,15 +21,15 @@ using nlohmann::json;
 
 namespace {
 
-// Which memory a program that died of it has used: of a null pointer, or below a full stack.
+// The forbidden memory whose use ended the program: that of a null pointer, or below a full stack.
 const char* forbidden_memory = "";
 
-#if defined(CATCH_CONFIG_MAIN) && !defined(RT_SANITIZED)  // sanitizers tell more of a crash
-// What Catch2 does at such a signal, and beyond that a look at the address.
+#if defined(CATCH_CONFIG_MAIN) && !defined(RT_SANITIZED)  // sanitizers tell more about a crash
+// Does what Catch2 does at such a signal, and also looks at the address.
 class CrashHandler {
   public:
     CrashHandler() {
-        static char stack[1 << 16];  // for a full stack leaves no room
+        static char stack[1 << 16];  // since a full stack leaves no room
         stack_t own{};
         own.ss_sp = stack;
         own.ss_size = sizeof stack;
@@ -75,7 +75,8 @@ class CrashHandler {
 const CrashHandler crash_handler;
 #endif
 
-// The exercise whose rt::todo is the exception that is handled now; empty where it is another one.
+// The exercise whose rt::todo threw the exception that is being handled; empty for
+// any other exception.
 std::string missing_exercise() {
     try {
         throw;
@@ -149,7 +150,7 @@ class EventReporter : public Catch::StreamingReporterBase {
     void report(const Catch::AssertionStats& stats) {
         const Catch::AssertionResult& result = stats.assertionResult;
         const bool crashes = result.getResultType() == Catch::ResultWas::FatalErrorCondition;
-        // Of a crash before the first assertion there is no more to say.
+        // There is no more to say about a crash before the first assertion.
         if (!result.isOk() && (!crashes || result.hasExpression())) write(failure(stats));
         if (crashes)
             write({{"event", "crashes"},

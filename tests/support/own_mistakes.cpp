@@ -1,9 +1,9 @@
 // own_mistakes REFERENCE START SOLUTION [FILE.md [NAME]]: judges each mistake of our answer to
-// chapter 09 in the file, or the one of this name, as `course own judge --part` does. Exactly the
-// lines that the file names must fail: "caught by", and those of "also fails", with "; " between
-// them, or "all the part". Without a file it judges our answer, which must pass: all but the page
-// on accuracy, whose figures are those of one machine. What a busy machine cannot tell does not
-// count.
+// chapter 09 in the file, or the one of this name, as `course own judge --part` does. Exactly
+// the lines that the file names must fail: "caught by", and those of "also fails", with "; "
+// between them, or "all the part". Without a file it judges our answer, which must pass: all but
+// the page on accuracy, whose figures are those of one machine. Lines that a busy machine cannot
+// judge do not count.
 
 #include <algorithm>
 #include <app/cores.hpp>
@@ -20,7 +20,7 @@ using namespace companion;
 
 namespace {
 
-// "rung 3: one matte ball on the ground" is of "rung3".
+// "rung 3: one matte ball on the ground" belongs to "rung3".
 std::string part_of(const std::string& line) {
     std::string part = line.substr(0, line.find(':'));
     part.erase(std::remove(part.begin(), part.end(), ' '), part.end());
@@ -32,7 +32,7 @@ bool is_timed(const std::string& part) {
     return part == "rung8" || part == "rung9" || part == "list";
 }
 
-// How a line went, on one line.
+// Prints the result of a judged line, on one line.
 void print(const JudgedLine& line) {
     std::printf("    %s %s: %s\n", line.passed ? "+" : "x", line.what.c_str(), line.actual.c_str());
     std::fflush(stdout);
@@ -53,7 +53,7 @@ bool passes_all(const fs::path& reference, const fs::path& start, const fs::path
     return passed;
 }
 
-// True where exactly the right lines fail.
+// True if exactly the right lines fail.
 bool is_stopped(const Mistake& mistake, const fs::path& reference, const fs::path& start,
                 const fs::path& solution) {
     const checkpoint::TemporaryFolder folder;

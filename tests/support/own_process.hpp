@@ -1,5 +1,5 @@
 #pragma once
-// Runs what may end the program, so that the checkpoint survives it.
+// Runs code that may end the program, so that the checkpoint survives it.
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -12,8 +12,8 @@
 
 namespace checkpoint {
 
-// What work() returns, a text. It runs in a process of its own with 8 MiB of stack, as is usual,
-// and for so many seconds, so that the checkpoint survives when it does not: "the program ended".
+// Runs work() in a process of its own, with the usual 8 MiB of stack and for at most this many
+// seconds, and returns its text; "the program ended" if that process did not survive.
 template <class Work>
 std::string in_own_process(Work work, unsigned seconds = 20) {
     int ends[2];

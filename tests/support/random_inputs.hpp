@@ -14,8 +14,8 @@ inline Real any_number(rt::Rng& rng, Real low, Real high) {
     return rng() % 2 == 0 ? size : -size;
 }
 
-// A vector whose components are at most 10^high and at least 10^low, unless they are 0, as one in
-// eight is: half of the vectors have components of one size, the others of any sizes.
+// A vector whose components have sizes from 10^low to 10^high; one component in eight is 0. Half of
+// the vectors have components of similar size, the others of any sizes.
 inline Vec3 any_vector(rt::Rng& rng, Real low, Real high) {
     const bool alike = rng() % 2 == 0;
     const Real size = rng.uniform(low, high);
@@ -50,13 +50,15 @@ inline ExactVec3 exact_unit(const ExactVec3& v) {
     return v * (Exact(1) / exact_length(v));
 }
 
-// |ax bx| + |ay by| + |az bz|: what the rounding error of a sum of products is measured by.
+// |ax bx| + |ay by| + |az bz|: the rounding error of a sum of products is measured
+// relative to this.
 inline double size_of_terms(const ExactVec3& a, const ExactVec3& b) {
     return std::abs(a.x.high * b.x.high) + std::abs(a.y.high * b.y.high) +
            std::abs(a.z.high * b.z.high);
 }
 
-// How many times the allowed error a result is off: right up to 1. An error of 0 is always allowed.
+// A result's error divided by the allowed error: at most 1 if the result is right. An error of 0
+// is always allowed.
 inline double times_allowed(Real computed, Exact exact, double allowed) {
     const double error = std::abs((exact - Exact(computed)).high);
     return error == 0 ? 0 : error / allowed;

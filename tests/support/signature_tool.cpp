@@ -1,10 +1,9 @@
 // Runs the mistakes of a chapter, which were built into FOLDER.
 //
 //   signature_tool --write FOLDER CHAPTER        writes down what fails in each
-//   signature_tool --check FOLDER CHAPTER NN.k   checks those of one exercise: the test case that
-//   is
-//                                                to catch a mistake fails, and what fails is
-//                                                recognized by what was written down, as this
+//   signature_tool --check FOLDER CHAPTER NN.k   checks those of one exercise: the test case
+//                                                that should catch a mistake fails, and what fails
+//                                                is recognized by what was written down, as this
 //                                                mistake or as one that looks the same from outside
 
 #include <algorithm>
@@ -21,7 +20,7 @@ using namespace companion;
 
 namespace {
 
-// What the checkpoints say of a mistake, all of them or one test case. One alone may take its time.
+// What the checkpoints say about a mistake, all of them or one test case. One alone gets more time.
 std::vector<TestCase> run_mistake(const fs::path& folder, const std::string& name,
                                   const std::string& test_case = "") {
     Run run{.command = {(folder / ("mistake." + name)).string(), "-r", "events"},
@@ -36,7 +35,7 @@ std::vector<TestCase> run_mistake(const fs::path& folder, const std::string& nam
     return read_report(result.output);
 }
 
-// Whether the test case that is to catch a mistake failed by an assertion, and came to its end.
+// Whether the test case that should catch a mistake failed by an assertion, and ran to its end.
 bool is_caught(const Mistake& mistake, const std::vector<TestCase>& tests) {
     return std::any_of(tests.begin(), tests.end(), [&](const TestCase& test) {
         return test.name == mistake.caught_by && test.ended && test.crash.empty() &&
@@ -44,7 +43,8 @@ bool is_caught(const Mistake& mistake, const std::vector<TestCase>& tests) {
     });
 }
 
-// Threads make some mistakes fail now here and now there: what fails every time counts.
+// With threads, some mistakes fail in different assertions from run to run: what fails
+// every time counts.
 Signature what_always_fails(const fs::path& folder, const std::string& name) {
     Signature always = signature_of(run_mistake(folder, name));
     const Signature first = always;
@@ -77,8 +77,8 @@ struct Recognized {
     bool right;
 };
 
-// Where threads meet, a mistake shows itself now here and now there: it has three tries. One that
-// never fails in the same way twice, such as undefined behavior, is in no list.
+// With threads, a mistake may fail in different assertions from run to run: it has three tries. A
+// mistake that never fails in the same way twice, such as undefined behavior, is in no list.
 Recognized try_to_recognize(const Signatures& known, const fs::path& folder, const Mistake& mistake,
                             const Signature& first) {
     const std::string exercise = mistake.name.substr(0, mistake.name.find('_'));

@@ -20,8 +20,8 @@ inline std::string read(const fs::path& path) {
     return {std::istreambuf_iterator<char>{in}, {}};
 }
 
-// All files below a folder whose names end in one of these, sorted; none where the folder is
-// missing.
+// All files below a folder whose names end in one of these, sorted; none where the
+// folder is missing.
 inline std::vector<fs::path> files(const fs::path& folder,
                                    const std::vector<std::string>& extensions) {
     std::vector<fs::path> found;
@@ -43,7 +43,7 @@ inline std::vector<fs::path> folders(const fs::path& folder) {
     return found;
 }
 
-// The code without comments, and where asked without what stands between quotes.
+// The code without comments and, unless they are to be kept, without the contents of strings.
 inline std::string code_of(const std::string& text, bool keep_strings = false) {
     std::string code;
     for (std::size_t i = 0; i < text.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
 // Statistical tests of sampled code. Seeds are fixed, so a test that passes once passes always; the
-// limits say how seldom right code would fail with a seed that nobody has tried.
+// limits say how rarely correct code would fail with a seed that nobody has tried.
 
 #include <cmath>
 #include <rt/rng.hpp>
@@ -9,9 +9,9 @@
 
 namespace checkpoint {
 
-// The chi-square statistic of right code stays below this in all but one of 10000 runs.
-// Source of the approximation: Wilson and Hilferty, PNAS 17, 1931; within 0.1 % from 50 degrees of
-// freedom on.
+// The chi-square statistic of correct code stays below this in all but one of 10000 runs.
+// Source of the approximation: Wilson and Hilferty, PNAS 17, 1931; within 0.1 % for 50 degrees of
+// freedom or more.
 inline double chi_square_limit(int degrees_of_freedom) {
     const double k = degrees_of_freedom, one_in_10000 = 3.719;
     return k * std::pow(1 - 2 / (9 * k) + one_in_10000 * std::sqrt(2 / (9 * k)), 3);
@@ -45,7 +45,8 @@ class Mean {
     double mean_ = 0, squares_ = 0;
 };
 
-// A random direction, by a way that no exercise asks for: a place in the ball, pushed outward.
+// A random direction, by a method that no exercise asks for: a random point in the ball,
+// scaled to length 1.
 inline rt::Vec3 any_direction(rt::Rng& rng) {
     using rt::Real;
     for (;;) {

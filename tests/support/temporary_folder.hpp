@@ -9,12 +9,12 @@
 
 namespace checkpoint {
 
-// An empty folder that goes away with all that is in it.
+// An empty folder that is deleted with everything in it.
 class TemporaryFolder {
   public:
     TemporaryFolder() {
         static std::atomic<int> count = 0;
-        // With a space in its name: whoever handles paths carelessly shall fail.
+        // With a space in its name: code that handles paths carelessly must fail.
         path_ = std::filesystem::temp_directory_path() /
                 ("course test " + std::to_string(::getpid()) + '.' + std::to_string(++count));
         std::filesystem::create_directories(path_);

@@ -109,8 +109,8 @@ TEST_CASE("all effects times a billion or a billionth are the same picture") {
 
 TEST_CASE("lamps as bright as the sky cannot be seen in a white furnace") {
     // Every pixel's expectation is 1. A picture's mean is tested to 3.89 standard errors, which
-    // right code misses in one of 10,000 seeds, and each pixel's to 5.1, which in one of 10,000
-    // seeds right code misses in some of the 24 pixels and 6 pictures.
+    // right code misses in one of 10,000 seeds, and each pixel's to 5.1. With one of 10,000 seeds,
+    // right code misses that in some of the 24 pixels and 6 pictures.
     const Frame frame{6, 4, 400, 60};
     for (const bool foggy : {false, true})
         for (const Vec3 from : {Vec3{0, 1, 5}, Vec3{0, Real(1.5), 0}, Vec3{2, Real(2.25), 0}}) {

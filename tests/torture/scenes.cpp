@@ -39,7 +39,7 @@ SceneDescription lattice() {
     return scene;
 }
 
-// Along all axes, forwards and backwards, with zeros of both signs beside.
+// Along all axes, forward and backward; the other components are zeros of both signs.
 std::vector<Vec3> along_axes() {
     std::vector<Vec3> all;
     for (const Real ahead : {Real(1), Real(-1)})
@@ -96,7 +96,7 @@ TEST_CASE("a ray grazes a thousand spheres") {
         if (std::holds_alternative<Dielectric>(material) &&
             std::get<Dielectric>(material).index == 1)
             for (const Color light : lights) {
-                INFO("glass of index 1 is not there: the ray goes straight on into the sky");
+                INFO("glass of index 1 is invisible: the ray goes straight on into the sky");
                 CHECK(light == plain_sky({0, 0, 1}));
             }
         for (const Color light : light_along(whitened(scene), rays, 3000))
@@ -137,7 +137,7 @@ TEST_CASE("two hundred nested shells of glass") {
                 Dielectric{i % 2 == 0 ? Real(1.5) : 1 / Real(1.5)});
         check_scene(scene, {12, 8, 1, 500});
 
-        INFO("shells of index 1 are not there");
+        INFO("shells of index 1 are invisible");
         SceneDescription nothing = scene;
         nothing.spheres.clear();
         for (MaterialDescription& material : scene.materials) material = air;
@@ -234,8 +234,8 @@ TEST_CASE("a thousand spheres in one place") {
 
 namespace {
 
-// All materials on a ground, within the cube from -2 to 2. Every number is a multiple of 1/64: with
-// `away` one too, and no larger than 2^15 in float and 2^44 in double, nothing is rounded.
+// All materials on a ground, within the cube from -2 to 2. Every number is a multiple of 1/64: if
+// `away` is one, too, and no larger than 2^15 in float and 2^44 in double, nothing is rounded.
 SceneDescription still_life(Vec3 away = {}) {
     SceneDescription scene = empty_scene(
         {Vec3{0, Real(1.25), 2} + away, Vec3{0, Real(0.25), 0} + away, {0, 1, 0}, radians(60)});

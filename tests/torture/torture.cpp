@@ -13,7 +13,7 @@ constexpr Effects materials{.mirror = true, .fuzz = true, .glass = true, .textur
 constexpr Effects everything{true, true, true, true, true, true, true, true, true, true};
 constexpr std::uint64_t seed = 17;
 
-// A part of a world that is used in place.
+// A part of a world, used without copying it.
 template <class World>
 struct Borrowed {
     const World& world;
@@ -60,7 +60,7 @@ Image draw(const ReadyScene<effects>& scene, const World& world, const Frame& fr
 }
 
 void check_light(Color light, Real most) {
-    // A number that is none fails every comparison.
+    // A NaN fails every comparison.
     const auto allowed = [&](Real x) { return x >= 0 && x <= most; };
     if (allowed(light.r) && allowed(light.g) && allowed(light.b)) return;
     INFO("expected light from 0 to " << most << ", actual " << light);

@@ -3,7 +3,7 @@
 
 #define SIDE 256
 
-// Red grows to the right, green grows downwards, blue stays.
+// Red grows to the right, green grows downward, blue is constant.
 int shade(int x, int y, int channel) {
     const int color[3] = {x, y, 96};
     return color[channel];

@@ -17,7 +17,7 @@ int main() {
     std::cout << "now x is " << x << '\n';
     {
         Guest guest;
-        std::cout << "  inside of the block\n";
+        std::cout << "  inside the block\n";
     }
-    std::cout << "behind it\n";
+    std::cout << "after it\n";
 }

@@ -1,5 +1,5 @@
-// What the linker takes while the learner's gradient.cpp has no definition: this file is in a
-// library, and of a library it takes only what is still undefined after all other files.
+// What the linker uses while the learner's gradient.cpp has no definition: this file is in a
+// library, and from a library the linker takes only what is still undefined after all other files.
 
 #include <rt/gradient.hpp>
 #include <rt/todo.hpp>

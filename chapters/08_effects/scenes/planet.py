@@ -13,14 +13,14 @@ ICE, CLOUD = (238, 244, 250), (250, 250, 250)
 
 
 def lot(x, y, z):
-    """A number in [0, 1) for each point of the whole-number grid."""
+    """A number in [0, 1) for each point of the integer grid."""
     n = (x * 374761393 + y * 668265263 + z * 2147483647) & 0xFFFFFFFF
     n = ((n ^ (n >> 13)) * 1274126177) & 0xFFFFFFFF
     return ((n ^ (n >> 16)) & 0xFFFF) / 65536
 
 
 def smooth(x, y, z):
-    """The lots of the eight corners around a point, blended."""
+    """The random numbers of the eight corners around a point, blended."""
     ix, iy, iz = math.floor(x), math.floor(y), math.floor(z)
     fade = [t * t * (3 - 2 * t) for t in (x - ix, y - iy, z - iz)]
     total = 0

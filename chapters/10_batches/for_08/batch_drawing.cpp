@@ -1,4 +1,4 @@
-// What chapter 08's program draws with where it is given --batches. It is linked into that program.
+// What chapter 08's program draws with if --batches is given. It is linked into that program.
 
 #include <array>
 #include <memory>
@@ -16,8 +16,9 @@ namespace {
 using namespace rt;
 using effects::DrawSeededTile, effects::SeededDrawing;
 
-// A batch asks once which kernel it needs, not once a ray, so an effect that is there in vain costs
-// little. What does cost is leaving the kernels for packs, which the last two sets do.
+// A batch asks which kernel it needs once, not once per ray, so an effect that is compiled
+// in but not used costs little. What does cost time is leaving the kernels for packs,
+// which the last two sets do.
 using effects::few_effects;
 
 template <Effects effects>
@@ -39,7 +40,7 @@ constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>
 }
 (std::make_index_sequence<few_effects.size()>{});
 
-// The smallest tiles with paths enough for a batch.
+// The smallest tiles with enough paths for a batch.
 int tile_side(int samples_per_pixel) {
     int side = 16;
     while (static_cast<std::size_t>(side * side) * static_cast<std::size_t>(samples_per_pixel) <
@@ -57,7 +58,7 @@ SeededDrawing make_drawing(const SceneDescription& scene, int width, int height,
             tile_side(quality.samples_per_pixel)};
 }
 
-// Before main() begins.
+// Set before main() begins.
 [[maybe_unused]] const bool is_known = (effects::make_batch_drawing = make_drawing, true);
 
 }  // namespace

@@ -2,8 +2,8 @@
 //
 //     accuracy_study DIR && accuracy_study_float DIR
 //
-// write DIR/accuracy.csv. The first one also leaves the converged pictures there, which the second
-// one compares with.
+// write DIR/accuracy.csv. The first one also leaves the converged pictures there; the second one
+// compares its own pictures with them.
 
 #include <filesystem>
 #include <fstream>
@@ -30,13 +30,13 @@ namespace {
 constexpr int width = 64, height = 36, usual_depth = 32;
 constexpr int truth_samples = 4096;
 
-// Lamps that are found by chance alone: nobody can ask for one of them.
+// Lamps that are found by chance alone: they say that there are none to aim at.
 struct ChanceLights : SphereLights {
     static constexpr bool empty() { return true; }
 };
 
-// Hits nearer than this do not count, as where a ray starts on the very surface. In a scene that is
-// a thousand times as small, 0.001 is what 1 is here.
+// Hits nearer than this do not count, as if the ray had started on that very surface. In a scene
+// that is a thousand times as small, 0.001 is what 1 is here.
 template <class World>
 struct SkippingWorld {
     const World& world;
@@ -189,7 +189,8 @@ class Subject {
         return truth;
     }
 
-    // The error and the time of a setting, over the samples. It is known best where they are few.
+    // The error and the time of a setting, over the samples. The error is known
+    // best where samples are few.
     template <class Draw>
     void add(const std::string& setting, const Draw& draw_picture) {
         for (int n = 1; n <= 64; n *= 4) {

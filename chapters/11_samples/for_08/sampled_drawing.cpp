@@ -1,5 +1,5 @@
-// What chapter 08's program draws with where it is given --sampler, --target-error or
-// --time-budget. It is linked into that program.
+// What chapter 08's program draws with if --sampler, --target-error or --time-budget is given. It
+// is linked into that program.
 
 #include <app/errors.hpp>
 #include <app/interrupt.hpp>
@@ -75,7 +75,7 @@ std::string text_of(const char* format, double number) {
     return text;
 }
 
-// What refining took: the error, and how the samples are spread.
+// The result of refining: the error, and how the samples are spread.
 std::string result(const Refinement& refinement, int width, int height) {
     int fewest = refinement.passes_at(0, 0), most = fewest;
     double sum = 0;
@@ -117,8 +117,8 @@ effects::SeededDrawing make_sobol_drawing(const SceneDescription& scene, int wid
     return {drawing.choice, make_worker, drawing.tile_side};
 }
 
-// Refines within the time: in rounds, each with half of the passes that there is time for, so that
-// the last one begins with a good guess.
+// Refines within the time, in rounds. Each round takes half of the passes that there is time for,
+// so that the last one begins with a good guess.
 void refine_within(Refinement& refinement, Clock::time_point start, Clock::time_point end) {
     for (Clock::time_point now; (now = Clock::now()) < end;) {
         const std::chrono::duration<double> spent = now - start, left = end - now;
@@ -193,7 +193,7 @@ const effects::Refining refining{
     make_sobol_drawing,
     render};
 
-// Before main() begins.
+// Set before main() begins.
 [[maybe_unused]] const bool is_known = (effects::refining = &refining, true);
 
 }  // namespace

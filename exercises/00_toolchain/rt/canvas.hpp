@@ -9,32 +9,32 @@ namespace rt {
 
 // Exercise 00.3. A picture as a value. The object itself is three members: two numbers and the
 // address of its pixels, which are on the heap, row by row from the top. A canvas owns its pixels:
-// it makes them, it alone releases them, and a copy has pixels of its own. Pixel is any type with
-// a default value that can be copied without an exception.
+// it alone allocates and releases them, and a copy has pixels of its own. Pixel is any type that
+// has a default value and can be copied without an exception.
 template <class Pixel>
 class Canvas {
   public:
-    // Exercise 00.3, the constructor. Make size() pixels on the heap and give all of them the
+    // Exercise 00.3, the constructor. Allocate size() pixels on the heap and give all of them the
     // color `fill`. Throw std::invalid_argument unless both sides are at least 1.
     Canvas(int width, int height, const Pixel& fill = {}) { rt::todo("00.3", width, height, fill); }
 
     // Exercise 00.3, the destructor. Release the pixels. (A destructor must not throw, so there is
-    // no todo in it: an empty one is a leak.)
+    // no todo in it. Left empty, it leaks memory.)
     ~Canvas() {}
 
-    // Exercise 00.3, the copy constructor. As many pixels of its own, with the same colors.
+    // Exercise 00.3, the copy constructor. Make as many pixels of its own, with the same colors.
     Canvas(const Canvas& other) { rt::todo("00.3", other); }
 
     // Exercise 00.3, the move constructor. Take over the other canvas's pixels: copy none, and
-    // leave it with no pixels, 0 wide and 0 high. When it works write noexcept before its {, see
-    // the text.
+    // leave it with no pixels, 0 wide and 0 high. When it works, write noexcept before its {; the
+    // text says why.
     Canvas(Canvas&& other) { rt::todo("00.3", other); }
 
-    // Exercise 00.3, assignment. `other` is a value: whoever calls has copied or moved into it
-    // already. Swap all three members with it, and return *this, the canvas itself.
+    // Exercise 00.3, assignment. `other` is a value: the caller has already copied or moved into
+    // it. Swap all three members with it, and return *this, the canvas itself.
     Canvas& operator=(Canvas other) { rt::todo("00.3", other); }
 
-    // From here on all is given.
+    // Everything from here on is given.
     int width() const { return width_; }
     int height() const { return height_; }
     // Width times height, in a type that has room for it.
@@ -62,17 +62,17 @@ class Canvas {
     Pixel* pixels_ = nullptr;
 };
 
-// Exercise 00.3. The canvas upside down: its first row becomes the last one. Takes and returns a
-// value; a canvas that is moved into it comes out again with the same memory, and no row or canvas
-// is made on the way. std::swap(a, b) exchanges two pixels. An empty canvas stays empty.
+// Exercise 00.3. The canvas upside down: its first row becomes the last. Takes and returns a value:
+// a canvas that is moved into it comes out with the same memory, and no other row or canvas is made
+// on the way. std::swap(a, b) exchanges two pixels. An empty canvas stays empty.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
     return rt::todo("00.3", canvas);
 }
 
-// Exercise 00.3. The largest pixel, by <; of several equal ones the first. The result is a
-// reference: the pixel itself and not a copy, good for as long as the canvas lives. The canvas must
-// not be empty.
+// Exercise 00.3. The largest pixel, compared by <, or the first of several that are equally large.
+// The result is a reference: the pixel itself, not a copy, valid for as long as the canvas lives.
+// The canvas must not be empty.
 template <class Pixel>
 const Pixel& largest(const Canvas<Pixel>& canvas) {
     rt::todo("00.3", canvas);

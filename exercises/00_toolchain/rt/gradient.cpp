@@ -5,15 +5,15 @@ namespace rt {
 
 // Exercise 00.2. Write the definition of the function that gradient.hpp declares: the same line,
 // with a body { ... } in place of the semicolon. Mix the two upper corners by `across`, the two
-// lower corners by `across`, and both results by `down`. mix(a, b, t), which rt/color.hpp has, goes
-// from color a to color b as t goes from 0 to 1.
+// lower corners by `across`, and the two results by `down`. mix(a, b, t), given in rt/color.hpp,
+// goes from color a to color b as t goes from 0 to 1.
 //
 // As long as there is no definition, the linker takes another one, from a library, whose body says
-// that this exercise is still to be written. So it does when yours is not the function that was
+// that this exercise is still to be written. It also does so if yours is not the function that was
 // declared, and then the check tells you: compare name, namespace and parameters with gradient.hpp,
 // down to each const and &. It must be neither inline nor static (known in this file alone).
 
-// Replace these three lines by your definition. Nobody calls them: they mark the place.
+// Replace these three lines with your definition. Nothing calls them: they only mark where it goes.
 [[maybe_unused]] static void still_to_be_written() {
     rt::todo("00.2");
 }

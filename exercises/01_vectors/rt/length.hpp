@@ -7,9 +7,9 @@
 
 namespace rt {
 
-// Exercise 01.4. Given for both functions, in <rt/vec3.hpp>: split_scale(v), whose result `scaled`
-// has a vector scaled.v with its largest component near 1 and a whole number scaled.exponent, such
-// that v is exactly scaled.v * 2^scaled.exponent; and is_finite(v). std::scalbn(x, n) is x * 2^n.
+// Exercise 01.4. Given for both functions, in <rt/vec3.hpp>: is_finite(v) and split_scale(v). The
+// latter's result, `scaled`, has a vector scaled.v, whose largest component is near 1, and a whole
+// number scaled.exponent: v is exactly scaled.v * 2^scaled.exponent. std::scalbn(x, n) is x * 2^n.
 
 // The length of v, for any finite v: within 2.5 units in the last place. It is infinite only where
 // the true length exceeds the largest number.
@@ -17,8 +17,8 @@ inline Real length(Vec3 v) {
     return rt::todo("01.4", v);
 }
 
-// The vector of length 1 in the direction of v, for any finite v but zero: each component within
-// 3.5 units in the last place. Throws std::domain_error for a vector that is zero or not finite: it
+// The vector of length 1 in the direction of v, for any finite v but zero. Each component is
+// within 3.5 units in the last place. Throws std::domain_error if v is zero or not finite: then it
 // has no direction.
 inline Vec3 normalize(Vec3 v) {
     return rt::todo("01.4", v);

@@ -8,8 +8,8 @@
 namespace rt {
 
 // Exercise 01.8. A right-handed basis (u x v = w) with the given unit vector as its w. Lengths and
-// right angles hold within 8 epsilon (|u.u - 1|, |u.v| and so on) for every w: there is no
-// direction at which it fails.
+// right angles are exact within 8 epsilon (|u.u - 1|, |u.v| and so on) for every w: no direction
+// makes it fail.
 inline Basis orthonormal_basis(Vec3 w) {
     return rt::todo("01.8", w);
 }

@@ -9,12 +9,12 @@ namespace rt {
 // rounding error of each number that you compute may be at most rounding_bound(5) times the sum of
 // the absolute values of its terms.
 
-// Where the map takes a point: linear part and translation.
+// Where the map takes a point: the linear part and the translation apply.
 inline Vec3 transform_point(const Mat4& m, Vec3 p) {
     return rt::todo("01.6", m, p);
 }
 
-// Where the map takes a direction, which has no place: the linear part alone.
+// Where the map takes a direction, which has no position: the linear part alone applies.
 inline Vec3 transform_vector(const Mat4& m, Vec3 v) {
     return rt::todo("01.6", m, v);
 }

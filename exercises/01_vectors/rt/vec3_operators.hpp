@@ -7,7 +7,7 @@ namespace rt {
 // Exercise 01.1. All operators work component by component, and round each component once. Others,
 // such as s * v and +=, are given in <rt/vec3.hpp>: they call these.
 
-// The vector of the same length the other way (given, as an example).
+// The vector of the same length in the opposite direction (given, as an example).
 inline Vec3 operator-(Vec3 v) {
     return {-v.x, -v.y, -v.z};
 }
@@ -17,12 +17,12 @@ inline Vec3 operator+(Vec3 a, Vec3 b) {
     return rt::todo("01.1", a, b);
 }
 
-// The way from b to a.
+// The vector that leads from b to a.
 inline Vec3 operator-(Vec3 a, Vec3 b) {
     return rt::todo("01.1", a, b);
 }
 
-// s times as long, and the other way where s is negative.
+// s times v: |s| times as long, and in the opposite direction if s is negative.
 inline Vec3 operator*(Vec3 v, Real s) {
     return rt::todo("01.1", v, s);
 }

@@ -11,11 +11,11 @@
 namespace rt {
 
 // Exercise 03.2. The smallest t within the interval at which the ray meets the sphere's surface,
-// from outside or from inside. Return {} where it passes by, where no hit is within the interval,
-// and for a direction of length 0. The direction may have any other length; t counts in lengths of
-// it. With f from center to origin, p the distance of the line from the center and h half the
-// chord: t |d| must be within 6 epsilon (|f| + r) (1 + p / h), and hit or miss decided rightly for
-// every ray that keeps 3 epsilon (|f| + r) away from grazing.
+// from outside or from inside. Return {} if the ray misses, if no hit is within the interval, and
+// for a direction of length 0. The direction may have any other length; t counts in lengths of it.
+// Let f lead from the center to the ray's origin, p be the distance of the line from the center,
+// and h half the chord. Then t |d| must be within 6 epsilon (|f| + r) (1 + p / h), and hit or miss
+// must be decided correctly for every ray that stays 3 epsilon (|f| + r) away from grazing.
 inline std::optional<Real> hit_sphere(const Sphere& sphere, const Ray& ray, Interval within) {
     return rt::todo("03.2", sphere, ray, within);
 }

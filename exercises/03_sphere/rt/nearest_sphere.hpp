@@ -18,10 +18,10 @@ struct NearestSphere {
     friend bool operator==(const NearestSphere&, const NearestSphere&) = default;
 };
 
-// Exercise 03.3. The sphere that the ray meets at the smallest t within the interval, and this t:
-// of equally near ones the last in the list. Return {} where the ray meets no sphere within the
-// interval, and for an empty list. Each t is the one that hit_sphere (03.2) gives for that sphere
-// alone. The spheres come in any order, and may overlap or lie within each other.
+// Exercise 03.3. The sphere that the ray meets at the smallest t within the interval, and this t.
+// If several are equally near, it is the last of them in the list. Return {} if the ray meets no
+// sphere within the interval, and for an empty list. Each t is the one that hit_sphere (03.2) gives
+// for that sphere alone. The spheres come in any order, and may overlap or lie within each other.
 inline std::optional<NearestSphere> nearest_sphere(std::span<const SceneSphere> spheres,
                                                    const Ray& ray, Interval within) {
     return rt::todo("03.3", spheres, ray, within);

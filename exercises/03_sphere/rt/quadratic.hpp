@@ -8,11 +8,11 @@
 
 namespace rt {
 
-// Exercise 03.1. The real solutions of a t^2 + b t + c = 0, given its discriminant b^2 - 4 a c from
-// whoever knows how to compute that best. Return {} (no solution) when the discriminant is negative
-// or not a number, and when a and b are both 0. Where a = 0 or the discriminant is 0, the one
-// solution is low and high at once. Each is within 4 units in the last place, when the discriminant
-// is exact. Source: Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 1.8.
+// Exercise 03.1. The real solutions of a t^2 + b t + c = 0, given its discriminant b^2 - 4 a c: the
+// caller knows how to compute that best. Return {} (no solution) if the discriminant is negative or
+// NaN, and if a and b are both 0. If a = 0 or the discriminant is 0, the one solution is both low
+// and high. Each is within 4 units in the last place if the discriminant is exact. Source: Higham,
+// "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 1.8.
 inline std::optional<Roots> roots_from_discriminant(Real a, Real b, Real c, Real discriminant) {
     return rt::todo("03.1", a, b, c, discriminant);
 }

@@ -8,7 +8,7 @@ namespace rt {
 // What becomes of a path that has made all of its bounces.
 enum class Fate { ends_in_sky, ends_in_black, goes_on };
 
-// As if nothing stood in the way of the last bounce any more. Too bright, mostly by little.
+// As if nothing stood in the way after the last bounce. Too bright, mostly by a little.
 struct SkyEnding {
     template <class Random>
     Fate operator()(Color&, Random&) const {
@@ -25,16 +25,16 @@ struct BlackEnding {
 };
 
 // Exercise 04.7. Russian roulette: the path goes on with a probability p, and its throughput is
-// divided by p, so that those that go on stand in for those that ended. Right on the average: p *
-// (1 / p) = 1. p is the largest channel of the throughput, however small, but at most most_likely.
-// One random number decides. A black path, p = 0, always ends, also when 0 is drawn.
+// divided by p, so that the paths that go on stand in for those that ended. Correct on average:
+// p * (1 / p) = 1. p is the largest channel of the throughput, however small, but at most
+// most_likely. One random number decides. A black path, p = 0, always ends, even if 0 is drawn.
 template <class Random>
 Fate play_roulette(Color& throughput, Real most_likely, Random& random) {
     return rt::todo("04.7", throughput, most_likely, random);
 }
 
 struct RouletteEnding {
-    // Below 1, so that even a path between white surfaces ends at some time.
+    // Below 1, so that even a path between white surfaces ends eventually.
     Real most_likely = Real(0.95);
 
     template <class Random>

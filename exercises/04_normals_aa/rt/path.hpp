@@ -10,10 +10,11 @@
 
 namespace rt {
 
-// Exercise 04.7. The light that comes back along a ray: followed from bounce to bounce until it
-// meets the sky, is absorbed, or is ended: ending is asked after bounce number `depth`, 1 or more,
-// and after every further one. Every hit counts, at any t from 0 to infinity; so does all light,
-// however dim. leave_surface is the one of 04.6. It is written over types:
+// Exercise 04.7. The light that comes back along a ray. Its path is followed from bounce to bounce
+// until it meets the sky, is absorbed, or is ended by `ending`, which is called after bounce
+// number `depth`, 1 or more, and after every later one. Every hit counts, at any t from 0 to
+// infinity, and so does all light, however dim. leave_surface is the one from 04.6. The function
+// is written over types:
 //   ray        has an origin and a direction; whatever else it carries stays as it is
 //   world      world.hit(ray, interval) gives the nearest hit as std::optional<Hit>
 //   materials  materials(direction, hit, random) gives std::optional<Scatter>, none if absorbed

@@ -8,17 +8,18 @@
 
 namespace rt {
 
-// Exercise 04.1. All about the place where a ray meets a sphere at t, as the members of Hit have it
+// Exercise 04.1. Everything about the point where a ray meets a sphere at t, in the members of Hit
 // (see <rt/hit.hpp>; leave its material at 0): t as it is; the outward normal; the side that was
-// hit, which is the front where the direction is against the normal or at a right angle to it; the
-// point, moved onto the surface along the normal; and point_error, which covers how far rounding
-// may have left the point off the surface and also the rounding of hit_sphere for a ray that leaves
-// from there: with u = epsilon / 2 it is u (|Px nx| + |Py ny| + |Pz nz|) + 16 u radius. t must be
-// what hit_sphere returned for this sphere and ray. Where rounding makes origin + t * direction the
-// center itself, the sphere counts as hit head on. The side must be right where the cosine of
-// direction and normal is above 4 sqrt(epsilon (1 + distance / radius)), the distance being that
-// from the ray's origin to the center: from 1 / (16 epsilon) radii on it is a guess. Source of the
-// idea: Pharr, Jakob and Humphreys, "Physically Based Rendering", section 6.8.
+// hit, which is the front if the direction is against the normal or at a right angle to it; the
+// point, moved onto the surface along the normal; and point_error. The last covers how far
+// rounding may have left the point off the surface, and also the rounding of hit_sphere for a ray
+// that leaves from there: with u = epsilon / 2 it is
+// `u (|Px nx| + |Py ny| + |Pz nz|) + 16 u radius`. t must be what hit_sphere returned for this
+// sphere and ray. If rounding makes origin + t * direction the center itself, the sphere counts as
+// hit head on. The side must be right if the cosine of direction and normal is above
+// 4 sqrt(epsilon (1 + distance / radius)), where the distance is that from the ray's origin to the
+// center: from 1 / (16 epsilon) radii on, the side is a guess. Source of the idea: Pharr, Jakob
+// and Humphreys, "Physically Based Rendering", section 6.8.
 inline Hit surface_hit(const Sphere& sphere, const Ray& ray, Real t) {
     return rt::todo("04.1", sphere, ray, t);
 }

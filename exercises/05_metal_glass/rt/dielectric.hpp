@@ -20,19 +20,19 @@ struct SchlickDielectric {
     Real index = Real(1.5);
 };
 
-// Exercise 05.5. How a path goes on from the surface of glass: reflected as often as
-// reflectance(cosine, eta) says, else refracted. Both ways carry all of the light on, since the
-// choice itself already weighs them. `incoming` has length 1; reflectance is one of the functions
-// of exercise 05.4, or any other. One random number decides; where the reflectance is 0, none is
-// drawn. The index may be below 1, as that of a bubble. Reflected light stays on its side of the
-// surface, also where it grazes: above_horizon().
+// Exercise 05.5. How a path goes on from the surface of glass: reflected with the probability
+// reflectance(cosine, eta), otherwise refracted. Either way carries all of the light on, because
+// the random choice already weighs both. `incoming` has length 1; reflectance is one of the
+// functions of exercise 05.4, or any other. One random number decides; if the reflectance is 0,
+// none is drawn. The index may be below 1, like that of a bubble. Reflected light stays on its side
+// of the surface, even if it grazes: use above_horizon().
 template <class Reflectance, class Random>
 Scatter scatter_at_glass(Real index, Reflectance reflectance, Vec3 incoming, const Hit& hit,
                          Random& random) {
     return rt::todo("05.5", index, reflectance, incoming, hit, random);
 }
 
-// Given: the two materials differ in nothing but the reflectance.
+// Given: the two materials differ only in the reflectance.
 template <class Random>
 std::optional<Scatter> scatter(const Dielectric& glass, Vec3 incoming, const Hit& hit,
                                Random& random) {

@@ -7,10 +7,11 @@
 
 namespace rt {
 
-// Exercise 05.4. In all three functions, `cosine` is that of the angle between the normal and the
-// light that arrives, in [0, 1] (what rounding has put above 1 counts as 1), and eta the index of
-// refraction on the side that the light comes from divided by the one behind, greater than 0. None
-// of them loses digits, however close to 1 eta is, or the angle to the critical one.
+// Exercise 05.4. In all three functions, `cosine` is that of the angle between the normal and
+// the light that arrives, in [0, 1] (a value that rounding has put above 1 counts as 1). eta,
+// greater than 0, is the index of refraction on the side that the light comes from, divided by
+// the index behind the surface. None of the functions loses digits, however close eta is to 1, or
+// the angle to the critical angle.
 
 // The cosine of the angle behind the surface. None at total reflection.
 inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
@@ -23,8 +24,8 @@ inline Real fresnel_reflectance(Real cosine, Real eta) {
     return rt::todo("05.4", cosine, eta);
 }
 
-// The same by Schlick's approximation, with the cosine on the side of the smaller index, so that a
-// surface reflects the same from both sides and 1 where total reflection begins.
+// The same by Schlick's approximation, with the cosine on the side of the smaller index, so that
+// the share is the same from both sides of a surface, and 1 where total reflection begins.
 // Source: Schlick, "An inexpensive BRDF model for physically-based rendering", 1994.
 inline Real schlick_reflectance(Real cosine, Real eta) {
     return rt::todo("05.4", cosine, eta);

@@ -10,13 +10,13 @@
 
 namespace rt {
 
-// What stands between #ifdef and #endif is compiled only where the library is there.
-// parallel_loops.hpp says what both functions do.
+// The code between #ifdef and #endif is compiled only if the library is available.
+// parallel_loops.hpp says what the two functions do.
 
 #ifdef RT_HAS_OPENMP
-// Exercise 06.5. A plain loop over the jobs, and one line above it that makes OpenMP share it out:
-// a parallel for, whose schedule is dynamic, in num_threads(workers). omp_get_thread_num() is the
-// number of the thread that asks.
+// Exercise 06.5. A plain loop over the jobs, and one line above it that makes OpenMP share out its
+// jobs: a parallel for with a dynamic schedule, in num_threads(workers). omp_get_thread_num() is
+// the number of the thread that calls it.
 void loop_with_openmp(int jobs, int workers, const std::function<void(int, int)>& work) {
     rt::todo("06.5", jobs, workers, work);
 }

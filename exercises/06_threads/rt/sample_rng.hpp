@@ -7,16 +7,17 @@
 namespace rt {
 
 // Exercise 06.4. The generator of one sample of one pixel. What it draws depends on these four
-// numbers alone, never on who asks, when, or in which order. Other numbers give a generator whose
-// draws, the first and all later ones, have nothing to do with this one's. x, y and sample are 0 or
-// more. Every bit of the four numbers counts, and the state has 64 bits.
+// numbers alone, never on which thread asks, when, or in which order. If any of the numbers is
+// different, so is the generator: its draws, the first and all later ones, have nothing to do with
+// this one's. x, y and sample are 0 or more. Every bit of the four numbers counts, and the state
+// has 64 bits.
 inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
     return rt::todo("06.4", seed, x, y, sample);
 }
 
 // Exercise 06.4. The average of draw(sample, random) over sample = 0 ... samples - 1, 1 or more, in
-// this order, each with the generator of its own. draw returns a Color and takes its random numbers
-// from `random`, an Rng&.
+// this order, each with its own generator. draw returns a Color and takes its random numbers from
+// `random`, an Rng&.
 template <class Draw>
 Color average_samples(std::uint64_t seed, int x, int y, int samples, const Draw& draw) {
     return rt::todo("06.4", seed, x, y, samples, draw);

@@ -8,14 +8,14 @@
 namespace rt {
 
 // Exercise 07.2. The box around a sphere, grown on all sides by hit_margin times the largest
-// coordinate in it, which is max_component(center) + radius. So no rounding of the tests lets a ray
-// hit the sphere and miss the box. Radius 0 or more.
+// coordinate in it, which is max_component(center) + radius. Then no rounding of the tests lets a
+// ray hit the sphere and miss the box. Radius 0 or more.
 inline Box bounds_of(const Sphere& sphere) {
     return rt::todo("07.2", sphere);
 }
 
-// Exercise 07.2. The smallest box that contains both: their union, exactly. With the empty box it
-// gives the other one. ("union" is a word of C++ itself.)
+// Exercise 07.2. The smallest box that contains both: their union, exactly. Joined with the empty
+// box, a box stays the same. ("union" is a keyword of C++.)
 inline Box join(const Box& a, const Box& b) {
     return rt::todo("07.2", a, b);
 }

@@ -9,9 +9,9 @@
 namespace rt {
 
 // Exercise 07.1. True when the ray meets the box, grown by ray.margin on all sides, at some t of
-// the interval. Its faces, edges and corners belong to the box; so does what lies in a face. A
-// component of the direction may be 0 or -0: then ray.inverse has infinity or -infinity there. The
-// margin has room for all rounding: no other tolerance is wanted.
+// the interval. Faces, edges and corners belong to the box, and a ray that runs within a face meets
+// it. A component of the direction may be 0 or -0: then ray.inverse has infinity or -infinity
+// there. The margin covers all rounding: add no other tolerance.
 // Always false for the empty box, Box{}, and for an empty interval (min > max).
 // Source of the idea: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986.
 inline bool hit_box(const Box& box, const SlabRay& ray, Interval within) {

@@ -10,22 +10,23 @@
 namespace rt {
 
 // Exercise 08.5. The ray in the space of the object, where the instance is the sphere of radius 1
-// around the origin: its origin is a point, its direction a vector. Do not normalize: with the
-// direction as it comes out, a t of the object's ray is the same t of the world's ray.
+// around the origin: its origin is a point, its direction a vector. Do not normalize the direction:
+// then t has the same value for the object's ray and for the world's ray.
 inline Ray object_ray(const Instance& instance, const Ray& ray) {
     return rt::todo("08.5", instance, ray);
 }
 
 // Exercise 08.5. The smallest t within the interval at which the ray of the world meets the
-// instance, from outside or from inside; none where it passes by.
+// instance, from outside or from inside; none if it misses.
 inline std::optional<Real> hit_instance(const Instance& instance, const Ray& ray, Interval within) {
     return rt::todo("08.5", instance, ray, within);
 }
 
-// Exercise 08.5. All about the place where a ray of the world meets an instance at t, which is what
-// hit_instance gave: everything in the world. The point lies on the surface; the normal has length
-// 1, points outward, and is right for stretched spheres as well; front is true where the ray came
-// from outside; point_error is instance_error for this point. material is the instance's.
+// Exercise 08.5. Everything about the point where a ray of the world meets an instance at t,
+// which hit_instance returned; all of it in the world's coordinates. The point lies on the
+// surface; the normal has length 1, points outward, and is right for stretched spheres as well;
+// front is true if the ray came from outside; point_error is instance_error for this point.
+// material is the instance's.
 inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
     return rt::todo("08.5", instance, ray, t);
 }

@@ -5,13 +5,13 @@
 
 namespace rt {
 
-// Exercise 10.4. cosine_direction of 04.3 for a pack: about each normal, of length 1, a direction
-// of length 1, with the density cos / pi. The places lie in the unit square, 0 <= x, y < 1.
-// `active` has the bits of those that are used, any of them; what the others hold is anything, also
-// what has no direction or is no number: their results do not matter, and they must not make it
-// throw. The same operations as there and in orthonormal_basis of 01.8, in the same order, so that
-// each has the bits that it would have alone; sine_cosine_of_turn takes a pack as it takes a
-// number.
+// Exercise 10.4. cosine_direction of 04.3 for a pack: for each normal, of length 1, a direction of
+// length 1, with the probability density cos / pi about it. `place` has sample points of the unit
+// square, 0 <= x, y < 1. `active` has a bit for each lane that is used; any combination may occur.
+// The other lanes may hold anything, even vectors without a direction or NaN: their results do not
+// matter, but they must not make the function throw. Use the same operations as there and in
+// orthonormal_basis of 01.8, in the same order, so that each result has the bits that it would have
+// alone. sine_cosine_of_turn takes a pack as well as a number.
 inline Vec3Pack cosine_direction(Vec3Pack normal, PlacePack place, PackBits active) {
     return rt::todo("10.4", normal, place, active);
 }

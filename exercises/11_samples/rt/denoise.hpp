@@ -9,45 +9,47 @@
 
 namespace rt {
 
-// What is known of a pixel without noise: the surface that its eye ray meets.
+// What is known about a pixel without noise: the surface that its eye ray meets.
 struct Features {
-    Color albedo;  // may be more than 1: that of a lamp
+    Color albedo;  // may be more than 1 for a lamp
     Vec3 normal;   // 0 for the sky
 };
 
-// How far a pixel's light may spread. Where two pixels are one width apart, the weight is exp(-1/2)
-// of what it would be, 0.61. Widths are greater than 0; an infinite one switches its part off.
+// How far a pixel's light may spread. If two pixels are one width apart, the weight is exp(-1/2),
+// or 0.61, of what it would otherwise be. Widths are greater than 0; an infinite width switches
+// its part off.
 struct DenoiseWidths {
-    int radius = 6;  // pixels; what is farther away across or down does not count; 0 or more
+    int radius = 6;  // pixels; those farther away across or down do not count; 0 or more
     Real space = 3;  // pixels
     Real albedo = Real(0.1);
     Real normal = Real(0.2);
-    Real darkest = Real(0.02);  // an albedo less than that counts as that; greater than 0
+    Real darkest = Real(0.02);  // a smaller albedo counts as this; greater than 0
 };
 
-// Exercise 11.6. What the light of pixel b counts for pixel a, which is so many pixels away across
-// and down (either may be negative, and large): exp(-d / 2), where d is the sum of three squares,
-// each of a distance divided by its width: of the place (across^2 + down^2 is the square of the
-// distance), the albedo (its three channels as the components of a vector) and the normal. So a
-// pixel counts 1 for itself, and another one the less, the farther it is and the more its surface
-// differs. No square may overflow or vanish because a width is small. Source: Tomasi and Manduchi,
-// "Bilateral filtering for gray and color images", ICCV 1998; with features in place of colors:
-// Petschnigg et al., "Digital photography with flash and no-flash image pairs", SIGGRAPH 2004.
+// Exercise 11.6. The weight of pixel b's light for pixel a. b is `across` and `down` pixels away
+// (either may be negative, and large). The weight is exp(-d / 2), where d is the sum of three
+// squares, each of a distance divided by its width: the distance in the picture (its square is
+// across^2 + down^2), that of the albedos (with their three channels as the components of a vector)
+// and that of the normals. So a pixel has weight 1 for itself, and another pixel has less, the
+// farther away it is and the more its surface differs. No square may overflow or vanish because a
+// width is small. Source: Tomasi and Manduchi, "Bilateral filtering for gray and color images",
+// ICCV 1998; with features instead of colors: Petschnigg et al., "Digital photography with flash
+// and no-flash image pairs", SIGGRAPH 2004.
 inline Real bilateral_weight(int across, int down, const Features& a, const Features& b,
                              const DenoiseWidths& widths) {
     return rt::todo("11.6", across, down, a, b, widths);
 }
 
-// The picture with the light of each pixel averaged over those around it. Pixel a takes all pixels
-// b of the picture that are at most `radius` columns and at most `radius` rows away, itself
-// included: the sum of weight times light, divided by the sum of the weights. At the border there
-// are fewer of them.
+// The picture, with the light of each pixel averaged over the pixels around it. Pixel a uses all
+// pixels b of the picture that are at most `radius` columns and at most `radius` rows away,
+// including itself: the sum of weight times light, divided by the sum of the weights. At the border
+// of the picture there are fewer of them.
 //
-// What is averaged is the light that falls on the surfaces: in each channel the picture divided by
-// the albedo of b. The result is multiplied by the albedo of a. So a texture stays as sharp as it
-// is. An albedo less than `darkest` counts as `darkest`, in both places: there is no division by 0,
-// and what little light a dark surface sends back cannot make its neighbors bright. The weights
-// take the albedo as it is. `features` is as large as the picture.
+// The average is over the light that falls on the surfaces: in each channel, the picture divided by
+// the albedo of b. The result is multiplied by the albedo of a, so a texture stays as sharp as it
+// is. Both times, an albedo less than `darkest` counts as `darkest`: there is no division by 0, and
+// the little light that a dark surface sends back cannot make its neighbors bright. The weights use
+// the albedo as it is. `features` is as large as the picture.
 inline Image denoised(const Image& picture, const Canvas<Features>& features,
                       const DenoiseWidths& widths) {
     return rt::todo("11.6", picture, features, widths);

@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// What is known of some numbers that came one by one: how many they were, their mean, and the sum
+// What is known about numbers that arrived one by one: how many there were, their mean, and the sum
 // of their squared distances from that mean. Before the first number all three are 0.
 struct RunningVariance {
     std::int64_t count = 0;
@@ -14,7 +14,7 @@ struct RunningVariance {
 };
 
 // Exercise 11.1. Takes one more number into account: count, mean and squares are then those of all
-// numbers so far. It stores no number. The digits of squares survive where the numbers lie far
+// numbers so far. It stores no number. The digits of squares survive even if the numbers are far
 // from 0 and close together (no cancellation). The number and its square are finite.
 // Source: Welford, "Note on a method for calculating corrected sums of squares and products",
 // Technometrics 1962.
@@ -22,9 +22,9 @@ inline void add(RunningVariance& known, Real number) {
     rt::todo("11.1", known, number);
 }
 
-// The variance of what the numbers were drawn from, estimated without bias: squares / (count - 1),
-// since the numbers lie nearer to their own mean than to the true one. Infinite with fewer than
-// two numbers: they say nothing about it.
+// The variance of the distribution that the numbers were drawn from, estimated without bias:
+// squares / (count - 1), because the numbers are nearer to their own mean than to the true one.
+// Infinite with fewer than two numbers, which say nothing about it.
 inline Real variance(const RunningVariance& known) {
     return rt::todo("11.1", known);
 }

@@ -9,10 +9,10 @@ namespace rt {
 // Node is any type with two members std::unique_ptr<Node> left, right, such as rt::RangeNode. An
 // empty tree is nullptr.
 
-// A balanced tree over the things first, first + 1, ... last - 1. Its root is made from
-// Node(first, last); where that is more than one thing, its left child is the tree over the first
-// half of them, and its right child the tree over the rest, which is one larger when the number is
-// odd. Of no things the tree is empty. last is never below first.
+// A balanced tree over the numbers first, first + 1, ... last - 1. Its root is made from
+// Node(first, last). If that is more than one number, the left child is the tree over the first
+// half of them, and the right child is the tree over the rest, which is one larger when their count
+// is odd. If last equals first, the tree is empty. last is never below first.
 template <class Node>
 std::unique_ptr<Node> make_tree(int first, int last) {
     if (first >= last) return nullptr;
@@ -26,11 +26,11 @@ std::unique_ptr<Node> make_tree(int first, int last) {
     return root;
 }
 
-// The number of nodes. With calls of itself this function would be two lines,
+// The number of nodes. If it called itself, this function would be two lines,
 //   if (!root) return 0;
 //   return 1 + count_nodes(root->left.get()) + count_nodes(root->right.get());
-// but each call that waits for another one takes room on the stack, and a tree may be a million
-// nodes deep. So the list of what is still to be done is on the heap.
+// but each call that waits for another takes room on the stack, and a tree may be a million nodes
+// deep. So the list of nodes still to visit is on the heap.
 template <class Node>
 int count_nodes(const Node* root) {
     int count = 0;
@@ -46,7 +46,7 @@ int count_nodes(const Node* root) {
     return count;
 }
 
-// The number of nodes on the longest way from the root to a leaf: 0 for an empty tree, 1 for a
+// The number of nodes on the longest path from the root to a leaf: 0 for an empty tree, 1 for a
 // root alone.
 template <class Node>
 int depth_of(const Node* root) {
@@ -63,9 +63,9 @@ int depth_of(const Node* root) {
     return deepest;
 }
 
-// Destroys a tree node by node, so that no destructor runs inside of another one's. Left to
-// itself, a node's destructor destroys its children, theirs destroy the grandchildren, and so on:
-// the same tower on the stack.
+// Destroys a tree node by node, so that no destructor runs inside another. Left to itself, a node's
+// destructor destroys its children, their destructors destroy the grandchildren, and so on: the
+// calls pile up on the stack again.
 template <class Node>
 void take_apart(std::unique_ptr<Node> root) {
     std::vector<std::unique_ptr<Node>> to_do;
@@ -76,7 +76,7 @@ void take_apart(std::unique_ptr<Node> root) {
         if (!node) continue;
         to_do.push_back(std::move(node->left));
         to_do.push_back(std::move(node->right));
-    }  // here the node goes, and it has no children any more
+    }  // the node is destroyed here; it has no children any more
 }
 
 }  // namespace rt

@@ -7,16 +7,16 @@
 namespace rt {
 
 // A picture as a value. The object itself is three members: two numbers and the address of its
-// pixels, which are on the heap, row by row from the top. A canvas owns its pixels: it makes them,
-// it alone releases them, and a copy has pixels of its own. Pixel is any type with a default
-// value that can be copied without an exception.
+// pixels, which are on the heap, row by row from the top. A canvas owns its pixels: it alone
+// allocates and releases them, and a copy has pixels of its own. Pixel is any type that has a
+// default value and can be copied without an exception.
 template <class Pixel>
 class Canvas {
   public:
     // All pixels have the color `fill`. Throws std::invalid_argument unless both sides are at
     // least 1.
     Canvas(int width, int height, const Pixel& fill = {}) {
-        // Before anything is taken: an object whose constructor throws is never destroyed.
+        // Before any memory is allocated: an object whose constructor throws is never destroyed.
         if (width < 1 || height < 1)
             throw std::invalid_argument("a canvas needs at least 1x1 pixels");
         width_ = width;
@@ -33,16 +33,16 @@ class Canvas {
         std::copy(other.begin(), other.end(), begin());
     }
 
-    // A move: the pixels change their owner, none is copied, and the other canvas is left with no
-    // pixels, 0 wide and 0 high. It cannot fail: noexcept says so to those who ask, such as
-    // std::vector, which would rather copy otherwise.
+    // A move: the pixels change owners, none is copied, and the other canvas is left with no
+    // pixels, 0 wide and 0 high. It cannot fail, and noexcept tells other code so. Without it,
+    // std::vector would copy instead.
     Canvas(Canvas&& other) noexcept
         : width_{std::exchange(other.width_, 0)},
           height_{std::exchange(other.height_, 0)},
           pixels_{std::exchange(other.pixels_, nullptr)} {}
 
-    // Assignment. `other` is a value: whoever calls has copied or moved into it already. What this
-    // canvas had goes there in exchange, and is released with it at the end of the function.
+    // Assignment. `other` is a value: the caller has already copied or moved into it. It gets this
+    // canvas's old pixels in exchange and releases them at the end of the function.
     Canvas& operator=(Canvas other) noexcept {
         std::swap(width_, other.width_);
         std::swap(height_, other.height_);
@@ -77,9 +77,8 @@ class Canvas {
     Pixel* pixels_ = nullptr;
 };
 
-// The canvas upside down: its first row becomes the last one. Takes and returns a value; a canvas
-// that is moved into it comes out again with the same memory, and no row or canvas is made on the
-// way.
+// The canvas upside down: its first row becomes the last. Takes and returns a value: a canvas that
+// is moved into it comes out with the same memory, and no other row or canvas is made on the way.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
     for (int y = 0; y < canvas.height() / 2; ++y)
@@ -88,8 +87,9 @@ Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
     return canvas;
 }
 
-// The largest pixel, by <; of several equal ones the first. The result is a reference: the pixel
-// itself and not a copy, good for as long as the canvas lives. The canvas must not be empty.
+// The largest pixel, compared by <, or the first of several that are equally large. The result is a
+// reference: the pixel itself, not a copy, valid for as long as the canvas lives. The canvas must
+// not be empty.
 template <class Pixel>
 const Pixel& largest(const Canvas<Pixel>& canvas) {
     const Pixel* found = canvas.begin();

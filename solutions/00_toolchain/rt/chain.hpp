@@ -4,22 +4,22 @@
 
 namespace rt {
 
-// The sum of the values of a chain, added up from its first link to its last one. The chain is
-// given by the address of its first link; an empty one is nullptr, and its sum 0.
+// The sum of the values of a chain, added up from its first link to its last. The chain is given by
+// the address of its first link; an empty chain is nullptr, and its sum is 0.
 inline Real sum_along(const Link* first) {
     Real sum = 0;
     for (const Link* link = first; link; link = link->next) sum += link->value;
     return sum;
 }
 
-// The same chain in one piece of memory: the links in the order in which the chain goes through
-// them, each leading to the one behind it, the last to nullptr. None leads back to the old chain.
-// A vector keeps its addresses when it is moved. A copy of it would have links that lead into the
-// original.
+// The same chain in one piece of memory: the links in the chain's order, each pointing to the next,
+// the last to nullptr. None points back into the old chain.
+// A vector keeps its addresses when it is moved. A copy of it would have links that point
+// into the original.
 inline std::vector<Link> gathered(const Link* first) {
     std::vector<Link> links;
     for (const Link* link = first; link; link = link->next) links.push_back({link->value, nullptr});
-    // Only now: as long as a vector grows, its links move, and their addresses with them.
+    // Only now: while a vector grows, its links may move, and then their addresses change.
     for (std::size_t i = 1; i < links.size(); ++i) links[i - 1].next = &links[i];
     return links;
 }

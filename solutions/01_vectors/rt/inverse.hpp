@@ -7,14 +7,14 @@
 
 namespace rt {
 
-// The map that undoes m. Throws std::domain_error where m is singular: it flattens space (or comes
-// so near to it that rounding decides the result), or a number in it is not finite.
-// A number of the inverse that is too large for Real comes out infinite.
-// Each number of the linear part is within 4 + 6 k units in the last place, where k is the sum of
-// the absolute values of the determinant's terms divided by the determinant, at its largest over
-// the columns and rows that the determinant may be developed by: 1 where nothing cancels. It is one
-// k for all rows, since one determinant divides them all. No number of a column, unless it is 0,
-// may be 10^140 (float: 10^15) times smaller than the column's largest.
+// The map that undoes m. Throws std::domain_error if m flattens space (is singular), or comes so
+// close to it that rounding decides the result, or if a number in it is not finite.
+// A number of the inverse that is too large for Real becomes infinite.
+// Each number of the linear part is within 4 + 6 k units in the last place. Here k is the sum of
+// the absolute values of the determinant's terms divided by the determinant, the largest such
+// quotient over the columns and rows that the determinant may be expanded along: 1 where nothing
+// cancels. All rows share one k, because one determinant divides them all. No number of a column,
+// unless it is 0, may be 10^140 (float: 10^15) times smaller than the column's largest.
 inline Mat4 inverse(const Mat4& m) {
     // Columns of the linear part, each scaled so that no product of three can overflow.
     const auto [a, a_exponent] = split_scale({m(0, 0), m(1, 0), m(2, 0)});
@@ -22,13 +22,14 @@ inline Mat4 inverse(const Mat4& m) {
     const auto [c, c_exponent] = split_scale({m(0, 2), m(1, 2), m(2, 2)});
     const Vec3 origin{m(0, 3), m(1, 3), m(2, 3)};
 
-    // b x c is perpendicular to b and c, so its dot product with them is 0, and with a it is the
-    // determinant: divided by that, it is the first row of the inverse. Likewise the others.
+    // b x c is perpendicular to b and c, so its dot product with either is 0; with a it is
+    // the determinant. Divided by that, b x c is the first row of the inverse. The others
+    // are found likewise.
     const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
     const Real determinant = dot(a, bc);
 
-    // Each component of bc carries 3 roundings' worth of error and the dot product adds 3 more. A
-    // determinant within that bound of zero may well be zero. Not-a-number fails the test, too.
+    // Each component of `bc` carries 3 roundings' worth of error, and the dot product adds 3 more.
+    // A determinant within that bound of zero may well be zero. NaN fails the test, too.
     const Real size = std::abs(a.x * bc.x) + std::abs(a.y * bc.y) + std::abs(a.z * bc.z);
     if (!(std::abs(determinant) > rounding_bound(6) * size) || !is_finite(origin))
         throw std::domain_error("inverse: the matrix is singular, it cannot be undone");
@@ -38,7 +39,7 @@ inline Mat4 inverse(const Mat4& m) {
         const Vec3 r{std::scalbn(scaled.x, -exponent), std::scalbn(scaled.y, -exponent),
                      std::scalbn(scaled.z, -exponent)};
         Real move = -dot(r, origin);
-        // Infinity times 0, infinity minus infinity: so add up before the scale is undone.
+        // Infinity times 0, or infinity minus infinity: so add up before undoing the scale.
         if (!std::isfinite(move)) {
             const auto [o, o_exponent] = split_scale(origin);
             move = std::scalbn(-dot(scaled, o), o_exponent - exponent);
@@ -48,14 +49,14 @@ inline Mat4 inverse(const Mat4& m) {
     return {{{row(bc, a_exponent), row(ca, b_exponent), row(ab, c_exponent), {0, 0, 0, 1}}}};
 }
 
-// A point of the world as the object's own coordinates have it, given the map that places the
-// object in the world. Throws std::domain_error where that map is singular. Where its inverse holds
-// an infinite number, the coordinate that this number belongs to is infinite or not a number.
+// A point of the world in the object's own coordinates, given the map that places the object in the
+// world. Throws std::domain_error if that map is singular. If its inverse contains an infinite
+// number, the coordinate that this number belongs to is infinite or NaN.
 inline Vec3 to_object(const Mat4& object_to_world, Vec3 world_point) {
     return transform_point(inverse(object_to_world), world_point);
 }
 
-// The way back.
+// The way back: a point of the object in the world's coordinates.
 inline Vec3 to_world(const Mat4& object_to_world, Vec3 object_point) {
     return transform_point(object_to_world, object_point);
 }

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-// Squared lengths in here have neither overflowed nor lost digits: where the square of a component
-// underflows, its error is below epsilon^2 beside the sum.
+// Squared lengths in this interval have neither overflowed nor lost digits: if the square of a
+// component underflows, its error relative to the sum is below epsilon^2.
 inline constexpr Interval safe_squares{std::numeric_limits<Real>::min() / epsilon,
                                        std::numeric_limits<Real>::max()};
 
@@ -18,13 +18,13 @@ inline constexpr Interval safe_squares{std::numeric_limits<Real>::min() / epsilo
 inline Real length(Vec3 v) {
     const Real squared = dot(v, v);
     if (safe_squares.contains(squared)) return std::sqrt(squared);
-    // Rarely: the squares need scaling first.
+    // In rare cases the vector must be scaled before it is squared.
     const ScaledVec3 scaled = split_scale(v);
     return std::scalbn(std::sqrt(dot(scaled.v, scaled.v)), scaled.exponent);
 }
 
-// What normalize does where squares overflow or lose digits. It is rare, and kept apart so that
-// normalize itself is small.
+// What normalize does if squares overflow or lose digits. This is rare, and is kept apart so that
+// normalize itself stays small.
 RT_NOT_INLINED inline Vec3 normalize_scaled(Vec3 v) {
     const Vec3 scaled = split_scale(v).v;
     const Real squared = dot(scaled, scaled);
@@ -33,8 +33,8 @@ RT_NOT_INLINED inline Vec3 normalize_scaled(Vec3 v) {
     return scaled / std::sqrt(squared);
 }
 
-// The vector of length 1 in the direction of v, for any finite v but zero: each component within
-// 3.5 units in the last place. Throws std::domain_error for a vector that is zero or not finite: it
+// The vector of length 1 in the direction of v, for any finite v but zero. Each component is
+// within 3.5 units in the last place. Throws std::domain_error if v is zero or not finite: then it
 // has no direction.
 inline Vec3 normalize(Vec3 v) {
     const Real squared = dot(v, v);

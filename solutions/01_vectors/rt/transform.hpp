@@ -4,14 +4,14 @@
 
 namespace rt {
 
-// Where the map takes a point: linear part and translation.
+// Where the map takes a point: the linear part and the translation apply.
 inline Vec3 transform_point(const Mat4& m, Vec3 p) {
     return {m(0, 0) * p.x + m(0, 1) * p.y + m(0, 2) * p.z + m(0, 3),
             m(1, 0) * p.x + m(1, 1) * p.y + m(1, 2) * p.z + m(1, 3),
             m(2, 0) * p.x + m(2, 1) * p.y + m(2, 2) * p.z + m(2, 3)};
 }
 
-// Where the map takes a direction, which has no place: the linear part alone.
+// Where the map takes a direction, which has no position: the linear part alone applies.
 inline Vec3 transform_vector(const Mat4& m, Vec3 v) {
     return {m(0, 0) * v.x + m(0, 1) * v.y + m(0, 2) * v.z,
             m(1, 0) * v.x + m(1, 1) * v.y + m(1, 2) * v.z,

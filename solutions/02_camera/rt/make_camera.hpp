@@ -6,7 +6,7 @@
 namespace rt {
 
 // The camera that takes a picture of width x height pixels of this view (given, not an exercise).
-// Throws std::domain_error for a view that makes no sense: see viewport_size and look_at.
+// Throws std::domain_error if the view makes no sense: see viewport_size and look_at.
 inline Camera make_camera(const View& view, int width, int height) {
     const Real aspect_ratio = static_cast<Real>(width) / static_cast<Real>(height);
     return {view.from, look_at(view.from, view.at, view.up),

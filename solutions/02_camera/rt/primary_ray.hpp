@@ -6,7 +6,7 @@
 
 namespace rt {
 
-// The ray from the eye through a place of a pixel (see pixel_to_viewport). Its direction has length
+// The ray from the eye through a point of a pixel (see pixel_to_viewport). Its direction has length
 // 1; each component is within 7 units in the last place of 1.
 inline Ray primary_ray(const Camera& camera, int column, int row, Vec2 offset) {
     const Vec2 p = pixel_to_viewport(camera, column, row, offset);

@@ -9,8 +9,7 @@ namespace rt {
 // width to height. Throws std::domain_error unless 0 < vertical_fov < pi and
 // 0 < aspect_ratio < infinity.
 inline Viewport viewport_size(Real vertical_fov, Real aspect_ratio) {
-    // Written so that a value that is not a number, for which every comparison is false, throws
-    // too.
+    // Written so that NaN, for which every comparison is false, throws, too.
     if (!(0 < vertical_fov && vertical_fov < pi))
         throw std::domain_error("the field of view must lie between 0 and 180 degrees");
     if (!(0 < aspect_ratio && aspect_ratio < infinity))

@@ -9,12 +9,12 @@
 namespace rt {
 
 // The smallest t within the interval at which the ray meets the sphere's surface, from outside or
-// from inside. None where it passes by, and for a direction of length 0. The direction may have any
+// from inside. None if the ray misses, and for a direction of length 0. The direction may have any
 // length, as long as the squares of |d|, |f|, r, |f| |d| and r |d| neither overflow nor underflow.
-// With f from center to origin, p the distance of the line from the center and h half the chord:
-// t |d| is within 6 epsilon (|f| + r) (1 + p / h), and hit or miss is decided rightly for every ray
-// that keeps 3 epsilon (|f| + r) away from grazing. docs/03-sphere.md derives the formula and both
-// bounds.
+// Let f lead from the center to the ray's origin, p be the distance of the line from the center,
+// and h half the chord. Then t |d| is within 6 epsilon (|f| + r) (1 + p / h), and hit or miss is
+// decided correctly for every ray that stays 3 epsilon (|f| + r) away from grazing.
+// docs/03-sphere.md derives the formula and both bounds.
 inline std::optional<Real> hit_sphere(const Sphere& sphere, const Ray& ray, Interval within) {
     // Points at distance r from the center: a t^2 + 2 b t + c = 0.
     const Vec3 f = ray.origin - sphere.center;
@@ -22,9 +22,9 @@ inline std::optional<Real> hit_sphere(const Sphere& sphere, const Ray& ray, Inte
     const Real a = dot(d, d), b = dot(f, d);
     const Real r_squared = sphere.radius * sphere.radius;
 
-    // b^2 - a c would cancel where the sphere is far or small. It equals a r^2 - |f x d|^2, in
-    // which all terms are as small as the sphere. cross() of chapter 01 would do as well, but its
-    // extra digits cost time and are lost anyway: f is rounded already.
+    // b^2 - a c would cancel if the sphere is far away or small. It equals a r^2 - |f x d|^2, whose
+    // terms are all as small as the sphere. cross() of chapter 01 would do as well, but its extra
+    // digits cost time and are lost anyway: f is rounded already.
     const Vec3 moment{f.y * d.z - f.z * d.y, f.z * d.x - f.x * d.z, f.x * d.y - f.y * d.x};
     const Real quarter = a * r_squared - dot(moment, moment);
     if (!(a > 0 && quarter >= 0)) return {};  // most rays miss: they are done here

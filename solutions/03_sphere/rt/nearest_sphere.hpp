@@ -17,15 +17,16 @@ struct NearestSphere {
     friend bool operator==(const NearestSphere&, const NearestSphere&) = default;
 };
 
-// The sphere that the ray meets at the smallest t within the interval, and this t: of equally near
-// ones the last in the list. None where the ray meets no sphere within the interval.
+// The sphere that the ray meets at the smallest t within the interval, and this t. If several
+// are equally near, it is the last of them in the list. None if the ray meets no sphere
+// within the interval.
 inline std::optional<NearestSphere> nearest_sphere(std::span<const SceneSphere> spheres,
                                                    const Ray& ray, Interval within) {
     std::optional<NearestSphere> nearest;
     for (std::size_t i = 0; i < spheres.size(); ++i)
         if (const auto t = hit_sphere(spheres[i].shape, ray, within)) {
             nearest = NearestSphere{i, *t};
-            within.max = *t;  // what lies farther away no longer counts
+            within.max = *t;  // whatever is farther away no longer counts
         }
     return nearest;
 }

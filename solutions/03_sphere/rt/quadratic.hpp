@@ -7,9 +7,9 @@
 
 namespace rt {
 
-// The real solutions of a t^2 + b t + c = 0, given its discriminant b^2 - 4 a c from whoever knows
-// how to compute that best. None when the discriminant is negative or when a and b are both 0.
-// With a = 0 the one solution is low and high at once.
+// The real solutions of a t^2 + b t + c = 0, given its discriminant b^2 - 4 a c: the caller knows
+// how to compute that best. None if the discriminant is negative, or if a and b are both 0.
+// If a = 0, the one solution is both low and high.
 inline std::optional<Roots> roots_from_discriminant(Real a, Real b, Real c, Real discriminant) {
     if (!(discriminant >= 0)) return {};
     // b and the root get the same sign, so that they add up and never cancel.

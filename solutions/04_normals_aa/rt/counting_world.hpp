@@ -6,7 +6,8 @@
 
 namespace rt {
 
-// A world that counts the rays that ask it (given). A world that nobody counts costs nothing extra.
+// A world that counts the rays traced through it (given). A world that nobody counts
+// costs nothing extra.
 template <class World>
 struct CountingWorld {
     const World& world;

@@ -7,8 +7,9 @@
 
 namespace rt {
 
-// Both functions turn a place of the unit square, 0 <= x, y < 1, into a direction of length 1
-// within 2 epsilon. Random places, spread evenly over the square, become random directions.
+// Both functions turn a sample point of the unit square, `place`, 0 <= x, y < 1, into a
+// direction of length 1 within 2 epsilon. Random sample points, spread evenly over the square,
+// become random directions.
 
 // Every direction is equally likely. Source: Archimedes, "On the sphere and cylinder": slices of
 // equal thickness have equal surface.
@@ -20,9 +21,9 @@ inline Vec3 uniform_direction(Vec2 place) {
     return {radius * cosine, radius * sine, z};
 }
 
-// A direction on the normal's side, as likely as its cosine with the normal: density cos / pi. The
-// normal must have length 1. The cosine is always greater than 0.
-// Source: Malley's method: places spread evenly over a disk, lifted up to the hemisphere.
+// A direction on the normal's side, distributed by its cosine with the normal: probability density
+// cos / pi. The normal must have length 1. The cosine is always greater than 0.
+// Source: Malley's method: points spread evenly over a disk, lifted up to the hemisphere.
 inline Vec3 cosine_direction(Vec3 normal, Vec2 place) {
     const Real radius = std::sqrt(place.x);
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);
@@ -30,7 +31,7 @@ inline Vec3 cosine_direction(Vec3 normal, Vec2 place) {
     return normalize(orthonormal_basis(normal).to_world({radius * cosine, radius * sine, height}));
 }
 
-// A random place of the unit square (given).
+// A random sample point of the unit square (given).
 template <class Random>
 Vec2 random_place(Random& random) {
     const Real x = random.uniform(), y = random.uniform();

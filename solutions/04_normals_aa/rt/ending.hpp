@@ -7,7 +7,7 @@ namespace rt {
 // What becomes of a path that has made all of its bounces.
 enum class Fate { ends_in_sky, ends_in_black, goes_on };
 
-// As if nothing stood in the way of the last bounce any more. Too bright, mostly by little.
+// As if nothing stood in the way after the last bounce. Too bright, mostly by a little.
 struct SkyEnding {
     template <class Random>
     Fate operator()(Color&, Random&) const {
@@ -24,10 +24,10 @@ struct BlackEnding {
 };
 
 // Russian roulette: the path goes on with a probability p, and its throughput is divided by p, so
-// that those that go on stand in for those that ended. Right on the average: p * (1 / p) = 1.
+// that the paths that go on stand in for those that ended. Correct on average: p * (1 / p) = 1.
 template <class Random>
 Fate play_roulette(Color& throughput, Real most_likely, Random& random) {
-    // Bright paths are worth following. A path without light left never goes on.
+    // Bright paths are worth following. A path with no light left never goes on.
     const Real p = std::min(most_likely, std::max({throughput.r, throughput.g, throughput.b}));
     if (!(random.uniform() < p)) return Fate::ends_in_black;
     throughput /= p;
@@ -35,7 +35,7 @@ Fate play_roulette(Color& throughput, Real most_likely, Random& random) {
 }
 
 struct RouletteEnding {
-    // Below 1, so that even a path between white surfaces ends at some time.
+    // Below 1, so that even a path between white surfaces ends eventually.
     Real most_likely = Real(0.95);
 
     template <class Random>

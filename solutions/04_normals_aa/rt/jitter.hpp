@@ -8,8 +8,9 @@
 namespace rt {
 
 // The pixel is cut into n x n cells; cell 0 is the top left one, cell n the first of the second
-// row. The offset within the pixel of a place within a cell, 0 <= x, y < 1. Cell k of a row reaches
-// from k / n, which belongs to it, to (k + 1) / n, which does not, also after rounding.
+// row. Turns `place`, a sample point within a cell, 0 <= x, y < 1, into its offset within the
+// pixel. Cell k of a row reaches from k / n, which belongs to it, to (k + 1) / n, which does not,
+// even after rounding.
 inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
     const auto within = [n](int k, Real x) {
         const auto count = static_cast<Real>(n), first = static_cast<Real>(k);
@@ -20,9 +21,10 @@ inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
     return {within(cell % n, place.x), within(cell / n, place.y)};
 }
 
-// The average color of a pixel over this many samples, 1 or more: sample(offset) is called with
-// one random offset in each cell of the finest n x n grid that they suffice for; what is left goes
-// anywhere in the pixel. ColorSum keeps the average of many samples right in float, too.
+// The average color of a pixel over this many samples, 1 or more. sample(offset) is called with one
+// random offset in each cell of the finest n x n grid that the samples suffice for, and with
+// offsets anywhere in the pixel for the rest of them. ColorSum keeps the average of many samples
+// right even in float.
 template <class Random, class Sample>
 Color pixel_average(int samples, Random& random, Sample sample) {
     int n = 1;

@@ -14,8 +14,8 @@ struct Lambertian {
 };
 
 // How light comes back from a matte surface: on the side that the ray came from, in a random
-// direction of length 1 with the density cos / pi about the normal there. As directions are chosen
-// as likely as the cosine of Lambert's law, the attenuation is the albedo alone.
+// direction of length 1 with probability density cos / pi about the normal there. The density
+// already includes the cosine of Lambert's law, so the attenuation is the albedo alone.
 template <class Random>
 std::optional<Scatter> scatter(const Lambertian& material, [[maybe_unused]] Vec3 incoming,
                                const Hit& hit, Random& random) {

@@ -7,15 +7,15 @@
 
 namespace rt {
 
-// How much work goes into a picture, and the seed of all that is random in it.
+// How much work goes into a picture, and the seed of everything random in it.
 struct Quality {
     int samples_per_pixel = 1;
-    int depth = 1;  // the most bounces of a path
+    int depth = 1;  // the maximum number of bounces of a path
     std::uint64_t seed = 1;
 };
 
-// The ray of a camera through a place of a pixel (given). Cameras of other types bring a make_ray
-// of their own; one with a lens draws a place on it from `random`.
+// The ray of a camera through a point of a pixel (given). Cameras of other types bring their own
+// make_ray; for one with a lens, it draws a point on the lens from `random`.
 template <class Random>
 Ray make_ray(const Camera& camera, int column, int row, Vec2 offset, Random& /*random*/) {
     return primary_ray(camera, column, row, offset);

@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// The same light from everywhere (given): what furnace tests are lit by.
+// The same light from everywhere (given), as furnace tests use it.
 struct UniformSky {
     Color color{1, 1, 1};
 
@@ -17,7 +17,7 @@ struct GradientSky {
     Color below, above;
 
     constexpr Color operator()(Vec3 direction) const {
-        // A computed y may lie beyond 1 by a rounding, and light is never less than none.
+        // Rounding may leave a computed y a little beyond 1, and light is never negative.
         return mix(below, above, std::clamp((direction.y + 1) / 2, Real(0), Real(1)));
     }
 };

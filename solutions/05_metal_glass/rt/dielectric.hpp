@@ -19,23 +19,23 @@ struct SchlickDielectric {
     Real index = Real(1.5);
 };
 
-// How a path goes on from the surface of glass: reflected as often as reflectance(cosine, eta)
-// says, else refracted. Both ways carry all of the light on, since the choice itself already weighs
-// them. `incoming` has length 1.
+// How a path goes on from the surface of glass: reflected with the probability reflectance(cosine,
+// eta), otherwise refracted. Either way carries all of the light on, because the random choice
+// already weighs both. `incoming` has length 1.
 template <class Reflectance, class Random>
 Scatter scatter_at_glass(Real index, Reflectance reflectance, Vec3 incoming, const Hit& hit,
                          Random& random) {
     const Real eta = hit.front ? 1 / index : index;
     const Vec3 normal = facing_normal(hit);
     const Real reflected = reflectance(-dot(incoming, normal), eta);
-    // Where nothing is reflected there is nothing to draw lots for.
+    // If nothing is reflected, no random number is drawn.
     const bool goes_through = !(reflected > 0 && random.uniform() < reflected);
     if (goes_through)
         if (const auto refracted = refract(incoming, normal, eta)) return {{1, 1, 1}, *refracted};
     return {{1, 1, 1}, above_horizon(reflect(incoming, normal), normal)};
 }
 
-// Given: the two materials differ in nothing but the reflectance.
+// Given: the two materials differ only in the reflectance.
 template <class Random>
 std::optional<Scatter> scatter(const Dielectric& glass, Vec3 incoming, const Hit& hit,
                                Random& random) {

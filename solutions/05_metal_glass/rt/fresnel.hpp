@@ -7,8 +7,9 @@
 namespace rt {
 
 // In all three functions, `cosine` is that of the angle between the normal and the light that
-// arrives, in [0, 1] (what rounding has put above 1 counts as 1), and eta the index of refraction
-// on the side that the light comes from divided by the one behind, greater than 0.
+// arrives, in [0, 1] (a value that rounding has put above 1 counts as 1). eta, greater than 0,
+// is the index of refraction on the side that the light comes from, divided by the index
+// behind the surface.
 
 // The cosine of the angle behind the surface. None at total reflection.
 inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
@@ -21,8 +22,8 @@ inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
 
 // The share of unpolarized light that is reflected, in [0, 1]. 0 for eta = 1, 1 at total
 // reflection. Source: Fresnel's equations; here r_s = (eta c - c') / (eta c + c') is written as
-// (eta^2 - 1) / (eta c + c')^2, and r_p = r_s cos(a + a') / cos(a - a'): nothing cancels that
-// matters, however close together the two indices are.
+// (eta^2 - 1) / (eta c + c')^2, and r_p = r_s cos(a + a') / cos(a - a'): no cancellation does harm,
+// however close together the two indices are.
 inline Real fresnel_reflectance(Real cosine, Real eta) {
     if (eta == 1) return 0;
     const std::optional<Real> beyond = refracted_cosine(cosine, eta);
@@ -35,8 +36,8 @@ inline Real fresnel_reflectance(Real cosine, Real eta) {
     return std::min(Real(1), r_s * r_s * (1 + p_over_s * p_over_s) / 2);
 }
 
-// The same by Schlick's approximation, with the cosine on the side of the smaller index, so that a
-// surface reflects the same from both sides and 1 where total reflection begins.
+// The same by Schlick's approximation, with the cosine on the side of the smaller index, so that
+// the share is the same from both sides of a surface, and 1 where total reflection begins.
 // Source: Schlick, "An inexpensive BRDF model for physically-based rendering", 1994.
 inline Real schlick_reflectance(Real cosine, Real eta) {
     if (eta > 1) {

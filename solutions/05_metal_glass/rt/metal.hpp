@@ -8,22 +8,22 @@
 
 namespace rt {
 
-// A metal: a mirror (fuzz 0) to a rough, dull shine (fuzz 1).
+// A metal: from a mirror (fuzz 0) to a rough, dull shine (fuzz 1).
 struct Metal {
     Color albedo;   // the share of light that comes back, each channel in [0, 1]
     Real fuzz = 0;  // how far reflected light strays, in [0, 1]
 };
 
 // Where metal sends light that arrives along `incoming`, of length 1, on the side of `normal`: the
-// mirror direction plus `fuzz` times the uniform direction at this place of the unit square, folded
-// above the surface. Length 1.
+// mirror direction plus `fuzz` times the uniform direction for `place`, a sample point of the unit
+// square, folded above the surface. The result has length 1.
 inline Vec3 metal_direction(Vec3 incoming, Vec3 normal, Real fuzz, Vec2 place) {
     const Vec3 mirrored = reflect(incoming, normal);
     return above_horizon(mirrored + fuzz * uniform_direction(place), normal);
 }
 
-// No path ends in metal, and none is brighter than another: the light of each is multiplied by the
-// albedo.
+// No path ends at metal, and none is brighter than another: each path's light is multiplied
+// by the albedo.
 template <class Random>
 std::optional<Scatter> scatter(const Metal& material, Vec3 incoming, const Hit& hit,
                                Random& random) {

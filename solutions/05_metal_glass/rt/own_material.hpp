@@ -15,8 +15,8 @@ struct OwnMaterial {
     Real amount = 0;  // how much of the ground is coated, from 0 to 1
 };
 
-// The coat reflects as glass of index 1.5 does and takes nothing away. What it lets through comes
-// back from the ground. The choice between the two already weighs them.
+// The coat reflects like glass of index 1.5 and absorbs nothing. The light that it lets through
+// comes back from the ground. The random choice already weighs both.
 template <class Random>
 std::optional<Scatter> scatter(const OwnMaterial& material, [[maybe_unused]] Vec3 incoming,
                                [[maybe_unused]] const Hit& hit, [[maybe_unused]] Random& random) {

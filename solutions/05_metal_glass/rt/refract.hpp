@@ -6,21 +6,23 @@
 
 namespace rt {
 
-// Where light goes that arrives along `incoming` and enters what lies behind the surface. `normal`
+// The direction of light that arrives along `incoming` and passes through the surface. `normal`
 // points to the side that the light comes from; both have length 1. eta is the index of refraction
-// there divided by the one behind, greater than 0. None where all light is reflected: where eta
-// times the sine of the angle to the normal exceeds 1. With eta = 1 the direction stays as it is,
-// bit for bit. Source: Snell's law.
+// on that side divided by the index behind the surface, greater than 0. None if all light is
+// reflected, which is when eta times the sine of the angle between `incoming` and the normal
+// exceeds 1. If eta = 1, the direction stays as it is, bit for bit. Source: Snell's law.
 inline std::optional<Vec3> refract(Vec3 incoming, Vec3 normal, Real eta) {
     if (eta == 1) return incoming;
-    // The part along the surface, times eta: its length is the sine of the angle behind it.
+    // The part along the surface, times eta: its length is the sine of the angle
+    // behind the surface.
     const Real cosine = -dot(incoming, normal);
     const Vec3 along = eta * (incoming + cosine * normal);
     Real squared_cosine = 1 - dot(along, along);
-    // Too close to call: 3 roundings of each component of `along`, and 6 of the sum, have a say.
+    // Too close to call: the 3 roundings of each component of `along` and the 6 of the sum could
+    // decide the sign.
     if (std::abs(squared_cosine) <= rounding_bound(8) * (1 + eta)) {
-        // The sine again, from a cross product, where nothing cancels. eta * sine - 1 is rounded
-        // once, so that its sign is right.
+        // The sine again, from a cross product, in which nothing cancels. eta * sine - 1 is rounded
+        // only once, so its sign is right.
         const Real sine = length(cross(normal, incoming));
         const Real excess = std::fma(eta, sine, Real(-1));
         squared_cosine = -excess * (1 + eta * sine);

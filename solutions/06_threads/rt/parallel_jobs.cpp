@@ -14,8 +14,8 @@
 namespace rt {
 namespace {
 
-// Neither of the two lets an exception out of its threads: it would end the program. This keeps the
-// first one for the caller.
+// Neither library lets an exception leave its threads: it would end the program. This class keeps
+// the first one for the caller.
 class FirstException {
   public:
     template <class Work>

@@ -3,14 +3,14 @@
 
 namespace rt {
 
-// Work that is numbered: called with every job 0 ... jobs - 1 once, and with the number of the
-// worker, 0 ... workers - 1. No two calls with the same worker overlap in time.
+// Numbered work: called once for each job 0 ... jobs - 1, with the number of the worker, 0 ...
+// workers - 1. No two calls with the same worker overlap in time.
 using JobWork = std::function<void(int job, int worker)>;
 using JobSpreader = void (*)(int jobs, int workers, const JobWork& work);
 
-// The loops of 06.5, as ways to spread jobs (given). Each is null where this build does not have
-// its library. The first exception of a job reaches the caller; after it no further jobs are begun.
+// The loops of 06.5, as ways to spread jobs (given). Each is null if this build does not have its
+// library. The first exception of a job reaches the caller; after it no further jobs begin.
 JobSpreader spread_by_standard_algorithm();  // std::for_each(std::execution::par, ...), with TBB
-JobSpreader spread_by_openmp();              // #pragma omp parallel for
+JobSpreader spread_by_openmp();              // `#pragma omp parallel for`
 
 }  // namespace rt

@@ -6,7 +6,7 @@
 namespace rt {
 
 // A Strategy: each worker renders one tile, its slice of the rows over the full width. A worker
-// without rows calls nothing, and neither does any in a picture without columns.
+// without rows makes no call; in a picture without columns, no worker does.
 inline void render_slices(const TileGrid& grid, int workers, const TileWork& work) {
     run_workers(workers, [&](int worker) {
         const Rows rows = slice_rows(grid.height, workers, worker);

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-// How many tiles lie beside each other in one direction, on this many pixels, 0 or more.
+// The number of tiles in one direction, along this many pixels, 0 or more.
 inline int tiles_along(int pixels, int tile_size) {
     return pixels / tile_size + (pixels % tile_size != 0);
 }
@@ -20,23 +20,23 @@ inline int tile_count(const TileGrid& grid) {
 inline Tile tile_at(const TileGrid& grid, int index) {
     const int columns = tiles_along(grid.width, grid.tile_size);
     const int left = index % columns * grid.tile_size, top = index / columns * grid.tile_size;
-    // Compares what is left: left + tile_size might not fit an int.
+    // Compares what remains, because left + tile_size might not fit an int.
     return {left, top, left + std::min(grid.tile_size, grid.width - left),
             top + std::min(grid.tile_size, grid.height - top)};
 }
 
-// Takes the next of `count` tiles: every index 0 ... count - 1 is returned to one caller alone, and
-// none when all are taken. The counter starts at 0; it may be any type that counts as
-// std::atomic<int> does.
+// Takes the next of `count` tiles: every index 0 ... count - 1 is returned to exactly one caller,
+// and none is returned when all are taken. The counter starts at 0; it may be any type that
+// counts like std::atomic<int>.
 template <class Counter>
 std::optional<int> take_tile(Counter& next, int count) {
-    // One step that nobody can come between: read, and add 1.
+    // Reads and adds 1 in a single step, which no other worker can interrupt.
     const int mine = next.fetch_add(1);
     if (mine < count) return mine;
     return {};
 }
 
-// A Strategy: whoever is free takes the next tile.
+// A Strategy: whichever worker is free takes the next tile.
 inline void render_tiles(const TileGrid& grid, int workers, const TileWork& work) {
     std::atomic<int> next = 0;
     const int count = tile_count(grid);

@@ -6,8 +6,8 @@
 namespace rt {
 
 // The generator of one sample of one pixel. What it draws depends on these four numbers alone,
-// never on who asks, when, or in which order. Other numbers give a generator whose draws have
-// nothing to do with this one's. x, y and sample are 0 or more.
+// never on which thread asks, when, or in which order. If any of the numbers is different, so is
+// the generator: its draws have nothing to do with this one's. x, y and sample are 0 or more.
 inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
     const auto pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
     const std::uint64_t state =
@@ -15,8 +15,8 @@ inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
     return {state, mix_bits(state)};
 }
 
-// The average of draw(sample, random) over sample = 0 ... samples - 1, 1 or more, each with the
-// generator of its own. draw returns a Color and takes its random numbers from `random`, an Rng&.
+// The average of draw(sample, random) over sample = 0 ... samples - 1, 1 or more, each with its own
+// generator. draw returns a Color and takes its random numbers from `random`, an Rng&.
 template <class Draw>
 Color average_samples(std::uint64_t seed, int x, int y, int samples, const Draw& draw) {
     ColorSum sum;

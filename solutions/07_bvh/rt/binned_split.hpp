@@ -9,7 +9,7 @@
 namespace rt {
 
 // The surface area heuristic without sorting (given): the spheres' middles fall into a few bins
-// along each axis, and only splits between bins are tried. Linear time.
+// along each axis, and only splits between bins are tried. It takes linear time.
 // Source: Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007.
 
 // Twice the middle of a box: halving it would change no split.
@@ -19,10 +19,10 @@ inline Vec3 twice_middle(const Box& box) {
 
 inline constexpr std::size_t bins = 16;
 
-// Bins of equal width along each axis, from the first middle to the last one.
+// Bins of equal width along each axis, from the first middle to the last.
 struct BinGrid {
     Box middles;
-    Vec3 bins_per_length;  // 0 where all middles are at one place
+    Vec3 bins_per_length;  // 0 if all middles coincide
 
     BinGrid(std::span<const int> order, std::span<const Box> boxes) {
         for (const int number : order) {
@@ -54,7 +54,7 @@ struct Bin {
     Real cost() const { return surface_area(box) * static_cast<Real>(count); }
 };
 
-// What lies in the bins along each axis.
+// The contents of the bins along each axis.
 using Bins = std::array<std::array<Bin, bins>, 3>;
 
 inline Bins fill_bins(std::span<const int> order, std::span<const Box> boxes, const BinGrid& grid) {
@@ -67,13 +67,13 @@ inline Bins fill_bins(std::span<const int> order, std::span<const Box> boxes, co
     return all;
 }
 
-// A split before a bin; before the first one there is none.
+// A split just before a bin. Bin 0 means no split.
 struct BinSplit {
     int axis = 0;
     std::size_t bin = 0;
 };
 
-// The cheapest one, by the areas of the two boxes times what is in them.
+// The cheapest split: each of the two boxes costs its area times the number of spheres in it.
 inline BinSplit cheapest_split(const Bins& all, const BinGrid& grid) {
     BinSplit best;
     Real best_cost = infinity;
@@ -98,8 +98,8 @@ inline BinSplit cheapest_split(const Bins& all, const BinGrid& grid) {
     return best;
 }
 
-// A split for build_node, as split_by_area is one: moves the numbers so that the best split between
-// two bins is between the first k of them and the rest, and returns k; 0 where no bins part them.
+// A split for build_node, like split_by_area. Moves the numbers so that the best split between two
+// bins is between the first k of them and the rest, and returns k, or 0 if no bins separate them.
 inline int binned_split(std::span<int> order, std::span<const Box> boxes) {
     const BinGrid grid{order, boxes};
     const BinSplit best = cheapest_split(fill_bins(order, boxes, grid), grid);

@@ -15,7 +15,7 @@ inline Box bounds_of(const Sphere& sphere) {
     return {sphere.center - half, sphere.center + half};
 }
 
-// The smallest box that contains both. The union of two boxes; "union" is a word of C++ itself.
+// The smallest box that contains both: their union. ("union" itself is a keyword of C++.)
 inline Box join(const Box& a, const Box& b) {
     return {
         {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},

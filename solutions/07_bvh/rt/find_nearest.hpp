@@ -4,21 +4,21 @@
 
 namespace rt {
 
-// Tests one sphere, and remembers it in search.nearest and search.within.max if its hit is nearer
-// than what was found so far. Of equally near spheres the one with the highest number counts, as in
-// SphereList, in whatever order they come.
+// Tests one sphere, and remembers it in search.nearest and search.within.max if its hit is the
+// nearest so far. Of equally near spheres the one with the highest number counts, as in SphereList,
+// whatever order they come in.
 template <class AnySearch>
 void try_sphere(int number, AnySearch& search) {
     const auto t = search.meets_sphere(number);
     if (!t) return;
-    // The interval's end is where the nearest hit so far is: t is at most as large.
+    // The interval ends at the nearest hit so far, so t is not larger.
     if (search.nearest >= 0 && *t == search.within.max && number < search.nearest) return;
     search.within.max = *t;
     search.nearest = number;
 }
 
-// Tries every sphere below a node that may be hit nearer than what was found so far. What lies in a
-// box that the ray does not meet is skipped.
+// Tries every sphere below a node that may give a nearer hit than the nearest so far. If the ray
+// does not meet a box, everything in it is skipped.
 template <class AnySearch>
 void find_nearest(const TreeNode& node, AnySearch& search) {
     if (!search.meets(node.box)) return;

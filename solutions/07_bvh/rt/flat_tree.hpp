@@ -6,15 +6,15 @@
 
 namespace rt {
 
-// A node of a tree in one array (given). The left child of node i is node i + 1; the right one is
-// the node that comes after all below the left one.
+// A node of a tree in one array (given). The left child of node i is node i + 1; the right child
+// comes after all nodes below the left one.
 struct FlatNode {
     Box box;
     std::int32_t skip = 0;   // the first node that is not below this one
-    std::int32_t first = 0;  // of a leaf: places in the tree's order
+    std::int32_t first = 0;  // of a leaf: an index into the tree's order
     std::int32_t count = 0;  // 0 in an inner node
     std::int32_t axis =
-        0;  // of an inner node: the left child lies lower along it than the right one
+        0;  // of an inner node: along it, the left child is lower than the right one
 };
 
 // The tree of SphereTree, its nodes in one array instead of scattered over the heap (given).
@@ -23,7 +23,8 @@ struct FlatTree {
     std::vector<int> order;
     std::vector<FlatNode> nodes;
 
-    // In the order of the array. No stack: a node that is missed is skipped with all below it.
+    // Visits the nodes in the order of the array. It needs no stack: a missed node is skipped with
+    // all below it.
     template <class AnyRay>
     Search search_in_order(const AnyRay& ray, Interval within) const {
         Search search{spheres, order, {ray.origin, ray.direction}, within};
@@ -39,8 +40,9 @@ struct FlatTree {
         return search;
     }
 
-    // The child that the ray comes to first, going by the direction alone: hits are found earlier,
-    // and more boxes lie behind them. Children that wait are kept on a stack of a fixed size.
+    // Visits first the child that the ray comes to first, judged by its direction alone: hits
+    // are found earlier, and more boxes lie behind them. Waiting children are kept on a stack of
+    // a fixed size.
     template <class AnyRay>
     Search search_nearest_first(const AnyRay& ray, Interval within) const {
         Search search{spheres, order, {ray.origin, ray.direction}, within};
@@ -70,7 +72,7 @@ struct FlatTree {
     }
 
   private:
-    // One child at most waits for each inner node on the way down, and from most_levels on each
+    // At most one child waits for each inner node on the way down, and from most_levels on each
     // step down halves the number of spheres.
     static constexpr std::size_t most_waiting =
         most_levels + halvings(std::numeric_limits<int>::max(), 1);
@@ -81,7 +83,7 @@ struct FlatTree {
     }
 };
 
-// Puts a node and all below it at the end of an array.
+// Appends a node and all nodes below it to an array.
 inline void flatten(const TreeNode& node, std::vector<FlatNode>& nodes) {
     const std::size_t place = nodes.size();
     nodes.push_back({node.box, 0, node.first, node.count});

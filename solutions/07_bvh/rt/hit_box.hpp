@@ -7,9 +7,9 @@
 
 namespace rt {
 
-// True when the ray meets the box, grown by ray.margin on all sides, at some t of the interval. Its
-// faces, edges and corners belong to the box; so does what lies in a face. Always false for the
-// empty box and the empty interval.
+// True when the ray meets the box, grown by ray.margin on all sides, at some t of the interval.
+// Faces, edges and corners belong to the box, and a ray that runs within a face meets it. Always
+// false for the empty box and the empty interval.
 // Source of the idea: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986.
 inline bool hit_box(const Box& box, const SlabRay& ray, Interval within) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -20,8 +20,8 @@ inline bool hit_box(const Box& box, const SlabRay& ray, Interval within) {
         const bool forward = !std::signbit(inverse);
         const Real enters = ((forward ? low : high) - origin) * inverse;
         const Real leaves = ((forward ? high : low) - origin) * inverse;
-        // In a face of the box 0 * infinity is not a number. std::max and std::min then return
-        // their first argument, so that this plane does not count.
+        // In a face of the box, 0 * infinity is NaN. std::max and std::min then return their first
+        // argument, so this plane does not count.
         within.min = std::max(within.min, enters);
         within.max = std::min(within.max, leaves);
     }

@@ -11,26 +11,26 @@ namespace rt {
 // other types, which meet spheres that move or are stretched.
 struct Search {
     std::span<const SceneSphere> spheres;  // of the scene
-    std::span<const int> order;            // of the tree: its leaves hold places in it
+    std::span<const int> order;            // of the tree: its leaves hold indices into it
     Ray ray;
     Interval within;    // its upper end moves down to the nearest hit
     int nearest = -1;   // the number of the sphere that was hit there, -1 before any
-    int box_tests = 0;  // how much work it was so far
+    int box_tests = 0;  // how much work was done so far
     int sphere_tests = 0;
     SlabRay slabs = slab_ray(ray);
 
-    // Whether the ray meets a box where a hit would still count.
+    // True if the ray meets a box where a hit would still count.
     bool meets(const Box& box) {
         ++box_tests;
         return hit_box(box, slabs, with_origin(within));
     }
 
-    // The sphere of this number.
+    // The sphere with this number.
     const Sphere& sphere(int number) const {
         return spheres[static_cast<std::size_t>(number)].shape;
     }
 
-    // Where the ray meets the sphere of this number within the interval.
+    // Where the ray meets the sphere with this number within the interval.
     std::optional<Real> meets_sphere(int number) {
         ++sphere_tests;
         return hit_sphere(sphere(number), ray, within);

@@ -6,17 +6,17 @@
 
 namespace rt {
 
-// How far off a sphere, relative to the coordinates at hand, hit_sphere may see it and a box test
-// may see a box. docs/07-bvh.md derives the number: a box that is grown by this many times (its own
-// largest coordinate + the largest of the ray's origin) is met by every ray that hit_sphere lets
-// hit the sphere inside.
+// How far off hit_sphere may see a sphere and a box test may see a box, relative to the coordinates
+// at hand. docs/07-bvh.md derives the number. If a box is grown by this times (its own largest
+// coordinate + the largest of the ray's origin), every ray that hits the sphere inside, according
+// to hit_sphere, also meets the box.
 inline constexpr Real hit_margin = 80 * epsilon;
 
-// A ray made ready for box tests (given): what they all need is computed once.
+// A ray made ready for box tests (given): whatever they all need is computed once.
 struct SlabRay {
     Vec3 origin;
-    Vec3 inverse;     // 1 / direction; infinite, with the zero's sign, where a component is 0
-    Real margin = 0;  // every box is taken to be larger by this on all sides
+    Vec3 inverse;     // 1 / direction; infinite, with the zero's sign, if a component is 0
+    Real margin = 0;  // every box counts as larger by this on all sides
 };
 
 // The ray's share of the margin; bounds_of(sphere) has added the box's share.
@@ -25,8 +25,9 @@ inline SlabRay slab_ray(const Ray& ray) {
     return {ray.origin, {1 / d.x, 1 / d.y, 1 / d.z}, hit_margin * max_component(ray.origin)};
 }
 
-// Where boxes count for a search within an interval: 0 always belongs to it. For a ray that starts
-// on a sphere's surface, t is all rounding, but its origin is surely within the sphere's box.
+// The interval in which boxes count for a search within `within`: 0 always belongs to it. For a
+// ray that starts on a sphere's surface, t is all rounding error, but its origin is surely within
+// the sphere's box.
 constexpr Interval with_origin(Interval within) {
     return {std::min(Real(0), within.min), std::max(Real(0), within.max)};
 }

@@ -9,7 +9,7 @@
 
 namespace rt {
 
-// Builds the hit of what a search has found, as SphereList does.
+// Makes the Hit for the sphere that a search has found, as SphereList does.
 template <class AnySearch>
 std::optional<Hit> hit_of(const AnySearch& search) {
     if (search.nearest < 0) return {};
@@ -29,9 +29,9 @@ inline std::vector<Box> bounds_of(const std::vector<SceneSphere>& spheres) {
 struct SphereTree {
     std::vector<SceneSphere> spheres;
     std::vector<int> order;          // the numbers of the spheres, leaf by leaf
-    std::unique_ptr<TreeNode> root;  // none without spheres
+    std::unique_ptr<TreeNode> root;  // null without spheres
 
-    // The way of a ray through the tree.
+    // The search of a ray through the tree.
     template <class AnyRay>
     Search search(const AnyRay& ray, Interval within) const {
         Search search{spheres, order, {ray.origin, ray.direction}, within};

@@ -14,9 +14,10 @@ inline Real surface_area(const Box& box) {
 }
 
 // Sorts the numbers of spheres so that the best split is between the first k of them and the rest,
-// and returns k; 0 where a leaf is cheaper than any split. The cost of a split is what a ray that
-// meets the box around all can expect: one unit for the two boxes, and a unit for each sphere of a
-// child, as likely as the child is met: its area over the area of the whole box.
+// and returns k, or 0 if no split is cheaper than a leaf. The cost of a split is the work to expect
+// for a ray that meets the box around all of them: one unit for the two boxes, and one unit for
+// each sphere of a child, times the probability that the ray meets the child: its area over the
+// area of the whole box.
 // Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     const auto box_of = [&](std::size_t place) -> const Box& {
@@ -26,8 +27,8 @@ inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
         const auto middle = [&](int sphere) {
             return along(boxes[static_cast<std::size_t>(sphere)].center(), axis);
         };
-        // Middles at one place stay in the order of their numbers, so that sorting once more along
-        // the best axis gives what was measured.
+        // Equal middles stay in the order of their numbers, so that sorting once more along the
+        // best axis gives the order that was measured.
         std::sort(order.begin(), order.end(), [&](int a, int b) {
             const Real of_a = middle(a), of_b = middle(b);
             return of_a != of_b ? of_a < of_b : a < b;
@@ -36,7 +37,7 @@ inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     const std::size_t count = order.size();
     if (count < 2) return 0;
 
-    // Costs are multiplied by the area of the whole box: nothing is divided.
+    // All costs are multiplied by the area of the whole box, so nothing is divided.
     Box whole;
     for (std::size_t i = 0; i < count; ++i) whole = join(whole, box_of(i));
     const Real box_cost = surface_area(whole);

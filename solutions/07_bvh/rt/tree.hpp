@@ -8,17 +8,17 @@
 
 namespace rt {
 
-// A node of a tree of boxes (given). An inner node has two children; a leaf has none, and holds
-// the spheres of the places first, first + 1, ... of the tree's order.
+// A node of a tree of boxes (given). An inner node has two children; a leaf has none, and holds the
+// spheres at the indices first, first + 1, ... of the tree's order.
 struct TreeNode {
-    Box box;  // around all that is below
+    Box box;  // around everything below
     std::unique_ptr<TreeNode> left, right;
     int first = 0, count = 0;
 
     bool is_leaf() const { return !left; }
 
-    // The tree below goes node by node, by the take_apart of exercise 00.4. The nodes that it
-    // destroys have no children any more, and end here.
+    // The tree below is destroyed node by node, by take_apart of exercise 00.4. The nodes that it
+    // destroys no longer have children, and return at once.
     ~TreeNode() {
         if (is_leaf()) return;
         take_apart(std::move(left));
@@ -26,14 +26,14 @@ struct TreeNode {
     }
 };
 
-// Deeper than this, nodes are split in half whatever they hold. The tree of a million spheres then
+// Below this level, nodes are split in half, whatever they hold. The tree of a million spheres then
 // has at most 64 + 20 levels, and no recursion over it can overflow the stack.
 inline constexpr int most_levels = 64;
 
-// What a leaf holds at most when it is split in half.
+// The most spheres in a leaf when nodes are split in half.
 inline constexpr int leaf_size = 4;
 
-// How often a number of things is halved, rounding up, until `few` or fewer are left.
+// How many times `things` must be halved, rounding up, until `few` or fewer are left.
 constexpr std::size_t halvings(std::int64_t things, std::int64_t few) {
     std::size_t count = 0;
     for (; things > few; things -= things / 2) ++count;

@@ -18,10 +18,11 @@ inline constexpr std::size_t lanes = 8;
 template <class T>
 using Lanes = std::array<T, lanes>;
 
-// As many of eight numbers as one register of the processor holds: one instruction does the same to
-// all of them (SIMD: single instruction, multiple data). a + b adds each number of a to its partner
-// in b, and rounds as it would alone. A comparison gives a mask, -1 for true and 0 for false, and
-// mask ? a : b takes from a where the mask is true, else from b.
+// A part: as many of eight numbers as fit in one register of the processor. One instruction
+// does the same to all of them (SIMD: single instruction, multiple data). a + b adds each
+// number of a to its partner in b, and rounds it as it would alone. A comparison gives a mask,
+// -1 for true and 0 for false, and mask ? a : b takes each number from a where the mask is
+// true, and from b elsewhere.
 template <class T>
 inline constexpr std::size_t part_size = std::min(lanes, RT_REGISTER_BYTES / sizeof(T));
 template <class T>
@@ -31,7 +32,7 @@ struct PartOf {
 template <class T>
 using Part = typename PartOf<T>::Type;
 
-// The numbers from place `first` on.
+// The numbers from index `first` on.
 template <class T>
 RT_INLINED Part<T> load_part(const Lanes<T>& numbers, std::size_t first) {
     Part<T> part;
@@ -43,7 +44,7 @@ RT_INLINED void store_part(const Part<T>& part, Lanes<T>& numbers, std::size_t f
     std::memcpy(&numbers[first], &part, sizeof part);
 }
 
-// What the standard library has for one number, for each of a part.
+// Functions of the standard library, applied to each number of a part.
 using Reals = Part<Real>;
 RT_INLINED Reals part_sqrt(Reals x) {
     for (std::size_t i = 0; i < part_size<Real>; ++i) x[i] = std::sqrt(x[i]);

@@ -9,23 +9,23 @@
 
 namespace rt {
 
-// Makes a WideTreeOf<Number> (given) of the binary tree of 07.3: each of its nodes takes the place
-// of up to seven binary ones.
+// Makes a WideTreeOf<Number> (given) from the binary tree of 07.3: each wide node replaces up to
+// seven binary nodes.
 
-// A sphere's box, grown so that it contains the sphere also after its own rounding to Number and
-// that of the slabs, which are computed in Number.
+// A sphere's box, grown so that it still contains the sphere after the box is rounded to Number and
+// the slabs are computed in Number.
 template <class Number>
 Box wide_bounds_of(const Sphere& sphere) {
     const Box box = bounds_of(sphere);
-    if (wide_margin<Number> <= hit_margin) return box;  // it is grown by hit_margin already
+    if (wide_margin<Number> <= hit_margin) return box;  // it already includes hit_margin
     const Real grow =
         wide_margin<Number> * std::max(max_component(box.low), max_component(box.high));
     const Vec3 margin{grow, grow, grow};
     return {box.low - margin, box.high + margin};
 }
 
-// Another split, made to fill leaves of eight: eight spheres or fewer stay together, and where
-// `split` finds nothing to gain, more than eight are halved in the order that they are in.
+// Changes a split so that it fills leaves of eight: eight spheres or fewer stay together, and if
+// `split` finds nothing to gain, more than eight are halved in their present order.
 template <class Split>
 auto with_wide_leaves(const Split& split) {
     return [&split](std::span<int> order, std::span<const Box> boxes) {
@@ -35,7 +35,7 @@ auto with_wide_leaves(const Split& split) {
     };
 }
 
-// The wide leaf of a binary one; ~ tells it from a node.
+// Adds the wide leaf of a binary one; ~ distinguishes its number from a node's.
 template <class Number>
 std::int32_t add_wide_leaf(WideTreeOf<Number>& wide, const SphereTree& tree, const TreeNode& leaf) {
     WideLeaf spheres;
@@ -51,8 +51,8 @@ std::int32_t add_wide_leaf(WideTreeOf<Number>& wide, const SphereTree& tree, con
 // Adds the wide node of a binary node, and all below it; returns its number.
 template <class Number>
 std::int32_t add_wide_node(WideTreeOf<Number>& wide, const SphereTree& tree, const TreeNode& top) {
-    // Of the nodes in the list, the inner one with the largest box is met most often: its two
-    // children take its place, until there are eight or all are leaves.
+    // Of the nodes in the list, the inner one with the largest box is met most often. Its two
+    // children replace it, until there are eight nodes or all are leaves.
     std::vector<const TreeNode*> parts{&top};
     while (parts.size() < lanes) {
         const TreeNode** largest = nullptr;
@@ -69,8 +69,8 @@ std::int32_t add_wide_node(WideTreeOf<Number>& wide, const SphereTree& tree, con
     const std::size_t place = wide.nodes.size();
     wide.nodes.emplace_back();
     WideNode<Number> node;  // not a reference: the list moves as it grows
-    // Only a ray that is not finite meets the empty box of an unused lane: it comes to the first
-    // leaf, of which there is always one, and to an end.
+    // Only a ray that is not finite meets the empty box of an unused lane. It then comes to the
+    // first leaf, which always exists, and the search ends.
     for (std::size_t i = 0; i < lanes; ++i) node.set(i, Box{}, ~0);
     for (std::size_t i = 0; i < parts.size(); ++i)
         node.set(i, parts[i]->box,
@@ -94,11 +94,11 @@ WideTreeOf<Number> make_wide_tree(const std::vector<SceneSphere>& spheres, const
     return wide;
 }
 
-// Sorting along three axes takes too long for a node with more spheres than this, and for all nodes
-// where there are very many spheres. Bins lose hardly anything there.
+// Sorting along three axes takes too long for a node with more than many_in_a_node spheres, and for
+// all nodes of a scene with very_many spheres. Bins lose hardly anything there.
 inline constexpr std::size_t many_in_a_node = 100, very_many = 100'000;
 
-// The same with split_by_area, and with binned_split where sorting takes too long.
+// The same with split_by_area, or with binned_split where sorting takes too long.
 template <class Number = float>
 WideTreeOf<Number> make_wide_tree(const std::vector<SceneSphere>& spheres) {
     const std::size_t most = spheres.size() < very_many ? many_in_a_node : 0;

@@ -11,16 +11,16 @@
 
 namespace rt {
 
-// A tree may have this many spheres: a tag has to hold the number of each, times eight.
+// The most spheres that a tree may have: a tag must hold the number of each, times eight.
 inline constexpr std::int64_t most_spheres = std::numeric_limits<std::int32_t>::max() / lanes;
 
-// A leaf with up to eight spheres and their materials: all that a hit needs (given).
+// A leaf with up to eight spheres and their materials: everything that a hit needs (given).
 struct alignas(64) WideLeaf {
     static constexpr Real nothing = std::numeric_limits<Real>::quiet_NaN();
 
-    // Places that are not used have a radius that is not a number: no ray hits that.
+    // Unused lanes have NaN as their radius: no ray hits them.
     Lanes<Real> x{}, y{}, z{}, radius;
-    Lanes<std::int32_t> tag{};  // the sphere's number in the scene, times eight, and its place here
+    Lanes<std::int32_t> tag{};  // the sphere's number in the scene, times eight, plus its lane here
     Lanes<std::int32_t> material{};
 
     WideLeaf() { radius.fill(nothing); }
@@ -41,15 +41,15 @@ struct alignas(64) WideLeaf {
 // The nearest hit so far.
 struct WideHit {
     Real t = infinity;
-    std::int32_t tag = -1;  // of the sphere that is hit there; -1 before any
+    std::int32_t tag = -1;  // of the sphere that is hit there; -1 before any hit
 
     int number() const { return tag < 0 ? -1 : tag / static_cast<int>(lanes); }
     std::size_t place() const { return static_cast<std::size_t>(tag) % lanes; }
 };
 
-// A part of a leaf's spheres beside a ray (given). It computes what hit_sphere and
-// roots_from_discriminant do, by the same operations in the same order, so that each t has the same
-// bits. The names are theirs.
+// A part of a leaf's spheres, as seen from a ray (given). It computes what hit_sphere and
+// roots_from_discriminant compute, by the same operations in the same order, so each t has the same
+// bits. The names are the same, too.
 struct LeafPart {
     Vec3 d;  // the ray's direction
     Real a;  // its squared length
@@ -63,19 +63,20 @@ struct LeafPart {
           fz{ray.origin.z - load_part(leaf.z, first)},
           r_squared{load_part(leaf.radius, first) * load_part(leaf.radius, first)} {}
 
-    // A quarter of the discriminants: 0 or more where the ray's line meets the sphere.
+    // A quarter of each discriminant: 0 or more if the ray's line meets the sphere.
     RT_INLINED Reals quarter() const {
         const Reals mx = fy * d.z - fz * d.y, my = fz * d.x - fx * d.z, mz = fx * d.y - fy * d.x;
         return a * r_squared - (mx * mx + my * my + mz * mz);
     }
 
-    // Where the ray meets spheres within the interval: their bits, and t of each. It looks at those
-    // that have their bit in `met`; a is more than 0.
+    // The spheres that the ray meets within the interval, as bits, and the t of each. It looks only
+    // at those whose bit is set in `met`; a must be greater than 0.
     RT_INLINED unsigned hits(Reals quarter, unsigned met, Interval within, Reals& t) const {
         const Reals half_b = fx * d.x + fy * d.y + fz * d.z;
         const Reals b = 2 * half_b, c = fx * fx + fy * fy + fz * fz - r_squared;
-        // A ray that starts outside of a sphere, on the way from its center, has all of it behind:
-        // both solutions are negative. So it is with half of all that lines meet.
+        // If a ray starts outside a sphere and runs away from its center, the whole sphere
+        // is behind it: both solutions are negative. This holds for half of all spheres
+        // that lines meet.
         if (within.min >= 0) met &= ~RT_VECTOR_BITS((half_b > 0) & (c > 0));
         if (met == 0) return 0;
 
@@ -90,8 +91,8 @@ struct LeafPart {
     }
 };
 
-// Tries the spheres of a leaf between min and best.t; whether best has changed. Of equally near
-// spheres the one with the highest number counts.
+// Tries the spheres of a leaf between min and best.t, and returns whether best has changed. Of
+// equally near spheres the one with the highest number counts.
 RT_INLINED bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
     constexpr std::size_t size = part_size<Real>;
     std::array<Reals, lanes / size> quarters;
@@ -102,8 +103,8 @@ RT_INLINED bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real min, WideHit
         met[p] = RT_VECTOR_BITS(quarters[p] >= 0);
         any |= met[p];
     }
-    // Where the line misses all of them the leaf is done. For the roots f is computed once more: to
-    // keep it for all eight would take more registers than there are.
+    // If the line misses all of them, the leaf is done. For the roots, f is computed once more:
+    // keeping it for all eight would take more registers than the processor has.
     const Vec3 d = ray.direction;
     if (any == 0 || !(d.x * d.x + d.y * d.y + d.z * d.z > 0)) return false;
 

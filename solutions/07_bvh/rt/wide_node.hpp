@@ -8,13 +8,13 @@
 
 namespace rt {
 
-// A node with up to eight children (given). Number is the type of the boxes' coordinates, which may
-// be less precise than Real: the boxes are grown for that.
+// A node with up to eight children (given). Number is the type of the boxes' coordinates. It may be
+// less precise than Real: the boxes are grown to allow for that.
 template <class Number>
 struct alignas(64) WideNode {
     // The low planes of all children along x, y and z, then the high ones.
     std::array<std::array<Lanes<Number>, 3>, 2> planes;
-    Lanes<std::int32_t> child;  // a node; or ~leaf, which is negative
+    Lanes<std::int32_t> child;  // a node, or ~leaf, which is negative
 
     void set(std::size_t i, const Box& box, std::int32_t of) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -29,7 +29,7 @@ struct alignas(64) WideNode {
 template <class Number>
 struct BoxesHit {
     Lanes<Number> entry;  // where the ray enters the boxes of the children that are met
-    unsigned met = 0;     // bit i is set where child i is met
+    unsigned met = 0;     // bit i is set if child i is met
 };
 
 // Which children's boxes the ray meets between min and max.
@@ -44,7 +44,7 @@ RT_INLINED BoxesHit<Number> hit_boxes(const WideNode<Number>& node, const WideRa
                                far = load_part(node.planes[1 - ray.near[k]][k], first);
             const Part<Number> entry = (near - ray.near_origin[k]) * ray.inverse[k],
                                exit = (far - ray.far_origin[k]) * ray.inverse[k];
-            // A t that is not a number fails the comparison, and its plane does not count.
+            // A t that is NaN fails the comparison, and its plane does not count.
             in = entry > in ? entry : in;
             out = exit < out ? exit : out;
         }

@@ -11,23 +11,23 @@
 
 namespace rt {
 
-// A world of spheres in a tree with eight children a node and up to eight spheres a leaf (given).
-// It gives the hits of SphereList, bit for bit, in scenes with coordinates and radii of 1e-15 to
-// 1e15 in size. The boxes' coordinates are of type Number: float is enough for boxes, also where
-// Real is double. make_wide_tree of wide_builder.hpp makes one.
+// A world of spheres in a tree with eight children per node and up to eight spheres per leaf
+// (given). It gives the hits of SphereList, bit for bit, in scenes with coordinates and radii of
+// 1e-15 to 1e15 in size. The boxes' coordinates are of type Number: float is enough for boxes, even
+// if Real is double. make_wide_tree in wide_builder.hpp makes such a tree.
 template <class Number>
 struct WideTreeOf {
-    std::vector<WideNode<Number>> nodes;  // the first is the root; none without spheres
+    std::vector<WideNode<Number>> nodes;  // the first is the root; empty without spheres
     std::vector<WideLeaf> leaves;
 
-    // On the way down to a leaf: each stands for one split or more of the binary tree that it was
-    // made from.
+    // The most nodes on the way down to a leaf: each replaces at least one split of the binary tree
+    // that it was made from.
     static constexpr std::size_t most_nodes = most_levels + halvings(most_spheres, leaf_size);
 
     struct Found {
         WideHit best;
-        const WideLeaf* leaf = nullptr;       // where its sphere is, if there is one
-        int box_tests = 0, sphere_tests = 0;  // eight at once count as one
+        const WideLeaf* leaf = nullptr;       // the leaf of the sphere that was hit, if any
+        int box_tests = 0, sphere_tests = 0;  // eight tests at once count as one
     };
 
     // The search may begin at any node or leaf, with a hit at within.max that has this tag.
@@ -39,7 +39,8 @@ struct WideTreeOf {
         const auto scaled = [&](Real t) { return static_cast<Number>(t * wide.scale); };
         const Number min = scaled(with_origin(within).min);
         Number max = scaled(with_origin(within).max);
-        // What waits, the nearest on top. Of each node on the way down all children but one wait.
+        // Waiting children, the nearest on top. Of each node on the way down, all children but
+        // one may wait.
         struct Waiting {
             Number entry;
             std::int32_t child;
@@ -56,8 +57,8 @@ struct WideTreeOf {
                         const auto i = static_cast<std::size_t>(std::countr_zero(met));
                         return {hit.entry[i], node.child[i]};
                     };
-                    // The nearest is next. The others are few, often none: they are
-                    // put into their order one by one.
+                    // The nearest is next. The others are few, often none: they are inserted in
+                    // order, one by one.
                     Waiting next = waiting_at(hit.met);
                     const std::size_t bottom = waiting;
                     for (unsigned met = hit.met & (hit.met - 1); met; met &= met - 1) {
@@ -79,7 +80,7 @@ struct WideTreeOf {
                     max = scaled(with_origin({within.min, found.best.t}).max);
                 }
             }
-            // Meanwhile a hit may have been found in front of what waits.
+            // Meanwhile a hit may have been found in front of the waiting children.
             do
                 if (waiting == 0) return found;
             while (stack[--waiting].entry > max);

@@ -14,7 +14,7 @@ struct Effects {
     bool lens = false;       // an aperture that is not 0
     bool motion = false;     // spheres that move while the shutter is open
     bool lights = false;     // spheres that shine
-    bool fog = false;        // a medium that scatters between the surfaces
+    bool fog = false;        // a medium between the surfaces, which scatters light
     bool instances = false;  // spheres that a matrix stretches and turns
     bool own = false;        // the material of exercise 05.6
 
@@ -37,7 +37,7 @@ inline constexpr std::array<NamedEffect, 10> all_effects{{{"mirror", &Effects::m
                                                           {"instances", &Effects::instances},
                                                           {"own", &Effects::own}}};
 
-// How many effects there are among these.
+// The number of effects in this set.
 constexpr int count(const Effects& effects) {
     int sum = 0;
     for (const NamedEffect& effect : all_effects) sum += effects.*effect.member ? 1 : 0;
@@ -51,14 +51,14 @@ constexpr bool covers(const Effects& present, const Effects& needed) {
     return true;
 }
 
-// Those of a that are not among b.
+// The effects in a that are not in b.
 constexpr Effects without(Effects a, const Effects& b) {
     for (const NamedEffect& effect : all_effects)
         if (b.*effect.member) a.*effect.member = false;
     return a;
 }
 
-// Such as "mirror, glass, lens"; "none" without any.
+// Their names, such as "mirror, glass, lens", or "none".
 inline std::string names(const Effects& effects) {
     std::string all;
     for (const NamedEffect& effect : all_effects)

@@ -6,7 +6,7 @@
 
 namespace rt {
 
-// A camera with a lens (given). Where the lens has no opening, no place on it is drawn.
+// A camera with a lens (given). If the lens has no opening, no point on it is drawn.
 struct LensCamera {
     Camera camera;
     Lens lens;
@@ -18,8 +18,8 @@ Ray make_ray(const LensCamera& eye, int column, int row, Vec2 offset, Random& ra
     return lens_ray(eye.camera, eye.lens, column, row, offset, random_place(random));
 }
 
-// A camera, with or without a lens, whose shutter is open for a while (given). Where nothing moves,
-// no time is drawn.
+// A camera, with or without a lens, whose shutter is open for a while (given). If nothing moves, no
+// time is drawn.
 template <class StillCamera>
 struct ShutterCamera {
     StillCamera camera;

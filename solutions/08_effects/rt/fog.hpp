@@ -13,17 +13,17 @@
 
 namespace rt {
 
-// Fog that fills a ball evenly (given). It lies between the spheres: where a path meets glass from
-// within, there was none on the way to there.
+// Fog that fills a ball evenly (given). It lies between the spheres: if a path meets glass from
+// within, it met no fog on the way there.
 struct Fog {
     Sphere region;
-    Real density = 0;       // how many droplets light meets on a unit of length, 0 or more
+    Real density = 0;       // how many droplets light meets per unit of length, 0 or more
     Color albedo{1, 1, 1};  // the share of light that a droplet scatters, each channel in [0, 1]
     // The mean cosine of the turn, in (-1, 1); 0 scatters evenly. Also called anisotropy, or g.
     Real forwardness = 0;
 };
 
-// The share of light that gets through this much of a fog: exp(-density * length).
+// The share of light that gets through fog of this length: exp(-density * length).
 // Source: Bouguer, "Essai d'optique", 1729; known as Beer's law.
 inline Real transmittance(Real density, Real length) {
     return portable::exp(-density * length);
@@ -35,19 +35,20 @@ inline Real free_flight(Real density, Real number) {
     return -portable::log1p(-number) / density;
 }
 
-// The density, per solid angle, of a turn with this cosine between the directions before and after.
+// The probability density, per solid angle, of a turn with this cosine between the directions
+// before and after.
 // Source: Henyey and Greenstein, "Diffuse radiation in the galaxy", 1941.
 inline Real phase_density(Real forwardness, Real cosine) {
-    // To favor what lies behind is to favor what lies ahead, with the cosine turned around. A
-    // computed cosine may exceed 1 by a rounding.
+    // Favoring the way back is the same as favoring the way ahead with the sign of the cosine
+    // changed. Rounding may put a computed cosine a little above 1.
     const Real g = std::abs(forwardness);
     const Real away = std::max(Real(0), 1 - (forwardness < 0 ? -cosine : cosine));
-    // (1 - g)^2 + 2 g (1 - cosine): nothing cancels where g and the cosine are close to 1.
+    // (1 - g)^2 + 2 g (1 - cosine): nothing cancels if g and the cosine are close to 1.
     const Real squared = (1 - g) * (1 - g) + 2 * g * away;
     return (1 - g) * (1 + g) / (4 * pi * squared * std::sqrt(squared));
 }
 
-// A direction that is drawn with that density.
+// A direction drawn with that density.
 inline Vec3 phase_direction(Real forwardness, Vec3 incoming, Vec2 place) {
     const Real g = forwardness;
     // The usual cosine = (1 + g^2 - ((1 - g^2) / d)^2) / 2g with this d cancels for small g.
@@ -60,21 +61,21 @@ inline Vec3 phase_direction(Real forwardness, Vec3 incoming, Vec2 place) {
         orthonormal_basis(incoming).to_world({sine * turn.cosine, sine * turn.sine, 1 - height}));
 }
 
-// The part of a ray from its origin on that lies in a ball; empty where it misses it. The direction
-// has length 1.
+// The part of a ray, from its origin on, that lies in a ball; empty if the ray misses it. The
+// direction has length 1.
 inline Interval within_ball(const Sphere& ball, Vec3 origin, Vec3 direction) {
     const Vec3 f = origin - ball.center;
     const Vec3 moment{f.y * direction.z - f.z * direction.y, f.z * direction.x - f.x * direction.z,
                       f.x * direction.y - f.y * direction.x};
-    // Half of the chord, as in 03.2, and its middle. Whether the ray starts inside is not asked:
-    // on the surface itself that question has no safe answer.
+    // Half of the chord, as in 03.2, and its middle. The code does not ask whether the ray starts
+    // inside: on the surface itself that question has no safe answer.
     const Real squared = ball.radius * ball.radius - dot(moment, moment);
     if (!(squared > 0)) return {1, 0};
     const Real half = std::sqrt(squared), middle = -dot(f, direction);
     return {std::max(Real(0), middle - half), middle + half};
 }
 
-// A scene without fog: the compiler leaves out all that would ask it.
+// A scene without fog: the compiler removes every call to it.
 struct NoFog {
     template <class AnyRay, class Random>
     std::optional<Real> meets(const AnyRay&, Real, Random&) const {
@@ -91,11 +92,11 @@ struct NoFog {
     }
 };
 
-// Fog as a medium for paths. Where its density is 0 nothing is drawn. Directions have length 1.
+// Fog as a medium for paths. If its density is 0, nothing is drawn. Directions have length 1.
 struct FogBall {
     Fog fog;
 
-    // Where a ray meets a droplet before it has gone this far; none where it does not.
+    // The t at which a ray meets a droplet before it has gone this far; none if it does not.
     template <class AnyRay, class Random>
     std::optional<Real> meets(const AnyRay& ray, Real most, Random& random) const {
         const Interval foggy = part_of(ray, most);

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-// The ray as the object's own coordinates have it. The direction is not normalized: so the object's
-// t is the world's t.
+// The ray in the object's own coordinates. The direction is not normalized, so the object's t is
+// the world's t.
 inline Ray object_ray(const Instance& instance, const Ray& ray) {
     return {transform_point(instance.world_to_object, ray.origin),
             transform_vector(instance.world_to_object, ray.direction)};
@@ -20,7 +20,7 @@ inline std::optional<Real> hit_instance(const Instance& instance, const Ray& ray
     return hit_sphere(unit_sphere, object_ray(instance, ray), within);
 }
 
-// All about the place where a ray meets an instance at t, in the world.
+// Everything about the point where a ray meets an instance at t, in the world's coordinates.
 inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
     Hit hit = surface_hit(unit_sphere, object_ray(instance, ray), t);
     hit.point = transform_point(instance.object_to_world, hit.point);
@@ -32,8 +32,8 @@ inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
 }
 
 // The box around an instance, grown by margin_factor times hit_margin times the largest coordinate
-// in it. Along x it reaches as far from the middle as the matrix's first row is long: that is the
-// largest first coordinate that M takes a point of the unit sphere to, less the middle's.
+// in it. Along x it reaches from the middle by the length of the matrix's first row. That is the
+// largest first coordinate that the matrix gives to a point of the unit sphere, less the middle's.
 inline Box bounds_of(const Instance& instance) {
     const Mat4& m = instance.object_to_world;
     const auto reach = [&](int row) { return length(Vec3{m(row, 0), m(row, 1), m(row, 2)}); };

@@ -22,12 +22,12 @@ struct InstanceSearch : Search {
     }
 };
 
-// A world of instances in a tree of boxes, built and searched as the spheres' is (given).
+// A world of instances in a tree of boxes, built and searched like the tree of spheres (given).
 struct InstanceTree {
     std::vector<Instance> instances;
     std::vector<int> order;          // the numbers of the instances, leaf by leaf
-    std::unique_ptr<TreeNode> root;  // none without instances
-    Real factor = 1;                 // the largest margin_factor: it belongs to the ray, too
+    std::unique_ptr<TreeNode> root;  // null without instances
+    Real factor = 1;                 // the largest margin_factor: it applies to the ray, too
 
     template <class AnyRay>
     std::optional<Hit> hit(const AnyRay& any_ray, Interval within) const {

@@ -8,15 +8,16 @@
 
 namespace rt {
 
-// The ray through a place of a pixel (see primary_ray) from a place of the lens, which is spread
-// evenly over the unit square, 0 <= x, y < 1. All rays of one place of the picture meet in the
-// plane of focus, at focus_distance before the eye. The direction has length 1. The ray from the
-// lens's middle, place.x = 0, is the pinhole's, bit for bit.
+// The ray through a point of a pixel (see primary_ray) from a point of the lens. `place`, a sample
+// point of the unit square, 0 <= x, y < 1, chooses the latter: sample points spread evenly over the
+// square give points spread evenly over the lens. All rays through one point of the picture meet in
+// the plane of focus, at focus_distance in front of the eye. The direction has length 1. The ray
+// from the lens's middle, place.x = 0, is the pinhole's, bit for bit.
 // Source: the thin lens; Cook, Porter and Carpenter, "Distributed ray tracing", SIGGRAPH 1984.
 inline Ray lens_ray(const Camera& camera, const Lens& lens, int column, int row, Vec2 offset,
                     Vec2 place) {
     const Vec2 p = pixel_to_viewport(camera, column, row, offset);
-    // The root spreads the places evenly over the disk.
+    // The root spreads the points evenly over the disk.
     const Real radius = lens.aperture / 2 * std::sqrt(place.x);
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);
     const Real right = radius * cosine, up = radius * sine;

@@ -7,7 +7,7 @@ namespace rt {
 struct LightSample {
     Vec3 direction;     // length 1
     Real distance = 0;  // along it to the light's surface
-    Real density = 0;   // per solid angle, with which the direction was chosen
+    Real density = 0;   // the probability density of this direction, per solid angle
 };
 
 }  // namespace rt

@@ -9,7 +9,7 @@
 
 namespace rt {
 
-// A sphere that shines, both outwards and inwards.
+// A sphere that shines both outward and inward.
 struct SphereLight {
     Sphere shape;
     Color radiance;
@@ -17,12 +17,12 @@ struct SphereLight {
 
 // A sample of one of a scene's lights.
 struct ChosenLight {
-    LightSample sample;  // the density is that of this light's being chosen and of the direction
+    LightSample sample;  // its density is that of choosing this light and this direction
     Color radiance;
     int material = 0;
 };
 
-// A scene without lights (given): the compiler leaves out all that would ask it.
+// A scene without lights (given): the compiler removes every call to it.
 struct NoLights {
     static constexpr bool empty() { return true; }
     static const SphereLight* find(const Hit&) { return nullptr; }
@@ -34,20 +34,20 @@ struct NoLights {
 };
 
 // The lights of a scene (given). In the world, light k is a sphere of material first_material + k;
-// no other sphere has a material from there on.
+// no other sphere has a material with such a number.
 struct SphereLights {
     std::vector<SphereLight> lights;
     int first_material = 0;
 
     bool empty() const { return lights.empty(); }
 
-    // The light that was hit; null where it was none.
+    // The light that was hit; null if it was not a light.
     const SphereLight* find(const Hit& hit) const {
         if (hit.material < first_material) return nullptr;
         return &lights[static_cast<std::size_t>(hit.material - first_material)];
     }
 
-    // The density with which choose() takes a direction in which this light is seen.
+    // The probability density with which choose() takes a direction in which this light is seen.
     Real density(const SphereLight& light, Vec3 from) const {
         return light_density(light.shape, from) / static_cast<Real>(lights.size());
     }
@@ -66,8 +66,8 @@ struct SphereLights {
     }
 };
 
-// True when nothing stands between a ray's origin and the light along it. What the ray meets first
-// may be the light itself: no distance has to be compared with one that was rounded another way.
+// True if nothing is between a ray's origin and the light along it. What the ray meets first may be
+// the light itself, so no distance must be compared with one that was rounded in another way.
 template <class World, class AnyRay>
 bool sees_light(const World& world, const AnyRay& ray, const ChosenLight& light) {
     const auto hit = world.hit(ray, Interval{0, light.sample.distance});

@@ -6,8 +6,8 @@
 namespace rt {
 
 // Next-event estimation: the light that comes straight from one of the lights, chosen at random,
-// and turns at this place towards the eye. Where the path goes on it may find the light by itself,
-// so that the sample is weighed against that. `ray` brings all but the origin and the direction.
+// and turns at this place toward the eye. If the path goes on, it may find the light by itself, so
+// the sample is weighed against that. `ray` brings everything but the origin and the direction.
 template <class AnyRay, class World, class Lights, class Materials, class Medium, class Random>
 Color direct_light(AnyRay ray, const World& world, const Lights& lights,
                    const Place<Materials, Medium>& place, bool goes_on, Random& random) {
@@ -26,17 +26,17 @@ Color direct_light(AnyRay ray, const World& world, const Lights& lights,
 }
 
 // The light that comes back along a ray in a scene with lights, with fog, or with both. It is
-// path_radiance of chapter 04; what is new is the light that is collected on the way.
-// A black end of all paths is darker here than there: the last place's sample of a light is weighed
-// against a bounce that is not followed any more. The end in the sky and roulette are right.
+// path_radiance of chapter 04, but also collects light on the way. If all paths end in black, the
+// result is darker here than there: the last place's sample of a light is weighed against a bounce
+// that is no longer followed. Ending in the sky and roulette are right.
 template <class AnyRay, class World, class Materials, class Sky, class Lights, class Medium,
           class Ending, class Random>
 Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materials, const Sky& sky,
                         const Lights& lights, const Medium& fog, const Ending& ending, int depth,
                         Random& random) {
     Color throughput{1, 1, 1}, light;
-    // Where the ray comes from, and the density with which its direction was drawn. 0 where no
-    // light was looked for: then what the path finds is all there is, and counts in full.
+    // Where the ray comes from, and the density with which its direction was drawn: 0 if no light
+    // was sampled. Then a light that the path finds counts in full.
     Vec3 from;
     Real drawn = 0;
     for (int bounces = 1;; ++bounces) {

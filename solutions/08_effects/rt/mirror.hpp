@@ -7,7 +7,7 @@
 
 namespace rt {
 
-// Metal without fuzz (given). Nothing is random about it, and no random numbers are drawn for it.
+// Metal without fuzz (given). Nothing about it is random, so no random numbers are drawn for it.
 struct Mirror {
     Color albedo;  // the share of light that comes back, each channel in [0, 1]
 };

@@ -13,19 +13,20 @@ namespace rt {
 // A sphere that moves along a line while the shutter is open (given).
 struct MovingSphere {
     Sphere shape;  // at time 0
-    Vec3 motion;   // how far it is from there at time 1
+    Vec3 motion;   // how far it has moved from there at time 1
     int material = 0;
 };
 
-// Where it is at a time in [0, 1].
+// The sphere at a time in [0, 1].
 inline Sphere sphere_at(const MovingSphere& sphere, Real time) {
     return moved(sphere.shape, time * sphere.motion);
 }
 
-// A box that it does not leave.
+// A box that the sphere never leaves.
 inline Box bounds_of(const MovingSphere& sphere) {
     const Sphere end = sphere_at(sphere, 1);
-    // Every place between is rounded twice; the bounds of spheres that are larger by that hold it.
+    // Every position in between is rounded twice; the bounds of spheres that are larger by
+    // that contain it.
     const Real larger =
         rounding_bound(4) * std::max(max_component(sphere.shape.center), max_component(end.center));
     return join(bounds_of(Sphere{sphere.shape.center, sphere.shape.radius + larger}),
@@ -47,7 +48,7 @@ struct MovingSearch : Search {
     }
 };
 
-// A tree of moving spheres: each lies in the box around all places where it will be.
+// A tree of moving spheres: each is in the box around all its positions.
 struct MovingTree {
     SphereTree tree;
     std::vector<Vec3> motions;

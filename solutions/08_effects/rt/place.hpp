@@ -15,24 +15,24 @@ struct Place {
     const Materials& materials;
     const Medium& fog;
     std::optional<Hit> hit;
-    std::optional<Real> droplet;  // its t, where there is one before the hit
-    Vec3 point, incoming;         // where, and the direction of the ray that led there
+    std::optional<Real> droplet;  // its t, if there is one before the hit
+    Vec3 point, incoming;         // the point, and the direction of the ray that led there
 
     bool is_sky() const { return !hit && !droplet; }
 
-    // The light that was met; null where it is none.
+    // The light that was met; null if it is not a light.
     template <class Lights>
     const SphereLight* light(const Lights& lights) const {
         return droplet ? nullptr : lights.find(*hit);
     }
-    // How the path goes on from here; none where it is absorbed.
+    // How the path goes on from here; none if it is absorbed.
     template <class Random>
     std::optional<Scatter> scatter(Random& random) const {
         if (droplet) return fog.scatter(incoming, random);
         return materials(incoming, *hit, random);
     }
-    // The density, per solid angle, with which scatter() takes a direction; 0 for mirrors, glass
-    // and rough metal, which light cannot be sampled for.
+    // The probability density, per solid angle, with which scatter() takes a direction; 0 for
+    // mirrors, glass and rough metal, for which light cannot be sampled.
     Real density(Vec3 direction) const {
         return droplet ? fog.density(incoming, direction)
                        : scatter_density(materials, *hit, direction);

@@ -12,17 +12,17 @@
 
 namespace rt {
 
-// The sphere of radius 1 around the origin, placed in the world by a matrix (given): an ellipsoid,
-// wherever and however it lies. Such a copy of a shape is called an instance.
+// The sphere of radius 1 around the origin, placed in the world by a matrix (given): an ellipsoid
+// with any position and orientation. Such a copy of a shape is called an instance.
 struct Instance {
-    Mat4 object_to_world, world_to_object;  // each undoes the other
+    Mat4 object_to_world, world_to_object;  // each is the other's inverse
     // As long as a Real, so that no padding follows: with -ftrivial-auto-var-init, which
     // checkpoints are compiled with, g++ 12 loses a number of the first matrix when such an object
     // is returned.
     std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> material = 0;
 };
 
-// Throws std::domain_error where the matrix is singular.
+// Throws std::domain_error if the matrix is singular.
 inline Instance make_instance(const Mat4& object_to_world, int material) {
     return {object_to_world, inverse(object_to_world), material};
 }
@@ -35,22 +35,23 @@ inline constexpr Sphere unit_sphere{{0, 0, 0}, 1};
 // that starts this far away from the surface does not meet it again at once.
 inline Real instance_error(const Instance& instance, Vec3 point) {
     const Mat4& m = instance.world_to_object;
-    // How far off it is in the object's space, where the surface has the distance 1 of the origin.
+    // How far off it is in the object's space, where the surface is at distance 1 from the origin.
     const Vec3 there = transform_point(m, point);
     const Real off = std::abs(length(there) - 1);
-    // 4 roundings of each coordinate there, now and once more when a ray starts from here.
+    // 4 roundings of each coordinate there: now, and again when a ray starts from here.
     Mat4 sizes = m;
     for (auto& row : sizes.rows)
         for (Real& number : row) number = std::abs(number);
     const Real rounding = rounding_bound(8) * dot(abs(there), transform_point(sizes, abs(point)));
-    // 16 as in surface_hit, and 3 of the length. A step along the normal in the world is so much
-    // longer than the same one there.
+    // 16 as in surface_hit, and 3 for the length. The quotient turns a distance in the object's
+    // space into a step along the normal in the world.
     return (off + rounding + rounding_bound(19)) / length(transform_normal(m, there));
 }
 
-// How many times hit_margin the box of an instance has to be larger. Rounding of the ray in the
-// object's space is as large, compared with the sphere, as the ellipsoid is long: the row sums of
-// |M| |inverse of M| say how much that is in the world. 1 for a sphere, at most 3 for a turned one.
+// The factor by which hit_margin must be multiplied for an instance's box. The longer the
+// ellipsoid, the larger the rounding of the ray in the object's space, compared with the sphere.
+// The row sums of |M| |inverse of M| say how much that is in the world. 1 for a sphere, at most 3
+// for a turned one.
 inline Real margin_factor(const Instance& instance) {
     Real largest = 1;
     for (int row = 0; row < 3; ++row) {

@@ -13,7 +13,7 @@
 
 namespace rt {
 
-// The spheres of a scene, sorted into what renderers need (given).
+// The spheres of a scene, sorted for the renderers (given).
 struct Prepared {
     std::vector<SceneSphere> still;  // lights, too
     std::vector<MovingSphere> moving;
@@ -43,8 +43,8 @@ inline Prepared prepare_spheres(const SceneDescription& scene) {
     return prepared;
 }
 
-// A material as a renderer knows it: sorted into those that draw random numbers and those that need
-// not, and its image found.
+// A material as a renderer uses it: metal without fuzz, which draws no random numbers, is a Mirror,
+// and an image is looked up.
 using ReadyMaterial =
     std::variant<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>;
 
@@ -58,7 +58,7 @@ inline ReadyMaterial ready(const MaterialDescription& material, const std::vecto
         ReadyMaterial operator()(const PictureMatte& picture) const {
             return ImageMatte{&images[static_cast<std::size_t>(picture.image)]};
         }
-        // Only an emitter without light is ever asked what it reflects: nothing.
+        // Only an emitter without light is ever asked what it reflects, which is nothing.
         ReadyMaterial operator()(const Emitter&) const { return Lambertian{}; }
         ReadyMaterial operator()(const Lambertian& matte) const { return matte; }
         ReadyMaterial operator()(const Dielectric& glass) const { return glass; }
@@ -68,7 +68,7 @@ inline ReadyMaterial ready(const MaterialDescription& material, const std::vecto
     return std::visit(Sort{images}, material);
 }
 
-// The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet. Where the
+// The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet. If the
 // renderer does not have a material's type, no sphere is made of it.
 template <class Materials>
 Materials prepare_materials(const SceneDescription& scene) {

@@ -13,8 +13,8 @@
 
 namespace rt {
 
-// The types that a renderer with these effects, and no others, is made of (given). What an effect
-// needs is in these types or it is not: nothing is left to ask while the picture is drawn.
+// The types that make up a renderer with these effects, and no others (given). These types either
+// contain what an effect needs or they do not: nothing is decided while the picture is drawn.
 template <Effects effects>
 struct Parts {
     template <bool condition, class Yes, class No>

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-// The samples of a pixel, each in a cell of its own (04.5), and with random numbers of its own
-// (06.4), so that none depends on how many another one draws (given).
+// The samples of a pixel (given). Each has its own cell (04.5) and its own random numbers (06.4),
+// so none depends on how many numbers another sample draws.
 struct JitteredSamples {
     std::uint64_t seed = 1;
     int count = 1;
@@ -39,13 +39,13 @@ class Renderer {
         return pixel(scene_.world, samples(), column, row);
     }
 
-    // The same, and counts the rays.
+    // The same, but also counts the rays.
     Color operator()(int column, int row, std::uint64_t& rays) const {
         return (*this)(samples(), column, row, rays);
     }
 
-    // The same with other samples than those of the quality, which are chosen as JitteredSamples
-    // does.
+    // The same, but with these samples instead of the quality's. Samples has an average() like
+    // that of JitteredSamples.
     template <class Samples>
     Color operator()(const Samples& samples, int column, int row, std::uint64_t& rays) const {
         return pixel(CountingWorld<typename Parts<effects>::World>{scene_.world, rays}, samples,

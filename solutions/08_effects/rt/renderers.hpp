@@ -10,9 +10,9 @@ namespace rt {
 // The color of a pixel; the rays that it took are added to `rays`.
 using PixelShader = std::function<Color(int column, int row, std::uint64_t& rays)>;
 
-// The renderers that are compiled (given), each for one of these sets of effects: 28 of the 1024
-// that there could be. Four choices are left free that are worth it, and of their products only
-// those where something is gained:
+// The renderers that are compiled (given), each for one of these sets of effects: 28 of 1024
+// possible ones. They vary in the four choices where this pays off, and only in the combinations
+// that gain something:
 //   camera     pinhole or lens
 //   materials  matte alone, with metal, with glass, all: with one material nothing has to be looked
 //              up; an alternative that is not used costs little more than its place in a table

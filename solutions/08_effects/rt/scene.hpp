@@ -19,9 +19,8 @@
 
 namespace rt {
 
-// What a scene is, as plain values (given): read from a file or made by a program, and not yet
-// sorted into what a renderer needs. The comments say what is allowed; whoever fills a scene keeps
-// to it.
+// A scene as plain values (given): read from a file or made by a program, and not yet sorted for a
+// renderer. The comments say what is allowed; any code that fills a scene must obey them.
 
 struct CameraDescription {
     View view;
@@ -29,7 +28,7 @@ struct CameraDescription {
     Real shutter = 0;  // the time that it stays open, 0 or more
 };
 
-// Shines to all sides and reflects nothing. Spheres of it do not move.
+// Shines in all directions and reflects nothing. Spheres made of it do not move.
 struct Emitter {
     Color radiance{1, 1, 1};  // each channel 0 or more; all 0 is a black sphere and no light
 };
@@ -37,20 +36,20 @@ struct Emitter {
 using MaterialDescription =
     std::variant<Lambertian, Metal, Dielectric, CheckeredMatte, PictureMatte, Emitter, OwnMaterial>;
 
-// One with a map is an instance: the unit sphere where that matrix takes it. Its shape is a sphere
-// around that; it stands still and does not shine.
+// A sphere with a map is an instance: the unit sphere, transformed by that matrix. Its shape is a
+// sphere around that; it stands still and does not shine.
 struct SphereDescription {
     Sphere shape;        // where it is when the shutter opens
     int material = 0;    // an index into the scene's materials
-    Vec3 velocity = {};  // what it moves by in a unit of time
+    Vec3 velocity = {};  // how far it moves in a unit of time
     int map = -1;        // an index into the scene's maps; -1 for a plain sphere
 };
 
-// What a picture is made with, unless the person asks for something else.
+// The settings for a picture, unless the user asks for others.
 struct RenderSettings {
     int width = 640, height = 360;  // pixels
     int samples_per_pixel = 64;
-    int depth = 16;  // the most bounces of a path
+    int depth = 16;  // the maximum number of bounces of a path
     std::uint64_t seed = 1;
 };
 

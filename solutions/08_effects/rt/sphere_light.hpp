@@ -13,9 +13,9 @@
 namespace rt {
 
 // 1 - cos a, where a is the angle between the direction to the light's middle and to its rim, as
-// seen from a point outside of it at this distance from the middle. From sin a = radius / distance,
-// without the cancellation of 1 - cos a for lights that are small or far. Within 7 units in the
-// last place where it is at least std::numeric_limits<Real>::min().
+// seen from a point outside of it at this distance from the middle. Computed from
+// sin a = radius / distance, without the cancellation of 1 - cos a for lights that are small or
+// far. Within 7 units in the last place if it is at least std::numeric_limits<Real>::min().
 inline Real cone_height(Real radius, Real distance) {
     const Real sine = radius / distance;
     // (d - r) (d + r) / d^2 instead of 1 - sine^2, which cancels close to the light.
@@ -24,19 +24,20 @@ inline Real cone_height(Real radius, Real distance) {
     return sine * sine / (1 + cosine);
 }
 
-// The density, per solid angle, with which sample_light chooses a direction that meets the light:
-// 1 / its solid angle. 0 where cone_height is less than std::numeric_limits<Real>::min().
+// The probability density, per solid angle, with which sample_light chooses a direction that meets
+// the light: 1 / its solid angle. 0 if cone_height is less than std::numeric_limits<Real>::min().
 inline Real light_density(const Sphere& light, Vec3 from) {
     const Real distance = length(light.center - from);
-    // Seen from inside, or from a point on it, it is everywhere.
+    // Seen from inside, or from a point on its surface, the light is in every direction.
     if (distance <= light.radius) return 1 / (4 * pi);
     const Real height = cone_height(light.radius, distance);
-    // Of a number with few digits left, one over it could be infinite.
+    // If height has few digits left, 1 / height could be infinite.
     return std::isnormal(height) ? 1 / (2 * pi * height) : 0;
 }
 
-// A direction to a sphere that shines: every direction in which it is seen from the point is
-// equally likely. None where light_density is 0. `place` lies in the unit square, 0 <= x, y < 1.
+// A direction to a sphere that shines: every direction in which it is seen from the
+// point is equally likely. None if light_density is 0. `place` is a sample point of the
+// unit square, 0 <= x, y < 1.
 // Source: Wang, "Physically correct direct lighting for distribution ray tracing", Graphics Gems
 // III, 1992; here in terms that do not cancel.
 inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, Vec2 place) {
@@ -44,7 +45,7 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
     const Real distance = length(apart), radius = light.radius;
     if (distance <= radius) {
         const Vec3 direction = uniform_direction(place);
-        // All lengths divided by the radius, so that no product overflows.
+        // All lengths are divided by the radius, so that no product overflows.
         const Real along = dot(apart / radius, direction);
         const Real product = (radius - distance) / radius * ((radius + distance) / radius);
         const Real root = std::sqrt(along * along + product);
@@ -67,12 +68,12 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
     return LightSample{direction, near, 1 / (2 * pi * whole)};
 }
 
-// The weight of a way to find light, by the density with which it chose a direction and that with
-// which the other way would have: what both find counts once in total. Both are 0 or more, not both
-// 0; one may be infinite. Source: the power heuristic of Veach and Guibas, "Optimally combining
-// sampling techniques for Monte Carlo rendering", SIGGRAPH 1995.
+// The weight of a way to find light, from the density with which it chose a direction and the
+// density with which the other way would have chosen it: light that both find counts once in total.
+// Both are 0 or more, not both 0; one may be infinite. Source: the power heuristic of Veach and
+// Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995.
 inline Real shared_weight(Real density, Real other) {
-    // Of the ratio, so that no square overflows.
+    // Computed from the ratio, so that no square overflows.
     if (density < other) {
         const Real ratio = density / other;
         return ratio * ratio / (1 + ratio * ratio);

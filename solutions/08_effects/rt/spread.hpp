@@ -13,9 +13,10 @@
 
 namespace rt {
 
-// The density, per solid angle, with which scatter() of a material takes a direction (given). 0 for
-// materials that light cannot be sampled for: mirrors and glass take one direction alone, the lobe
-// of fuzz is met by the path itself, and nobody knows the density of a material that you invent.
+// The probability density, per solid angle, with which scatter() of a material takes a direction
+// (given). It is 0 for materials for which light cannot be sampled: mirrors and glass allow single
+// directions only, lights in the lobe of fuzz are found by the path itself, and the density of a
+// material that you invent is unknown.
 inline Real cosine_density(const Hit& hit, Vec3 direction) {
     return lambert(facing_normal(hit), direction) / pi;
 }

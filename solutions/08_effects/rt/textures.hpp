@@ -10,15 +10,16 @@
 
 namespace rt {
 
-// A matte material with two colors, in turn in cubes that fill space (given). The origin is the
-// middle of an even one.
+// A matte material with two colors that alternate in cubes that fill space (given). The origin is
+// the middle of an even cube.
 struct CheckeredMatte {
     Color even, odd;  // albedos, each channel in [0, 1]
     Real size = 1;    // the side of a cube, greater than 0
 };
 
-// A matte material with an image around the sphere, as a map of the world goes around a globe: its
-// upper edge at the north pole (y up), its middle at +z, its left and right edges meet at -z.
+// A matte material with an image around the sphere, like a map of the world around a globe: its
+// upper edge is at the north pole (y up), its middle is at +z, and its left and right edges
+// meet at -z.
 struct PictureMatte {
     int image = 0;  // an index into the scene's images, whose colors are albedos, in [0, 1]
 };

@@ -3,8 +3,8 @@
 
 namespace rt {
 
-// A ray that knows when it is (given): 0 as the shutter opens, 1 as it closes. The path loop hands
-// the time on from bounce to bounce without knowing of it.
+// A ray with a time (given): 0 as the shutter opens, 1 as it closes. The path loop passes the time
+// on from bounce to bounce without knowing about it.
 struct TimedRay {
     Vec3 origin, direction;
     Real time = 0;

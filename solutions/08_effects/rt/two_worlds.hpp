@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// Two worlds in one place (given): what a ray meets first in either of them.
+// Two worlds in one (given): a ray hits what it meets first in either of them.
 template <class First, class Second>
 struct TwoWorlds {
     First first;

@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// A sphere of the scene with what its material's kernel needs (given).
+// A sphere of the scene, with the data that its material's kernel needs (given).
 struct alignas(std::max(32, RT_REGISTER_BYTES)) Surface {
     Vec3 center;
     Real radius = 0;
@@ -18,7 +18,7 @@ struct Arrivals {
     Vec3Pack direction, normal, facing_normal, point;
     Pack point_error, parameter;
     PackMask front;
-    PackBits active;  // which of the pack's places are used
+    PackBits active;  // which of the pack's lanes are used
 };
 
 inline Arrivals arrive(const PathRecord* paths, const Surface* surfaces, PathList list) {
@@ -42,7 +42,7 @@ inline Arrivals arrive(const PathRecord* paths, const Surface* surfaces, PathLis
     return all;
 }
 
-// Two random numbers each: random_place of 04.3.
+// Two random numbers for each path: random_place of 04.3.
 struct PlacePack {
     Pack x{}, y{};
 };

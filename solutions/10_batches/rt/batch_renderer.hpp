@@ -14,13 +14,13 @@
 
 namespace rt {
 
-// How many paths make a bounce together. Their records should fit into the processor's second
-// cache.
+// The number of paths that make a bounce together. Their records should fit into the
+// processor's second-level cache.
 inline constexpr std::size_t batch_size = 4096;
 
-// Draws tiles of a scene in batches of paths (given): all make their first bounce, then all that
-// are left their second one, and so on. The picture is that of Renderer, bit for bit, however the
-// paths are put into batches. Each thread has one of its own.
+// Draws tiles of a scene in batches of paths (given): all make their first bounce, then those that
+// are left make their second, and so on. The picture is that of Renderer, bit for bit, however the
+// paths are grouped into batches. Each thread has its own BatchRenderer.
 template <Effects effects>
 class BatchRenderer {
   public:
@@ -34,13 +34,12 @@ class BatchRenderer {
                 std::nextafter(static_cast<Real>(cell + 1) / static_cast<Real>(cells_), Real(0)));
     }
 
-    // Of all that is random from now on.
+    // The seed of everything random from now on.
     void set_seed(std::uint64_t seed) { quality_.seed = seed; }
 
     // Draws the pixels of a tile; the rays that it took are added to `rays`.
     void draw(const Tile& tile, Image& image, std::uint64_t& rays) {
-        const auto width = static_cast<std::size_t>(tile.right - tile.left);
-        sums_.assign(width * static_cast<std::size_t>(tile.bottom - tile.top), {});
+        sums_.assign(static_cast<std::size_t>(pixel_count(tile)), {});
         ColorSum* next_sum = sums_.data();
         for_each_pixel(tile, [&](int column, int row) {
             ColorSum* const sum = next_sum++;
@@ -53,7 +52,7 @@ class BatchRenderer {
                 path.random = sample_rng(quality_.seed, column, row, sample++);
                 path.sample = static_cast<std::int32_t>(started_++);
                 path.throughput = {1, 1, 1};
-                // Where the record will have a ray, it has a place of the picture.
+                // For now, the record holds a sample point of the picture where it will hold a ray.
                 const Vec2 place = random_place(places);
                 path.origin = {static_cast<Real>(column), static_cast<Real>(row), first.x};
                 path.direction = {first.y, place.x, place.y};
@@ -76,7 +75,7 @@ class BatchRenderer {
   private:
     Real end_of(int cell) const { return ends_[static_cast<std::size_t>(cell)]; }
 
-    // jittered_offset of 04.5: within a cell, or anywhere in the pixel where the cell has no end.
+    // jittered_offset of 04.5: within a cell, or anywhere in the pixel if the cell has no end.
     Pack jittered(Pack first, Pack place, Pack end) const {
         const Pack within = min((first + place) / static_cast<Real>(cells_), end);
         return end == infinity ? place : within;
@@ -114,13 +113,13 @@ class BatchRenderer {
 
     const ReadyScene<effects>& scene_;
     Quality quality_;
-    int cells_ = 1;           // in a row of a pixel
-    std::vector<Real> ends_;  // the largest offset of each
+    int cells_ = 1;           // in each row of a pixel
+    std::vector<Real> ends_;  // the largest offset in each cell
     std::conditional_t<effects.lights || effects.fog, LitBatch<effects>, PlainBatch<effects>>
         batch_;
     std::vector<ColorSum> sums_;     // of the tile's pixels
     std::vector<ColorSum*> pixels_;  // of the batch's samples
-    std::size_t started_ = 0;        // how many these are
+    std::size_t started_ = 0;        // the number of samples in the batch
 };
 
 }  // namespace rt

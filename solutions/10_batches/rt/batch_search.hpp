@@ -11,8 +11,8 @@
 
 namespace rt {
 
-// Which spheres of a tree the rays of a batch meet first (given): the hits of WideTree, bit for
-// bit, found by taking lists of rays down the tree.
+// Finds which spheres of a tree the rays of a batch meet first (given). It takes lists of rays down
+// the tree, and finds the hits of WideTree, bit for bit.
 class BatchSearch {
   public:
     // The tree must outlive the search.
@@ -45,7 +45,7 @@ class BatchSearch {
         }
     }
 
-    // What descend() asks.
+    // The functions that descend() calls.
     unsigned test(std::int32_t node, PathList list, std::uint8_t* masks);
     const auto& order(std::int32_t node) const {
         return orders_[static_cast<std::size_t>(node)][octant_];
@@ -62,14 +62,14 @@ class BatchSearch {
 
   private:
     static constexpr unsigned octants = 8;
-    // So few rays are faster one by one.
+    // This many rays or fewer are faster one by one.
     static constexpr std::size_t few_rays = 8;
-    // On the way down; a leaf's list comes on top.
+    // The most lists on the way down: one for each node, and a leaf's.
     static constexpr std::size_t most_lists = WideTree::most_nodes + 1;
     using Order = std::array<std::uint8_t, lanes>;
-    typedef float Eight RT_VECTOR_OF(lanes * sizeof(float));  // of eight boxes
+    typedef float Eight RT_VECTOR_OF(lanes * sizeof(float));  // one number of each of eight boxes
 
-    // WideRay of chapter 07, in one line of memory, and where the nearest hit so far ends it.
+    // WideRay of chapter 07, in one cache line, with the end that the nearest hit so far sets.
     struct alignas(64) BoxRay {
         std::array<float, 3> near_origin, far_origin, inverse;
         float max, scale;
@@ -85,7 +85,7 @@ class BatchSearch {
             }
         Order order;
         std::iota(order.begin(), order.end(), std::uint8_t{0});
-        // Empty boxes have no middle: they come last.
+        // Empty boxes have no middle, so they come last.
         const auto key = [&](std::uint8_t i) {
             return along[i] == along[i] ? along[i] : std::numeric_limits<float>::infinity();
         };
@@ -104,7 +104,7 @@ class BatchSearch {
     void make_ready(std::size_t from, std::size_t size);
     void test_leaf(std::size_t leaf, PathList list);
     void search_alone(std::int32_t child, PathList list);
-    // The nearest hit of a path so far, which ends its ray.
+    // Sets the nearest hit of a path so far, which ends its ray.
     void set_hit(std::uint32_t path, Real t, PackInteger sphere) {
         paths_[path].t = t;
         paths_[path].sphere = sphere;
@@ -152,14 +152,14 @@ inline void BatchSearch::make_ready(std::size_t from, std::size_t size) {
     std::memcpy(&octants_[from], &bytes, sizeof bytes);
 }
 
-// One ray against eight boxes at a time, as hit_boxes of chapter 07, for each ray of the list.
+// Tests each ray of the list against eight boxes at once, like hit_boxes of chapter 07.
 inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8_t* masks) {
     if (list.size() <= few_rays) {
         search_alone(number, list);
         return 0;
     }
     const WideNode<float>& node = tree_.nodes[static_cast<std::size_t>(number)];
-    std::array<Eight, 3> first, second;  // the planes that are met first along each axis, and last
+    std::array<Eight, 3> first, second;  // the planes met first and second along each axis
     for (unsigned axis = 0; axis < 3; ++axis) {
         const bool backward = octant_ >> axis & 1;
         std::memcpy(&first[axis], &node.planes[backward][axis], sizeof(Eight));
@@ -172,7 +172,7 @@ inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Eight enters = (first[axis] - ray.near_origin[axis]) * ray.inverse[axis],
                         leaves = (second[axis] - ray.far_origin[axis]) * ray.inverse[axis];
-            // A t that is not a number fails the comparison, and its plane does not count.
+            // A t that is NaN fails the comparison, and its plane does not count.
             in = enters > in ? enters : in;
             out = leaves < out ? leaves : out;
         }
@@ -195,7 +195,7 @@ inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
                  [&](std::size_t k) { set_hit(list[k], rays.t[k], rays.sphere[k]); });
 }
 
-// The search of chapter 07 from a node or leaf on.
+// The search of chapter 07, from a node or leaf on, for one ray after the other.
 inline void BatchSearch::search_alone(std::int32_t child, PathList list) {
     for (const std::uint32_t i : list) {
         const PathRecord& path = paths_[i];

@@ -7,8 +7,7 @@
 
 namespace rt {
 
-// For each way in which eight numbers may be marked, a bit each: the places of those that are, in
-// their order.
+// For each way to mark eight numbers, with one bit each: the indices of the marked ones, in order.
 inline constexpr auto marked_places = [] {
     std::array<std::array<std::uint8_t, 8>, 256> table{};
     for (std::size_t bits = 0; bits < table.size(); ++bits)
@@ -17,9 +16,9 @@ inline constexpr auto marked_places = [] {
     return table;
 }();
 
-// Copies those of eight numbers whose mask has this bit to `to`, in their order, and returns how
-// many they are (given). There must be room for eight. Where the processor can put eight numbers
-// into any order by one instruction, nothing is asked one by one.
+// Copies those of eight numbers whose mask has this bit to `to`, in order, and returns how many
+// they are (given). There must be room for eight. If the processor can reorder eight numbers in one
+// instruction, they are not tested one by one.
 inline std::size_t copy_marked(const std::uint32_t* numbers, const std::uint8_t* masks,
                                unsigned bit, std::uint32_t* to) {
 #ifdef RT_HAS_EIGHT_ORDERED

@@ -11,12 +11,12 @@ struct Scratch {
 };
 
 // Takes the list of rays that meet a node down the tree. For each child, in the order of
-// tree.children(node) that is nearest first for these rays, the list of those that meet its box
-// goes on: to tree.leaf(child, list), or down.
+// tree.order(node), which is nearest first for these rays, the list of those that meet its box goes
+// on: to tree.leaf(child, list), or farther down.
 //   tree.test(node, list, masks)   tells which children's boxes each ray meets, one bit each, and
-//                                  returns the bits that any of them has
-//   tree.order(node)               the children's places, nearest first
-//   tree.child(node, place)        a child: another node, or negative for a leaf
+//                                  returns the bits that any of the rays has
+//   tree.order(node)               the children's numbers, nearest first
+//   tree.child(node, place)        child number `place`: another node, or negative for a leaf
 template <class Tree>
 void descend(Tree& tree, std::int32_t node, PathList list, Scratch scratch) {
     const unsigned any = tree.test(node, list, scratch.masks);

@@ -4,10 +4,10 @@
 
 namespace rt {
 
-// Tries a sphere of this number on all rays of a pack: where one meets it at a t in [0, its t], t
-// and sphere become this hit's. Of equally near spheres the one with the highest number counts. It
-// is hit_sphere of 03.2, for many rays: the same operations in the same order, so that each t has
-// the same bits. Returns the rays that have met it.
+// Tests a sphere with this number against all rays of a pack: if a ray meets it at a t in
+// [0, its t], its t and sphere become those of this hit. Of equally near spheres the one with the
+// highest number counts. It is hit_sphere of 03.2, for many rays: the same operations in the same
+// order, so that each t has the same bits. Returns the mask of the rays that take this hit.
 inline PackMask hit_pack(const Sphere& sphere, PackInteger number, RayPack& rays) {
     const Vec3Pack d = rays.direction, f = rays.origin - pack_of(sphere.center);
     const Pack a = dot(d, d);
@@ -15,7 +15,7 @@ inline PackMask hit_pack(const Sphere& sphere, PackInteger number, RayPack& rays
     const Vec3Pack moment{f.y * d.z - f.z * d.y, f.z * d.x - f.x * d.z, f.x * d.y - f.y * d.x};
     const Pack quarter = a * r_squared - dot(moment, moment);
     const PackMask meets = (a > 0) & (quarter >= 0);
-    if (bits_of(meets) == 0) return meets;  // mostly: none of all comes near
+    if (bits_of(meets) == 0) return meets;  // usually no ray comes near
 
     const Pack b = 2 * dot(f, d), c = dot(f, f) - r_squared;
     const Pack q = -(b + copysign(sqrt(4 * quarter), b)) / 2;

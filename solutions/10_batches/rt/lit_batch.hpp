@@ -9,7 +9,7 @@
 
 namespace rt {
 
-// A world that has answered already.
+// A world that already knows its answer.
 struct FoundHit {
     std::optional<Hit> found;
 
@@ -19,8 +19,8 @@ struct FoundHit {
     }
 };
 
-// A world that is asked later: direct_light() goes on as if the light were seen, and what it asks
-// is kept.
+// A world that is searched later: direct_light() goes on as if the light were seen, and its shadow
+// ray is kept.
 struct AskedLater {
     std::optional<PathRecord>& shadow_ray;
     int& material;
@@ -36,8 +36,8 @@ bool sees_light(const AskedLater& world, const AnyRay& ray, const ChosenLight& l
 }
 
 // One bounce of all paths of a batch (given), in a scene with lights or fog: lit_path_radiance of
-// 08.4, a step of all paths at a time. Rays and shadow rays go down the tree in lists; the light of
-// a path is the scalar code's.
+// 08.4, one step for all paths at a time. Rays and shadow rays go down the tree in lists; the
+// scalar code computes the light of each path.
 template <Effects effects>
 class LitBatch {
   public:
@@ -51,8 +51,8 @@ class LitBatch {
           origins_(most_paths) {}
 
     std::vector<PathRecord> paths;  // on their way
-    std::vector<Color> light;       // of samples, as far as it is collected
-    std::vector<Real> times;        // of samples, where things move
+    std::vector<Color> light;       // of samples, as far as it has been collected
+    std::vector<Real> times;        // of samples, if anything moves
 
     // Makes room for the light of this many new paths.
     void begin(std::size_t count) {
@@ -90,14 +90,14 @@ class LitBatch {
         Real drawn = 0;
     };
     struct Shadow {
-        Color light;  // that comes if nothing is in the way
+        Color light;  // that arrives if nothing is in the way
         int material = 0;
     };
 
     static std::size_t index(const PathRecord& path) {
         return static_cast<std::size_t>(path.sample);
     }
-    // What a ray has met: the tree's nearest sphere, unless something else is nearer.
+    // The hit of a ray: on the tree's nearest sphere, unless something else is nearer.
     std::optional<Hit> found(const PathRecord& path) const {
         const auto ray = ray_of<effects>(path, times);
         if (const auto other = hit_other_part(scene_.world, ray, Interval{0, path.t})) return other;
@@ -110,7 +110,7 @@ class LitBatch {
 
     void end(const PathRecord& path, Color last) { ends_.push_back({index(path), last}); }
 
-    // The body of lit_path_radiance's loop; false where the path ends.
+    // The body of lit_path_radiance's loop; false if the path ends.
     bool go_on(PathRecord& path, bool is_last) {
         const auto ray = ray_of<effects>(path, times);
         Origin& origin = origins_[index(path)];

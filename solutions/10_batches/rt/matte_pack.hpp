@@ -4,8 +4,9 @@
 
 namespace rt {
 
-// cosine_direction of 04.3 for a pack: a direction about each normal, of length 1, with the density
-// cos / pi. The places lie in the unit square. Each has the bits that it would have alone.
+// cosine_direction of 04.3 for a pack: for each normal, of length 1, a direction with the
+// probability density cos / pi about it. `place` has sample points of the unit square. Each result
+// has the bits that it would have alone.
 inline Vec3Pack cosine_direction(Vec3Pack normal, PlacePack place, PackBits active) {
     const Pack radius = sqrt(place.x), height = sqrt(1 - place.x);
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);

@@ -12,9 +12,10 @@
 
 namespace rt {
 
-// As many numbers as one register of this processor holds (given), for arithmetic on all of them at
-// once: a + b adds each number of a to its partner in b, and rounds as one number alone would. A
-// comparison gives a PackMask, and mask ? a : b takes from a where the mask is true, else from b.
+// As many numbers as fit in one register of this processor (given), for arithmetic on all of them
+// at once: a + b adds each number of a to its partner in b, and rounds it as it would alone. A
+// comparison gives a PackMask, and mask ? a : b takes each number from a where the mask is true,
+// and from b elsewhere.
 inline constexpr std::size_t pack_size = RT_REGISTER_BYTES / sizeof(Real);
 using PackInteger = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
 typedef Real Pack RT_VECTOR_OF(RT_REGISTER_BYTES);
@@ -25,12 +26,12 @@ inline Pack pack_of(Real x) {
     return Pack{} + x;
 }
 
-// Bit i is number i's.
+// Bit i belongs to lane i.
 using PackBits = std::uint32_t;
 inline PackBits bits_of(PackMask mask) {
     return RT_VECTOR_BITS(mask);
 }
-// The bits of the first numbers of a pack.
+// The bits of the first `count` lanes of a pack.
 constexpr PackBits first_bits(std::size_t count) {
     return (PackBits{1} << count) - 1;
 }
@@ -40,7 +41,7 @@ void for_each_bit(PackBits bits, Visit visit) {
     for (; bits; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-// What the standard library has for one number, for all of a pack: the same bits.
+// Functions of the standard library, applied to each number of a pack: they give the same bits.
 inline Pack sqrt(Pack x) {
     for (std::size_t i = 0; i < pack_size; ++i) x[i] = std::sqrt(x[i]);
     return x;
@@ -65,7 +66,8 @@ inline Pack copysign(Pack size, Pack sign) {
                                (std::bit_cast<PackMask>(sign) & bit));
 }
 
-// What a processor fetches from a record in memory at once. A pack holds one block or more.
+// The numbers that a processor fetches from a record in memory at once. A pack holds one
+// block or more.
 typedef Real Block RT_VECTOR_OF(16);
 inline constexpr std::size_t block_size = sizeof(Block) / sizeof(Real);
 inline constexpr std::size_t blocks = pack_size / block_size;
@@ -92,8 +94,8 @@ Block get_block(Pack pack) {
     (std::make_index_sequence<block_size>{});
 }
 
-// The first of a, the first of b, the second of a, the second of b ... from the lower or the upper
-// half of each block.
+// The first number of a, the first of b, the second of a, the second of b ... from the lower or the
+// upper half of each block.
 template <std::size_t half, std::size_t... i>
 Pack interleave(Pack a, Pack b, std::index_sequence<i...>) {
     constexpr std::size_t n = block_size;
@@ -101,7 +103,7 @@ Pack interleave(Pack a, Pack b, std::index_sequence<i...>) {
         a, b, (i / n * n + half * n / 2 + i % n / 2 + (i % 2 ? pack_size : 0))...);
 }
 
-// rows[i][k] and rows[k][i] change places within each block.
+// Swaps rows[i][k] and rows[k][i] within each block.
 inline void transpose_blocks(Pack (&rows)[block_size]) {
     constexpr auto all = std::make_index_sequence<pack_size>{};
     constexpr std::size_t half = block_size / 2;
@@ -115,9 +117,9 @@ inline void transpose_blocks(Pack (&rows)[block_size]) {
     }
 }
 
-// Eight numbers each of up to pack_size records, as eight packs: the first numbers of all, the
-// second ones, and so on. record(i), for i below size, is where a record begins. What stands in
-// unused places does not matter.
+// Loads eight numbers from each of up to pack_size records, as eight packs: the first numbers of
+// all records, the second numbers, and so on. record(i), for i below size, is the address of a
+// record. The contents of unused lanes do not matter.
 template <class Record>
 RT_INLINED std::array<Pack, 8> load_eight(std::size_t size, const Record& record) {
     std::array<Pack, 8> packs;

@@ -13,15 +13,16 @@ namespace rt {
 // Numbers of paths in a batch.
 using PathList = std::span<const std::uint32_t>;
 
-// A path on its way (given). In float it is 64 bytes, what a processor fetches from memory at once.
+// A path on its way (given). In float it has 64 bytes, as many as a processor fetches from
+// memory at once.
 struct alignas(64) PathRecord {
-    // What the search for the nearest sphere needs: eight numbers of one size.
+    // For the search for the nearest sphere: eight numbers of one size.
     Vec3 origin, direction;   // of its ray
     Real t = infinity;        // of the nearest hit so far
-    PackInteger sphere = -1;  // which sphere was hit there; -1 before any
+    PackInteger sphere = -1;  // which sphere was hit there; -1 before any hit
 
     Color throughput{1, 1, 1};
-    std::int32_t sample = 0;  // whose light it brings
+    std::int32_t sample = 0;  // the sample whose light it brings
     Rng random{0, 0};
 };
 

@@ -11,8 +11,8 @@
 namespace rt {
 
 // One bounce of all paths of a batch (given), in a scene without lights and fog: path_radiance of
-// 04.7, a step of all paths at a time. Paths are sorted by what they meet; each kind of material
-// has a kernel of its own, which writes down where they go on, one after the other.
+// 04.7, one step for all paths at a time. Paths are sorted by what they meet. Each kind of material
+// has its own kernel, which writes the paths that go on, one after the other.
 template <Effects effects>
 class PlainBatch {
   public:
@@ -28,14 +28,14 @@ class PlainBatch {
           sorted_(most_paths) {}
 
     std::vector<PathRecord> paths;  // on their way
-    std::vector<Color> light;       // of samples at their end
-    std::vector<Real> times;        // of samples, where things move
+    std::vector<Color> light;       // of samples, once they have ended
+    std::vector<Real> times;        // of samples, if anything moves
 
     // Makes room for the light of this many new paths.
     void begin(std::size_t count) { std::fill_n(light.begin(), count, Color{}); }
 
     // Takes the first `count` paths on to their next bounce, or to their end; returns how many are
-    // left, and adds the rays that were asked for.
+    // left, and adds the number of rays to `rays`.
     std::size_t bounce(std::size_t count, bool is_last, std::uint64_t& rays) {
         rays += count;
         search_.find_nearest(std::span{paths}.first(count));
@@ -125,7 +125,7 @@ class PlainBatch {
         }
     }
 
-    // What the tree does not hold is seldom met: one path at a time.
+    // Paths seldom meet what the tree does not hold: these are scattered one by one.
     void scatter_other(std::uint32_t i) {
         const auto found = std::lower_bound(
             hits_.begin(), hits_.end(), i,

@@ -9,7 +9,7 @@ namespace rt {
 
 // The rays of a camera for packs of paths (given): primary_ray of 02.4 and lens_ray of 08.2.
 
-// A place of the picture for each path of a pack, as whole pixels and what is left.
+// A sample point of the picture for each path of a pack: the pixel, and the offset within it.
 struct PixelPack {
     Pack column{}, row{};
     PlacePack offset;

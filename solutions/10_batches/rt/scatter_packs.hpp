@@ -9,10 +9,10 @@
 
 namespace rt {
 
-// What the materials' scatter() does, for packs of paths that arrive at the same material (given):
-// where each goes on. The first argument only says which material it is.
+// The materials' scatter(), for packs of paths that arrive at the same material (given): the
+// direction in which each goes on. The first argument only says which material it is.
 
-// All matte ones, whatever their color.
+// All matte materials, whatever their color.
 template <class Matte>
 Vec3Pack scatter_pack(const Matte*, const Arrivals& at, PathRecord* paths, PathList list) {
     return cosine_direction(at.facing_normal, random_places(paths, list), at.active);
@@ -45,8 +45,8 @@ inline Pack fresnel_reflectance(Pack cosine, Pack eta) {
     return eta == 1 ? Pack{} : (squared < 0 ? pack_of(1) : partly);
 }
 
-// refract of 05.3; `goes` says which of the paths are refracted. Next to the critical angle, which
-// is rare, it asks the function for one.
+// refract of 05.3; `goes` says which of the paths are refracted. Close to the critical angle, which
+// is rare, it calls the function for a single path.
 inline Vec3Pack refract(Vec3Pack incoming, Vec3Pack normal, Pack eta, PackBits active,
                         PackMask& goes) {
     const Pack cosine = -dot(incoming, normal);

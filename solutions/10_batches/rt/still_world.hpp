@@ -10,7 +10,7 @@
 namespace rt {
 
 // The two parts of a world (given): the tree of spheres that stand still, which lists of rays go
-// down, and what is asked for one ray at a time, if there is anything.
+// down, and the rest, if any, which is searched for one ray at a time.
 inline const WideTree& still_part(const WideTree& world) {
     return world;
 }
@@ -31,7 +31,7 @@ std::optional<Hit> hit_other_part(const TwoWorlds<First, Second>& world, const A
     const std::optional<Hit> in_second = world.second.hit(ray, within);
     return in_second ? in_second : in_first;
 }
-// The ray of a path, with the time of its sample where things move.
+// The ray of a path, with the time of its sample if anything moves.
 template <Effects effects>
 auto ray_of(const PathRecord& path, const std::vector<Real>& times) {
     if constexpr (effects.motion)

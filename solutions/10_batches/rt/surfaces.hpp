@@ -13,7 +13,7 @@
 
 namespace rt {
 
-// The spheres of a scene as the materials' kernels need them (given).
+// The spheres of a scene, in the form that the materials' kernels need (given).
 
 // The types of material in a list or set, and which of them a material is.
 template <class Materials>
@@ -37,7 +37,7 @@ struct MaterialTypes<MaterialSet<Types...>> {
     }
 };
 
-// What a Surface says of a material.
+// Writes the data of a material into a Surface.
 template <class Material>
 void describe(Surface& surface, const Material& material) {
     if constexpr (requires { material.albedo; }) surface.color = material.albedo;
@@ -54,8 +54,8 @@ struct Surfaces {
     using Types = MaterialTypes<Materials>;
     static constexpr std::size_t sky = std::tuple_size_v<typename Types::All>;
     std::vector<Surface> all;
-    std::vector<std::uint8_t> kinds;    // of no sphere: sky; of each, then: its material's type
-    std::vector<std::int32_t> numbers;  // each one's material
+    std::vector<std::uint8_t> kinds;    // [0]: sky, for no sphere; [i + 1]: sphere i's type
+    std::vector<std::int32_t> numbers;  // each sphere's material
 
     Surfaces(const WideTree& tree, const Materials& materials) {
         resize(0);
@@ -79,7 +79,7 @@ struct Surfaces {
         numbers.resize(size);
     }
     void set_material(std::size_t number, const Materials& materials) {
-        // A light has none: its number is beyond them.
+        // A light has no material: its number is beyond the materials' numbers.
         const auto material = static_cast<std::size_t>(numbers[number]);
         if (material >= materials.materials.size()) return;
         const auto& element = materials.materials[material];

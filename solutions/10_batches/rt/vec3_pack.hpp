@@ -7,7 +7,7 @@
 namespace rt {
 
 // pack_size vectors (given), and the functions of chapters 01 and 05 for them: the same operations
-// in the same order, so that each vector comes out as it would alone, bit for bit.
+// in the same order, so that each result is what it would be alone, bit for bit.
 struct Vec3Pack {
     Pack x{}, y{}, z{};
 };
@@ -58,8 +58,9 @@ inline Vec3Pack to_world(Vec3Pack u, Vec3Pack v, Vec3Pack w, Vec3Pack local) {
     return local.x * u + local.y * v + local.z * w;
 }
 
-// normalize() for those whose bits are set in `active`; what comes of the others does not matter.
-// Where squares overflow or lose digits, which is rare, the function for one vector is asked.
+// normalize() for the lanes whose bits are set in `active`; the results of the others do not
+// matter. If squares overflow or lose digits, which is rare, the function for a single
+// vector is called.
 inline Vec3Pack normalize(Vec3Pack v, PackBits active) {
     constexpr Real least = std::numeric_limits<Real>::min() / epsilon,
                    most = std::numeric_limits<Real>::max();

@@ -6,8 +6,8 @@
 
 namespace rt {
 
-// Passes of a renderer (given), which must outlive them. samples_of(pass) are those of a pixel. The
-// picture's first column is column `left` of the renderer's.
+// Passes of a renderer (given), which must outlive them. samples_of(pass) gives the samples of a
+// pixel. The picture's first column is the renderer's column `left`.
 template <class AnyRenderer, class SamplesOf>
 DrawPass draw_passes(const AnyRenderer& renderer, int left, const SamplesOf& samples_of) {
     return [&renderer, left, samples_of](const Tile& tile, const Pass& pass, Image& image,
@@ -18,7 +18,7 @@ DrawPass draw_passes(const AnyRenderer& renderer, int left, const SamplesOf& sam
     };
 }
 
-// With so many jittered samples in each pixel.
+// Passes with `count` jittered samples in each pixel.
 template <class AnyRenderer>
 DrawPass jittered_passes(const AnyRenderer& renderer, int count) {
     return draw_passes(renderer, 0, [count](const Pass& pass) {
@@ -26,7 +26,7 @@ DrawPass jittered_passes(const AnyRenderer& renderer, int count) {
     });
 }
 
-// With the next so many of Sobol's points in each pixel.
+// Passes with the next `count` of Sobol's points in each pixel.
 template <class AnyRenderer>
 DrawPass sobol_passes(const AnyRenderer& renderer, int count, int left = 0) {
     return draw_passes(renderer, left, [count](const Pass& pass) {

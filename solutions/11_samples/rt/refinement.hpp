@@ -19,7 +19,7 @@
 
 namespace rt {
 
-// A few samples of each pixel (given): number 0, 1, 2 ... of those that belong to a seed.
+// A few samples of each pixel (given): pass number 0, 1, 2 ... of those that belong to a seed.
 struct Pass {
     std::uint64_t seed = 1;
     int number = 0;
@@ -39,14 +39,14 @@ struct RefinementPlan {
     int threads = 1;
     std::uint64_t seed = 1;
     std::function<DrawPass()> make_worker;  // one for each thread
-    // Whether to stop early; asked before each pass of a tile.
+    // Says whether to stop early; called before each pass of a tile.
     std::function<bool()> is_over = [] { return false; };
-    // Told how many passes of a tile come next.
+    // Is told how many passes of tiles come next.
     std::function<void(std::int64_t passes)> on_round = [](std::int64_t) {};
 };
 
-// A picture in two independent halves, each of which takes more samples where the other one found
-// more noise (given). It depends on the plan's picture and seed and on what is asked for, never on
+// A picture in two independent halves (given). Each half takes more samples where the other half
+// found more noise. The picture depends on the plan's picture and seed and on the calls, never on
 // the number of threads.
 class Refinement {
   public:
@@ -58,7 +58,7 @@ class Refinement {
           workers_(static_cast<std::size_t>(plan_.threads)) {}
 
     // The first passes of all tiles, 2 or more in each half: they tell where there is noise. How
-    // many passes a tile takes later depends on them alone, and is what keeps the picture unbiased.
+    // many passes a tile takes later depends on them alone, which keeps the picture unbiased.
     void draw_pilot(int passes) {
         least_ = passes;
         // One pass of everything first, so that there is a picture soon.
@@ -75,14 +75,14 @@ class Refinement {
     }
 
     // Refines until error() is at most this. A round takes the picture half of the way, or all of
-    // it where the last rounds tell how far that is.
+    // the way if the previous rounds tell how far that is.
     void refine_to(Real target) {
         Real aim = infinity;  // the error for which counts were computed
         while (!plan_.is_over()) {
             const Real now = error();
             if (now <= target) return;
-            // What the counts promise and what comes differ: Sobol's points do better, and a pilot
-            // may have missed something.
+            // The actual error differs from what the counts promise: Sobol's points do better, and
+            // a pilot may have missed something.
             const Real promise = aim < infinity ? target * (aim / now) : target;
             aim = std::max(Real(0.97) * promise, (aim < infinity ? aim : now) / 2);
             draw([&](const TileState& tile) { return counts(tile, aim); });
@@ -91,7 +91,8 @@ class Refinement {
 
     // Refines until this many passes of tiles are drawn, within one for each tile.
     void refine_with(std::int64_t passes) {
-        // The error, between bounds that are far enough for any picture, by its logarithm.
+        // Searches for the logarithm of the error, between bounds that are wide enough
+        // for any picture.
         Real low = std::numeric_limits<Real>::min_exponent / 4, high = -low;
         for (int step = 0; step < 60; ++step) {
             const Real middle = (low + high) / 2;
@@ -100,8 +101,8 @@ class Refinement {
         draw([&](const TileState& tile) { return counts(tile, portable::exp2(high)); });
     }
 
-    // The root mean square error of the picture's channels, as the difference of the halves shows
-    // it. Infinite before each half has a pass of every tile.
+    // The root mean square error of the picture's channels, estimated from the difference of the
+    // halves. Infinite before each half has a pass of every tile.
     Real error() const {
         double sum = 0;
         bool is_known = true;
@@ -117,7 +118,8 @@ class Refinement {
         return static_cast<Real>(std::sqrt(sum / (3 * static_cast<double>(sums_.size()))));
     }
 
-    // The picture as it is now. Where nothing is drawn yet, it shows the pixels of `unfinished`.
+    // The picture as it is now. Where nothing has been drawn yet, it shows the
+    // pixels of `unfinished`.
     Image picture(Image unfinished) const {
         each_pixel([&](int x, int y, const TileState& tile) {
             if (tile.drawn.first == 0) return;
@@ -143,7 +145,7 @@ class Refinement {
                                });
     }
     std::uint64_t rays() const { return rays_; }
-    // How much of the picture has been drawn at all, 0 to 1.
+    // The share of the picture that has been drawn at all, 0 to 1.
     double share() const {
         const auto begun = std::count_if(tiles_.begin(), tiles_.end(), [](const TileState& tile) {
             return tile.drawn.first > 0;
@@ -156,7 +158,7 @@ class Refinement {
         Halves<int> drawn;    // passes
         Halves<Real> spread;  // the standard deviation of a channel of a pass
     };
-    static constexpr int most_passes = 1 << 24;  // beyond it nobody waits
+    static constexpr int most_passes = 1 << 24;  // nobody waits for more
 
     Halves<int> counts(const TileState& tile, Real aim) const {
         return crossed_counts(tile.spread, mean_spread_, aim, {least_, most_passes});
@@ -185,13 +187,15 @@ class Refinement {
             for (int x = 0; x < sums_.width(); ++x) visit(x, y, tile_of(x, y));
     }
 
+    // Black before the first pass.
+    static Color mean(const ColorSum& sum, int passes) { return sum.mean(std::max(passes, 1)); }
+
     Halves<Color> means(int x, int y, const TileState& tile) const {
         const Halves<ColorSum>& sum = sums_.at(x, y);
-        return {sum.first.mean(std::max(tile.drawn.first, 1)),
-                sum.second.mean(std::max(tile.drawn.second, 1))};
+        return {mean(sum.first, tile.drawn.first), mean(sum.second, tile.drawn.second)};
     }
 
-    // Draws what is missing until each tile has the passes that wanted(tile) asks for.
+    // Draws the missing passes until each tile has those that wanted(tile) asks for.
     template <class Wanted>
     void draw(const Wanted& wanted) {
         std::int64_t missing = 0;
@@ -213,8 +217,8 @@ class Refinement {
         });
     }
 
-    // Up to `passes` passes of one half of a tile. As long as these are the pilot, they tell its
-    // spread.
+    // Draws one half of a tile until it has `passes` passes. If these are the pilot, they
+    // give its spread.
     template <ColorSum Halves<ColorSum>::*half>
     void draw_half(const DrawPass& draw_pass, const Tile& tile, std::uint64_t seed, int passes,
                    int& drawn, Real& spread) {
@@ -229,11 +233,9 @@ class Refinement {
             });
         };
         if (is_pilot) {
-            const auto width = static_cast<std::size_t>(tile.right - tile.left);
-            channels.resize(3 * width * static_cast<std::size_t>(tile.bottom - tile.top));
-            for_each_pixel(tile, [&](int x, int y) {
-                pass_.at(x, y) = (sums_.at(x, y).*half).mean(std::max(drawn, 1));
-            });
+            channels.resize(3 * static_cast<std::size_t>(pixel_count(tile)));
+            for_each_pixel(
+                tile, [&](int x, int y) { pass_.at(x, y) = mean(sums_.at(x, y).*half, drawn); });
             if (drawn == 1) learn();
         }
         std::uint64_t rays = 0;

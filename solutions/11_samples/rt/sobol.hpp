@@ -3,7 +3,7 @@
 
 namespace rt {
 
-// The same 32 bits, the last one first: 0x00000001 becomes 0x80000000, and 0x80000000 becomes 1.
+// The same 32 bits in reverse order: 0x00000001 becomes 0x80000000, and 0x80000000 becomes 1.
 inline std::uint32_t reversed_bits(std::uint32_t x) {
     x = x >> 16 | x << 16;
     x = (x & 0xff00ff00u) >> 8 | (x & 0x00ff00ffu) << 8;
@@ -12,24 +12,24 @@ inline std::uint32_t reversed_bits(std::uint32_t x) {
     return (x & 0xaaaaaaaau) >> 1 | (x & 0x55555555u) << 1;
 }
 
-// A point of the unit square, each number as the 32 bits behind its binary point: 0x80000000 is one
-// half, 0x40000000 a quarter, and the fraction itself is x / 2^32.
+// A point of the unit square, each coordinate as the 32 bits after its binary point: 0x80000000 is
+// one half, 0x40000000 a quarter, and the fraction itself is x / 2^32.
 struct FixedPoint2 {
     std::uint32_t x = 0, y = 0;
 
     friend constexpr bool operator==(const FixedPoint2&, const FixedPoint2&) = default;
 };
 
-// Point `index` of Sobol's sequence in two dimensions, from point 0, which is (0, 0), in the order
-// of the formula itself (not that of a Gray code). x has the bits of the index in opposite order.
-// y is the exclusive or of one column for each bit of the index that is 1: column 0, which belongs
-// to the last bit, is 0x80000000, and the next column is always c ^ c >> 1, where c is the one
-// before.
+// Point `index` of Sobol's sequence in two dimensions, counted from point 0, which is (0, 0), in
+// the order of the formula itself (not that of a Gray code). x has the bits of the index in
+// reverse order. y is the exclusive or of one column for each bit of the index that is 1:
+// column 0, which belongs to the last bit, is 0x80000000, and each next column is c ^ c >> 1,
+// where c is the column before it.
 //
-// Of the points k 2^m, k 2^m + 1 ... (k + 1) 2^m - 1 there is exactly one in each of the 2^m boxes
-// of equal size and shape into which the square can be halved again and again. Source: Sobol', "On
-// the distribution of points in a cube and the approximate evaluation of integrals", 1967; the
-// columns are Pascal's triangle modulo 2.
+// Of the points k 2^m, k 2^m + 1 ... (k + 1) 2^m - 1, exactly one is in each of the 2^m boxes of
+// equal size and shape into which repeated halving can cut the square. Source: Sobol', "On the
+// distribution of points in a cube and the approximate evaluation of integrals", 1967; the columns
+// are Pascal's triangle modulo 2.
 inline FixedPoint2 sobol_point(std::uint32_t index) {
     FixedPoint2 point{reversed_bits(index), 0};
     std::uint32_t column = 0x80000000u;
@@ -40,23 +40,24 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
     return point;
 }
 
-// A shuffling of all 32-bit fractions, Owen's scrambling. A random bit decides whether the two
-// halves of the interval change places, two more decide it for the two halves of each half, and so
-// on. So each bit of the fraction is flipped or not; that depends on the seed and on all bits
-// before it, and on nothing behind it. If two fractions agree in their first n bits and differ in
-// the next one, so do their results. Flips behind different beginnings have nothing to do with each
-// other, and over all seeds each happens half of the time. The seed has 32 bits, and all of them
-// count: the flips of seed + 1 have nothing to do with those of seed.
+// Owen's scrambling, a shuffling of all 32-bit fractions. A random bit decides whether to swap the
+// two halves of the interval, two more bits decide whether to swap the two halves of each half, and
+// so on. So each bit of the fraction is flipped or not. That depends on the seed and on all bits
+// before it, and on no bit after it. If two fractions agree in their first n bits and differ in the
+// next one, so do their results. Flips after different leading bits are unrelated, and over all
+// seeds each happens half of the time. The seed has 32 bits, and all of them count: the flips of
+// seed + 1 are unrelated to those of seed.
 //
-// It takes a hash, and any good one will do. This one (Vegdahl's) works on the mirrored fraction x,
-// where the bits before a bit are those to its right, and a product or a sum carries to the left
-// only. In this order: x ^= x * 0x3d20adea, x += seed, x *= (seed >> 16 | 1), x ^= x * 0x05526c56,
-// x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995;
-// as a hash: Laine and Karras, "Stratified sampling for stochastic transparency", EGSR 2011; these
-// numbers: Vegdahl, "Building a better LK hash", 2021.
+// This needs a hash, and any good one will do. This one (Vegdahl's) works on x, the fraction with
+// its bits reversed. There, the bits before a bit are those to its right, and a product or a sum
+// carries only to the left. In this order: x ^= x * 0x3d20adea, x += seed, x *= (seed >> 16 | 1),
+// x ^= x * 0x05526c56, x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted (t,m,s)-nets and
+// (t,s)-sequences", 1995; as a hash: Laine and Karras, "Stratified sampling for stochastic
+// transparency", EGSR 2011; these numbers: Vegdahl, "Building a better LK hash", 2021.
 inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     std::uint32_t x = reversed_bits(fraction);
-    // An even factor: a bit is changed by those before it and not by itself, which could undo it.
+    // The factor is even: a bit is changed by the bits before it, and not by itself, which could
+    // undo the change.
     x ^= x * 0x3d20adeau;
     x += seed;
     x *= seed >> 16 | 1;

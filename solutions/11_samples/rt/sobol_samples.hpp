@@ -7,10 +7,10 @@
 
 namespace rt {
 
-// The random numbers of one sample of a pixel (given), to be used wherever an Rng is. The first two
-// are a point of Sobol's sequence, the next two one of another shuffling of it, and so on: each
-// pair of numbers is spread evenly over all samples of the pixel, and independent of the other
-// pairs. Source: Burley, "Practical hash-based Owen scrambling", JCGT 2020.
+// The random numbers of one sample of a pixel (given), for use wherever an Rng is used. The first
+// two are a point of Sobol's sequence, the next two a point of another shuffling of it, and so on.
+// Over all samples of the pixel, each pair of numbers is spread evenly, and is independent of the
+// other pairs. Source: Burley, "Practical hash-based Owen scrambling", JCGT 2020.
 class SobolRandom {
   public:
     SobolRandom(std::uint64_t seed, int x, int y, std::uint32_t sample) : sample_{sample} {
@@ -18,15 +18,15 @@ class SobolRandom {
         pixel_ = mix_bits(mix_bits(seed) ^ pixel);
     }
 
-    // A number in [0, 1), as Rng::uniform has it.
+    // A number in [0, 1), like Rng::uniform.
     Real uniform() {
         if (has_second_) {
             has_second_ = false;
             return fraction(second_);
         }
         const std::uint64_t pair = mix_bits(pixel_ + ++pair_), scramble = mix_bits(pair);
-        // The order of the points is shuffled, too, so that pairs do not go together. Scrambling
-        // takes 2^m neighbors to 2^m neighbors, which are as evenly spread.
+        // The order of the points is shuffled, too, so that pairs are not correlated. Scrambling
+        // takes 2^m neighbors to 2^m neighbors, which are just as evenly spread.
         const FixedPoint2 point =
             sobol_point(owen_scrambled(sample_, static_cast<std::uint32_t>(pair)));
         second_ = owen_scrambled(point.y, static_cast<std::uint32_t>(scramble >> 32));
@@ -51,8 +51,8 @@ class SobolRandom {
     bool has_second_ = false;
 };
 
-// Samples of a pixel from Sobol's sequence (given): number first ... first + count - 1 of the one
-// that belongs to the seed and the pixel. See JitteredSamples.
+// Samples of a pixel from Sobol's sequence (given): numbers first ... first + count - 1 of the
+// sequence that belongs to the seed and the pixel. See JitteredSamples.
 struct SobolSamples {
     std::uint64_t seed = 1;
     int count = 1;

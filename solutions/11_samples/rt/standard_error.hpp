@@ -8,27 +8,27 @@ namespace rt {
 // The standard error of the mean: how far the mean of the numbers so far is from the true mean, as
 // a root mean square. It is sqrt(variance / count), and infinite with fewer than two numbers.
 inline Real standard_error(const RunningVariance& known) {
-    // With fewer than two numbers the variance is infinite, and stays so divided by 0 or 1.
+    // With fewer than two numbers the variance is infinite, and remains so when divided by 0 or 1.
     return std::sqrt(variance(known) / static_cast<Real>(known.count));
 }
 
-// The probability that a mean with this standard error lies within a distance of the true mean, on
-// either side. It is that of the normal distribution, which holds for means of many numbers:
+// The probability that a mean with this standard error is within a distance of the true mean, on
+// either side. It is that of the normal distribution, which is right for means of many numbers:
 // erf(distance / (sqrt(2) error)), with std::erf. distance is 0 or more and finite, error is 0 or
-// more; both may be as large or as small as a Real can be. Without an error it is 1, also at
-// distance 0; with an infinite one it is 0.
+// more; both may be as large or as small as a Real can be. If the error is 0, the probability is 1,
+// even at distance 0; if the error is infinite, it is 0.
 inline Real chance_within(Real distance, Real error) {
     if (error == 0) return 1;
     return std::erf(distance / error / std::numbers::sqrt2_v<Real>);
 }
 
-// How many numbers are needed until their mean has at most this standard error: variance /
+// How many numbers are needed for their mean to have at most this standard error: variance /
 // error^2, rounded up, at least 1 and at most `most`. variance is 0 or more and may be infinite;
 // error is 0 or more and finite, and its square need not fit into a Real; most is 1 or more. With
 // a variance of 0 one number is enough, even for error 0. Otherwise error 0 takes `most`, and so
 // does an infinite variance.
 inline std::int64_t samples_for(Real variance, Real error, std::int64_t most) {
-    // Divided twice: where the first quotient overflows or underflows, the second would as well.
+    // Divides twice: if the first quotient overflows or underflows, the second would as well.
     const Real needed = variance == 0 ? Real(0) : std::ceil(variance / error / error);
     if (!(needed < static_cast<Real>(most))) return most;
     return needed < 1 ? 1 : static_cast<std::int64_t>(needed);

@@ -1,4 +1,4 @@
-// Another function than the one that was declared: its first parameter is no const reference.
+// Not the function that was declared: its first parameter is not a const reference.
 #include <rt/gradient.hpp>
 
 namespace rt {

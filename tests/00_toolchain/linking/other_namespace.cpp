@@ -1,4 +1,4 @@
-// Another function than the one that was declared: it is not in namespace rt.
+// Not the function that was declared: it is not in namespace rt.
 #include <rt/gradient.hpp>
 
 using namespace rt;

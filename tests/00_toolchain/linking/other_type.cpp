@@ -1,4 +1,4 @@
-// Another function than the one that was declared: its numbers have another type.
+// Not the function that was declared: its numbers have another type.
 #include <rt/gradient.hpp>
 
 namespace rt {

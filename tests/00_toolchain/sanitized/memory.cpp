@@ -1,5 +1,5 @@
-// The exercises on plain memory, for the address sanitizer, which watches it: silent on the
-// solution, and not on the mistakes.
+// Runs the exercises on plain memory under the address sanitizer, which is silent on the solution
+// and reports the mistakes.
 
 #include <cstdio>
 #include <rt/binary_tree.hpp>

@@ -68,7 +68,7 @@ TEST_CASE("a million random rays find the same in every structure", "[given][ray
 }
 
 TEST_CASE("at any scale", "[given][rays]") {
-    // Powers of two, about 10^-15, 10^-9, 10^9 and 10^15: nothing is rounded otherwise.
+    // Powers of two, about 10^-15, 10^-9, 10^9 and 10^15: nothing is rounded differently.
     for (const int exponent : {-50, -30, 30, 50}) {
         const Real scale = std::ldexp(Real(1), exponent);
         Spheres spheres = random_spheres(300);
@@ -77,7 +77,8 @@ TEST_CASE("at any scale", "[given][rays]") {
     }
 }
 
-TEST_CASE("rays that are no rays, or come from very far, come to an end", "[given][rays]") {
+TEST_CASE("the search ends even for invalid rays, and for rays from very far away",
+          "[given][rays]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN(), inf = rt::infinity;
     const Ray rays[] = {
         {{nan, 0, 0}, {0, 0, 1}}, {{nan, nan, nan}, {1, 1, 1}},
@@ -137,7 +138,7 @@ TEST_CASE("a million spheres", "[given][million]") {
     const auto wide = rt::make_wide_tree<float>(spheres);
     const std::size_t bytes =
         wide.nodes.size() * sizeof(wide.nodes[0]) + wide.leaves.size() * sizeof(wide.leaves[0]);
-    INFO(static_cast<double>(bytes) / 1e6 << " bytes a sphere, all that a hit needs included");
+    INFO(static_cast<double>(bytes) / 1e6 << " bytes per sphere, including all that a hit needs");
     CHECK(bytes <= 120'000'000);
     rt::Rng rng{77, 1};
     for (int i = 0; i < 3000; ++i) {

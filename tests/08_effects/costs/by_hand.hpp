@@ -1,6 +1,7 @@
 #pragma once
-// Three renderers written by hand, each for one scene alone, as somebody would who never heard of
-// any other effect: no templates, no variants, no list of renderers. They draw the same pictures.
+// Three renderers written by hand, each for one scene alone, as somebody would write them who
+// has never heard of any other effect: no templates, no variants, no list of renderers. They
+// draw the same pictures.
 
 #include <rt/dielectric.hpp>
 #include <rt/jitter.hpp>

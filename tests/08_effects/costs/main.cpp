@@ -63,7 +63,7 @@ Color sum_of(int rows, const Shade& shade) {
 
 const Quality quality{picture.samples, picture.depth, picture.seed};
 
-// Not through renderer_makers: those count rays, which nobody else does here.
+// Not through renderer_makers: those count rays, which none of the other ways does here.
 template <std::size_t... number>
 Color draw(std::size_t chosen, const SceneDescription& scene, int rows,
            std::index_sequence<number...>) {

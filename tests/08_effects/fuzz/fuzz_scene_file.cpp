@@ -46,7 +46,7 @@ void draw(const rt::SceneDescription& scene) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string bytes(reinterpret_cast<const char*>(data), size);
-    // Small limits: what is looked for hides in the rules, not in large numbers.
+    // Small limits: the faults to be found are in the rules, not in large numbers.
     const effects::Limits limits{.spheres = 500, .image_pixels = 1 << 14};
     try {
         // An image file and a scene file begin so differently that one target will do.

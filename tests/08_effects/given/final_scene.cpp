@@ -10,7 +10,7 @@ TEST_CASE("the final scene has more than ten thousand spheres and all its effect
     const rt::SceneDescription scene = effects::final_scene();
     CHECK(scene.spheres.size() > 10'000);
     CHECK(scene.camera.lens.aperture > 0);
-    // How many spheres are made of each kind of material, by its place in the variant.
+    // How many spheres are made of each kind of material, by its index in the variant.
     std::array<int, std::variant_size_v<rt::MaterialDescription>> spheres{};
     for (const rt::SphereDescription& sphere : scene.spheres) {
         CHECK(sphere.shape.radius > 0);

@@ -17,7 +17,7 @@ namespace {
 using Materials = rt::MaterialSet<rt::Lambertian, rt::Mirror, rt::Metal, rt::Dielectric,
                                   rt::CheckeredMatte, rt::ImageMatte>;
 
-// A mean that right code misses in one of 10000 runs: 3.89 standard errors.
+// Checks a mean. Right code misses it in one of 10000 runs: 3.89 standard errors.
 constexpr double limit = 3.89;
 
 double gray(Color color) {
@@ -35,7 +35,7 @@ struct Lit {
         world.spheres.push_back({sphere, static_cast<int>(materials.materials.size())});
         materials.materials.push_back(material);
     }
-    // After all materials.
+    // To be called after all materials are added.
     void add_light(const rt::Sphere& sphere, Color radiance) {
         lights.first_material = static_cast<int>(materials.materials.size());
         world.spheres.push_back(
@@ -57,7 +57,7 @@ struct Lit {
 void check_mean(const Mean& mean, double expected) {
     INFO("mean " << mean.mean() << ", expected " << expected << ", standard error "
                  << mean.standard_error());
-    // Rounding is all that is left where every sample is the same.
+    // If every sample is the same, only rounding is left.
     CHECK(std::abs(mean.mean() - expected) <=
           limit * mean.standard_error() + 1000 * static_cast<double>(rt::epsilon) * expected);
 }
@@ -187,14 +187,14 @@ TEST_CASE("a ray that starts on the fog's surface keeps its way through the fog"
         const rt::Interval part =
             rt::within_ball(ball, ball.center + ball.radius * outward, direction);
         const Real expected = std::max(Real(0), 2 * ball.radius * inward);
-        // The place is off by some roundings, which count the more the flatter the ray is.
+        // The point is off by a few roundings, which count more if the ray is flatter.
         const Real allowed = rt::rounding_bound(20) * 4 / std::max(std::abs(inward), Real(1e-6));
         lost += std::abs(part.size() - expected) > allowed;
     }
     CHECK(lost == 0);
 }
 
-TEST_CASE("there is no fog inside of glass") {
+TEST_CASE("there is no fog inside glass") {
     // Fog that swallows everything, and a glass ball around the eye: only inside nothing is lost.
     Lit lit;
     lit.add({{0, 0, 0}, 1}, rt::Dielectric{1});

@@ -15,7 +15,7 @@ using namespace checkpoint;
 using rt::Color;
 
 TEST_CASE("a moving sphere covers what geometry says") {
-    // It crosses the ray's line at right angles: it is there for 2 r of a way of length 6.
+    // It crosses the ray's line at right angles: it covers the line for 2 r of a way of length 6.
     const rt::MovingTree tree = rt::make_moving_tree({{{{-3, 0, -5}, Real(0.6)}, {6, 0, 0}, 0}});
     for (const Real height : {Real(0), Real(0.36), Real(0.48), Real(0.7)}) {
         const double half =
@@ -132,7 +132,7 @@ TEST_CASE("an image goes around a sphere like a map around a globe") {
         return rt::image_color(map, rt::normalize(direction));
     };
     const Real up = Real(0.3);
-    // Who looks along -z at the globe sees green on the left and blue on the right.
+    // Looking along -z at the globe, you see green on the left and blue on the right.
     CHECK((seen({-1, up, 1}) == Color{0, 1, 0}));
     CHECK((seen({1, up, 1}) == Color{0, 0, 1}));
     CHECK((seen({-1, up, -1}) == Color{1, 0, 0}));

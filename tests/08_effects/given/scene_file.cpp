@@ -63,7 +63,7 @@ bool holds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-// Each of these is refused with words that stand for the place and for what is allowed.
+// Each of these is refused with words that tell the place and what is allowed.
 #define REFUSED(text, place, allowed)           \
     do {                                        \
         const std::string said = refusal(text); \
@@ -227,7 +227,7 @@ TEST_CASE("a file that cannot be read is refused", "[scene_file]") {
     CHECK(holds(said(folder / "large.json"), "4 MiB are allowed"));
 }
 
-TEST_CASE("what is no JSON is refused with line and column", "[scene_file]") {
+TEST_CASE("what is not JSON is refused with line and column", "[scene_file]") {
     REFUSED(" \n ", "s.json is empty", "{ ... }");
     REFUSED("hello", "s.json:1:1: ", "are allowed");
     REFUSED("{\n  \"camera\": ", "s.json:2:1", "expected");
@@ -249,7 +249,7 @@ TEST_CASE("what is no JSON is refused with line and column", "[scene_file]") {
     REFUSED(R"({"a": tru})", "s.json:1:10: ", "are allowed");
 }
 
-TEST_CASE("usual slips in JSON are told by their names", "[scene_file]") {
+TEST_CASE("common slips in JSON are called by their names", "[scene_file]") {
     REFUSED(R"({"a": 1 "b": 2})", "s.json:1:11: ", "a comma is missing before it");
     REFUSED(R"({"a": "x" "b": 2})", "s.json:1:13: ", "a comma is missing before it");
     REFUSED(R"({"a": [1 2]})", "s.json:1:10: ", "a comma is missing before it");
@@ -273,7 +273,7 @@ TEST_CASE("usual slips in JSON are told by their names", "[scene_file]") {
         "a\xe2\x80\x9d: 1}",
         "s.json:1:2: ", "straight double quotes");
     REFUSED("{a: 1}", "s.json:1:2: ", "keys need double quotes");
-    // What stood before is no part of the slip.
+    // What came before is not part of the slip.
     CHECK_FALSE(holds(refusal("{\"a\": 8}\n// eight"), "last read"));
 }
 
@@ -287,7 +287,7 @@ TEST_CASE("every text that ends too early is refused", "[scene_file]") {
     }
 }
 
-TEST_CASE("deep nesting and keys that stand twice are refused", "[scene_file]") {
+TEST_CASE("deep nesting and keys that appear twice are refused", "[scene_file]") {
     REFUSED(std::string(1'000'000, '['), "[0][0]", "16 deep");
     REFUSED("{\"a\": [{\"b\": " + std::string(100, '['), "a[0].b[0]", "16 deep");
     REFUSED(with(materials), "s.json: materials appears twice", "once");
@@ -354,7 +354,7 @@ TEST_CASE("values of the wrong kind are refused", "[scene_file]") {
                 "materials.m.color", "\"#rrggbb\" or [r, g, b]");
 }
 
-TEST_CASE("numbers outside of their range are refused", "[scene_file]") {
+TEST_CASE("numbers outside their range are refused", "[scene_file]") {
     for (const char* const radius : {"-1", "0", "1e-10", "1e10", "-0.0", "1e300"})
         REFUSED(
             with_spheres(std::string{R"({"center": [0, 0, 0], "material": "gold", "radius": )"} +
@@ -452,7 +452,7 @@ TEST_CASE("a lens needs a distance", "[scene_file]") {
     CHECK(refusal(lens("1e-8", "")).empty());
 }
 
-TEST_CASE("in fog nothing stands in glass or cuts into it", "[scene_file]") {
+TEST_CASE("in fog nothing lies in glass or cuts into it", "[scene_file]") {
     const auto scene = [](const std::string& spheres, const std::string& shutter = "0",
                           const std::string& fog = "[0, 0, 0]") {
         return R"({"camera": {"look_from": [0, 0, 5], "look_at": [0, 0, 0], "shutter": )" +
@@ -494,7 +494,7 @@ TEST_CASE("in fog nothing stands in glass or cuts into it", "[scene_file]") {
             "groups[0] is glass", "groups[0] overlaps it");
 }
 
-TEST_CASE("images outside of the scene's folder are not read", "[scene_file]") {
+TEST_CASE("images outside the scene's folder are not read", "[scene_file]") {
     const TemporaryFolder place;
     const fs::path home = place / "home";
     const std::string png = rt::encode_png(rt::Image{8, 8, {1, 0, 0}});
@@ -592,7 +592,7 @@ TEST_CASE("each rule places its spheres where it says", "[scene_file]") {
     CHECK(seeds.front().radius < seeds.back().radius);
 }
 
-TEST_CASE("the same seed places the same spheres, another one others", "[scene_file]") {
+TEST_CASE("the same seed places the same spheres, another seed places others", "[scene_file]") {
     const auto first = [](std::uint64_t seed) {
         placing::Neighbors none;
         return placing::scatter(9, 0.1, 0.2, placing::in_ball({0, 0, 0, 5}), none, seed).front().x;

@@ -1,5 +1,5 @@
 #pragma once
-// A picture drawn with Embree's search, and all else from the course.
+// A picture drawn with Embree's search, and everything else from the course.
 
 #include <rt/batch_renderer.hpp>
 #include <rt/counting_world.hpp>

@@ -166,7 +166,7 @@ void compare(const std::string& title, const SceneDescription& description, cons
     compare_searches(title, description, scene, quality, rounds);
 }
 
-// The cover scene with so many spheres in all: more small ones on the ground, as densely, farther
+// The cover scene with this many spheres in all: more small ones on the ground, as densely, farther
 // and farther from its middle.
 SceneDescription meadow(const study::Cover& cover, int count) {
     SceneDescription scene = cover_scene(cover);

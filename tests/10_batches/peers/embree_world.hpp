@@ -46,8 +46,8 @@ class EmbreeWorld {
         rtcReleaseDevice(device_);
     }
 
-    // A ray, to be asked for. leave_surface leaves as much room as hit_sphere needs, which knows
-    // more digits of t than Embree's spheres do: here a ray begins a bit later.
+    // A ray for Embree. leave_surface leaves as much room as hit_sphere needs, which knows more
+    // digits of t than Embree's spheres do: here a ray begins a bit later.
     static void put(const rt::Ray& ray, RTCRayHit& to) {
         constexpr float begin = 1e-3f;
         const auto& [o, d] = ray;

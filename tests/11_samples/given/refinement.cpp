@@ -12,9 +12,9 @@ using namespace rt;
 
 constexpr int width = 24, height = 20, side = 8;
 
-// A picture whose light is known: from the left to the right it gets brighter, and from tile to
-// tile noisier. A pass is the light, a few times too bright with a small probability, else a bit
-// too dark.
+// A picture whose light is known: it gets brighter from left to right, and noisier from tile
+// to tile. A pass is the light, several times too bright with a small probability, and
+// otherwise a bit too dark.
 struct Noise {
     Color mean;
     Real deviation = 0;
@@ -73,7 +73,7 @@ TEST_CASE("refining ends below the error that is asked for and the estimate is t
         estimated += error * error;
         truth += square_error(picture_of(refinement));
     }
-    // 40 pictures of 1440 numbers: either sum has a standard error of less than 1 %.
+    // 40 pictures of 1440 numbers: each sum has a standard error of less than 1 %.
     INFO("estimated error / true error: " << std::sqrt(estimated / truth));
     CHECK(std::abs(std::sqrt(estimated / truth) - 1) < 0.04);
 }
@@ -160,7 +160,7 @@ TEST_CASE("a picture without noise takes the pilot and nothing more") {
 }
 
 TEST_CASE("numbers from Sobol's points integrate better than random ones") {
-    // The mean of a smooth function of five numbers, of which the two pairs are filled evenly.
+    // The mean of a smooth function of five numbers, whose two pairs are filled evenly.
     const auto square_error = [](auto make) {
         double sum = 0;
         for (std::uint64_t seed = 0; seed < 400; ++seed) {

@@ -13,7 +13,7 @@ using rt::Color, rt::SobolRandom, rt::SobolSamples, rt::Vec2;
 
 namespace {
 
-// The first numbers that each sample draws, one row a sample.
+// The first numbers that each sample draws, one row per sample.
 std::vector<std::vector<Real>> draws(std::uint64_t seed, int x, int y, std::uint32_t first,
                                      std::size_t samples, std::size_t count) {
     std::vector<std::vector<Real>> all(samples, std::vector<Real>(count));
