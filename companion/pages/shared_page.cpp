@@ -143,8 +143,8 @@ std::string how_long(const TimeTaken& time, bool finished) {
     std::string text =
         "<h2>How long it took" + std::string{finished ? "" : ", so far"} + "</h2>\n<p>";
     if (time.unknown > 0)
-        return text + "This is not known: of " + std::to_string(time.unknown) +
-               " of the answers nobody noted when they first passed.</p>\n";
+        return text + "This is not known: for " + counted(time.unknown, "answer") +
+               " there is no record of when it first passed.</p>\n";
     const std::string first = date_of(time.first), last = date_of(time.last);
     if (first == last) return text + "Everything passed on one day, " + first + ".</p>\n";
     return text + "The first check passed on " + first + ", the last on " + last + ": " +

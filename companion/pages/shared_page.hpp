@@ -14,7 +14,7 @@ namespace companion {
 struct TimeTaken {
     std::int64_t first = 0, last = 0;  // in seconds since 1970; 0: nothing has passed
     int days = 0;                      // on which something passed for the first time
-    int unknown = 0;                   // what passes, and nobody noted since when
+    int unknown = 0;                   // what passes, without a record of since when
 };
 TimeTaken time_taken(const std::vector<std::int64_t>& first_passed);
 

@@ -99,7 +99,7 @@ TEST_CASE("how long it took is said where it is known", "[shared_page]") {
     CHECK(holds(shared_page_html(page), "on one day, " + date_of(some_noon)));
     page.time = time_taken({some_noon, unknown_time});
     html = shared_page_html(page);
-    CHECK(holds(html, "This is not known: of 1 of the answers"));
+    CHECK(holds(html, "This is not known: for 1 answer there is no record"));
     CHECK_FALSE(holds(html, date_of(some_noon)));
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("the page takes the newest picture, and says whose code drew it", "[sh
     SharedPage page = collect_shared_page(course);
     CHECK(page.picture == "mine");
     CHECK(page.scene == "A ball.");
-    CHECK(page.caption.empty());  // nobody noted it
+    CHECK(page.caption.empty());  // there is no record of it
     change_state(course, [](State& state) { state.drawn = {hash_of("mine"), {"01.1"}}; });
     CHECK(collect_shared_page(course).caption ==
           "Drawn by its author's code for 01.1, and by the course's for 01.2.");
