@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
+import { gzipSync } from 'node:zlib';
 import { escape } from './markdown.mjs';
 
 const here = join(dirname(fileURLToPath(import.meta.url)), 'live'), root = dirname(dirname(here));
@@ -117,7 +118,8 @@ async function compile(chapter, chapters, first, cache, version) {
         writeFileSync(kept, code);
         return code;
     } catch (error) {
-        throw new Error(`the live figures of chapter ${chapter} do not compile:\n${error.stderr ?? error.message}`);
+        throw new Error(`the live figures of chapter ${chapter} do not compile:\n` +
+                        (error.stderr ?? error.message).replace(/^emcc: error: .*/gm, '').trim());
     } finally {
         rmSync(folder, { recursive: true, force: true });
     }
@@ -138,7 +140,7 @@ export async function modules(wanted, chapters, cache, first) {
         for (let chapter; (chapter = waiting.shift());) {
             const code = await compile(chapter, chapters, first, cache, version);
             made.set(chapter, `liveModule(${JSON.stringify(chapter)}, ${JSON.stringify(worker)}, ` +
-                `"${code.toString('base64')}");\n`);
+                `"${gzipSync(code, { level: 9 }).toString('base64')}");\n`);
         }
     };
     await Promise.all([work(), work()]);

@@ -106,6 +106,7 @@
     class Figure {
         constructor(element, module) {
             this.element = element;
+            element.figure = this;  // for tests
             this.module = module;
             this.number = +element.dataset.number;
             this.form = element.querySelector('form');
@@ -141,8 +142,8 @@
             for (const input of this.inputs) {
                 const output = input.parentElement.querySelector('.value');
                 if (!output) continue;
-                const value = input.dataset.log ? plain(10 ** +input.value) : plain(+input.value);
-                output.textContent = value + (input.dataset.unit ?? '');
+                const value = input.dataset.log ? 10 ** +input.value : +input.value;
+                output.textContent = plain(value < 100 ? value : Math.round(value)) + (input.dataset.unit ?? '');
                 input.setAttribute('aria-valuetext', output.textContent);
             }
         }
