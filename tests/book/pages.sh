@@ -21,6 +21,7 @@ if [ ! -d book/node_modules/playwright-core ] ||
         skip "npm could not get the packages that book/package-lock.json names"
 fi
 node book/forms.mjs
+if command -v "${CXX:-c++}" >/dev/null; then node book/live/native.mjs; fi
 
 for browser in "${CHROMIUM:-chromium}" chromium-browser google-chrome ''; do
     [ -n "$browser" ] || skip "Chromium is missing: install it, or set CHROMIUM to a browser of its kind"
