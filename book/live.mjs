@@ -97,7 +97,8 @@ async function compile(chapter, chapters, first, cache) {
     const own = readdirSync(here).filter(name => name.endsWith('.hpp') || name.startsWith(chapter) && name.endsWith('.cpp'));
     for (const file of [...own.sort().map(name => join(here, name)), ...folders(chapter, chapters, first).flatMap(headers)])
         hash.update(file.slice(file.lastIndexOf('/') + 1)).update('\0').update(readFileSync(file));
-    const kept = join(cache, `${chapter}-${hash.digest('hex').slice(0, 16)}.wasm`);
+    const kind = `${chapter}-${first ? 'first' : 'solution'}-`;
+    const kept = join(cache, `${kind}${hash.digest('hex').slice(0, 16)}.wasm`);
     if (existsSync(kept)) return readFileSync(kept);
 
     const folder = mkdtempSync(join(tmpdir(), 'live-'));
@@ -115,7 +116,7 @@ async function compile(chapter, chapters, first, cache) {
         await run(emcc, ['-O2', ...linked, ...compiled, '-o', to]);
         const code = readFileSync(to);
         mkdirSync(cache, { recursive: true });
-        for (const old of readdirSync(cache)) if (old.startsWith(`${chapter}-`) && !first) rmSync(join(cache, old));
+        for (const old of readdirSync(cache)) if (old.startsWith(kind)) rmSync(join(cache, old));
         writeFileSync(kept, code);
         return code;
     } catch (error) {

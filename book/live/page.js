@@ -309,12 +309,20 @@
     function begin(module) {
         module.figures = new Map(module.elements.map(element =>
             [+element.dataset.number, new Figure(element, module)]));
+        // What nobody sees need not get better.
+        const inView = new Set();
+        const tell = figure => module.worker.postMessage({
+            figure, [inView.has(figure) && !document.hidden ? 'awake' : 'asleep']: true,
+        });
         const watched = new IntersectionObserver(changes => {
-            for (const { target, isIntersecting } of changes)
-                module.worker.postMessage({ figure: +target.dataset.number,
-                                            [isIntersecting ? 'awake' : 'asleep']: true });
+            for (const { target, isIntersecting } of changes) {
+                const figure = +target.dataset.number;
+                inView[isIntersecting ? 'add' : 'delete'](figure);
+                tell(figure);
+            }
         }, { rootMargin: '300px' });
         for (const element of module.elements) watched.observe(element);
+        document.addEventListener('visibilitychange', () => module.figures.forEach((_, figure) => tell(figure)));
     }
 
     function load(chapter) {
