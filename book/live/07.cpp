@@ -418,7 +418,7 @@ SplitPlaces split_places(const SplitControls& c, double width) {
 }
 
 Point on_plane(const SplitControls& c, double position) {
-    return c.axis > 0 ? Point{4.35, position} : Point{position, 1.78};
+    return c.axis > 0 ? Point{4.35, position} : Point{position, -1.78};
 }
 
 void draw_costs(const SplitControls& c, const SplitPlaces& places, const Splits& splits,
