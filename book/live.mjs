@@ -81,7 +81,7 @@ export function folders(chapter, chapters, first) {
 
 // The wide trees of chapter 07 on are twice as fast with SIMD, and give the same bits.
 const flags = ['-std=c++20', '-O2', '-msimd128', '-ffp-contract=off', '-Wall', '-Wextra', '-include', join(here, 'missing.hpp')];
-const linked = ['-sSTANDALONE_WASM', '-Wl,--no-entry', '-sALLOW_MEMORY_GROWTH=1'];
+const linked = ['-sSTANDALONE_WASM', '--no-entry', '-sALLOW_MEMORY_GROWTH=1'];
 
 // What compiling a chapter's figures takes, also by another compiler: see live/native.mjs.
 export function sources(chapter, chapters, first) {
