@@ -186,6 +186,12 @@ void draw(const LampsControls& c, Drawing& out) {
                    };
                    return is_first ? light(by_chance) : light(night->lights);
                });
+    // Paper between the two.
+    const Point middle{out.width / 2, (corner.y + out.height) / 2};
+    if (narrow)
+        out.box(middle - Point{middle.x, 3}, middle + Point{middle.x, 3}, paper);
+    else
+        out.box({middle.x - gap / 2, corner.y}, {middle.x + gap / 2, out.height}, paper);
     out.bold = true;
     if (narrow) {
         out.on_picture = true;
