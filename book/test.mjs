@@ -35,7 +35,7 @@ async function opened(name, options = {}, from = root) {
         check(request.failure().errorText === 'net::ERR_ABORTED', `${name}: could not load ${request.url()}`));
     page.on('response', answer => check(answer.status() < 400, `${name}: ${answer.status()} for ${answer.url()}`));
     page.on('request', request => {
-        if (request.url().startsWith('data:')) return;
+        if (/^(data|blob):/.test(request.url())) return;
         page.asked.push(request.url());
         check(request.url().startsWith(from), `${name}: asks another host: ${request.url()}`);
     });
@@ -191,6 +191,8 @@ async function tryWithoutScripts() {
     const page = await opened('03-sphere.html', { javaScriptEnabled: false });
     const figure = page.locator('.compare').first();
     assert.equal(await figure.locator('input').isVisible(), false);
+    for (const moving of await page.locator('.live .moving').all())
+        assert.equal(await moving.isVisible(), false, 'live figures are still');
     const [left, right] = await Promise.all([0, 1].map(i => figure.locator('img').nth(i).boundingBox()));
     assert.ok(left.x + left.width <= right.x, 'both pictures stand beside each other');
     assert.equal(await page.locator('math').first().isVisible(), true);
@@ -200,10 +202,111 @@ async function tryWithoutScripts() {
 async function tryPrint() {
     const page = await opened('03-sphere.html', { colorScheme: 'dark' });
     await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
-    for (const selector of ['header', '#contents', '.steps'])
-        assert.equal(await page.locator(selector).isVisible(), false, `${selector} is not printed`);
+    for (const selector of ['header', '#contents', '.steps', ...(hasLiveFigures ? ['.live .moving'] : [])])
+        assert.equal(await page.locator(selector).first().isVisible(), false, `${selector} is not printed`);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(255, 255, 255)');
     await close(page);
+}
+
+// ---- The live figures ------------------------------------------------------------------------
+
+const hasLiveFigures = existsSync(join(folder, 'assets/live.js'));  // else they were not compiled
+const liveOn = name => [...readFileSync(join(folder, name), 'utf8').matchAll(/data-live="([^"]*)"/g)].map(m => m[1]);
+
+// How many milliseconds pass until a new worker answers: 20 to 40 on a machine that has nothing else to do.
+const workerAnswers = page => page.evaluate(() => new Promise(resolve => {
+    const begin = performance.now();
+    const worker = new Worker(URL.createObjectURL(new Blob(['postMessage(0)'])));
+    worker.onmessage = () => resolve(performance.now() - begin);
+}));
+
+async function tryLiveFigures(name) {
+    const page = await opened(name);
+    for (const live of liveOn(name)) {
+        const figure = page.locator(`[data-live="${live}"]`), canvas = figure.locator('canvas');
+        const says = what => `${name}: live figure ${live} ${what}`;
+        await figure.scrollIntoViewIfNeeded();
+        await page.waitForFunction(live => document.querySelector(`[data-live="${live}"].runs`), live, { timeout: 30_000 })
+            .catch(() => {});
+        if (!await canvas.isVisible()) {
+            check(false, says('does not run'));
+            continue;
+        }
+        await canvas.scrollIntoViewIfNeeded();
+        // What is shown, of a picture that gets better only once it has begun anew or is done.
+        const state = () => figure.evaluate(element => ({
+            values: element.figure.values.join(), pixels: element.querySelector('canvas').toDataURL(),
+            waits: Boolean(element.figure.waiting),
+        }));
+        const changed = async (before, by) => {
+            for (let i = 0; i < 200; ++i) {
+                const now = await state();
+                if (!now.waits && now.values !== before.values && now.pixels !== before.pixels) return;
+                await page.waitForTimeout(25);
+            }
+            check(false, says(`does not change by ${by}`));
+        };
+        let before = await state();
+        const control = figure.locator('[data-control]').first();
+        await control.focus();
+        const atEnd = await control.evaluate(input => input.type === 'range' && +input.value >= +input.max);
+        await page.keyboard.press(await control.evaluate(input => input.type) === 'checkbox' ? 'Space'
+            : await control.evaluate(input => input.tagName) === 'SELECT' ? 'ArrowDown' : atEnd ? 'ArrowLeft' : 'ArrowRight');
+        await changed(before, 'a key');
+
+        before = await state();
+        const [x, y, radius] = await figure.evaluate(element => element.figure.handles[0] ?? []);
+        const box = await canvas.boundingBox();
+        check(x !== undefined, says('has nothing to drag'));
+        const from = radius < 0 ? { x: box.x + box.width / 2, y: box.y + box.height / 3 } : { x: box.x + x, y: box.y + y };
+        await page.mouse.move(from.x, from.y);
+        await page.mouse.down();
+        await page.mouse.move(from.x + 40, from.y + 25, { steps: 4 });
+        await page.mouse.up();
+        await changed(before, 'dragging');
+
+        await figure.locator('[type=reset]').click();
+        await page.waitForFunction(live => !document.querySelector(`[data-live="${live}"]`).figure.waiting, live);
+        check(await figure.locator('.said').textContent() !== '', says('says nothing'));
+    }
+    const bytes = [...new Set(page.asked)].filter(url => url.startsWith('file:') && !/\.(png|svg)$/.test(url))
+        .reduce((sum, url) => sum + statSync(new URL(url)).size, 0);
+    check(bytes < most, `${name}: ${bytes} bytes with its live figures`);
+    await page.evaluate(axe);
+    await accessible(page, name);
+    await page.emulateMedia({ colorScheme: 'dark' });
+    await accessible(page, `${name}, dark`, ['color-contrast']);
+    await page.setViewportSize({ width: 390, height: 800 });
+    await page.waitForTimeout(300);
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(width <= 390, `${name}: ${width} pixels wide with its live figures on a phone of 390`);
+
+    // The first picture of the page's first figure: within 0.3 s, more on a machine that is busy with others.
+    let first, limit;
+    for (let i = 0; i < 4 && !(first <= limit); ++i) {
+        await page.reload();
+        const figure = page.locator('figure.live').first();
+        await figure.scrollIntoViewIfNeeded();
+        await page.waitForFunction(() => document.querySelector('figure.live').dataset.first);
+        first = +await figure.getAttribute('data-first');
+        limit = 300 * Math.max(1, await workerAnswers(page) / 40);
+    }
+    check(first <= limit, `${name}: ${first} ms until the first picture`);
+    await close(page);
+    return liveOn(name).length;
+}
+
+async function tryAllLiveFigures() {
+    const of = new Map(pages.map(name => [name, liveOn(name)]).filter(([, figures]) => figures.length));
+    for (let chapter = 1; chapter <= 8; ++chapter) {
+        const count = [...of.values()].flat().filter(figure => figure.startsWith(`0${chapter}.`)).length;
+        check(count >= 2, `chapter 0${chapter} has ${count} live figures, not 2`);
+    }
+    if (!hasLiveFigures) return console.log('skipped: live figures, which need Emscripten'), 0;
+    let count = 0;
+    for (const name of of.keys())
+        count += await tryLiveFigures(name).catch(error => check(false, `${name}: ${error.message}`)) ?? 0;
+    return count;
 }
 
 // The book as a host may serve it, below a path.
@@ -278,9 +381,10 @@ await Promise.all([worker(), worker()]);
 tryLinks();
 for (const [what, attempt] of Object.entries(behaviors))
     await attempt().catch(error => check(false, `${what}: ${error.message}`));
+const live = await tryAllLiveFigures();
 await browser.close();
 
 for (const fault of new Set(faults)) console.log(fault);
 console.log(`${pages.length} pages, the largest ${Math.round(largest / 1000)} kB without pictures; ` +
-            `${links.length} links; ${Object.keys(behaviors).length} behaviors; ${new Set(faults).size} faults`);
+            `${links.length} links; ${live} live figures; ${Object.keys(behaviors).length} behaviors; ${new Set(faults).size} faults`);
 process.exit(faults.length ? 1 : 0);

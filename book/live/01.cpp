@@ -153,20 +153,21 @@ void draw(const MatrixControls& c, Drawing& out) {
     out.handle(at.to_page(t + v));
     out.handle(at.to_page(t));
 
-    const rt::Vec3 roof = rt::transform_point(m, {1, 1.8, 0});
-    out.dot(at.to_page({1, 1.8}), muted, 4);
-    out.dot(at.to_page(in_plane(roof)), ink, 4);
+    const Point corner{2, 1};
+    const rt::Vec3 moved = rt::transform_point(m, in_space(corner));
+    out.dot(at.to_page(corner), muted, 4);
+    out.dot(at.to_page(in_plane(moved)), ink, 4);
+    out.text(at.to_page(in_plane(moved)) + Point{10, 0}, "2u + v + t", ink, Align::left);
     const double determinant = rt::cross(in_space(u), in_space(v)).z;
-    out.say(
-        determinant == 0
-            ? "The roof (1, 1.8) goes to ({.2}, {.2}). The determinant is {}: all is flat, and "
-              "there is no way back."
-        : determinant < 0
-            ? "The roof (1, 1.8) goes to ({.2}, {.2}). The determinant is {.2}: a mirror image, "
-              "and areas grow by the factor {.2}."
-            : "The roof (1, 1.8) goes to ({.2}, {.2}). The determinant is {.2}: areas grow by "
-              "this factor.",
-        roof.x, roof.y, determinant, -determinant);
+    out.say(determinant == 0
+                ? "The point (2, 1) goes to ({.2}, {.2}). The determinant is {}: all is flat, and "
+                  "there is no way back."
+            : determinant < 0
+                ? "The point (2, 1) goes to ({.2}, {.2}). The determinant is {.2}: a mirror image, "
+                  "and areas grow by the factor {.2}."
+                : "The point (2, 1) goes to ({.2}, {.2}). The determinant is {.2}: areas grow by "
+                  "this factor.",
+            moved.x, moved.y, determinant, -determinant);
 }
 
 void drag(MatrixControls& c, const Drag& to) {

@@ -117,7 +117,7 @@ void draw(const PixelControls& c, Drawing& out) {
         return rt::Vec3{p.x, p.y, -1};
     };
     const auto pixel_corners = [&](int i, int k) {
-        return space.to_page({on_viewport(i, k), on_viewport(i + 1, k), on_viewport(i + 1, k + 1),
+        return space.corners({on_viewport(i, k), on_viewport(i + 1, k), on_viewport(i + 1, k + 1),
                               on_viewport(i, k + 1)});
     };
     const Point eye = space.to_page(rt::Vec3{0, 0, 0});

@@ -25,7 +25,7 @@ threads::SceneShader shader_of(const threads::Scene& scene, int columns, int row
 
 // The scene's light and shadow, and how many rays each pixel takes.
 struct Work {
-    static constexpr int columns = 192, rows = 108;
+    static constexpr int columns = 208, rows = 117;
 
     std::vector<rt::Real> brightness;
     threads::RayCounts rays;

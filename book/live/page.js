@@ -106,6 +106,7 @@
     class Figure {
         constructor(element, module) {
             this.element = element;
+            element.figure = this;  // for tests
             this.module = module;
             this.number = +element.dataset.number;
             this.form = element.querySelector('form');
@@ -141,8 +142,8 @@
             for (const input of this.inputs) {
                 const output = input.parentElement.querySelector('.value');
                 if (!output) continue;
-                const value = input.dataset.log ? plain(10 ** +input.value) : plain(+input.value);
-                output.textContent = value + (input.dataset.unit ?? '');
+                const value = input.dataset.log ? 10 ** +input.value : +input.value;
+                output.textContent = plain(value < 100 ? value : Math.round(value)) + (input.dataset.unit ?? '');
                 input.setAttribute('aria-valuetext', output.textContent);
             }
         }
@@ -308,12 +309,20 @@
     function begin(module) {
         module.figures = new Map(module.elements.map(element =>
             [+element.dataset.number, new Figure(element, module)]));
+        // What nobody sees need not get better.
+        const inView = new Set();
+        const tell = figure => module.worker.postMessage({
+            figure, [inView.has(figure) && !document.hidden ? 'awake' : 'asleep']: true,
+        });
         const watched = new IntersectionObserver(changes => {
-            for (const { target, isIntersecting } of changes)
-                module.worker.postMessage({ figure: +target.dataset.number,
-                                            [isIntersecting ? 'awake' : 'asleep']: true });
+            for (const { target, isIntersecting } of changes) {
+                const figure = +target.dataset.number;
+                inView[isIntersecting ? 'add' : 'delete'](figure);
+                tell(figure);
+            }
         }, { rootMargin: '300px' });
         for (const element of module.elements) watched.observe(element);
+        document.addEventListener('visibilitychange', () => module.figures.forEach((_, figure) => tell(figure)));
     }
 
     function load(chapter) {

@@ -33,7 +33,7 @@ class Space {
     double toward(rt::Vec3 p) const { return distance + rt::dot(p - eye_, basis_.w); }
     rt::Vec3 back() const { return basis_.w; }
 
-    std::vector<Point> to_page(std::initializer_list<rt::Vec3> points) const {
+    std::vector<Point> corners(std::initializer_list<rt::Vec3> points) const {
         std::vector<Point> places;
         for (const rt::Vec3 p : points) places.push_back(to_page(p));
         return places;

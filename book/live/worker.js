@@ -66,9 +66,9 @@ function draw({ figure, values, drag, ranges, width, ratio }) {
 onmessage = async ({ data }) => {
     try {
         if (data.code) {
-            const { instance } = await WebAssembly.instantiate(
-                Uint8Array.from(atob(data.code), letter => letter.charCodeAt(0)), imports);
-            wasm = instance.exports;
+            const packed = new Blob([Uint8Array.from(atob(data.code), letter => letter.charCodeAt(0))]);
+            const code = new Response(packed.stream().pipeThrough(new DecompressionStream('gzip')));
+            wasm = (await WebAssembly.instantiate(await code.arrayBuffer(), imports)).instance.exports;
             wasm._initialize?.();
             postMessage({ ready: true });
         } else if (data.asleep) {

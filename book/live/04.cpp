@@ -1,0 +1,361 @@
+// The live figures of chapter 04.
+#include <rt/hit_sphere.hpp>
+#include <rt/lambert.hpp>
+#include <rt/make_camera.hpp>
+#include <rt/render_pixel.hpp>
+
+#include "controls.hpp"
+#include "live.hpp"
+#include "scene.hpp"
+#include "space.hpp"
+
+namespace live {
+namespace {
+
+// ---- Samples of a pixel ----
+
+struct SamplesLayout {
+    Point corner;  // of the picture
+    double width, height;
+    Point zoom;  // the corner of the enlarged pixel
+    double side, page;
+};
+
+SamplesLayout samples_layout(double width) {
+    if (width < 520) {
+        const double side = 0.62 * width;
+        return {{0, 0},       width,
+                0.68 * width, {(width - side) / 2, 0.68 * width + 30},
+                side,         0.68 * width + side + 40};
+    }
+    const double height = 0.44 * width, side = 0.9 * height - 24;
+    return {{0, 0}, width - side - 30, height, {width - side - 4, (height - side) / 2 + 8}, side,
+            height};
+}
+
+// The picture's plane is 4 units wide; a unit is so many pixels of the page.
+double unit_of(const SamplesLayout& layout) {
+    return layout.width / 4;
+}
+
+struct Sampler {
+    SamplesControls c;
+    rt::Camera camera;
+
+    // Of the light at a place of a pixel.
+    double light(int column, int row, rt::Vec2 offset) const {
+        const rt::Ray ray = primary_ray(camera, column, row, offset);
+        if (c.subject == 0) {
+            const rt::Sphere ball{{c.x, c.y, 0}, 0.85};
+            const auto t = rt::hit_sphere(ball, ray, {0, rt::infinity});
+            if (!t) return 0.03;
+            return 0.25 +
+                   0.75 * lambert(surface_hit(ball, ray, *t).normal, rt::normalize({-1, 2, 2}));
+        }
+        const rt::Vec3 p = ray.at(-ray.origin.z / ray.direction.z);
+        const double r_squared = (p.x - c.x) * (p.x - c.x) + (p.y - c.y) * (p.y - c.y);
+        return 0.5 + 0.5 * std::cos(40 * r_squared);
+    }
+
+    // The average over a pixel, with the pattern that is asked for; visit(offset, light) sees each.
+    template <class Visit>
+    double average(int column, int row, Visit visit) const {
+        const int count = static_cast<int>(c.samples);
+        rt::Rng random = rt::pixel_rng(1, column, row);
+        double sum = 0;
+        int used = 0;
+        const auto take = [&](rt::Vec2 offset) {
+            const double value = light(column, row, offset);
+            visit(offset, value);
+            sum += value, ++used;
+            return rt::Color{value, value, value};
+        };
+        if (c.pattern == 2) {
+            rt::pixel_average(count, random, take);
+        } else if (c.pattern == 1) {
+            for (int i = 0; i < count; ++i) take(random_place(random));
+        } else {
+            const int n = static_cast<int>(std::sqrt(count));
+            for (int i = 0; i < n * n; ++i) take(rt::jittered_offset(i, n, {0.5, 0.5}));
+        }
+        return sum / used;
+    }
+
+    // As good as exact: many samples in the middles of cells.
+    double exact(int column, int row, int n) const {
+        double sum = 0;
+        for (int i = 0; i < n * n; ++i)
+            sum += light(column, row, rt::jittered_offset(i, n, {0.5, 0.5}));
+        return sum / (n * n);
+    }
+};
+
+struct Pixel {
+    int column, row;
+};
+Pixel chosen(const SamplesControls& c, int columns, int rows) {
+    return {std::min(static_cast<int>(c.column * columns), columns - 1),
+            std::min(static_cast<int>(c.row * rows), rows - 1)};
+}
+
+}  // namespace
+
+void draw(const SamplesControls& c, Drawing& out) {
+    const SamplesLayout layout = samples_layout(out.width);
+    out.height = layout.page;
+    const int columns = static_cast<int>(c.pixels),
+              rows = static_cast<int>(columns * layout.height / layout.width);
+    // From afar, so that a unit of the plane z = 0 is equally long everywhere in the picture.
+    const double plane_height = 4 * rows / static_cast<double>(columns);
+    const rt::Camera camera = rt::make_camera(
+        {{0, 0, 50}, {0, 0, 0}, {0, 1, 0}, 2 * std::atan(plane_height / 2 / 50)}, columns, rows);
+    const Sampler sampler{c, camera};
+    const auto gray = [](double light) {
+        return rt::mix({0.02, 0.03, 0.06}, {1, 0.93, 0.8}, light);
+    };
+
+    Bytes& picture = out.picture(columns, rows);
+    double squares = 0;
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const double value = sampler.average(column, row, [](rt::Vec2, double) {});
+            picture.set(column, row, gray(value));
+            const double error = value - sampler.exact(column, row, 8);
+            squares += error * error;
+        }
+    const double pixel = layout.width / columns;
+    const Point corner = layout.corner, opposite = corner + Point{layout.width, pixel * rows};
+    out.show(picture, corner, opposite, false);
+
+    const Pixel one = chosen(c, columns, rows);
+    const Point from = corner + pixel * Point{double(one.column), double(one.row)},
+                to = from + Point{pixel, pixel};
+    const Point zoom = layout.zoom, zoom_end = zoom + Point{layout.side, layout.side};
+    // The pixel enlarged: what really is in it, and where the samples are.
+    constexpr int fine = 96;
+    Bytes& inside = out.picture(fine, fine);
+    for (int y = 0; y < fine; ++y)
+        for (int x = 0; x < fine; ++x)
+            inside.set(
+                x, y,
+                gray(sampler.light(one.column, one.row, {(x + 0.5) / fine, (y + 0.5) / fine})));
+    out.show(inside, zoom, zoom_end);
+    if (c.pattern != 1) {
+        const int n = static_cast<int>(std::sqrt(c.samples));
+        for (int i = 1; i < n; ++i) {
+            const double at = layout.side * i / n;
+            out.line(zoom + Point{at, 0}, zoom + Point{at, layout.side},
+                     {thin(rgb(0x6ea8ff), 0.5), 1});
+            out.line(zoom + Point{0, at}, zoom + Point{layout.side, at},
+                     {thin(rgb(0x6ea8ff), 0.5), 1});
+        }
+    }
+    const double value = sampler.average(one.column, one.row, [&](rt::Vec2 offset, double light) {
+        const Point at = zoom + layout.side * Point{offset.x, offset.y};
+        out.disc(at, 5.5, rgb(0xff7a1a));
+        out.disc(at, 3.5, shown(gray(light)));
+    });
+    out.frame(zoom, zoom_end, {amber, 3});
+    out.frame(from, to, {amber, 3});
+    if (!out.is_narrow()) {
+        out.line({to.x, from.y}, zoom, {thin(amber, 0.6), 1});
+        out.line(to, {zoom.x, zoom_end.y}, {thin(amber, 0.6), 1});
+    }
+    const Point words{(zoom.x + zoom_end.x) / 2, zoom.y - 14};
+    out.text(words, "column {}, row {}", muted, Align::middle, double(one.column), double(one.row));
+
+    const Point ball = corner + Point{layout.width / 2 + unit_of(layout) * c.x,
+                                      pixel * rows / 2 - unit_of(layout) * c.y};
+    out.handle(ball);
+    out.handle(0.5 * (from + to), 0.5 * std::hypot(layout.width, layout.height), false);
+    out.say("This pixel: {.3}, exactly {.3}. Error of a pixel, root mean square over all: {.4}.",
+            value, sampler.exact(one.column, one.row, 32), std::sqrt(squares / (columns * rows)));
+}
+
+void drag(SamplesControls& c, const Drag& to) {
+    const SamplesLayout layout = samples_layout(to.width);
+    const int columns = static_cast<int>(c.pixels),
+              rows = static_cast<int>(columns * layout.height / layout.width);
+    const double height = layout.width / columns * rows, unit = unit_of(layout);
+    const Point ball =
+        layout.corner + Point{layout.width / 2 + unit * c.x, height / 2 - unit * c.y};
+    if (distance(ball, to.down) < 24) {
+        c.x += to.moved().x / unit;
+        c.y -= to.moved().y / unit;
+    } else {
+        c.column = (to.at.x - layout.corner.x) / layout.width;
+        c.row = (to.at.y - layout.corner.y) / height;
+    }
+}
+
+// ---- Random directions ----
+
+namespace {
+
+struct DirectionsLayout {
+    Point middle;  // of the hemisphere
+    double radius;
+    Point corner, opposite;  // of the bars
+    double height;
+};
+
+DirectionsLayout directions_layout(double width) {
+    if (width < 520)
+        return {{width / 2, 0.52 * width},
+                0.38 * width,
+                {34, 0.84 * width},
+                {width - 10, 1.24 * width},
+                1.24 * width + 40};
+    return {{0.27 * width, 0.28 * width},
+            0.21 * width,
+            {0.6 * width, 0.07 * width},
+            {width - 12, 0.37 * width},
+            0.37 * width + 44};
+}
+
+}  // namespace
+
+void draw(const DirectionsControls& c, Drawing& out) {
+    const DirectionsLayout layout = directions_layout(out.width);
+    out.height = layout.height;
+    const Space space{layout.middle, {0, 0, 0}, c.turn, c.up, layout.radius};
+    const rt::Vec3 normal{0, 1, 0};
+    const int count = static_cast<int>(std::lround(std::pow(10, c.count)));
+    const Ink color = c.way == 0 ? blue : orange;
+
+    const auto ring = [&](double height, Pen pen) {
+        std::vector<Point> points;
+        const double radius = std::sqrt(1 - height * height);
+        for (int i = 0; i <= 72; ++i) {
+            const double angle = rt::radians(5 * i);
+            points.push_back(
+                space.to_page({radius * std::cos(angle), height, radius * std::sin(angle)}));
+        }
+        if (height == 0) out.polygon(points, thin(color, 0.08));
+        out.path(points, pen);
+    };
+    ring(0, {ink, 1.5});
+    for (const double height : {0.25, 0.5, 0.75}) ring(height, {thin(muted, 0.5), 0.8});
+    for (int i = 0; i < 6; ++i) {
+        std::vector<Point> arc;
+        const double turn = rt::radians(30 * i);
+        for (int k = 0; k <= 36; ++k) {
+            const double angle = rt::radians(5 * k);
+            arc.push_back(space.to_page({std::cos(angle) * std::cos(turn), std::sin(angle),
+                                         std::cos(angle) * std::sin(turn)}));
+        }
+        out.path(arc, {thin(muted, 0.35), 0.8});
+    }
+
+    rt::Rng random{7, 4};
+    constexpr int bars = 10;
+    std::array<int, bars> found{};
+    std::vector<rt::Vec3> directions;
+    double cosines = 0;
+    for (int i = 0; i < count; ++i) {
+        const rt::Vec2 place = random_place(random);
+        rt::Vec3 d =
+            c.way == 0 ? rt::cosine_direction(normal, place) : rt::uniform_direction(place);
+        if (rt::dot(d, normal) < 0) d = -d;
+        directions.push_back(d);
+        const double cosine = rt::dot(d, normal);
+        cosines += cosine;
+        ++found[static_cast<std::size_t>(std::min(bars - 1, static_cast<int>(bars * cosine)))];
+    }
+    const double size = count > 600 ? 1.5 : 2.6;
+    for (const rt::Vec3 d : directions) {  // the shadows on the disk first
+        if (count < 40)
+            out.line(space.to_page(d), space.to_page({d.x, 0, d.z}), {thin(muted, 0.6), 1, 3});
+        out.disc(space.to_page({d.x, 0, d.z}), 0.8 * size, thin(muted, 0.7));
+    }
+    for (const bool is_front : {false, true})
+        for (const rt::Vec3 d : directions)
+            if ((space.toward(d) > 0) == is_front) {
+                if (count < 40)
+                    out.line(space.to_page({}), space.to_page(d), {thin(color, 0.6), 1.2});
+                out.disc(space.to_page(d), size, thin(color, is_front ? 1 : 0.55));
+            }
+    out.arrow(space.to_page({}), space.to_page({0, 1.22, 0}), {ink, 2.5});
+    out.bold = true;
+    out.text(space.to_page({0, 1.22, 0}) + Point{14, 0}, "n", ink);
+    out.bold = false;
+    out.handle_everywhere();
+
+    // How often each cosine occurs, and what is expected.
+    const Point corner = layout.corner, opposite = layout.opposite;
+    const double width = opposite.x - corner.x, height = opposite.y - corner.y;
+    const auto at = [&](double cosine, double density) {
+        return Point{corner.x + width * cosine, opposite.y - height * density / 2.4};
+    };
+    for (int i = 0; i < bars; ++i) {
+        const double share = static_cast<double>(found[static_cast<std::size_t>(i)]) / count;
+        out.box(at((i + 0.08) / bars, 0), at((i + 0.92) / bars, bars * share), thin(color, 0.6));
+    }
+    out.line(at(0, 0), at(1, 0), {muted, 1.2});
+    for (const double mark : {0.0, 0.5, 1.0})
+        out.text(at(mark, 0) + Point{0, 12}, "{.1}", muted, Align::middle, mark);
+    out.text({(corner.x + opposite.x) / 2, opposite.y + 30}, "cosine of the angle to the normal",
+             muted);
+    for (const double density : {1.0, 2.0}) {
+        out.line(at(0, density), at(1, density), {faint, 1});
+        out.text(at(0, density) + Point{-8, 0}, "{}", muted, Align::right, density);
+    }
+    out.line(at(0, c.way == 0 ? 0 : 1), at(1, c.way == 0 ? 2 : 1), {ink, 2, 5});
+    out.text(at(0.02, 2.3), "density", muted, Align::left);
+    out.say("{} directions; the mean of their cosines is {.3}, and is expected to be {.3}.",
+            double(count), cosines / count, c.way == 0 ? 2.0 / 3 : 0.5);
+}
+
+void drag(DirectionsControls& c, const Drag& to) {
+    c.turn -= 240 * to.moved().x / to.width;
+    c.up += 200 * to.moved().y / to.width;
+}
+
+// ---- The chapter's scene ----
+
+void draw(const SceneControls& c, Drawing& out) {
+    const double aspect = out.is_narrow() ? 1.3 : 1.9;
+    out.height = out.width / aspect;
+    const int columns = static_cast<int>(std::min(out.width * out.pixel_ratio, 560.0)),
+              rows = static_cast<int>(columns / aspect);
+    rt::View view = normals_aa::group_view();
+    const double turn = rt::radians(c.turn), far = view.from.z;
+    view.from = {far * std::sin(turn), view.from.y, far * std::cos(turn)};
+    view.vertical_fov = rt::radians(out.is_narrow() ? 38 : 31);
+    const auto refine = [&, scene = normals_aa::make_scene(),
+                         camera = rt::make_camera(view, columns, rows)](const auto& ending) {
+        out.refine(
+            {0, 0}, {out.width, out.height}, columns, rows, c.what == 0 ? 400 : 16,
+            [=, what = c.what, depth = static_cast<int>(c.depth)](int column, int row, int sample) {
+                rt::Rng random = rt::pixel_rng(static_cast<unsigned>(sample), column, row);
+                const rt::Ray ray = primary_ray(camera, column, row, random_place(random));
+                if (what == 0)
+                    return path_radiance(ray, scene.world, scene.materials, scene.sky, ending,
+                                         depth, random);
+                const auto hit = scene.world.hit(ray, {});
+                if (!hit) return rt::from_hex(0x3a4256);
+                const rt::Vec3 n = hit->normal;
+                if (what == 2) return rt::Color{n.x + 1, n.y + 1, n.z + 1} / 2;
+                return scene.materials.materials[static_cast<std::size_t>(hit->material)].albedo *
+                       (0.04 + 0.96 * rt::lambert(n, scene.sky.to_sun));
+            });
+    };
+    if (c.ending == 0)
+        refine(rt::SkyEnding{});
+    else if (c.ending == 1)
+        refine(rt::BlackEnding{});
+    else
+        refine(rt::RouletteEnding{});
+    out.handle_everywhere();
+    out.say(c.what == 0 ? "Paths of up to {} bounces through the scene."
+            : c.what == 1
+                ? "Lambert's law for one light, without shadows: no ray bounces."
+                : "The normal of each point: right is red, up is green, toward you is blue.",
+            c.depth);
+}
+
+void drag(SceneControls& c, const Drag& to) {
+    c.turn -= 150 * to.moved().x / to.width;
+}
+
+}  // namespace live

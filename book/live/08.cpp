@@ -1,0 +1,221 @@
+// The live figures of chapter 08.
+#include <array>
+#include <rt/lit_path.hpp>
+#include <rt/ready_scene.hpp>
+#include <rt/sample_rng.hpp>
+
+#include "controls.hpp"
+// The chapter's last scene, and the rules that place its spheres.
+#include "final_scene.cpp"
+#include "live.hpp"
+#include "placing.cpp"
+
+namespace live {
+namespace {
+
+// ---- The last scene, through a lens and fog ----
+
+constexpr rt::Effects effects{.mirror = false,
+                              .fuzz = true,
+                              .glass = true,
+                              .texture = false,
+                              .lens = true,
+                              .motion = false,
+                              .lights = true,
+                              .fog = true,
+                              .instances = true,
+                              .own = false};
+
+struct Evening {
+    rt::SceneDescription scene = effects::final_scene();
+    rt::ReadyScene<live::effects> ready{scene, 16, 9};
+};
+
+const Evening& evening() {
+    static const Evening built;
+    return built;
+}
+
+double evening_aspect(double width) {
+    return width < 520 ? 1.4 : 1.9;
+}
+
+rt::Camera evening_camera(double width, int columns, int rows) {
+    rt::View view = evening().scene.camera.view;
+    if (width < 520) view.vertical_fov = rt::radians(34);
+    return rt::make_camera(view, columns, rows);
+}
+
+}  // namespace
+
+void draw(const LensControls& c, Drawing& out) {
+    const double aspect = evening_aspect(out.width);
+    out.height = out.width / aspect;
+    const int columns = static_cast<int>(std::min(out.width * out.pixel_ratio, 440.0)),
+              rows = static_cast<int>(columns / aspect);
+    const auto& ready = evening().ready;
+    const double focus = std::pow(10, c.focus);
+    const rt::LensCamera eye{evening_camera(out.width, columns, rows), {c.aperture, focus}};
+    rt::FogBall fog;
+    fog.fog = {{{0, 0, 0}, 70}, c.fog, {1, 1, 1}, c.forward};
+    out.refine({0, 0}, {out.width, out.height}, columns, rows, 256,
+               [&ready, eye, fog](int column, int row, int sample) {
+                   rt::Rng random = rt::sample_rng(1, column, row, sample);
+                   const rt::Vec2 offset = rt::random_place(random);
+                   const rt::Ray ray = make_ray(eye, column, row, offset, random);
+                   return lit_path_radiance(ray, ready.world, ready.materials, ready.sky,
+                                            ready.lights, fog, rt::SkyEnding{}, 10, random);
+               });
+    out.handle_everywhere();
+    const double disk = c.aperture / focus / eye.camera.viewport.height * out.height;
+    if (c.fog > 0)
+        out.say(
+            "Sharp at the distance {.1}; a light far away becomes a disk of {.0} pixels. Light "
+            "goes {.0} units on average before it meets a droplet.",
+            focus, disk, 1 / c.fog);
+    else
+        out.say(
+            "Sharp at the distance {.1}; a light far away becomes a disk of {.0} pixels. There "
+            "is no fog.",
+            focus, disk);
+}
+
+// What is under the pointer gets sharp.
+void drag(LensControls& c, const Drag& to) {
+    const int columns = static_cast<int>(to.width),
+              rows = static_cast<int>(to.width / evening_aspect(to.width));
+    const rt::Camera camera = evening_camera(to.width, columns, rows);
+    const int column = std::clamp(static_cast<int>(to.at.x), 0, columns - 1),
+              row = std::clamp(static_cast<int>(to.at.y), 0, rows - 1);
+    const rt::Ray ray = rt::primary_ray(camera, column, row, {0.5, 0.5});
+    const auto hit = evening().ready.world.hit(ray, {0, rt::infinity});
+    const double far = hit ? -dot(hit->point - camera.eye, camera.basis.w) : 1e4;
+    c.focus = std::log10(std::max(1.0, far));
+}
+
+// ---- Lamps, by chance and by samples of them ----
+
+namespace {
+
+// The lights of a scene for paths that find them only by chance: none is ever chosen.
+struct FoundByChance : rt::SphereLights {
+    static rt::Real density(const rt::SphereLight&, rt::Vec3) { return 0; }
+    template <class Random>
+    static std::optional<rt::ChosenLight> choose(rt::Vec3, Random&) {
+        return {};
+    }
+};
+
+struct Night {
+    rt::WideTree world;
+    rt::MaterialSet<rt::Lambertian, rt::Metal> materials;
+    rt::SphereLights lights;
+    rt::GradientSky sky{{0.004, 0.006, 0.016}, {0.002, 0.003, 0.01}};
+};
+
+// Three lamps of this radius, as strong in all as they are when large, over a floor with balls.
+Night make_night(double lamp_radius) {
+    Night night;
+    std::vector<rt::SceneSphere> spheres;
+    night.materials.materials = {rt::Lambertian{rt::from_hex(0xc9c4bd)},
+                                 rt::Lambertian{rt::from_hex(0xf2ece2)},
+                                 rt::Metal{rt::from_hex(0xe8dcc8), 0.15}};
+    const int first_light = static_cast<int>(night.materials.materials.size());
+    const auto add = [&](rt::Vec3 center, double radius, int material) {
+        spheres.push_back({{center, radius}, material});
+    };
+    add({0, -600, 0}, 600, 0);
+    add({0, 0.95, 0}, 0.95, 1);
+    add({-2.2, 0.6, -1.6}, 0.6, 1);
+    add({2.1, 0.7, -1.7}, 0.7, 1);
+    for (int i = 0; i < 60; ++i) {  // small ones, on the spirals of a sunflower
+        const double angle = 2.39996 * i, far = 0.52 * std::sqrt(i + 6.5);
+        const rt::Vec3 center{far * std::cos(angle), 0.17, far * std::sin(angle)};
+        const bool is_free = std::none_of(spheres.begin() + 1, spheres.end(), [&](const auto& s) {
+            return rt::length(s.shape.center - center) < s.shape.radius + 0.2;
+        });
+        if (is_free) add(center, 0.17, i % 5 == 0 ? 2 : 1);
+    }
+    struct Lamp {
+        rt::Vec3 center;
+        rt::Color light;
+    };
+    const std::array lamps{Lamp{{-2.3, 1.7, 1.0}, {1.15, 0.48, 0.09}},
+                           Lamp{{0.3, 2.7, -1.9}, {0.13, 0.47, 1.3}},
+                           Lamp{{2.4, 1.5, 1.1}, {1.25, 0.12, 0.33}}};
+    night.lights.first_material = first_light;
+    for (const Lamp& lamp : lamps) {
+        add(lamp.center, lamp_radius, first_light + static_cast<int>(night.lights.lights.size()));
+        const double strength = 1.7 / (lamp_radius * lamp_radius);
+        night.lights.lights.push_back({{lamp.center, lamp_radius}, strength * lamp.light});
+    }
+    night.world = rt::make_wide_tree(spheres);
+    return night;
+}
+
+}  // namespace
+
+void draw(const LampsControls& c, Drawing& out) {
+    const bool narrow = out.is_narrow();
+    const double gap = 12, title = 26;
+    const double wide = narrow ? out.width : (out.width - gap) / 2, high = wide * 0.66;
+    const int columns = static_cast<int>(std::min(wide * out.pixel_ratio, 360.0)),
+              rows = static_cast<int>(columns * 0.66);
+    out.height = narrow ? 2 * high : high + title;
+
+    const double turn = rt::radians(c.turn);
+    const rt::Camera camera = rt::make_camera({{10.5 * std::sin(turn), 4.4, 10.5 * std::cos(turn)},
+                                               {0, 0.9, 0},
+                                               {0, 1, 0},
+                                               rt::radians(30)},
+                                              columns, rows);
+    const auto night = std::make_shared<Night>(make_night(c.radius));
+    const FoundByChance by_chance{night->lights};
+    // One picture holds both: side by side, or one above the other.
+    const Point corner{0, narrow ? 0 : title};
+    out.refine(corner, {out.width, out.height}, narrow ? columns : 2 * columns,
+               narrow ? 2 * rows : rows, static_cast<int>(c.samples),
+               [night, by_chance, camera, columns, rows](int column, int row, int sample) {
+                   const bool is_first = column < columns && row < rows;
+                   rt::Rng random = rt::sample_rng(1, column % columns, row % rows, sample);
+                   const rt::Ray ray = rt::primary_ray(camera, column % columns, row % rows,
+                                                       rt::random_place(random));
+                   const auto light = [&](const auto& lights) {
+                       return lit_path_radiance(ray, night->world, night->materials, night->sky,
+                                                lights, rt::NoFog{}, rt::SkyEnding{}, 6, random);
+                   };
+                   return is_first ? light(by_chance) : light(night->lights);
+               });
+    // Paper between the two.
+    const Point middle{out.width / 2, (corner.y + out.height) / 2};
+    if (narrow)
+        out.box(middle - Point{middle.x, 3}, middle + Point{middle.x, 3}, paper);
+    else
+        out.box({middle.x - gap / 2, corner.y}, {middle.x + gap / 2, out.height}, paper);
+    out.bold = true;
+    if (narrow) {
+        out.on_picture = true;
+        out.text({10, 16}, "Lamps found by chance", ink, Align::left);
+        out.text({10, high + 16}, "Lamps sampled", ink, Align::left);
+        out.on_picture = false;
+    } else {
+        out.text({0, 12}, "Lamps found by chance", ink, Align::left);
+        out.text({wide + gap, 12}, "Lamps sampled, at each bounce", ink, Align::left);
+    }
+    out.bold = false;
+    out.handle_everywhere();
+
+    double directions = 0;  // that lead to a lamp: the share of a hemisphere
+    for (const rt::SphereLight& lamp : night->lights.lights)
+        directions += 1 / (2 * rt::pi * rt::light_density(lamp.shape, {0, 0, 1.6}));
+    out.say(
+        "From the middle of the floor, one direction in {.0} leads to a lamp. The light of the "
+        "lamps is the same, however small they are.",
+        1 / directions);
+}
+
+void drag(LampsControls& c, const Drag& to) {
+    c.turn -= 90 * to.moved().x / to.width;
+}
+
+}  // namespace live
