@@ -256,6 +256,9 @@ async function tryLiveFigures(name) {
 
         before = await state();
         const [x, y, radius] = await figure.evaluate(element => element.figure.handles[0] ?? []);
+        await canvas.evaluate((canvas, y) => scrollBy({
+            top: canvas.getBoundingClientRect().top + Math.max(0, y) - 300, behavior: 'instant',
+        }), y);
         const box = await canvas.boundingBox();
         check(x !== undefined, says('has nothing to drag'));
         const from = radius < 0 ? { x: box.x + box.width / 2, y: box.y + box.height / 3 } : { x: box.x + x, y: box.y + y };
