@@ -192,7 +192,7 @@ class Drawing {
     bool bold = false;
     bool on_picture = false;  // white with a dark rim
 
-    // What can be dragged: a round place. With grip, a ring shows it.
+    // A disk that can be dragged. With grip, a ring shows it.
     void handle(Point at, double radius = 16, bool grip = true) {
         if (grip) {
             disc(at, 9, thin(accent, 0.25));
@@ -200,11 +200,8 @@ class Drawing {
         }
         begin(Op::handle, ink, {at.x, at.y, radius});
     }
-    // All of the drawing can be dragged: across, while a touch upward or downward scrolls the page;
-    // or in every direction.
-    void handle_everywhere(bool every_direction = false) {
-        begin(Op::handle, ink, {0, 0, every_direction ? -2.0 : -1.0});
-    }
+    // The whole drawing can be dragged; a touch that moves up or down scrolls the page, though.
+    void handle_everywhere() { begin(Op::handle, ink, {0, 0, -1}); }
 
     // A picture in a box. It must live on until the next draw(): keep it by picture(columns, rows).
     void show(const Bytes& bytes, Point corner, Point opposite, bool smooth = true) {
