@@ -27,8 +27,6 @@ function control(chapter, figure, { name, label, kind = 'range', options, ...res
     const id = `live-${chapter}-${figure}-${name}`.replaceAll('_', '-');
     const shared = `id="${id}" data-control="${name}"`;
     const text = escape(label);
-    if (kind === 'check')
-        return `<label class="check"><input type="checkbox" ${shared}${rest.value ? ' checked' : ''}> ${text}</label>`;
     if (kind === 'choice')
         return `<label>${text} <select ${shared} autocomplete="off">${options.map((option, i) =>
             `<option value="${i}"${i === rest.value ? ' selected' : ''}>${escape(option)}</option>`).join('')}</select></label>`;

@@ -36,14 +36,13 @@
     function shown(value, how) {
         if (how === 'e') return scientific(value);
         if (how === '+') return (value >= 0 ? '+' : '') + plain(value);
-        if (how === 'full') return minus(String(value));
         if (how.startsWith('.') && Number.isFinite(value))
             return minus(value.toFixed(+how.slice(1)).replace(/^-(?=[0.]*$)/, ''));  // no negative zero
         return plain(value);
     }
     const filled = (words, values) => {
         let next = 0;
-        return words.replace(/\{(full|e|\+|\.\d+|)\}/g, (_, how) => shown(values[next++], how));
+        return words.replace(/\{(e|\+|\.\d+|)\}/g, (_, how) => shown(values[next++], how));
     };
 
     // ---- Strokes ----
@@ -127,16 +126,13 @@
         // ---- Controls ----
 
         get values() {
-            return this.inputs.map(input => input.type === 'checkbox' ? +input.checked : +input.value);
+            return this.inputs.map(input => +input.value);
         }
         get ranges() {
             return this.inputs.map(input => input.type === 'range' ? [+input.min, +input.max] : [0, 1e9]);
         }
         setValues(values) {
-            this.inputs.forEach((input, i) => {
-                if (input.type === 'checkbox') input.checked = values[i] > 0;
-                else input.value = values[i];
-            });
+            this.inputs.forEach((input, i) => { input.value = values[i]; });
             this.nameValues();
         }
         nameValues() {
@@ -247,7 +243,7 @@
             this.progress.hidden = samples < 2;
             if (samples > 1) {
                 this.progress.style.setProperty('--done', done / samples);
-                this.progress.textContent = `${done} of ${samples} samples a pixel`;
+                this.progress.textContent = `${done} of ${samples} samples per pixel`;
             }
             if (!this.element.dataset.first) {
                 this.element.dataset.first = Math.round(performance.now() - this.module.loaded);
