@@ -9,7 +9,7 @@ import { parseArgs } from 'node:util';
 import MiniSearch from 'minisearch';
 import subsetFont from 'subset-font';
 import { escape, mathLetters, render } from './markdown.mjs';
-import { figure, find, folders, modules, sources } from './live.mjs';
+import { figure, find, folders, modules, written } from './live.mjs';
 import { layout } from './layout.mjs';
 import { mistakesPage } from './mistakes.mjs';
 import { compared, img, rightPicture, sizeOf } from './pictures.mjs';
@@ -98,7 +98,7 @@ function resolver(source) {
         },
         live(name, still, isBelow) {
             if (!find(name)) throw new Error(`no live figure has the name ${name}: see book/live`);
-            if (liveFigures.has(name)) throw new Error(`the live figure ${name} is there twice`);
+            if (liveFigures.has(name)) throw new Error(`the live figure ${name} occurs twice`);
             liveFigures.add(name);
             return figure(name, still, isBelow);
         },
@@ -167,7 +167,7 @@ const compiled = await modules(
     new Set([...liveFigures].map(name => name.slice(0, 2))), chapters, join(root, 'out/live-cache'), first,
     (chapter, error) => {
         withoutFirst.add(chapter);
-        console.log(`chapter ${chapter}: its figures run the solution's code, because with yours they do not compile: ` +
+        console.log(`chapter ${chapter}: its figures run the solution's code, because they do not compile with yours: ` +
             (/^.*\berror: .*/m.exec(error.message)?.[0] ?? error.message.split('\n')[0]).replace(root + '/', ''));
     });
 if (compiled) {
@@ -178,9 +178,7 @@ if (compiled) {
 }
 function exercisesOf(chapter) {
     if (withoutFirst.has(chapter)) return [];
-    const { here: folder, float } = sources(chapter, chapters, first);
-    return exercisesUsed([join(folder, `${chapter}.cpp`), ...(float ? [float] : [])], folders(chapter, chapters, first),
-                         first, chapters);
+    return exercisesUsed(written(chapter), folders(chapter, chapters, first), first, chapters);
 }
 if (compiled && first)
     for (const page of pages) {

@@ -27,7 +27,7 @@ function contents(pages, current) {
 const step = (page, relation, arrow) => !page ? '<span></span>'
     : `<a rel="${relation}" href="${page.out}"><small>${arrow}</small> ${escape(page.name)}</a>`;
 
-// Without live figures, their still pictures are all that one sees of them.
+// If the live figures were not compiled, the page shows only their still pictures.
 export function layout(page, pages, title, hasLiveFigures) {
     const live = hasLiveFigures && page.html.includes('<figure class="live') ? '\n<script src="assets/live.js"></script>' : '';
     const at = pages.indexOf(page);

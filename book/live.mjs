@@ -1,10 +1,10 @@
 // The live figures: what course headers compute is compiled with Emscripten, one module a chapter, and drawn
-// by the page. How a figure is added stands in live/live.hpp.
+// by the page. live/live.hpp says how to add a figure.
 import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
@@ -14,7 +14,7 @@ const here = join(dirname(fileURLToPath(import.meta.url)), 'live'), root = dirna
 const run = promisify(execFile);
 const emcc = process.env.EMCC ?? 'emcc';
 
-// Of each chapter that has figures, by its number: their descriptions by their names.
+// For the number of each chapter that has figures: their descriptions by name.
 export const described = new Map(readdirSync(here).filter(name => /^\d\d\.json$/.test(name)).sort()
     .map(name => [name.slice(0, 2), JSON.parse(readFileSync(join(here, name), 'utf8'))]));
 
@@ -27,8 +27,6 @@ function control(chapter, figure, { name, label, kind = 'range', options, ...res
     const id = `live-${chapter}-${figure}-${name}`.replaceAll('_', '-');
     const shared = `id="${id}" data-control="${name}"`;
     const text = escape(label);
-    if (kind === 'check')
-        return `<label class="check"><input type="checkbox" ${shared}${rest.value ? ' checked' : ''}> ${text}</label>`;
     if (kind === 'choice')
         return `<label>${text} <select ${shared} autocomplete="off">${options.map((option, i) =>
             `<option value="${i}"${i === rest.value ? ' selected' : ''}>${escape(option)}</option>`).join('')}</select></label>`;
@@ -39,7 +37,7 @@ function control(chapter, figure, { name, label, kind = 'range', options, ...res
     return slider + (rest.play ? `<button type="button" data-plays="${name}">Play</button>` : '');
 }
 
-// The figure around the still picture, which stays where there are no scripts, and in print. Below it, if asked.
+// A live figure in place of a still picture, or below it. The still picture remains without scripts, and in print.
 export function figure(name, still, isBelow) {
     const [chapter, own] = name.split('.'), { shows, try: attempt, controls } = find(name);
     const number = Object.keys(described.get(chapter)).indexOf(own);
@@ -53,7 +51,7 @@ export function figure(name, still, isBelow) {
 
 // ---- Compiled --------------------------------------------------------------------------------
 
-// A struct of controls for each figure, and the source that makes a module of them.
+// A struct of controls for each figure, and the source that joins the figures in a module.
 function generated(chapter) {
     const figures = Object.entries(described.get(chapter));
     const structs = figures.map(([name, { controls }]) =>
@@ -68,27 +66,30 @@ function generated(chapter) {
     };
 }
 
-// What a folder on the include path holds; figures include sources of a chapter's program, too.
+// The headers in a folder on the include path, and its sources, since figures include those of a program, too.
 const headers = folder => [folder, ...['rt', 'app', 'study'].map(name => join(folder, name))].filter(existsSync).flatMap(one =>
     readdirSync(one).filter(name => /\.[ch]pp$/.test(name)).sort().map(name => join(one, name)));
 
-// The include folders of a chapter's figures, first to last: as those of its program.
+// The include folders of a chapter's figures, in the order of its program's.
 export function folders(chapter, chapters, first) {
     const upTo = chapters.filter(one => one.number <= chapter).reverse();
     return [...(first ? [first] : []), ...upTo.map(one => join(root, 'solutions', one.name)), join(root, 'common'),
             join(root, 'chapters', upTo[0].name)];
 }
 
-// The wide trees of chapter 07 on are twice as fast with SIMD, and give the same bits.
+// The wide trees, from chapter 07 on, are twice as fast with SIMD, and give the same bits.
 const flags = ['-std=c++20', '-O2', '-msimd128', '-ffp-contract=off', '-Wall', '-Wextra', '-include', join(here, 'missing.hpp')];
 const linked = ['-sSTANDALONE_WASM', '--no-entry', '-sALLOW_MEMORY_GROWTH=1'];
 
+// The sources that a person wrote for a chapter's figures. The second, if there is one, is compiled in float.
+export const written = chapter =>
+    [`${chapter}.cpp`, `${chapter}.float.cpp`].map(name => join(here, name)).filter(existsSync);
+
 // What compiling a chapter's figures takes, also by another compiler: see live/native.mjs.
-export function sources(chapter, chapters, first) {
-    const float = join(here, `${chapter}.float.cpp`);
-    return { generated: generated(chapter), float: existsSync(float) ? float : undefined,
-             include: folders(chapter, chapters, first).flatMap(folder => ['-I', folder]) };
-}
+export const sources = (chapter, chapters, first) => ({
+    generated: generated(chapter), float: written(chapter)[1],
+    include: folders(chapter, chapters, first).flatMap(folder => ['-I', folder]),
+});
 
 async function compile(chapter, chapters, first, cache) {
     const { generated: made, float, include } = sources(chapter, chapters, first);
@@ -96,7 +97,7 @@ async function compile(chapter, chapters, first, cache) {
     hash.update(JSON.stringify([version, flags, linked, made]));
     const own = readdirSync(here).filter(name => name.endsWith('.hpp') || name.startsWith(chapter) && name.endsWith('.cpp'));
     for (const file of [...own.sort().map(name => join(here, name)), ...folders(chapter, chapters, first).flatMap(headers)])
-        hash.update(file.slice(file.lastIndexOf('/') + 1)).update('\0').update(readFileSync(file));
+        hash.update(basename(file)).update('\0').update(readFileSync(file));
     const kind = `${chapter}-${first ? 'first' : 'solution'}-`;
     const kept = join(cache, `${kind}${hash.digest('hex').slice(0, 16)}.wasm`);
     if (existsSync(kept)) return readFileSync(kept);
@@ -116,7 +117,7 @@ async function compile(chapter, chapters, first, cache) {
         await run(emcc, ['-O2', ...linked, ...compiled, '-o', to]);
         const code = readFileSync(to);
         mkdirSync(cache, { recursive: true });
-        for (const old of readdirSync(cache)) if (old.startsWith(kind)) rmSync(join(cache, old));
+        for (const old of readdirSync(cache)) if (old.startsWith(kind)) rmSync(join(cache, old), { force: true });
         writeFileSync(kept, code);
         return code;
     } catch (error) {
@@ -127,15 +128,15 @@ async function compile(chapter, chapters, first, cache) {
     }
 }
 
-// What emcc calls itself; none where it is missing.
+// What emcc calls itself; undefined if it is missing.
 const version = await run(emcc, ['--version']).then(({ stdout }) => stdout.split('\n')[0], () => undefined);
 
-// The compiled figures of a chapter; none without Emscripten.
+// The compiled figures of a chapter; undefined without Emscripten.
 export const code = (chapter, chapters, cache, first) => version && compile(chapter, chapters, first, cache);
 
-// The modules of these chapters, as scripts for the pages by the chapter's number; none without Emscripten. The
-// learner's headers in the folder `first`, if there is one, come before the solution's; a chapter that does not
-// compile with them is compiled without them, and refused(chapter, error) is told.
+// For the number of each of these chapters: its module, as a script for the pages; undefined without Emscripten. The
+// learner's headers in the folder `first`, if there is one, come before the solution's. A chapter that does not
+// compile with them is compiled without them, after a call of refused(chapter, error).
 export async function modules(wanted, chapters, cache, first, refused) {
     if (!version) return undefined;
     const worker = readFileSync(join(here, 'worker.js'), 'utf8');

@@ -61,9 +61,11 @@ rules.code_block = (tokens, index) =>
     `<pre class="scroll"><code>${escape(tokens[index].content)}</code></pre>\n`;
 rules.table_open = () => '<div class="scroll"><table>\n';
 rules.table_close = () => '</table></div>\n';
+// A still picture, and the live figure that belongs to its token, if any.
+const withLive = ({ meta }, still, env) => meta?.live ? env.live(meta.live.name, still, meta.live.isBelow) : still;
+
 rules.html_block = rules.html_inline = (tokens, index, options, env) =>
-    tokens[index].content.replace(/<!--[^]*?-->/g, '') +
-    (tokens[index].meta?.live ?? []).map(({ name, isBelow }) => env.live(name, '', isBelow)).join('');
+    tokens[index].content.replace(/<!--[^]*?-->/g, '') + withLive(tokens[index], '', env);
 rules.heading_open = (tokens, index, options, env, self) => {
     env.slugger ??= new GithubSlugger();
     const token = tokens[index], text = plain(tokens[index + 1]);
@@ -79,7 +81,7 @@ rules.heading_close = (tokens, index, options, env, self) => {
 rules.image = (tokens, index, options, env) => {
     const token = tokens[index];
     const picture = env.picture(token.attrGet('src'), token.content, token.meta?.beside);
-    return (token.meta?.live ?? []).reduce((still, { name, isBelow }) => env.live(name, still, isBelow), picture);
+    return withLive(token, picture, env);
 };
 rules.link_open = (tokens, index, options, env) => {
     const href = env.link(tokens[index].attrGet('href'));
@@ -107,7 +109,7 @@ md.core.ruler.push('pictures', ({ tokens }) => {
         if (!first || more.length) continue;
         if (tokens[i - 1].type === 'paragraph_open' && tokens[i].children.length === 1)
             tokens[i - 1].hidden = tokens[i + 1].hidden = true;
-        if (tokens[i - 2].type !== 'tr_open') continue;
+        if (tokens[i - 2]?.type !== 'tr_open') continue;
         const cells = [];  // of this row
         for (let k = i; tokens[k - 1].type === 'td_open'; k += 3) cells.push(tokens[k]);
         if (cells.filter(cell => picturesOf(cell).length).length !== 2) continue;
@@ -121,20 +123,18 @@ md.core.ruler.push('pictures', ({ tokens }) => {
 
 // <!-- live: 03.roots --> in a paragraph of its own, below a picture: this figure takes the picture's place.
 // <!-- live: 03.roots below -->: it comes below the picture, or below whatever else says the same in print, such as
-// a table. Several of them may follow each other.
+// a table.
 md.core.ruler.push('live', ({ tokens }) => {
     for (let i = 0; i < tokens.length; ++i) {
-        const comments = tokens[i].type === 'html_block' ? tokens[i].content.match(/<!-- live.*?-->/g) ?? [] : [];
-        if (comments.length === 0) continue;
+        const comment = tokens[i].content.trim();
+        if (tokens[i].type !== 'html_block' || !comment.startsWith('<!-- live')) continue;
+        const [, name, below] = /^<!-- live: (\d\d\.\w+)( below)? -->$/.exec(comment) ?? [];
+        if (!name) throw new Error(`not understood: ${comment}: it must be <!-- live: 03.name --> or ` +
+                                   '<!-- live: 03.name below -->, in a paragraph of its own');
         const [picture, ...more] = tokens[i - 2]?.type === 'inline' ? tokens[i - 2].children : [];
-        const isPicture = picture?.type === 'image' && more.length === 0;
-        const live = comments.map(comment => {
-            const [, name, below] = /^<!-- live: (\d\d\.\w+)( below)? -->$/.exec(comment) ?? [];
-            if (!name) throw new Error(`not understood: ${comment}: it must be <!-- live: 03.name --> or ` +
-                                       '<!-- live: 03.name below -->');
-            if (!isPicture && !below) throw new Error(`no picture alone above ${comment}`);
-            return { name, isBelow: Boolean(below) };
-        });
+        const isPicture = picture?.type === 'image' && more.length === 0 && !picture.meta?.live;
+        if (!isPicture && !below) throw new Error(`no picture alone above ${comment}`);
+        const live = { name, isBelow: Boolean(below) };
         if (isPicture) {
             picture.meta = { ...picture.meta, live };
             tokens.splice(i--, 1);

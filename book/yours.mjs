@@ -1,9 +1,9 @@
-// Whose code the live figures run, where the learner's headers come before the solution's.
+// Whose code the live figures run if the learner's headers come before the solution's.
 import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 
-// The files of the course that a source includes, and that those include: each where a compiler with these
-// include folders finds it first.
+// The files of the course that a source includes, directly or through others, as a compiler with these include
+// folders finds them.
 function included(source, folders, found = new Set()) {
     for (const [, kind, name] of readFileSync(source, 'utf8').matchAll(/^\s*#\s*include\s*([<"])([\w./]+)[>"]/gm)) {
         const file = [...(kind === '"' ? [dirname(source)] : []), ...folders]
@@ -15,17 +15,17 @@ function included(source, folders, found = new Set()) {
     return found;
 }
 
-// The exercises of these chapters whose answers in the folder `first` go into the sources. That folder holds the
-// learner's headers that pass, and nothing else.
+// The exercises of these chapters whose answers in the folder `first` the sources include. That folder holds those of
+// the learner's headers that pass, and nothing else.
 export function exercisesUsed(sources, folders, first, chapters) {
     const files = new Set(sources.flatMap(source => [...included(source, folders)]));
     return chapters.flatMap(chapter => chapter.exercises ?? [])
         .filter(exercise => exercise.files.some(file => files.has(join(first, file)))).map(({ id }) => id);
 }
 
-// What a page with figures says of that; `refused` where they do not compile with the learner's headers.
+// What a page with figures says about it; `refused` if they do not compile with the learner's headers.
 export function whose(ids, refused = false) {
-    if (ids.length > 0) return `These figures run your code of ${ids.join(', ')}; the rest is the solution’s.`;
+    if (ids.length > 0) return `These figures run your code for ${ids.join(', ')}; the rest is the solution’s.`;
     return 'These figures run the solution’s code: ' +
-        (refused ? 'with yours they do not compile.' : 'none of yours that they need passes yet.');
+        (refused ? 'they do not compile with yours.' : 'none of your answers that they need passes yet.');
 }

@@ -1,8 +1,10 @@
-// Whose code a figure runs is found in what it includes, and how.
+// What a figure includes tells whose code it runs.
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { folders, written } from './live.mjs';
 import { exercisesUsed, whose } from './yours.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'yours-'));
@@ -32,7 +34,16 @@ try {
 } finally {
     rmSync(folder, { recursive: true });
 }
-assert.equal(whose(['01.2', '03.1']), 'These figures run your code of 01.2, 03.1; the rest is the solution’s.');
-assert.match(whose([]), /the solution’s code: none of yours/);
-assert.match(whose([], true), /the solution’s code: with yours they do not compile/);
+
+// The figures of chapter 03, for somebody who has the solution's answers to 03.1 to 03.4.
+const root = dirname(dirname(fileURLToPath(import.meta.url)));
+const { chapters } = JSON.parse(readFileSync(join(root, 'course.json')));
+const numbered = chapters.map(chapter => ({ ...chapter, number: chapter.name.slice(0, 2) }));
+const answers = join(root, 'solutions/03_sphere');
+assert.deepEqual(exercisesUsed(written('03'), folders('03', numbered, answers), answers, chapters),
+                 ['03.1', '03.2', '03.3']);
+
+assert.equal(whose(['01.2', '03.1']), 'These figures run your code for 01.2, 03.1; the rest is the solution’s.');
+assert.match(whose([]), /the solution’s code: none of your answers/);
+assert.match(whose([], true), /the solution’s code: they do not compile with yours/);
 console.log('whose code a figure runs: found');

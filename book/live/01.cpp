@@ -17,11 +17,20 @@ namespace {
 rt::Vec3 in_space(Point p) {
     return {p.x, p.y, 0};
 }
-Point in_plane(rt::Vec3 v) {
-    return {v.x, v.y};
+// A product of two vectors that are whole numbers of steps, a drag's or a slider's: exact, so that
+// it is 0 if it looks like 0.
+template <class Product>
+double product_of_steps(Point a, Point b, double steps_per_unit, Product product) {
+    const auto steps = [=](Point p) {
+        return rt::Vec3{std::round(steps_per_unit * p.x), std::round(steps_per_unit * p.y), 0};
+    };
+    return product(steps(a), steps(b)) / (steps_per_unit * steps_per_unit);
+}
+double cross_z(rt::Vec3 a, rt::Vec3 b) {
+    return rt::cross(a, b).z;
 }
 
-// The nearest of some handles to the place where the pointer went down.
+// The handle that is nearest to where the pointer went down.
 template <std::size_t Count>
 std::size_t nearest_of(const std::array<Point, Count>& places, Point down) {
     std::size_t nearest = 0;
@@ -44,24 +53,23 @@ void draw(const ProductsControls& c, Drawing& out) {
     out.height = 2 * at.at.y;
     draw_grid(out, at);
     const Point a{c.ax, c.ay}, b{c.bx, c.by}, origin = at.to_page({0, 0});
-    const rt::Vec3 in_space_a = in_space(a), in_space_b = in_space(b);
-    const double product = rt::dot(in_space_a, in_space_b),
-                 area = rt::cross(in_space_a, in_space_b).z;
+    const double product = product_of_steps(a, b, 10, rt::dot),
+                 area = product_of_steps(a, b, 10, cross_z);
 
-    // The parallelogram: blue where b has to turn to the left to come to a, else orange.
+    // The parallelogram: blue if b has to turn left to point along a, else orange.
     out.polygon({origin, at.to_page(a), at.to_page(a + b), at.to_page(b)},
                 thin(area < 0 ? blue : orange, 0.18));
     out.path({at.to_page(a), at.to_page(a + b), at.to_page(b)},
              {thin(area < 0 ? blue : orange, 0.6), 1.2, 4});
 
     // The shadow of a on the line of b, and the angle.
-    const double b_squared = rt::dot(in_space_b, in_space_b);
-    if (b_squared > 0) {
-        const Point far = (6 / std::sqrt(b_squared)) * b, foot = (product / b_squared) * b;
+    const double b_length = rt::length(in_space(b));
+    if (b_length > 0) {
+        const Point far = (6 / b_length) * b, foot = (product / (b_length * b_length)) * b;
         out.line(at.to_page(-1 * far), at.to_page(far), {muted, 1, 3});
         out.line(at.to_page(a), at.to_page(foot), {muted, 1.5, 4});
         out.line(origin, at.to_page(foot), {green, 7});
-        if (rt::dot(in_space_a, in_space_a) > 0)
+        if (rt::length(in_space(a)) > 0)
             draw_arc(out, origin, 30, std::atan2(b.y, b.x),
                      std::atan2(b.y, b.x) - std::atan2(area, product), {ink, 1.5});
     }
@@ -77,22 +85,23 @@ void draw(const ProductsControls& c, Drawing& out) {
     out.text({12, 18}, "a · b = {.2}", green, Align::left, product);
     out.text({12, 18 + 1.5 * small}, "a × b = (0, 0, {.2})", area < 0 ? blue : orange, Align::left,
              area);
-    if (product == 0 || area == 0 || b_squared == 0)
+    if (product == 0 || area == 0)
         out.say(area == 0 ? "a and b lie on one line." : "a and b are perpendicular.");
     else
         out.say(
-            "The angle between a and b is {.1}°. The shadow is {.2} long, and {.2} · {.2} is the "
-            "dot "
-            "product; the parallelogram's area is {.2}.",
-            std::abs(std::atan2(area, product)) / rt::radians(1), product / std::sqrt(b_squared),
-            product / std::sqrt(b_squared), rt::length(in_space_b), std::abs(area));
+            "The angle between a and b is {.1}°. The shadow’s length, negative if it points "
+            "against "
+            "b, times the length of b is the dot product: {.2} · {.2}. The parallelogram’s area is "
+            "{.2}.",
+            in_degrees(std::abs(std::atan2(area, product))), product / b_length, b_length,
+            std::abs(area));
 }
 
 void drag(ProductsControls& c, const Drag& to) {
     const Frame at = products_frame(to.width);
     const std::array tips{at.to_page({c.ax, c.ay}), at.to_page({c.bx, c.by})};
     const std::size_t tip = nearest_of(tips, to.down);
-    // To whole tenths, so that right angles can be met.
+    // To whole tenths, so that you can hit right angles.
     const Point now = at.to_plane(tips[tip] + to.moved()),
                 rounded{std::round(10 * now.x) / 10, std::round(10 * now.y) / 10};
     (tip == 0 ? c.ax : c.bx) = rounded.x;
@@ -112,7 +121,8 @@ rt::Mat4 matrix_of(const MatrixControls& c) {
     return rt::from_columns({c.ux, c.uy, 0}, {c.vx, c.vy, 0}, {0, 0, 1}, {c.tx, c.ty, 0});
 }
 
-// A house on the grid, from (0, 0) to (2, 2), with a door on one side to tell a mirrored one.
+// A house on the grid, two units wide. Its door is on the left, so that you see when it is
+// mirrored.
 void draw_house(Drawing& out, const Frame& at, const rt::Mat4& m, Ink color, double strength) {
     const auto place = [&](double x, double y) {
         return at.to_page(in_plane(rt::transform_point(m, {x, y, 0})));
@@ -135,7 +145,7 @@ void draw(const MatrixControls& c, Drawing& out) {
     const rt::Mat4 m = matrix_of(c);
     draw_grid(out, at);
     draw_house(out, at, {}, muted, 0.7);
-    for (int i = -5; i <= 5; ++i) {  // the grid goes with it
+    for (int i = -5; i <= 5; ++i) {  // the grid, transformed as well
         const auto place = [&](double x, double y) {
             return at.to_page(in_plane(rt::transform_point(m, {x, y, 0})));
         };
@@ -158,15 +168,15 @@ void draw(const MatrixControls& c, Drawing& out) {
     out.dot(at.to_page(corner), muted, 4);
     out.dot(at.to_page(in_plane(moved)), ink, 4);
     out.text(at.to_page(in_plane(moved)) + Point{10, 0}, "2u + v + t", ink, Align::left);
-    const double determinant = rt::cross(in_space(u), in_space(v)).z;
+    const double determinant = product_of_steps(u, v, 20, cross_z);
     out.say(determinant == 0
-                ? "The point (2, 1) goes to ({.2}, {.2}). The determinant is {}: all is flat, and "
-                  "there is no way back."
+                ? "The point (2, 1) goes to ({.2}, {.2}). The determinant is {}: everything is "
+                  "flat, and there is no way back."
             : determinant < 0
-                ? "The point (2, 1) goes to ({.2}, {.2}). The determinant is {.2}: a mirror image, "
-                  "and areas grow by the factor {.2}."
-                : "The point (2, 1) goes to ({.2}, {.2}). The determinant is {.2}: areas grow by "
-                  "this factor.",
+                ? "The point (2, 1) goes to ({.2}, {.2}). The determinant is {.2}: a mirror "
+                  "image, with areas multiplied by {.2}."
+                : "The point (2, 1) goes to ({.2}, {.2}). The determinant is {.2}: areas are "
+                  "multiplied by it.",
             moved.x, moved.y, determinant, -determinant);
 }
 
@@ -230,7 +240,7 @@ void draw(const NormalsControls& c, Drawing& out) {
     draw_ellipse(out, before, {});
     draw_ellipse(out, after, m);
 
-    // All around, thin; then at the place.
+    // All around, thin; then at the point that can be dragged.
     const auto normals_at = [&](double degrees, double strength) {
         const rt::Vec3 n = in_space(on_disk(degrees)), place = rt::transform_point(m, n);
         const rt::Vec3 right = rt::normalize(rt::transform_normal(back, n)),
@@ -265,8 +275,8 @@ void draw(const NormalsControls& c, Drawing& out) {
     out.text({after.at.x + 6, bottom}, "the matrix itself", orange, Align::left);
     out.say(
         "Angle to the surface: {.1}° with the transposed inverse, {.1}° with the matrix itself.",
-        std::acos(std::clamp(rt::dot(right, surface), -1.0, 1.0)) / rt::radians(1),
-        std::acos(std::clamp(rt::dot(wrong, surface), -1.0, 1.0)) / rt::radians(1));
+        in_degrees(std::acos(std::clamp(rt::dot(right, surface), -1.0, 1.0))),
+        in_degrees(std::acos(std::clamp(rt::dot(wrong, surface), -1.0, 1.0))));
 }
 
 void drag(NormalsControls& c, const Drag& to) {
@@ -277,7 +287,7 @@ void drag(NormalsControls& c, const Drag& to) {
     const Point now = handles[handle] + to.moved();
     if (handle == 0) {
         const Point p = before.to_plane(now);
-        const double degrees = std::atan2(p.y, p.x) / rt::radians(1);
+        const double degrees = in_degrees(std::atan2(p.y, p.x));
         c.angle = degrees < 0 ? degrees + 360 : degrees;
     } else if (handle == 1) {
         c.stretch = after.to_plane(now).x;

@@ -23,8 +23,7 @@ void draw(const DomeControls& c, Drawing& out) {
     const int columns = static_cast<int>(std::min(out.width * out.pixel_ratio, 860.0)),
               rows = static_cast<int>(columns * out.height / out.width);
     const rt::Vec3 eye{0, 1.7, 0}, ahead = dome::toward(c.azimuth, c.elevation);
-    // What is above in the picture, before the camera rolls about the view: also where it looks
-    // straight up.
+    // What is above in the picture before the camera rolls, even if it looks straight up.
     const rt::Vec3 above = dome::toward(c.azimuth, c.elevation + 90),
                    right = dome::toward(c.azimuth + 90, 0);
     const double roll = rt::radians(c.roll);
@@ -38,11 +37,11 @@ void draw(const DomeControls& c, Drawing& out) {
         });
     out.handle_everywhere();
     const double h = camera.viewport.height;
-    out.say("At distance 1, a viewport {} high and {} wide.", h, camera.viewport.width);
+    out.say("At distance 1, the viewport is {} high and {} wide.", h, camera.viewport.width);
 }
 
 void drag(DomeControls& c, const Drag& to) {
-    // A pixel in the middle of the picture is so many degrees.
+    // How many degrees a pixel in the middle of the picture covers.
     const double degrees =
         2 * std::tan(rt::radians(c.fov) / 2) / dome_height(to.width) / rt::radians(1);
     c.azimuth = std::fmod(
@@ -92,7 +91,7 @@ rt::Vec3 on_wall(const rt::Ray& ray) {
     return ray.at((wall - ray.origin.z) / ray.direction.z);
 }
 
-// Which ring a ray meets, counted from the middle; `rings` beside the target.
+// Which ring a ray meets, counted from the middle; `rings` if it misses the target.
 int ring(const rt::Ray& ray) {
     const rt::Vec3 p = on_wall(ray);
     return static_cast<int>(
@@ -134,7 +133,7 @@ void draw(const PixelControls& c, Drawing& out) {
         }
     };
     const auto draw_viewport = [&] {
-        // What each pixel shows, a ray through its middle each.
+        // What each pixel shows: one ray through its middle.
         for (int k = 0; k < pixel_rows; ++k)
             for (int i = 0; i < pixel_columns; ++i) {
                 const int shows = ring(primary_ray(camera, i, k, {0.5, 0.5}));

@@ -7,6 +7,7 @@
 #include "03.float.hpp"
 #include "controls.hpp"
 #include "live.hpp"
+#include "plane.hpp"
 
 namespace live {
 namespace {
@@ -20,22 +21,18 @@ Frame roots_frame(double width) {
     return {{0.5 * width, (width < 520 ? 0.32 : 0.25) * width}, {-0.85, 0}, scale};
 }
 
-// The ray as it is: it starts at the distance that was asked for, on the line that one sees.
+// The ray as it is: it starts at the distance that the slider gives, on the line that you see.
 rt::Ray far_ray(const RootsControls& c) {
     const rt::Vec3 d{1, c.slope, 0};
     const double back = std::pow(10, c.far) + start_x;
     return {rt::Vec3{start_x, c.height, 0} - back * d, d};
 }
 
-Point in_plane(rt::Vec3 p) {
-    return {p.x, p.y};
-}
-
 void draw_line(const RootsControls& c, const Frame& at, Drawing& out) {
     const Point start = at.to_page({start_x, c.height}),
                 tip = at.to_page({tip_x, c.height + (tip_x - start_x) * c.slope});
     out.arrow(start, tip, {accent, 2.5});
-    if (c.far > 0.66) {  // a gap: the ray starts far to the left
+    if (c.far > 0.61) {  // a gap: the ray starts far to the left
         const Point cut = start + 0.1 * (tip - start);
         for (const double side : {-4.0, 4.0})
             out.line(cut + Point{side - 4, 9}, cut + Point{side + 4, -9}, {muted, 1.5});
@@ -90,7 +87,7 @@ void draw(const RootsControls& c, Drawing& out) {
     out.text(one + Point{-10, 16}, "t₁", blue, Align::right);
     out.text(other + Point{12, 16}, "t₂", blue, Align::left);
 
-    // The same in float: crosses where it lands.
+    // The same in float: crosses at the points that it finds.
     const Meetings in_float = meetings_in_float(ray.origin.x, ray.origin.y, d.x, d.y);
     const Meetings textbook = textbook_meetings_in_float(ray.origin.x, ray.origin.y, d.x, d.y);
     const auto cross_at = [&](double t, Ink color, double size) {
@@ -113,7 +110,7 @@ void draw(const RootsControls& c, Drawing& out) {
               "float, this chapter: a miss");
     say_error(out.height - 13, orange, textbook, "× float, textbook: off by {e}, {e}",
               "float, textbook: a miss");
-    out.say("D/4 = {+}, so the line meets the sphere twice: t₁ = {.3}, t₂ = {.3}.", quarter, *low,
+    out.say("D/4 = {+}, so the equation has two solutions: t₁ = {.3}, t₂ = {.3}.", quarter, *low,
             high);
 }
 
@@ -138,7 +135,7 @@ Frame nearest_frame(double width) {
     return {{width / 2, height / 2}, {5, 0}, width / 10.4};
 }
 
-// In the order of the list, which is not that of their distance.
+// In the order of the list, which is not the order of their distances.
 const std::array<rt::SceneSphere, 5> row{{{{{5.2, 0.3, 0}, 0.9}, 0},
                                           {{{8.6, -0.2, 0}, 0.8}, 1},
                                           {{{3.0, -0.5, 0}, 0.7}, 2},
@@ -178,7 +175,7 @@ void draw(const NearestControls& c, Drawing& out) {
         out.bold = false;
     }
 
-    // On this part of the ray a hit still counts.
+    // The part of the ray on which a hit still counts.
     const double end = nearest ? nearest->t : 12;
     const Point start = at.to_page(in_plane(ray.origin)), tip = at.to_page(in_plane(ray.at(tip_t)));
     out.line(start, at.to_page(in_plane(ray.at(12))), {muted, 1.5, 5});
@@ -188,7 +185,7 @@ void draw(const NearestControls& c, Drawing& out) {
     out.handle(start);
     out.handle(tip);
 
-    // The list, with what came of each.
+    // The list, with the result of each test.
     const double cell = out.width / row.size(), top = 2 * at.at.y + 4;
     if (out.is_narrow()) out.text_size = 11.5;
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -212,11 +209,11 @@ void draw(const NearestControls& c, Drawing& out) {
     }
     if (nearest)
         out.say(
-            "After {} of 5: sphere {} is the nearest. From now on, only hits before t = {.2} "
+            "After {} of 5: sphere {} is the nearest. From now on, only hits up to t = {.2} "
             "count.",
             c.tried, double(nearest->number), nearest->t);
     else
-        out.say("After {} of 5: no hit. Any t above 0 would count.", c.tried);
+        out.say("After {} of 5: no hit yet. Any hit ahead counts.", c.tried);
 }
 
 void drag(NearestControls& c, const Drag& to) {
@@ -228,7 +225,7 @@ void drag(NearestControls& c, const Drag& to) {
         c.x = now.x, c.y = now.y;
     } else {
         const Point along = at.to_plane(tip + to.moved()) - in_plane(ray.origin);
-        c.angle = std::atan2(along.y, along.x) / rt::radians(1);
+        c.angle = in_degrees(std::atan2(along.y, along.x));
     }
 }
 

@@ -12,7 +12,7 @@ struct Meetings {
 // The line through (x, y, 0) along (dx, dy, 0), and the sphere of radius 1 around (0, 0, 0).
 Meetings meetings_in_float(double x, double y, double dx, double dy);
 
-// The same by the formula of textbooks: (-b -+ sqrt(b^2 - a c)) / a.
+// The same by the textbook formula: (-b -+ sqrt(b^2 - a c)) / a.
 Meetings textbook_meetings_in_float(double x, double y, double dx, double dy);
 
 }  // namespace live

@@ -42,7 +42,7 @@ struct Sampler {
     SamplesControls c;
     rt::Camera camera;
 
-    // Of the light at a place of a pixel.
+    // The light at a point of a pixel.
     double light(int column, int row, rt::Vec2 offset) const {
         const rt::Ray ray = primary_ray(camera, column, row, offset);
         if (c.subject == 0) {
@@ -57,7 +57,7 @@ struct Sampler {
         return 0.5 + 0.5 * std::cos(40 * r_squared);
     }
 
-    // The average over a pixel, with the pattern that is asked for; visit(offset, light) sees each.
+    // The average over a pixel with the chosen pattern. Calls visit(offset, light) for each sample.
     template <class Visit>
     double average(int column, int row, Visit visit) const {
         const int count = static_cast<int>(c.samples);
@@ -131,7 +131,7 @@ void draw(const SamplesControls& c, Drawing& out) {
     const Point from = corner + pixel * Point{double(one.column), double(one.row)},
                 to = from + Point{pixel, pixel};
     const Point zoom = layout.zoom, zoom_end = zoom + Point{layout.side, layout.side};
-    // The pixel enlarged: what really is in it, and where the samples are.
+    // The pixel, enlarged: what is really in it, and where the samples are.
     constexpr int fine = 96;
     Bytes& inside = out.picture(fine, fine);
     for (int y = 0; y < fine; ++y)
@@ -168,8 +168,8 @@ void draw(const SamplesControls& c, Drawing& out) {
                                       pixel * rows / 2 - unit_of(layout) * c.y};
     out.handle(ball);
     out.handle(0.5 * (from + to), 0.5 * std::hypot(layout.width, layout.height), false);
-    out.say("This pixel: {.3}, exactly {.3}. Error of a pixel, root mean square over all: {.4}.",
-            value, sampler.exact(one.column, one.row, 32), std::sqrt(squares / (columns * rows)));
+    out.say("This pixel: {.3}; exact: {.3}. Root mean square of all pixels’ errors: {.4}.", value,
+            sampler.exact(one.column, one.row, 32), std::sqrt(squares / (columns * rows)));
 }
 
 void drag(SamplesControls& c, const Drag& to) {
@@ -302,7 +302,7 @@ void draw(const DirectionsControls& c, Drawing& out) {
     }
     out.line(at(0, c.way == 0 ? 0 : 1), at(1, c.way == 0 ? 2 : 1), {ink, 2, 5});
     out.text(at(0.02, 2.3), "density", muted, Align::left);
-    out.say("{} directions; the mean of their cosines is {.3}, and is expected to be {.3}.",
+    out.say("{} directions; the mean of their cosines is {.3}, the expected mean {.3}.",
             double(count), cosines / count, c.way == 0 ? 2.0 / 3 : 0.5);
 }
 
@@ -347,11 +347,14 @@ void draw(const SceneControls& c, Drawing& out) {
     else
         refine(rt::RouletteEnding{});
     out.handle_everywhere();
-    out.say(c.what == 0 ? "Paths of up to {} bounces through the scene."
-            : c.what == 1
-                ? "Lambert's law for one light, without shadows: no ray bounces."
-                : "The normal of each point: right is red, up is green, toward you is blue.",
-            c.depth);
+    if (c.what == 1)
+        out.say("Lambert’s law for one light, without shadows: no ray bounces.");
+    else if (c.what == 2)
+        out.say("The normal at each point, as a color: x is red, y is green, z is blue.");
+    else if (c.ending == 2)
+        out.say("Roulette ends the paths, at the earliest after this many bounces: {}.", c.depth);
+    else
+        out.say("Bounces of a path: at most {}.", c.depth);
 }
 
 void drag(SceneControls& c, const Drag& to) {

@@ -5,6 +5,7 @@
 
 #include "controls.hpp"
 #include "live.hpp"
+#include "plane.hpp"
 #include "scene.hpp"
 
 namespace live {
@@ -71,13 +72,13 @@ void drag(SceneControls& c, const Drag& to) {
 namespace {
 
 // Where the beam meets the surface, and the plot beside it or below it.
-struct RaysPlaces {
+struct RaysLayout {
     Frame beams;  // a unit is the length of a beam
     Point plot_corner, plot_opposite;
     double height;
 };
 
-RaysPlaces rays_places(double width) {
+RaysLayout rays_layout(double width) {
     if (width < 520) {
         const double half = 0.43 * width;
         return {{{width / 2, half + 8}, {}, half - 8},
@@ -90,10 +91,6 @@ RaysPlaces rays_places(double width) {
             {0.66 * width, 46},
             {width - 18, height - 50},
             height};
-}
-
-Point in_plane(rt::Vec3 v) {
-    return {v.x, v.y};
 }
 
 // Light at the surface y = 0: the half of the plane below is glass.
@@ -112,9 +109,9 @@ Meeting meeting_of(const RaysControls& c, double degrees) {
             cosine,   eta,    rt::fresnel_reflectance(cosine, eta)};
 }
 
-// Part of a beam: it runs along `d` through the origin, from `begin` to `end`, and does not reach
-// beyond the surface, to the other side of `side`. Its wave fronts are `wave` apart. The share of
-// light that it carries decides how strong it is.
+// Part of a beam: it runs along `d` through the origin, from `begin` to `end`, and the surface cuts
+// it off on the side of y that `side` gives the sign of. Its wave fronts are `wave` apart. The more
+// of the light it carries, the stronger it is drawn.
 struct Beam {
     rt::Vec3 d;
     double begin, end, width, side, wave, share;
@@ -156,13 +153,9 @@ void draw_beam(Drawing& out, const Frame& at, const Beam& beam) {
 // The angle between the normal, on the side of `side`, and a ray on the side of the x axis.
 void draw_angle(Drawing& out, const Frame& at, double radius, double degrees, double x_side,
                 double side, Ink color) {
-    std::vector<Point> arc;
-    for (int i = 0; i <= 30; ++i) {
-        const double angle = rt::radians(degrees) * i / 30;
-        arc.push_back(
-            at.to_page({x_side * radius * std::sin(angle), side * radius * std::cos(angle)}));
-    }
-    out.path(arc, {color, 2});
+    const double normal = side * rt::pi / 2;
+    draw_arc(out, at.to_page({}), radius * at.scale, normal,
+             normal - side * x_side * rt::radians(degrees), {color, 2});
     const double middle = rt::radians(std::max(degrees / 2, 9.0)), far = radius + 24 / at.scale;
     out.bold = true;
     out.text(at.to_page({x_side * far * std::sin(middle), side * far * std::cos(middle)}), "{.1}°",
@@ -170,12 +163,12 @@ void draw_angle(Drawing& out, const Frame& at, double radius, double degrees, do
     out.bold = false;
 }
 
-void draw_reflectance(const RaysControls& c, const Meeting& now, const RaysPlaces& places,
+void draw_reflectance(const RaysControls& c, const Meeting& now, const RaysLayout& layout,
                       Drawing& out) {
-    const Point low{places.plot_corner.x, places.plot_opposite.y}, high = places.plot_opposite;
+    const Point low{layout.plot_corner.x, layout.plot_opposite.y}, high = layout.plot_opposite;
     const auto place = [&](double degrees, double share) {
         return Point{low.x + (high.x - low.x) * degrees / 90,
-                     low.y + (places.plot_corner.y - low.y) * share};
+                     low.y + (layout.plot_corner.y - low.y) * share};
     };
     out.text(place(0, 1) + Point{-30, -24}, "Share that is reflected", ink, Align::left);
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -210,9 +203,9 @@ void draw_reflectance(const RaysControls& c, const Meeting& now, const RaysPlace
 }  // namespace
 
 void draw(const RaysControls& c, Drawing& out) {
-    const RaysPlaces places = rays_places(out.width);
-    const Frame& at = places.beams;
-    out.height = places.height;
+    const RaysLayout layout = rays_layout(out.width);
+    const Frame& at = layout.beams;
+    out.height = layout.height;
     const Meeting now = meeting_of(c, c.angle);
     const bool inside = c.inside > 0;
     const double side = now.normal.y, wide = at.at.x - 6, reach = at.scale + 6;
@@ -223,9 +216,9 @@ void draw(const RaysControls& c, Drawing& out) {
     out.text(at.at + Point{wide - 6, -14}, "air", muted, Align::right);
     out.text(at.at + Point{wide - 6, 14}, "index {.2}", muted, Align::right, c.index);
 
-    // No wider than its footprint on the surface may be.
+    // Its footprint on the surface must fit the drawing.
     const double width = std::min(0.36, 1.1 * now.cosine), wave = 0.085;
-    const double critical = std::asin(1 / c.index) / rt::radians(1);
+    const double critical = in_degrees(std::asin(1 / c.index));
     if (inside && c.index > 1) {
         const double a = rt::radians(critical);
         out.line(at.to_page({-std::sin(a), -std::cos(a)}), at.to_page({}), {muted, 1.2, 2});
@@ -241,14 +234,13 @@ void draw(const RaysControls& c, Drawing& out) {
     draw_beam(out, at, {now.incoming, -0.93, 0, width, side, ahead, 1, amber});
     draw_angle(out, at, 0.38, c.angle, -1, side, ink);
     if (now.refracted) {
-        const double beyond =
-            std::atan2(now.refracted->x, std::abs(now.refracted->y)) / rt::radians(1);
+        const double beyond = in_degrees(std::atan2(now.refracted->x, std::abs(now.refracted->y)));
         draw_angle(out, at, 0.38, beyond, 1, -side, ink);
         out.say(inside
                     ? "At {.1}° inside, the light gets out at {.1}°: {.1} % is reflected, {.1} % "
-                      "goes through. By Schlick {.1} % would be reflected."
+                      "goes through. By Schlick, {.1} % would be reflected."
                     : "At {.1}° in air, the light goes on at {.1}° inside: {.1} % is reflected, "
-                      "{.1} % goes through. By Schlick {.1} % would be reflected.",
+                      "{.1} % goes through. By Schlick, {.1} % would be reflected.",
                 c.angle, beyond, 100 * now.reflectance, 100 * (1 - now.reflectance),
                 100 * rt::schlick_reflectance(now.cosine, now.eta));
     } else {
@@ -259,20 +251,20 @@ void draw(const RaysControls& c, Drawing& out) {
                 critical);
     }
     out.handle(at.to_page(in_plane(-0.93 * now.incoming)), 24);
-    draw_reflectance(c, now, places, out);
+    draw_reflectance(c, now, layout, out);
 }
 
 void drag(RaysControls& c, const Drag& to) {
-    const RaysPlaces places = rays_places(to.width);
-    const Frame& at = places.beams;
+    const RaysLayout layout = rays_layout(to.width);
+    const Frame& at = layout.beams;
     const Meeting then = meeting_of(c, c.angle);
     const Point lamp = at.to_page(in_plane(-0.93 * then.incoming));
     if (distance(to.down, lamp) < 45) {
         const Point p = at.to_plane(lamp + to.moved());
         c.inside = p.y < 0 ? 1 : 0;
-        c.angle = std::atan2(std::max(0.0, -p.x), std::abs(p.y)) / rt::radians(1);
+        c.angle = in_degrees(std::atan2(std::max(0.0, -p.x), std::abs(p.y)));
     } else {
-        c.angle += 90 * to.moved().x / (places.plot_opposite.x - places.plot_corner.x);
+        c.angle += 90 * to.moved().x / (layout.plot_opposite.x - layout.plot_corner.x);
     }
     c.angle = std::min(c.angle, 89.5);
 }

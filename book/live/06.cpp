@@ -71,7 +71,7 @@ std::array<Panel, 2> panels_of(const WorkersControls& c, double width) {
     return {Panel{{0, 0}, half, workers}, Panel{{half + 24, 0}, half, workers}};
 }
 
-// What is drawn at this time, in the colors of those who drew it.
+// What has been drawn by this time, in the colors of the workers that drew it.
 void draw_progress(Drawing& out, const Panel& panel, const threads::Schedule& schedule,
                    double now) {
     Bytes& map = out.picture(Work::columns, Work::rows);
@@ -146,14 +146,14 @@ void draw(const WorkersControls& c, Drawing& out) {
         draw_progress(out, panel, schedule, now);
         draw_bars(out, panel, schedule, longest, now);
         out.bold = true;
-        out.text(panel.corner + Point{0, 12}, is_tiles ? "Tiles of {}" : "Slices", ink, Align::left,
-                 size);
+        out.text(panel.corner + Point{0, 12}, is_tiles ? "Tiles of {} × {}" : "Slices", ink,
+                 Align::left, size, size);
         out.bold = false;
         int waiting = 0;
         for (int worker = 0; worker < workers; ++worker) waiting += schedule.end_of(worker) <= now;
         out.text(panel.corner + Point{panel.width, 12},
                  now >= schedule.end() ? "done"
-                 : waiting             ? "{} of {} wait"
+                 : waiting             ? "waiting: {} of {}"
                                        : "all at work",
                  waiting && now < schedule.end() ? orange : muted, Align::right, waiting, workers);
     }
@@ -177,7 +177,7 @@ constexpr int small_columns = 144, small_rows = 81, few = 4;
 
 enum class Owner { sample, worker, all };
 
-// The order in which so many workers begin their tiles. No two runs take the same time for each.
+// The order in which the workers begin their tiles. A tile takes a different time in each run.
 threads::Schedule schedule_of(const rt::TileGrid& grid, int workers, int run) {
     rt::Rng haste{static_cast<std::uint64_t>(run), 6};
     std::vector<std::uint32_t> times(static_cast<std::size_t>(grid.width * grid.height));
@@ -252,15 +252,13 @@ void draw(const StreamsControls& c, Drawing& out) {
     out.handle_everywhere();
     const double share = 100.0 * differ / (small_columns * small_rows);
     if (differ == 0)
-        out.say("In run {}, with {} at work, no pixel differs from what one worker draws.", c.run,
+        out.say("Run {}, workers: {}. No pixel differs from what one worker draws.", c.run,
                 c.workers);
     else
-        out.say(
-            "In run {}, with {} at work, {.0} % of the pixels differ from what one worker draws.",
-            c.run, c.workers, share);
+        out.say("Run {}, workers: {}. {.0} % of the pixels differ from what one worker draws.",
+                c.run, c.workers, share);
 }
 
-// Along the runs.
 void drag(StreamsControls& c, const Drag& to) {
     c.run = std::round(c.run + 12 * to.moved().x / to.width);
 }

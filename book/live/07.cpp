@@ -9,6 +9,7 @@
 
 #include "controls.hpp"
 #include "live.hpp"
+#include "plane.hpp"
 
 namespace live {
 namespace {
@@ -17,9 +18,6 @@ constexpr std::array<Ink, 6> colors{blue, orange, green, pink, amber, sky};
 
 Ink color_of(std::size_t sphere) {
     return colors[sphere % colors.size()];
-}
-Point in_plane(rt::Vec3 v) {
-    return {v.x, v.y};
 }
 
 Frame plane_frame(double width) {
@@ -44,7 +42,8 @@ std::vector<int> numbers_up_to(std::size_t count) {
     return numbers;
 }
 
-// A sphere that touches none of the others, at a place that place() draws, as large as size() says.
+// Adds `count` spheres that touch none of the others, with centers from place() and radii from
+// size(). Both are random.
 template <class Place, class Size>
 void add(std::vector<rt::SceneSphere>& spheres, int count, const Place& place, const Size& size) {
     for (int tries = 0; count > 0 && tries < 5000; ++tries) {
@@ -70,7 +69,7 @@ struct Test {
     double reach = 0;      // the nearest hit before this test
 };
 
-// A search that writes down its tests: find_nearest does the rest.
+// A search that records its tests. find_nearest does the rest.
 struct Recorded : rt::Search {
     std::span<const rt::TreeNode* const> nodes;
     std::vector<Test> tests = {};
@@ -78,6 +77,7 @@ struct Recorded : rt::Search {
     bool meets(const rt::Box& box) {
         const auto node = std::find_if(nodes.begin(), nodes.end(),
                                        [&](const auto* one) { return &one->box == &box; });
+        if (node == nodes.end()) std::abort();  // a copy of a box: the figure cannot tell whose
         const double reach = within.max;
         const bool met = Search::meets(box);
         tests.push_back(
@@ -234,7 +234,7 @@ void say_step(Drawing& out, const Test& last, std::size_t step, std::size_t coun
     if (last.node) {
         const int below = spheres_below(*last.node);
         out.say(last.met && last.node->is_leaf()
-                    ? "Step {} of {}: the ray meets the box of a leaf, so the leaf’s spheres are "
+                    ? "Step {} of {}: the ray meets the box of a leaf, so its spheres are "
                       "tried: {}."
                 : last.met ? "Step {} of {}: the ray meets this box, so its two children come next."
                 : last.behind ? "Step {} of {}: this box begins behind the nearest hit. What is in "
@@ -243,7 +243,7 @@ void say_step(Drawing& out, const Test& last, std::size_t step, std::size_t coun
                                 "{} of the spheres.",
                 step, count, below);
     } else {
-        out.say(!last.met ? "Step {} of {}: the ray does not hit this sphere, or not before the "
+        out.say(!last.met ? "Step {} of {}: the ray misses this sphere, or hits it only behind the "
                             "nearest hit so far."
                 : last.reach < rt::infinity
                     ? "Step {} of {}: a hit, and nearer than the one before. The ray ends here now."
@@ -310,8 +310,9 @@ void draw(const SearchControls& c, Drawing& out) {
     if (step == 0)
         out.say("The ray has not met anything yet. A list would test all {} spheres.", spheres);
     else if (static_cast<std::size_t>(c.step) > count)
-        out.say("Done: {} boxes and {} of the {} spheres were tested. A list tests all of them.",
-                search.box_tests, search.sphere_tests, spheres);
+        out.say(
+            "Done: {} boxes and {} of the {} spheres were tested. A list would test all of them.",
+            search.box_tests, search.sphere_tests, spheres);
     else
         say_step(out, done.back(), step, count);
 }
@@ -371,7 +372,7 @@ struct Splits {
         return static_cast<int>(std::count_if(order.begin(), order.end(),
                                               [&](int sphere) { return middle(sphere) < plane; }));
     }
-    // Where a plane splits off so many.
+    // A plane that has this many on its left.
     double plane_after(int left) const {
         const auto k = static_cast<std::size_t>(left);
         return (middle(order[k - 1]) + middle(order[k])) / 2;
@@ -387,12 +388,13 @@ struct Splits {
         return rt::surface_area(part(from, to)) / rt::surface_area(whole);
     }
     double cost(int left) const {
+        // The formula of docs/07-bvh.md; split_by_area finds only the lowest cost.
         if (left == 0 || left == count()) return count();  // no split: a leaf
         return 1 + area_share(0, left) * left + area_share(left, count()) * (count() - left);
     }
 };
 
-// The number of spheres to the left in the best split along this axis, if the best of all is one.
+// The number of spheres on the left of the best split; 0 if that is not along this axis.
 int best_left(const Splits& splits) {
     std::vector<int> order = numbers_up_to(splits.order.size());
     const int left = rt::split_by_area(order, splits.boxes);
@@ -402,16 +404,16 @@ int best_left(const Splits& splits) {
     return std::equal(here.begin(), here.end(), order.begin()) ? left : 0;
 }
 
-struct SplitPlaces {
+struct SplitLayout {
     Frame plane;
     double plot_top, plot_bottom, low, high;  // the plane's positions from the left to the right
 
     double page_x(double position) const {
-        return plane.at.x + 4.3 * plane.scale * position / high;  // below the spheres
+        return plane.at.x + 4.3 * plane.scale * position / high;
     }
 };
 
-SplitPlaces split_places(const SplitControls& c, double width) {
+SplitLayout split_layout(const SplitControls& c, double width) {
     const Frame plane = plane_frame(width);
     const double top = 2 * plane.at.y + 24, most = c.axis > 0 ? 2 : 4.3;
     return {plane, top, top + 140, -most, most};
@@ -421,28 +423,28 @@ Point on_plane(const SplitControls& c, double position) {
     return c.axis > 0 ? Point{4.35, position} : Point{position, -1.78};
 }
 
-void draw_costs(const SplitControls& c, const SplitPlaces& places, const Splits& splits,
+void draw_costs(const SplitControls& c, const SplitLayout& layout, const Splits& splits,
                 Drawing& out) {
     const double most = splits.count() * 1.08;
     const auto place = [&](double position, double cost) {
-        return Point{places.page_x(position),
-                     places.plot_bottom - cost / most * (places.plot_bottom - places.plot_top)};
+        return Point{layout.page_x(position),
+                     layout.plot_bottom - cost / most * (layout.plot_bottom - layout.plot_top)};
     };
     for (const double cost : {0.0, 5.0, 10.0, 15.0, 20.0}) {
-        out.line(place(places.low, cost), place(places.high, cost),
+        out.line(place(layout.low, cost), place(layout.high, cost),
                  {cost == splits.count() ? muted : faint, 1, cost == splits.count() ? 4.0 : 0.0});
-        out.text(place(places.low, cost) + Point{-8, 0}, "{}", muted, Align::right, cost);
+        out.text(place(layout.low, cost) + Point{-8, 0}, "{}", muted, Align::right, cost);
     }
-    std::vector<Point> steps{place(places.low, splits.count())};
+    std::vector<Point> steps{place(layout.low, splits.count())};
     for (int left = 0; left < splits.count(); ++left) {
         const double at = splits.middle(splits.order[static_cast<std::size_t>(left)]);
         steps.push_back(place(at, splits.cost(left)));
         steps.push_back(place(at, splits.cost(left + 1)));
     }
-    steps.push_back(place(places.high, splits.count()));
+    steps.push_back(place(layout.high, splits.count()));
     out.path(steps, {accent, 2});
     std::vector<Point> below = steps;
-    below.push_back(place(places.high, 0)), below.push_back(place(places.low, 0));
+    below.push_back(place(layout.high, 0)), below.push_back(place(layout.low, 0));
     out.polygon(below, thin(accent, 0.12));
     out.text_size = 12;
     const auto mark = [&](int left, std::string_view name, Ink color) {
@@ -453,9 +455,9 @@ void draw_costs(const SplitControls& c, const SplitPlaces& places, const Splits&
     mark(splits.count() / 2, "half", muted);
     if (const int best = best_left(splits)) mark(best, "best", green);
     out.text_size = 13;
-    out.text(place(places.high, splits.count()) + Point{0, -11}, "a leaf", muted, Align::right);
+    out.text(place(layout.high, splits.count()) + Point{0, -11}, "a leaf", muted, Align::right);
     out.bold = true;
-    out.text({10, places.plot_top - 12}, "Cost of a split, in sphere tests", ink, Align::left);
+    out.text({10, layout.plot_top - 12}, "Cost of a split, in sphere tests", ink, Align::left);
     out.bold = false;
     const Point now = place(c.plane, splits.cost(splits.left_of(c.plane)));
     out.line(place(c.plane, 0), place(c.plane, most), {accent, 1.5, 4});
@@ -467,10 +469,10 @@ void draw_costs(const SplitControls& c, const SplitPlaces& places, const Splits&
 
 void draw(const SplitControls& given, Drawing& out) {
     SplitControls c = given;
-    const SplitPlaces places = split_places(c, out.width);
-    c.plane = std::clamp(c.plane, places.low, places.high);
-    const Frame& at = places.plane;
-    out.height = places.plot_bottom + 14;
+    const SplitLayout layout = split_layout(c, out.width);
+    c.plane = std::clamp(c.plane, layout.low, layout.high);
+    const Frame& at = layout.plane;
+    out.height = layout.plot_bottom + 14;
     const auto spheres = arrangement(static_cast<int>(c.scene));
     const Splits splits{spheres, c.axis > 0 ? 1 : 0};
     const int left = splits.left_of(c.plane), count = splits.count();
@@ -490,7 +492,7 @@ void draw(const SplitControls& given, Drawing& out) {
     out.line(at.to_page(far), at.to_page(c.axis > 0 ? Point{4.6, c.plane} : Point{c.plane, 2.0}),
              {accent, 3});
     out.handle(at.to_page(grip), 22);
-    draw_costs(c, places, splits, out);
+    draw_costs(c, layout, splits, out);
 
     if (left == 0 || left == count)
         out.say("All {} spheres are on one side: that is no split, and costs {} tests.", count,
@@ -505,14 +507,14 @@ void draw(const SplitControls& given, Drawing& out) {
 }
 
 void drag(SplitControls& c, const Drag& to) {
-    const SplitPlaces places = split_places(c, to.width);
-    const Frame& at = places.plane;
-    c.plane = std::clamp(c.plane, places.low, places.high);
-    if (to.down.y > places.plot_top - 10)
-        c.plane += to.moved().x / (places.page_x(1) - places.page_x(0));
+    const SplitLayout layout = split_layout(c, to.width);
+    const Frame& at = layout.plane;
+    c.plane = std::clamp(c.plane, layout.low, layout.high);
+    if (to.down.y > layout.plot_top - 10)
+        c.plane += to.moved().x / (layout.page_x(1) - layout.page_x(0));
     else
         c.plane += (c.axis > 0 ? -to.moved().y : to.moved().x) / at.scale;
-    c.plane = std::clamp(c.plane, places.low, places.high);
+    c.plane = std::clamp(c.plane, layout.low, layout.high);
 }
 
 }  // namespace live

@@ -5,7 +5,7 @@
 #include <rt/sample_rng.hpp>
 
 #include "controls.hpp"
-// The chapter's last scene, and the rules that place its spheres.
+// The chapter's last scene, and how its spheres are placed.
 #include "final_scene.cpp"
 #include "live.hpp"
 #include "placing.cpp"
@@ -70,17 +70,17 @@ void draw(const LensControls& c, Drawing& out) {
     const double disk = c.aperture / focus / eye.camera.viewport.height * out.height;
     if (c.fog > 0)
         out.say(
-            "Sharp at the distance {.1}; a light far away becomes a disk of {.0} pixels. Light "
-            "goes {.0} units on average before it meets a droplet.",
+            "Sharp at the distance {.1}; a light far away becomes a disk {.0} pixels wide. On "
+            "average, light goes {.0} units before it meets a droplet.",
             focus, disk, 1 / c.fog);
     else
         out.say(
-            "Sharp at the distance {.1}; a light far away becomes a disk of {.0} pixels. There "
+            "Sharp at the distance {.1}; a light far away becomes a disk {.0} pixels wide. There "
             "is no fog.",
             focus, disk);
 }
 
-// What is under the pointer gets sharp.
+// Focuses on what is under the pointer.
 void drag(LensControls& c, const Drag& to) {
     const int columns = static_cast<int>(to.width),
               rows = static_cast<int>(to.width / evening_aspect(to.width));
@@ -93,11 +93,11 @@ void drag(LensControls& c, const Drag& to) {
     c.focus = std::log10(std::max(1.0, far));
 }
 
-// ---- Lamps, by chance and by samples of them ----
+// ---- Lamps, found by chance and sampled ----
 
 namespace {
 
-// The lights of a scene for paths that find them only by chance: none is ever chosen.
+// The lights of a scene for paths that find them only by chance: none is ever sampled.
 struct FoundByChance : rt::SphereLights {
     static rt::Real density(const rt::SphereLight&, rt::Vec3) { return 0; }
     template <class Random>
@@ -113,7 +113,7 @@ struct Night {
     rt::GradientSky sky{{0.004, 0.006, 0.016}, {0.002, 0.003, 0.01}};
 };
 
-// Three lamps of this radius, as strong in all as they are when large, over a floor with balls.
+// Three lamps of this radius over a floor with balls. Small lamps give as much light as large ones.
 Night make_night(double lamp_radius) {
     Night night;
     std::vector<rt::SceneSphere> spheres;
@@ -205,12 +205,13 @@ void draw(const LampsControls& c, Drawing& out) {
     out.bold = false;
     out.handle_everywhere();
 
-    double directions = 0;  // that lead to a lamp: the share of a hemisphere
+    double directions = 0;  // the share of the hemisphere that leads to a lamp
     for (const rt::SphereLight& lamp : night->lights.lights)
         directions += 1 / (2 * rt::pi * rt::light_density(lamp.shape, {0, 0, 1.6}));
     out.say(
-        "From the middle of the floor, one direction in {.0} leads to a lamp. The light of the "
-        "lamps is the same, however small they are.",
+        "From the floor in front of the large ball, one direction in {.0} leads to a lamp. The "
+        "lamps "
+        "give the same light, however small they are.",
         1 / directions);
 }
 

@@ -85,7 +85,7 @@ int LIVE_EXPORT(live_samples)(int figure) {
     const live::Refinement* refinement = live::drawing(figure).refinement();
     return refinement ? refinement->samples() : 0;
 }
-// The mean light of a refined picture: green, which stands for all.
+// The mean light of a refined picture, in green only.
 double LIVE_EXPORT(live_mean)(int figure) {
     return static_cast<double>(live::drawing(figure).refinement()->mean().g);
 }
@@ -106,8 +106,7 @@ std::size_t LIVE_EXPORT(live_words_size)(int figure) {
 }
 }
 
-// Nobody reads what an exercise that is still to be written would say here: the page keeps the
-// still picture.
+// A program would name the exercise that is not written yet. Here the page keeps the still picture.
 [[noreturn]] void rt::detail::throw_not_implemented(const ExerciseId&) {
     std::abort();
 }

@@ -1,26 +1,26 @@
 #pragma once
-// What a live figure of the web book is made with.
+// The tools for the live figures of the web book.
 //
-// To add one, "pencil" of chapter 03 say:
+// To add one, say "pencil" in chapter 03:
 //
 // 1. Describe it in 03.json: what it shows (for people who cannot see it), what to try, and its
-//    controls. A control has a name, a label and a value; a slider has min, max and step, may have
-//    a unit, "log": true (the figure gets the exponent of ten) and "play": steps a second (a button
-//    that moves it on); "kind": "check" is a box that is 0 or 1, "kind": "choice" has "options", of
-//    which the figure gets the number. The build makes a struct of them: live::PencilControls.
+//    controls. A control has a name, a label and a value. A slider has min, max and step, and may
+//    have a unit, "log": true (the figure gets the exponent of ten) and "play": steps per second (a
+//    button moves it on). A control of "kind": "choice" has "options" instead; the figure gets the
+//    number of the chosen one. The build makes a struct of the controls: live::PencilControls.
 // 2. Draw it in 03.cpp, in the namespace live: void draw(const PencilControls&, Drawing&). Lengths
 //    are pixels of the page, y downward; the drawing is out.width wide, and draw() says how high.
 //    Colors have names, so that they fit a dark page. All mathematics of rays comes from <rt/...>.
-// 3. If one can drag it, void drag(PencilControls&, const Drag&) changes the controls, whose values
-//    are those of the moment when the pointer went down. draw() marks what can be dragged by
-//    handle().
-// 4. A picture that gets better while one waits: out.refine(), see refine.hpp.
-// 5. Mark its place in docs/03-sphere.md, below a picture, in a paragraph of its own:
+// 3. If it can be dragged, void drag(PencilControls&, const Drag&) changes the controls; they come
+//    with the values that they had when the pointer went down. draw() marks what can be dragged
+//    with handle().
+// 4. For a picture that gets better while you wait, call out.refine(): see refine.hpp.
+// 5. Mark where it goes in docs/03-sphere.md, below a picture, in a paragraph of its own:
 //    <!-- live: 03.pencil --> puts the figure in the picture's place, <!-- live: 03.pencil below
-//    --> below it. Printed, and without scripts, the picture remains.
+//    --> puts it below. In print, and without scripts, only the picture is there.
 //
-// What needs float, in a build of double, stands in 03.float.cpp, which is compiled with Real =
-// float and the namespace rt named rt_float: see there.
+// Figures are built in double. Code that needs float goes in 03.float.cpp, which is compiled with
+// Real = float and the namespace rt named rt_float: see there.
 //
 // node book/live/try.mjs 03.pencil shoot.png [--dark] [--width 390] [name=value ...] compiles,
 // draws and photographs one figure.
@@ -39,7 +39,7 @@
 
 namespace live {
 
-// A place or an offset in the drawing, or in the plane that a Frame shows.
+// A position or an offset in the drawing, or in the plane that a Frame shows.
 struct Point {
     double x = 0, y = 0;
 
@@ -111,8 +111,8 @@ struct Bytes {
     }
 
   private:
-    // rt::to_byte from a table, since a picture that gets better asks it a million times a second.
-    // It is at most 1 off in the darkest shades.
+    // rt::to_byte from a table, because a picture that gets better needs it a million times a
+    // second. In the darkest shades it may be off by 1.
     static std::uint8_t byte(double linear) {
         static const std::vector<std::uint8_t> table = [] {
             std::vector<std::uint8_t> bytes(8193);
@@ -127,8 +127,8 @@ struct Bytes {
 class Refinement;
 
 // What a figure shows: a list of strokes that the page draws, so that they are sharp on any screen.
-// In texts, {} stands for the next number, rounded to four digits; {.2} for one with two decimals;
-// {e} for one as 1.2·10⁻⁷; {+} for one with its sign; {full} for all of its digits.
+// In texts, {} is the next number, rounded to four digits; {.2} is one with two decimals; {e} is
+// one like 1.2·10⁻⁷; {+} is one with its sign.
 class Drawing {
   public:
     double width = 640;      // pixels of the page; given
@@ -164,7 +164,7 @@ class Drawing {
     void circle(Point center, double radius, Pen pen = {}) {
         begin(Op::circle, pen.ink, {pen.width, pen.dash, center.x, center.y, radius});
     }
-    // A dot with a rim of paper, which keeps it apart from the lines that it lies on.
+    // A dot with a rim of paper, which sets it off from the lines below it.
     void dot(Point at, Ink fill, double radius = 5) {
         disc(at, radius + 1.5, paper);
         disc(at, radius, fill);
@@ -192,7 +192,7 @@ class Drawing {
     bool bold = false;
     bool on_picture = false;  // white with a dark rim
 
-    // What can be dragged: a round place. With grip, a ring shows it.
+    // A disk that can be dragged. With grip, a ring shows it.
     void handle(Point at, double radius = 16, bool grip = true) {
         if (grip) {
             disc(at, 9, thin(accent, 0.25));
@@ -200,13 +200,10 @@ class Drawing {
         }
         begin(Op::handle, ink, {at.x, at.y, radius});
     }
-    // All of the drawing can be dragged: across, while a touch upward or downward scrolls the page;
-    // or in every direction.
-    void handle_everywhere(bool every_direction = false) {
-        begin(Op::handle, ink, {0, 0, every_direction ? -2.0 : -1.0});
-    }
+    // The whole drawing can be dragged; a touch that moves up or down scrolls the page, though.
+    void handle_everywhere() { begin(Op::handle, ink, {0, 0, -1}); }
 
-    // A picture in a box. It must live on until the next draw(): keep it by picture(columns, rows).
+    // A picture in a box. It must live until the next draw(), as those from picture() do.
     void show(const Bytes& bytes, Point corner, Point opposite, bool smooth = true) {
         begin(Op::picture, ink,
               {corner.x, corner.y, opposite.x - corner.x, opposite.y - corner.y,
@@ -226,7 +223,7 @@ class Drawing {
         begin(Op::say, ink, {keep(words), static_cast<double>(numbers)...});
     }
 
-    // A picture in the box from `corner` to `opposite` that gets better while one waits: see
+    // A picture in the box from `corner` to `opposite` that gets better while you wait: see
     // refine.hpp. shade(column, row, sample) gives the color of one sample.
     using Shade = std::function<rt::Color(int column, int row, int sample)>;
     void refine(Point corner, Point opposite, int columns, int rows, int samples, Shade shade);
@@ -240,7 +237,7 @@ class Drawing {
   private:
     enum class Op { path, polygon, disc, circle, text, handle, picture, say };
 
-    // Every entry begins with its kind, how many numbers follow, and a color.
+    // Every entry begins with its kind, how many numbers follow, and a color: its code and alpha.
     void begin(Op op, Ink color, std::initializer_list<double> numbers) {
         list_.insert(list_.end(), {static_cast<double>(op), static_cast<double>(numbers.size() + 2),
                                    color.code, color.alpha});

@@ -1,5 +1,5 @@
-// Whether a live figure computes what the same code computes natively: node book/live/native.mjs. The mean light
-// of the first sample of the pictures of chapters 04 and 05 must be the same, to the last digit.
+// A live figure computes what the same code computes natively: node book/live/native.mjs. The mean light of the
+// pictures of chapters 04 and 05, after one sample per pixel, must be the same to the last digit.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

@@ -1,5 +1,5 @@
-// The page's side of its live figures: it hands controls to the worker that computes, and draws the strokes
-// that come back. Until the first of them is there, and wherever this fails, the still picture stays.
+// The page's side of its live figures: it sends the controls to the worker that computes, and draws the strokes
+// that come back. Until the first of them arrive, and if anything fails, the still picture stays.
 'use strict';
 
 (() => {
@@ -9,7 +9,7 @@
         const probe = document.createElement('span');
         document.body.append(probe);
         names.forEach((name, i) => {
-            probe.className = name;  // of a plot's color
+            probe.className = name;  // it selects a plot's color
             probe.style.color = /^c\d/.test(name) ? 'var(--c)' : `var(--${name})`;
             colors[i] = getComputedStyle(probe).color;
         });
@@ -36,13 +36,13 @@
     function shown(value, how) {
         if (how === 'e') return scientific(value);
         if (how === '+') return (value >= 0 ? '+' : '') + plain(value);
-        if (how === 'full') return minus(String(value));
-        if (how.startsWith('.') && Number.isFinite(value)) return minus(value.toFixed(+how.slice(1)));
+        if (how.startsWith('.') && Number.isFinite(value))
+            return minus(value.toFixed(+how.slice(1)).replace(/^-(?=[0.]*$)/, ''));  // no negative zero
         return plain(value);
     }
     const filled = (words, values) => {
         let next = 0;
-        return words.replace(/\{(full|e|\+|\.\d+|)\}/g, (_, how) => shown(values[next++], how));
+        return words.replace(/\{(e|\+|\.\d+|)\}/g, (_, how) => shown(values[next++], how));
     };
 
     // ---- Strokes ----
@@ -126,16 +126,13 @@
         // ---- Controls ----
 
         get values() {
-            return this.inputs.map(input => input.type === 'checkbox' ? +input.checked : +input.value);
+            return this.inputs.map(input => +input.value);
         }
         get ranges() {
             return this.inputs.map(input => input.type === 'range' ? [+input.min, +input.max] : [0, 1e9]);
         }
         setValues(values) {
-            this.inputs.forEach((input, i) => {
-                if (input.type === 'checkbox') input.checked = values[i] > 0;
-                else input.value = values[i];
-            });
+            this.inputs.forEach((input, i) => { input.value = values[i]; });
             this.nameValues();
         }
         nameValues() {
@@ -152,7 +149,7 @@
             this.request({});
         }
 
-        // Moves a slider on, step by step, from its start where it has come to the end.
+        // Moves a slider on, step by step; from its start if it is at its end.
         play(button) {
             const input = this.inputs.find(one => one.dataset.control === button.dataset.plays);
             const name = button.textContent;
@@ -165,8 +162,12 @@
             button.addEventListener('click', () => {
                 if (timer) return stop();
                 button.textContent = 'Pause';
-                if (+input.value >= +input.max) input.value = input.min;
+                if (+input.value >= +input.max) {
+                    input.value = input.min;
+                    this.changed();
+                }
                 timer = setInterval(() => {
+                    if (!this.element.classList.contains('runs')) return stop();
                     if (this.waiting) return;  // the worker is behind
                     input.stepUp();
                     this.changed();
@@ -179,7 +180,7 @@
 
         // ---- The worker ----
 
-        // One request is on its way at a time; of those made meanwhile the last one counts.
+        // Only one request is on its way at a time. Of those made meanwhile, only the last one counts.
         request(what) {
             const width = this.element.querySelector('.stage').clientWidth;
             if (width === 0) return;
@@ -199,7 +200,7 @@
                 return;
             }
             if (answer.answers) {
-                // The picture of a drag that is over would undo what has been set since.
+                // The values of a drag that is over would undo what has been set since.
                 if (answer.values && !(this.next && !this.next.drag)) this.setValues(answer.values);
                 this.width = this.waiting.width;
                 this.waiting = undefined;
@@ -237,11 +238,12 @@
                 }
             }
             pen.globalAlpha = 1;
-            canvas.style.touchAction = this.handles.some(([,, radius]) => radius === -1) ? 'pan-y' : '';
+            this.isDraggedAnywhere = this.handles.some(([,, radius]) => radius < 0);
+            canvas.style.touchAction = this.isDraggedAnywhere ? 'pan-y' : '';
             this.progress.hidden = samples < 2;
             if (samples > 1) {
                 this.progress.style.setProperty('--done', done / samples);
-                this.progress.textContent = `${done} of ${samples} samples a pixel`;
+                this.progress.textContent = `${done} of ${samples} samples per pixel`;
             }
             if (!this.element.dataset.first) {
                 this.element.dataset.first = Math.round(performance.now() - this.module.loaded);
@@ -257,8 +259,11 @@
             const scale = this.width / box.width;
             return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
         }
-        grabs([x, y], reach = 0) {
-            return this.handles.some(([hx, hy, radius]) => radius < 0 || Math.hypot(x - hx, y - hy) <= radius + reach);
+        isOnHandle([x, y], reach) {
+            return this.handles.some(([hx, hy, radius]) => radius > 0 && Math.hypot(x - hx, y - hy) <= radius + reach);
+        }
+        grabs(place, reach) {
+            return this.isDraggedAnywhere || this.isOnHandle(place, reach);
         }
         dragging() {
             const { canvas } = this;
@@ -266,25 +271,26 @@
             canvas.addEventListener('pointerdown', event => {
                 const down = this.placeOf(event);
                 if (event.button !== 0 || !this.grabs(down, event.pointerType === 'mouse' ? 4 : 14)) return;
-                drag = { values: this.values, down };
+                drag = { pointer: event.pointerId, values: this.values, down };
                 canvas.setPointerCapture(event.pointerId);
                 event.preventDefault();
                 this.element.classList.add('grabbed');
             });
             canvas.addEventListener('pointermove', event => {
                 const at = this.placeOf(event);
+                if (drag && drag.pointer !== event.pointerId) return;  // another finger
                 if (drag) this.request({ values: drag.values, drag: { down: drag.down, at } });
                 else canvas.style.cursor = this.grabs(at, 4) ? 'grab' : '';
             });
             for (const end of ['pointerup', 'pointercancel'])
-                canvas.addEventListener(end, () => {
+                canvas.addEventListener(end, event => {
+                    if (drag?.pointer !== event.pointerId) return;
                     drag = undefined;
                     this.element.classList.remove('grabbed');
                 });
-            // A touch beside all handles scrolls the page.
+            // A touch on a handle drags it in every direction; any other may scroll the page.
             canvas.addEventListener('touchstart', event => {
-                const place = this.placeOf(event.touches[0]);
-                if (!canvas.style.touchAction && this.grabs(place, 14)) event.preventDefault();
+                if (this.isOnHandle(this.placeOf(event.touches[0]), 14)) event.preventDefault();
             }, { passive: false });
         }
     }
@@ -301,7 +307,7 @@
         module.worker.onmessage = ({ data }) => {
             if (data.ready) begin(module);
             else if (!module.figures) console.info(`live figures of chapter ${chapter}: ${data.failed}`);
-            else module.figures?.get(data.figure)?.receive(data);
+            else module.figures.get(data.figure).receive(data);
         };
         module.worker.postMessage({ code });
     };
@@ -309,7 +315,7 @@
     function begin(module) {
         module.figures = new Map(module.elements.map(element =>
             [+element.dataset.number, new Figure(element, module)]));
-        // What nobody sees need not get better.
+        // A picture that nobody sees need not get better.
         const inView = new Set();
         const tell = figure => module.worker.postMessage({
             figure, [inView.has(figure) && !document.hidden ? 'awake' : 'asleep']: true,

@@ -1,7 +1,8 @@
 #pragma once
-// What figures of a plane have in common: its grid, vectors with names, angles.
+// What figures of a plane have in common: its points in space, a grid, vectors with names, angles.
 
 #include <cmath>
+#include <rt/vec3.hpp>
 #include <string_view>
 #include <vector>
 
@@ -9,9 +10,13 @@
 
 namespace live {
 
-// A frame with `middle` in the middle of the drawing, where so many units fit side by side.
-inline Frame whole(const Drawing& out, Point middle, double units) {
-    return {{out.width / 2, out.height / 2}, middle, out.width / units};
+// The figures' plane is z = 0.
+inline Point in_plane(rt::Vec3 v) {
+    return {v.x, v.y};
+}
+
+inline double in_degrees(double radians) {
+    return radians / rt::radians(1);
 }
 
 // Lines at all whole numbers, those through zero darker.
@@ -34,8 +39,8 @@ inline void draw_vector(Drawing& out, Point from, Point to, std::string_view nam
     out.bold = false;
 }
 
-// Part of a circle around a place of the page, from one angle to another, in radians,
-// counterclockwise where the second is the larger one.
+// Part of a circle around a point of the page, from one angle to another, in radians,
+// counterclockwise if the second is larger.
 inline void draw_arc(Drawing& out, Point center, double radius, double from, double to, Pen pen) {
     std::vector<Point> points;
     const int count = 3 + static_cast<int>(std::abs(to - from) * 12);

@@ -1,6 +1,6 @@
 #pragma once
-// A picture that gets better while one waits: first in coarse squares, at once; then in smaller
-// ones; then a sample of every pixel, over and over, and what is shown is their average.
+// A picture that gets better while you wait: first in coarse squares, at once; then in smaller
+// ones; then with one more sample of every pixel, over and over. It shows their average.
 
 #include <rt/color_sum.hpp>
 #include <utility>
@@ -20,7 +20,7 @@ class Refinement {
         square_ /= 2;
     }
 
-    // Draws one more row. False when there is nothing left to do.
+    // Draws one more row. False when the picture is done.
     bool more() {
         if (done_ == samples_) return false;
         if (square_ > 1) {
@@ -42,7 +42,7 @@ class Refinement {
     int samples() const { return samples_; }
     const Bytes& bytes() const { return bytes_; }
 
-    // The average light of the whole picture, of the samples so far.
+    // The average light of the whole picture over the samples so far.
     rt::Color mean() const {
         rt::ColorSum sum;
         for (const rt::ColorSum& pixel : sums_) sum.add(pixel.mean(std::max(1, done_)));

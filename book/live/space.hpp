@@ -1,6 +1,6 @@
 #pragma once
 // A view of space for a figure: where its points are in the drawing, seen by a camera of the course
-// that looks from afar, so that things at all distances are nearly equally large.
+// from far away, so that near things are hardly larger than distant ones.
 
 #include <rt/dot.hpp>
 #include <rt/look_at.hpp>

@@ -1,6 +1,6 @@
 // Compiles one live figure and photographs it: node book/live/try.mjs 03.roots shot.png [name=value ...]
 //     --dark, --width PIXELS (of the page, 900), --wait SECONDS (1), --drag x0,y0,x1,y1 (pixels of the figure)
-// It says how long the first picture took, what the figure says, and what went wrong.
+// It prints how long the first picture took, what the figure says, and what went wrong.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -51,8 +51,7 @@ await page.waitForFunction(() => document.querySelector('.runs'), undefined, { t
 for (const setting of settings) {
     const [control, value] = setting.split('=');
     await live.locator(`[data-control=${control}]`).evaluate((input, value) => {
-        if (input.type === 'checkbox') input.checked = value !== '0';
-        else input.value = value;
+        input.value = value;
         input.dispatchEvent(new Event('input', { bubbles: true }));
     }, value);
 }

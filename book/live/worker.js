@@ -1,12 +1,15 @@
-// Runs the figures of a page apart from it, so that it never stalls.
+// Runs the figures of a chapter in a thread of their own, so that the page never stalls.
 'use strict';
 
 let wasm;
-const refining = new Set();  // figures whose picture gets better, as long as they can be seen
+const asleep = new Set();    // figures that nobody can see
+const refining = new Set();  // those of the others whose picture gets better
 
-// What figures could ask of a system: nothing that they need.
+// What figures may ask of a system. They need none of it. Nothing can be printed: files do not exist.
+const badFile = 8;  // as WASI numbers its errors
 const imports = new Proxy({}, { get: () => new Proxy({}, {
-    get: (_, name) => /exit|abort|throw/.test(name) ? () => { throw new Error(`the figure ended: ${name}`); } : () => 0,
+    get: (_, name) => /exit|abort|throw/.test(name) ? () => { throw new Error(`the figure ended: ${name}`); }
+        : () => name.startsWith('fd_') ? badFile : 0,
 }) });
 
 function answer(figure, more) {
@@ -35,18 +38,29 @@ function refineFor(figure, time) {
     if (!more) refining.delete(figure);
 }
 
+function fail(figure, error) {
+    refining.delete(figure);
+    postMessage({ figure, failed: String(error) });
+}
+
+let refines = false;  // refine() is going to be called
 function refine() {
-    for (const figure of refining) {
-        refineFor(figure, 40);
-        answer(figure);
-    }
-    if (refining.size) setTimeout(refine, 0);  // messages have their turn
+    for (const figure of refining)
+        try {
+            refineFor(figure, 40);
+            answer(figure);
+        } catch (error) {
+            fail(figure, error);
+        }
+    refines = refining.size > 0;
+    if (refines) setTimeout(refine, 0);  // messages have their turn
 }
 
 function start(figure) {
-    const idle = refining.size === 0;
+    if (asleep.has(figure) || !wasm.live_samples(figure)) return;
     refining.add(figure);
-    if (idle) setTimeout(refine, 0);
+    if (!refines) setTimeout(refine, 0);
+    refines = true;
 }
 
 function draw({ figure, values, drag, ranges, width, ratio }) {
@@ -56,10 +70,8 @@ function draw({ figure, values, drag, ranges, width, ratio }) {
     own().set(ranges.map(([least, most], i) => Math.min(most, Math.max(least, own()[i]))));
     const used = [...own()];
     wasm.live_draw(figure, width, ratio);
-    if (wasm.live_samples(figure)) {
-        start(figure);
-        refineFor(figure, 20);
-    }
+    start(figure);
+    if (refining.has(figure)) refineFor(figure, 20);
     answer(figure, { answers: true, values: drag ? used : undefined });
 }
 
@@ -72,13 +84,15 @@ onmessage = async ({ data }) => {
             wasm._initialize?.();
             postMessage({ ready: true });
         } else if (data.asleep) {
+            asleep.add(data.figure);
             refining.delete(data.figure);
         } else if (data.awake) {
-            if (wasm.live_samples(data.figure)) start(data.figure);
+            asleep.delete(data.figure);
+            start(data.figure);
         } else {
             draw(data);
         }
     } catch (error) {
-        postMessage({ figure: data.figure, failed: String(error) });
+        fail(data.figure, error);
     }
 };

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/check/yours.hpp>
@@ -11,8 +10,8 @@
 namespace companion {
 namespace {
 
-// Fills build/mine/rt with the learner's headers that count, and with nothing else: the book's
-// figures look there first, and tell from it whose code they run.
+// Fills build/mine/rt with the learner's headers that pass, and with nothing else: the book's
+// figures look there first, and its pages say whose code they run.
 void put_headers_in_place(const Course& course, const Yours& yours) {
     const fs::path folder = course.build / "mine/rt";
     app::make_folder(folder);
@@ -20,10 +19,8 @@ void put_headers_in_place(const Course& course, const Yours& yours) {
     for (const fs::path& file : yours.files) {
         if (file.extension() != ".hpp") continue;
         names.insert(file.filename());
-        const std::string text = read_file(course.build / "yours/rt" / file.filename());
-        // What has not changed is not compiled again.
-        const fs::path target = folder / file.filename();
-        if (!fs::exists(target) || read_file(target) != text) app::replace_file(target, text);
+        app::replace_file(folder / file.filename(),
+                          read_file(course.build / "yours/rt" / file.filename()));
     }
     for (const fs::path& file : source_files(folder))
         if (names.count(file.filename()) == 0) fs::remove(file);
@@ -40,8 +37,8 @@ int book_mine(const Course& course) {
     app::replace_file(course.out() / "mine.html", shared_page_html(page));
     std::printf("The page to share is out/mine.html.%s\n",
                 page.picture.empty()
-                    ? " It has no picture yet: ./course mine draws the final scene, "
-                      "then ask for the page again."
+                    ? " It has no picture yet: draw the final scene with ./course mine, "
+                      "then run ./course book --mine again."
                     : "");
     return app::done;
 }

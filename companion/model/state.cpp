@@ -29,7 +29,7 @@ int count(const Json& record, const std::string& key) {
     return found ? static_cast<int>(found->number) : 0;
 }
 
-// Older states do not have the times of what had passed.
+// Older states do not say when an exercise first passed.
 std::int64_t time_of(const Json& record, bool passed) {
     const Json* const found = find(record, "first_passed", Json::Kind::number);
     return found ? static_cast<std::int64_t>(found->number) : passed ? unknown_time : 0;

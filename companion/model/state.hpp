@@ -16,13 +16,13 @@ struct Record {
     std::string hash;       // empty: never checked
     int hints = 0;          // how many were shown
     std::string warning{};  // the compiler's; it comes only when it compiles these files
-    int stars = 0;          // its hard test cases, where it passed
+    int stars = 0;          // its hard test cases, if it passed
     int open_stars = 0;     // those of them that fail
-    // When its core passed first, in seconds since 1970. 0: not yet.
+    // When its core first passed, in seconds since 1970. 0: not yet.
     std::int64_t first_passed = 0;
 };
 
-// It passed, but when is not known.
+// It has passed, but nobody knows when.
 inline constexpr std::int64_t unknown_time = -1;
 
 // How a question was last answered.
@@ -36,7 +36,7 @@ struct Answered {
 struct OwnRecord {
     std::string folder{}, hash{};   // of the sources in it, as they were judged
     int lines = 0, passed = 0;      // of the verdict; no lines: never judged
-    std::int64_t first_passed = 0;  // all of it, as a record has it
+    std::int64_t first_passed = 0;  // when all of it did, as in Record
 };
 
 // The last picture that `mine` drew, and with whose code.
@@ -58,8 +58,8 @@ fs::path private_folder(const Course& course);
 // .course/state.broken-N.json, with a message on stderr, and the state starts empty.
 State read_state(const Course& course);
 
-// Reads, changes and writes the state, completely or not at all. Only one
-// process does so at a time.
+// Reads, changes and writes the state, completely or not at all. Only one process does so at a
+// time.
 void change_state(const Course& course, const std::function<void(State&)>& change);
 
 }  // namespace companion

@@ -107,7 +107,7 @@ std::string fact(const std::string& what, const std::string& figure) {
 
 std::string facts(const SharedPage& page, const ChapterStanding& all) {
     std::string html = "<dl>\n" + fact("exercises pass", of(all.done, all.exercises));
-    // Stars are counted where the core passes.
+    // Stars are counted only where the core passes.
     if (all.stars > 0) html += fact("stars: hard cases", of(all.stars - all.open_stars, all.stars));
     if (page.own.lines > 0)
         html += fact("lines of the verdict on a ray tracer from an empty folder",
@@ -141,10 +141,10 @@ std::string chapters_table(const std::vector<ChapterStanding>& chapters) {
 std::string how_long(const TimeTaken& time, bool finished) {
     if (time.first == 0 && time.unknown == 0) return "";
     std::string text =
-        "<h2>How long it took" + std::string{finished ? "" : ", so far"} + "</h2>\n<p>";
+        std::string{"<h2>How long it "} + (finished ? "took" : "has taken so far") + "</h2>\n<p>";
     if (time.unknown > 0)
-        return text + "This is not known: for " + counted(time.unknown, "answer") +
-               " there is no record of when it first passed.</p>\n";
+        return text + "This is not known: there is no record of when " +
+               counted(time.unknown, "answer") + " first passed.</p>\n";
     const std::string first = date_of(time.first), last = date_of(time.last);
     if (first == last) return text + "Everything passed on one day, " + first + ".</p>\n";
     return text + "The first check passed on " + first + ", the last on " + last + ": " +
@@ -152,7 +152,7 @@ std::string how_long(const TimeTaken& time, bool finished) {
            std::to_string(time.days) + " of them.</p>\n";
 }
 
-// The lines with figures; what passes is said above.
+// The lines with figures. What passes is in the table of chapters.
 std::string measured(const Certificate& certificate) {
     std::vector<CertifiedFigure> lines = certificate.measurements;
     std::erase_if(lines, [](const CertifiedFigure& one) { return one.exercise.empty(); });
@@ -165,7 +165,7 @@ std::string measured(const Certificate& certificate) {
            table_html(lines) + "</div>\n";
 }
 
-// The newest picture of the final scene, of those that `mine` and `certify` draw.
+// The newer of the pictures of the final scene that `mine` and `certify` draw.
 void take_picture(const Course& course, const State& state, SharedPage& page) {
     const Chapter last = core_chapters(course).back();
     const fs::path mine = course.out() / "mine.png",
@@ -196,7 +196,7 @@ void take_picture(const Course& course, const State& state, SharedPage& page) {
 }  // namespace
 
 int days_between(std::int64_t first, std::int64_t last) {
-    // At noon, so that the hour of summer time does not count.
+    // At noon, so that daylight saving time makes no difference.
     const auto noon = [](std::time_t time) {
         std::tm day = *std::localtime(&time);
         day.tm_hour = 12;
@@ -244,7 +244,7 @@ SharedPage collect_shared_page(const Course& course) {
         page.chapters.push_back(standing);
     }
     if (own_passes(state.own)) times.push_back(state.own.first_passed);
-    // A verdict on what has changed since says nothing.
+    // A verdict on an older version of the program does not count.
     if (state.own.hash == hash_of_own(state.own.folder)) page.own = state.own;
     page.time = time_taken(times);
     if (fs::is_regular_file(certificate_file(course)))
@@ -263,7 +263,7 @@ std::string shared_page_html(const SharedPage& page) {
     if (certified)
         out << grade_html(*page.certificate);
     else
-        out << "Its author writes it from first principles, in C++: so far, "
+        out << "Its author is writing it from first principles, in C++: so far, "
             << of(all.done, all.exercises) << " exercises pass."
             << (page.certificate ? " The final test is not passed yet." : "");
     out << "</p>\n";

@@ -10,11 +10,11 @@
 
 namespace companion {
 
-// From the first passed check to the last, as far as the companion noted them.
+// From the first passed check to the last, as far as the companion recorded them.
 struct TimeTaken {
     std::int64_t first = 0, last = 0;  // in seconds since 1970; 0: nothing has passed
     int days = 0;                      // on which something passed for the first time
-    int unknown = 0;                   // what passes, without a record of since when
+    int unknown = 0;  // how many answers pass without a record of when they first did
 };
 TimeTaken time_taken(const std::vector<std::int64_t>& first_passed);
 
@@ -24,10 +24,10 @@ int days_between(std::int64_t first, std::int64_t last);
 struct ChapterStanding {
     Chapter chapter;
     int done = 0, exercises = 0, stars = 0, open_stars = 0;
-    std::int64_t finished = 0;  // when the last of it passed first; 0: it is open, or unknown
+    std::int64_t finished = 0;  // when its last exercise first passed; 0: not finished, or unknown
 };
 
-// What is not there or not known is left out of the page.
+// The page leaves out whatever is missing or unknown.
 struct SharedPage {
     std::string date;     // of the page
     std::string picture;  // a PNG's bytes
@@ -39,7 +39,7 @@ struct SharedPage {
     std::optional<Certificate> certificate;
 };
 
-// All of it as the companion knows it: nothing is built or drawn.
+// Collects what the companion knows. Nothing is built or drawn.
 SharedPage collect_shared_page(const Course& course);
 
 // The page, in one file.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The web book in a real browser: no page may have an error, a broken link or picture, a request to another
-# host or a serious fault of accessibility, and everything that one can do there must work: see book/test.mjs.
-# Before that, what needs no browser: see book/forms.mjs.
+# host or a serious fault of accessibility, and everything that you can do there must work: see book/test.mjs.
+# Before that, it runs the tests that need no browser.
 # pages.sh [SAMPLES]: the program that makes samples of the learner's page to share; without it those are left out.
 # Ends with 77 if something that it needs is missing.
 set -eu

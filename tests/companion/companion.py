@@ -704,7 +704,7 @@ class Companion(unittest.TestCase):
         state = json.loads((self.root / ".course/state.json").read_text())
         return state["exercises"][exercise]["first_passed"]
 
-    def test_the_first_passed_check_is_noted(self):
+    def test_the_time_of_the_first_pass_is_recorded(self):
         self.write("one", "wrong\n")
         self.course("check", "01.1", code=1)
         self.assertEqual(self.first_passed("01.1"), 0)
@@ -724,7 +724,7 @@ class Companion(unittest.TestCase):
         self.course("check", "01.1")
         self.assertEqual(self.first_passed("01.1"), 1000000)
 
-    def test_a_time_that_nobody_can_know_is_not_noted(self):
+    def test_a_time_that_nobody_knows_stays_unknown(self):
         self.add_second_chapter()
         self.write("one", "right\n")
         self.put("exercises/02_more/rt/three.hpp", "right\n")
@@ -735,7 +735,7 @@ class Companion(unittest.TestCase):
         self.course("check", "01.1")
         self.assertEqual(self.first_passed("01.1"), -1)
         self.course("book", "--mine")
-        self.assertIn("This is not known: of 2 of the answers", (self.root / "out/mine.html").read_text())
+        self.assertIn("This is not known: there is no record of when 2 answers first passed.", (self.root / "out/mine.html").read_text())
 
     def test_book_mine_makes_a_page_to_share(self):
         self.write("one", "right\n")
@@ -743,7 +743,7 @@ class Companion(unittest.TestCase):
         self.put("build/mine/rt/old.hpp", "old\n")
         said = self.course("book", "--mine")
         self.assertEqual(said, "Yours: 01.1. The solution's: 01.2.\nThe page to share is out/mine.html. It has no "
-                         "picture yet: ./course mine draws the final scene, then ask for the page again.\n")
+                         "picture yet: draw the final scene with ./course mine, then run ./course book --mine again.\n")
         page = (self.root / "out/mine.html").read_text()
         self.assertIn("1 of 2 exercises pass", page)
         self.assertIn("Everything passed on one day", page)

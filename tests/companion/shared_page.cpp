@@ -78,7 +78,7 @@ TEST_CASE("the page to share has the figures of a certificate that is passed", "
     CHECK_FALSE(holds(failed, "a machine"));
 }
 
-TEST_CASE("how long it took is said where it is known", "[shared_page]") {
+TEST_CASE("the page to share says how long it took if that is known", "[shared_page]") {
     CHECK(days_between(some_noon, some_noon) == 1);
     CHECK(days_between(some_noon, some_noon + 200 * day) == 201);
     const TimeTaken time =
@@ -91,7 +91,7 @@ TEST_CASE("how long it took is said where it is known", "[shared_page]") {
     SharedPage page = page_of(4);
     page.time = time;
     std::string html = shared_page_html(page);
-    CHECK(holds(html, "<h2>How long it took, so far</h2>"));
+    CHECK(holds(html, "<h2>How long it has taken so far</h2>"));
     CHECK(holds(html, "The first check passed on " + date_of(some_noon) + ", the last on " +
                           date_of(some_noon + 49 * day) +
                           ": 50 days. Something new passed on 3 of them."));
@@ -99,7 +99,7 @@ TEST_CASE("how long it took is said where it is known", "[shared_page]") {
     CHECK(holds(shared_page_html(page), "on one day, " + date_of(some_noon)));
     page.time = time_taken({some_noon, unknown_time});
     html = shared_page_html(page);
-    CHECK(holds(html, "This is not known: for 1 answer there is no record"));
+    CHECK(holds(html, "there is no record of when 1 answer first passed."));
     CHECK_FALSE(holds(html, date_of(some_noon)));
 }
 

@@ -1,6 +1,6 @@
-// shared_page_samples FOLDER: the page of `./course book --mine` as one who has finished gets it,
-// mine.html, and as one who has begun does, mine-begun.html. They are tried in a browser: see
-// book/test.mjs.
+// shared_page_samples FOLDER: writes the page of `./course book --mine` for somebody who has
+// finished, mine.html, and for somebody who has begun, mine-begun.html. book/test.mjs tries them in
+// a browser.
 
 #include <app/files.hpp>
 #include <companion/pages/shared_page.hpp>
