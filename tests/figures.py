@@ -27,7 +27,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 MARK = re.compile(r'<!--\s*(figures?):\s*(\S+)((?:\s+\w+="[^"]*")*)\s*-->')
-NUMBER = re.compile(r"([-−]?\d(?:[\d ]*\d)?(?:\.\d+)?)(?:e([-+]?\d+)|\s*(?:\\cdot|·|×)\s*10\^(-?\d+))?")
+NUMBER = re.compile(r"([-−]?\d+(?:,\d{3})*(?:\.\d+)?)(?:e([-+]?\d+)|\s*(?:\\cdot|·|×)\s*10\^(-?\d+))?")
 
 
 class Wrong(Exception):
@@ -47,13 +47,13 @@ def plain(text):
 def figure(text):
     """The value of the first number, and half a unit of the last place that it shows.
 
-    >>> figure("0"), figure("0.0252"), figure("$7.3\\\\cdot10^{-12}$"), figure("7·10⁻³ %"), figure("16 384")
+    >>> figure("0"), figure("0.0252"), figure("$7.3\\\\cdot10^{-12}$"), figure("7·10⁻³ %"), figure("16,384")
     ((0.0, 0), (0.0252, 5e-05), (7.3e-12, 5e-14), (0.007, 0.0005), (16384.0, 0.5))
     """
     found = NUMBER.search(plain(text))
     if not found:
         raise Wrong(f"'{text}' should have a number")
-    digits = found[1].replace(" ", "").replace("−", "-")
+    digits = found[1].replace(",", "").replace("−", "-")
     exponent = int(found[2] or found[3] or 0)
     places = len(digits.partition(".")[2])
     half = 0 if digits == "0" else float(f"5e{exponent - places - 1}")  # a plain 0 means exactly that
@@ -77,14 +77,14 @@ def key_of(rows, text):
     """What a heading says about a row.
 
     >>> rows = [{"variant": "a", "precision": "float", "x": "1e+07"}]
-    >>> [key_of(rows, text) for text in ("a", "float", "10 000 000", "cost", "b")]
+    >>> [key_of(rows, text) for text in ("a", "float", "10,000,000", "cost", "b")]
     [('variant', 'a'), ('precision', 'float'), ('x', 10000000.0), ('value', 'cost'), None]
     """
     text = plain(text)
     for field in ("variant", "precision"):
         if any(plain(row[field]) == text for row in rows):
             return field, text
-    x = number(text.replace(" ", ""))
+    x = number(text.replace(",", ""))
     if x is not None and any(float(row["x"]) == x for row in rows):
         return "x", x
     return ("value", text) if text in ("error", "cost") else None
