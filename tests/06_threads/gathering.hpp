@@ -168,8 +168,10 @@ inline bool leave_room_for_few_threads() {
     const long long used = static_cast<long long>(pages) * sysconf(_SC_PAGESIZE);
     if (used == 0 || used > 1LL << 40) return false;
     const auto limit = static_cast<rlim_t>(used + (64LL << 20));
-    const rlimit both{limit, limit};
-    return setrlimit(RLIMIT_AS, &both) == 0;
+    rlimit both{limit, limit};
+    if (setrlimit(RLIMIT_AS, &both) != 0) return false;
+    // Under an emulator of another processor the limit is not set, and nothing says so.
+    return getrlimit(RLIMIT_AS, &both) == 0 && both.rlim_cur == limit;
 }
 
 }  // namespace checkpoint
