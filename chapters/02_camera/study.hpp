@@ -69,19 +69,18 @@ inline Exact3 exact_viewport_point(const Camera& c, int column, int row, Vec2 of
             y / height * DoubleDouble(c.viewport.height), -1};
 }
 
-// The time of one call, averaged over 960. Each result is used before the next is computed, as in a
-// ray tracer: otherwise the compiler would compute several at once.
+// Work to be timed: 960 calls. Each result is used before the next is computed, as in a ray tracer:
+// otherwise the compiler would compute several at once.
+constexpr int calls = 960;
 template <class T, class F>
-double time_each(F make) {
-    std::vector<T> results(960);
-    const auto fill = [&] {
-        for (std::size_t i = 0; i < results.size(); ++i) {
-            results[i] = make(static_cast<int>(i));
-            study::keep(results[i]);
+study::Work call_many(F make) {
+    return [make, results = std::vector<T>(calls)]() mutable {
+        for (int i = 0; i < calls; ++i) {
+            T& result = results[static_cast<std::size_t>(i)];
+            result = make(i);
+            study::keep(result);
         }
     };
-    return study::time_ns(fill, {.rounds = 15, .at_least_ms = 1}) /
-           static_cast<double>(results.size());
 }
 
 template <auto map>  // a template argument, so that the compiler can inline it
@@ -90,7 +89,8 @@ void measure_mapping(study::Report& report, const char* variant) {
     camera.viewport = {Real(1.7), Real(1.7)};
     camera.width = camera.height = 960;
     const Vec2 middle{Real(0.5), Real(0.5)};
-    const double cost = time_each<Vec2>([&](int i) { return map(camera, i, 7 * i % 540, middle); });
+    const auto map_many =
+        call_many<Vec2>([=](int i) { return map(camera, i, 7 * i % 540, middle); });
     for (const int width : {2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10'000}) {
         camera.width = camera.height = width;
         double worst = 0;
@@ -101,8 +101,14 @@ void measure_mapping(study::Report& report, const char* variant) {
             worst =
                 std::max(worst, std::abs(off) / static_cast<double>(camera.viewport.width) * width);
         }
-        report.add({"pixel mapping", variant, static_cast<double>(width), "width / pixels", worst,
-                    "largest error / pixels", cost, "time per pixel / ns"});
+        report.add({.study = "pixel mapping",
+                    .variant = variant,
+                    .x = static_cast<double>(width),
+                    .x_name = "width / pixels",
+                    .error = worst,
+                    .error_name = "largest error / pixels",
+                    .cost_name = "time per pixel / ns"},
+                   map_many, calls);
     }
 }
 
@@ -160,8 +166,8 @@ void measure_rays(study::Report& in_pixels, study::Report& in_ulp, const char* v
     const Vec2 middle{Real(0.5), Real(0.5)};
     const Camera timed = camera_of(50);
     const auto ray_of_timed = make(timed);
-    const double cost =
-        time_each<Vec3>([&](int i) { return ray_of_timed(i, 7 * i % 540, middle); });
+    const auto make_many =
+        call_many<Vec3>([=](int i) { return ray_of_timed(i, 7 * i % 540, middle); });
     for (const double fov_deg :
          {0.001, 0.01, 0.1, 1.0, 10.0, 50.0, 90.0, 140.0, 170.0, 179.0, 179.9}) {
         const Camera camera = camera_of(fov_deg);
@@ -181,10 +187,19 @@ void measure_rays(study::Report& in_pixels, study::Report& in_ulp, const char* v
                 pixels = std::max(pixels, error / pixel);
                 ulp = std::max(ulp, error / static_cast<double>(rt::epsilon));
             }
-        in_pixels.add({"ray direction", variant, fov_deg, "field of view / degrees", pixels,
-                       "largest error / pixels", cost, "time per ray / ns"});
-        in_ulp.add({"ray rounding", variant, fov_deg, "field of view / degrees", ulp,
-                    "largest error / ulp of 1", cost, "time per ray / ns"});
+        const auto add = [&](study::Report& report, const char* study, double error,
+                             const char* error_name) {
+            report.add({.study = study,
+                        .variant = variant,
+                        .x = fov_deg,
+                        .x_name = "field of view / degrees",
+                        .error = error,
+                        .error_name = error_name,
+                        .cost_name = "time per ray / ns"},
+                       make_many, calls);
+        };
+        add(in_pixels, "ray direction", pixels, "largest error / pixels");
+        add(in_ulp, "ray rounding", ulp, "largest error / ulp of 1");
     }
 }
 
@@ -208,7 +223,7 @@ void measure_look_at(study::Report& report, const char* variant) {
     Vec3 at{-1, Real(0.5), -2}, upwards{0, 1, 0};
     RT_KEEP(at);
     RT_KEEP(upwards);
-    const double cost = time_each<rt::Basis>([&](int i) {
+    const auto make_many = call_many<rt::Basis>([=](int i) {
         return look_at({3, 2, static_cast<Real>(i)}, at, upwards);
     });
     const int decades = std::numeric_limits<Real>::digits10 + 1;
@@ -222,9 +237,14 @@ void measure_look_at(study::Report& report, const char* variant) {
             if (!(0 < length(right))) continue;
             worst = std::max(worst, angle(look_at(from, {0, 0, 0}, up).u, right));
         }
-        report.add({"look-at", variant, static_cast<double>(small),
-                    "angle between view and up / radians", worst / static_cast<double>(rt::epsilon),
-                    "largest error of u / ulp of 1", cost, "time per basis / ns"});
+        report.add({.study = "look-at",
+                    .variant = variant,
+                    .x = static_cast<double>(small),
+                    .x_name = "angle between view and up / radians",
+                    .error = worst / static_cast<double>(rt::epsilon),
+                    .error_name = "largest error of u / ulp of 1",
+                    .cost_name = "time per basis / ns"},
+                   make_many, calls);
     }
 }
 
@@ -233,6 +253,7 @@ inline void run(study::Report& report) {
     measure_mapping<subtract_late>(report, "1/2 subtracted late");
     measure_mapping<width_minus_one>(report, "(i + 1/2) / (width - 1)");
     measure_mapping<posts_of_a_fence>(report, "i / (width - 1)");
+    report.time_in_turns();
 
     study::Report in_ulp{"02_camera"};
     measure_rays(report, in_ulp, "as written", [](const Camera& c) {
@@ -259,10 +280,13 @@ inline void run(study::Report& report) {
         };
     });
 
+    report.time_in_turns();
+    in_ulp.time_in_turns();
     for (const study::Row& row : in_ulp.rows()) report.add(row);
 
     measure_look_at<rt::look_at>(report, "as written");
     measure_look_at<normalize_first>(report, "normalized first");
+    report.time_in_turns();
 
     measure_pixels<subtract_late>(report, "1/2 subtracted late");
     measure_pixels<width_minus_one>(report, "(i + 1/2) / (width - 1)");

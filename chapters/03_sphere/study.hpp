@@ -79,15 +79,16 @@ inline Quality judge(const std::vector<Case>& cases, variants::HitFunction hit) 
     return quality;
 }
 
-// The time of one ray, each function compiled into its own loop as in a renderer.
+// The work to be timed, each function compiled into its own loop as in a renderer.
 template <class Hit>
-double time_per_ray(const std::vector<Case>& cases, Hit hit) {
-    const double time = study::time_ns([&] {
+study::Work hit_all(const std::vector<Case>& cases, Hit hit) {
+    std::vector<Ray> rays;
+    for (const Case& c : cases) rays.push_back(c.ray);
+    return [rays, hit] {
         Real sum = 0;
-        for (const Case& c : cases) sum += hit({}, c.ray, {0, rt::infinity}).value_or(0);
+        for (const Ray& ray : rays) sum += hit({}, ray, {0, rt::infinity}).value_or(0);
         study::keep(sum);
-    });
-    return time / static_cast<double>(cases.size());
+    };
 }
 
 // Every way to intersect a sphere, with its name. Lambdas, because a loop over a function pointer
@@ -126,11 +127,17 @@ inline void run_study(study::Report& report) {
             for (int exponent = 0; exponent <= 8; ++exponent) {
                 const Real distance = std::pow(Real(10), static_cast<Real>(exponent));
                 const auto cases = cases_from(distance);
-                report.add({study, variant, static_cast<double>(distance), "distance / radius",
-                            judge(cases, hit).*error, error_name, time_per_ray(cases, hit),
-                            "time / ns"});
+                report.add({.study = study,
+                            .variant = variant,
+                            .x = static_cast<double>(distance),
+                            .x_name = "distance / radius",
+                            .error = judge(cases, hit).*error,
+                            .error_name = error_name,
+                            .cost_name = "time / ns"},
+                           hit_all(cases, hit), static_cast<double>(cases.size()));
             }
         });
+        report.time_in_turns();
     };
     far("Far spheres", &Quality::largest_error, "largest relative error of t");
     far("Bound of the error", &Quality::of_condition, "error / (eps condition)");
@@ -139,14 +146,20 @@ inline void run_study(study::Report& report) {
     with_each_variant([&](const char* variant, auto hit) {
         const auto row = [&](double share, Real inner, Real outer) {
             const auto cases = cases_from(10, inner, outer);
-            report.add({"Price of a miss", variant, share, "share of rays that hit",
-                        judge(cases, hit).wrong_share, "share of wrong answers",
-                        time_per_ray(cases, hit), "time / ns"});
+            report.add({.study = "Price of a miss",
+                        .variant = variant,
+                        .x = share,
+                        .x_name = "share of rays that hit",
+                        .error = judge(cases, hit).wrong_share,
+                        .error_name = "share of wrong answers",
+                        .cost_name = "time / ns"},
+                       hit_all(cases, hit), static_cast<double>(cases.size()));
         };
         row(0, Real(1.1), 10);
         row(0.5, 0, Real(1.4));
         row(1, 0, Real(0.95));
     });
+    report.time_in_turns();
 
     const auto add_pixel_error = [&](const std::string& variant, Real distance,
                                      variants::HitFunction hit) {

@@ -3,6 +3,7 @@
 // bounces.
 
 #include <cmath>
+#include <functional>
 #include <study/pixel_error.hpp>
 #include <study/report.hpp>
 #include <study/timing.hpp>
@@ -18,50 +19,69 @@ inline double mean_radiance(const Pixels& pixels) {
     return sum / (3 * static_cast<double>(pixels.size()));
 }
 
-// The root mean square error of a pixel, over several seeds, and the median time of a picture.
-struct Measured {
-    double error, cost;
+// A way to place the samples of a pixel.
+struct Placement {
+    const char* variant;
+    int samples;                    // per pixel
+    std::function<double()> judge;  // draws anew, and returns the mean squared error of a pixel
+    double sum = 0, calls = 0;      // of what judge() returned
+
+    double error() const { return std::sqrt(sum / calls); }
 };
-template <class Draw>
-Measured measure(const Pixels& reference, Draw draw) {
-    constexpr int seeds = 5;
-    std::uint64_t seed = 100;
-    double sum = 0;
-    const auto judge = [&] {
-        const double error = study::root_mean_square_error(draw(seed++), reference);
-        sum += error * error;
+
+// Times the placements in turns, and adds a row for each. They must come in threes: independent,
+// jittered and Sobol's samples, of the same number. A fourth row says which error the square-root
+// law expects of independent ones. The cost is the time of judge() divided by `parts(samples)`.
+template <class Parts>
+void add_placements(study::Report& report, std::vector<Placement> placements,
+                    const study::Row& names, const study::Turns& turns, Parts parts) {
+    std::vector<study::Work> works;
+    for (Placement& placement : placements)
+        works.push_back([&placement] { placement.sum += placement.judge(), ++placement.calls; });
+    const std::vector<double> ns = study::in_turns_ns(works, turns);
+    const auto add = [&](const char* variant, int samples, double error, double time) {
+        study::Row row = names;
+        row.variant = variant;
+        row.x = static_cast<double>(samples);
+        row.error = error;
+        row.cost = time / parts(samples);
+        report.add(row);
     };
-    const double ns = study::time_ns(judge, {.rounds = seeds});
-    return {std::sqrt(sum / seeds), 1e-6 * ns};
+    for (std::size_t i = 0; i < placements.size(); i += 3) {
+        const int samples = placements[i].samples;
+        for (std::size_t k = i; k < i + 3; ++k)
+            add(placements[k].variant, samples, placements[k].error(), ns[k]);
+        add("1 / sqrt(N)", samples, placements[0].error() / std::sqrt(samples), ns[i]);
+    }
 }
 
 inline void study_samples(study::Report& report, const Stage& stage) {
     constexpr int depth = 4;
     const Pixels reference = draw_low_discrepancy(stage, 1 << 14, depth, 1, SkyEnding{});
-    const auto add = [&](const char* variant, int samples, Measured m) {
-        report.add({.study = "Samples",
-                    .variant = variant,
-                    .x = static_cast<double>(samples),
-                    .x_name = "samples per pixel",
-                    .error = m.error,
-                    .error_name = "RMSE of a pixel",
-                    .cost = m.cost,
-                    .cost_name = "time / ms"});
+    std::vector<Placement> placements;
+    const auto add = [&](const char* variant, int samples, auto draw) {
+        const auto judge = [&reference, draw, seed = std::uint64_t{100}]() mutable {
+            const double error = study::root_mean_square_error(draw(seed++), reference);
+            return error * error;
+        };
+        placements.push_back({variant, samples, judge});
     };
-    double first = 0;
     for (int n = 1; n <= 1024; n *= 4) {
-        const Measured independent = measure(
-            reference, [&](std::uint64_t seed) { return draw_independent(stage, n, depth, seed); });
-        if (n == 1) first = independent.error;
-        add("independent", n, independent);
-        add("jittered in the pixel", n, measure(reference, [&](std::uint64_t seed) {
-                return draw_jittered(stage, {n, depth, seed}, SkyEnding{});
-            }));
-        add("Owen-scrambled Sobol", n, measure(reference, [&](std::uint64_t seed) {
-                return draw_low_discrepancy(stage, n, depth, seed, SkyEnding{});
-            }));
-        add("1 / sqrt(N)", n, {first / std::sqrt(n), independent.cost});
+        add("independent", n,
+            [&stage, n](auto seed) { return draw_independent(stage, n, depth, seed); });
+        add("jittered in the pixel", n, [&stage, n](auto seed) {
+            return draw_jittered(stage, {n, depth, seed}, SkyEnding{});
+        });
+        add("Owen-scrambled Sobol", n, [&stage, n](auto seed) {
+            return draw_low_discrepancy(stage, n, depth, seed, SkyEnding{});
+        });
     }
+    add_placements(report, placements,
+                   {.study = "Samples",
+                    .x_name = "samples per pixel",
+                    .error_name = "RMSE of a pixel",
+                    .cost_name = "time / ms"},
+                   {.rounds = 5}, [](int) { return 1e6; });
 }
 
 // A pixel that a straight edge cuts: the share of it where x cos + y sin < edge, exactly. Cosine
@@ -75,20 +95,11 @@ inline double coverage(double cosine, double sine, double edge) {
 // The same three ways where only the sample point in the pixel is random.
 inline void study_edge(study::Report& report) {
     constexpr int edges = 1000;
-    const auto add_row = [&](const char* variant, int samples, Measured m) {
-        report.add({.study = "Edge",
-                    .variant = variant,
-                    .x = static_cast<double>(samples),
-                    .x_name = "samples per pixel",
-                    .error = m.error,
-                    .error_name = "RMSE of a pixel",
-                    .cost = m.cost,
-                    .cost_name = "time per sample / ns"});
-    };
+    std::vector<Placement> placements;
     const auto add = [&](const char* variant, int samples, auto average) {
-        double sum = 0;
-        const auto judge_all = [&] {
+        const auto judge_all = [average] {
             Rng choose{4, 2};
+            double sum = 0;
             for (int i = 0; i < edges; ++i) {
                 const Real angle = choose.uniform(Real(0.1), Real(1.4));
                 const Real c = std::cos(angle), s = std::sin(angle);
@@ -100,21 +111,17 @@ inline void study_edge(study::Report& report) {
                                      static_cast<double>(edge));
                 sum += error * error;
             }
+            return sum / edges;
         };
-        const double ns = study::time_ns(judge_all, {.rounds = 1});
-        const Measured m{std::sqrt(sum / edges), ns / edges / samples};
-        add_row(variant, samples, m);
-        return m;
+        placements.push_back({variant, samples, judge_all});
     };
-    double first = 0;
     for (int n = 1; n <= 1024; n *= 4) {
-        const Measured independent = add("independent", n, [n](int i, auto covered) {
+        add("independent", n, [n](int i, auto covered) {
             Rng random = pixel_rng(1, i, n);
             Color sum;
             for (int k = 0; k < n; ++k) sum += covered(random_place(random));
             return sum.r / static_cast<Real>(n);
         });
-        if (n == 1) first = independent.error;
         add("jittered in the pixel", n, [n](int i, auto covered) {
             Rng random = pixel_rng(2, i, n);
             return pixel_average(n, random, covered).r;
@@ -127,8 +134,13 @@ inline void study_edge(study::Report& report) {
             }
             return sum.r / static_cast<Real>(n);
         });
-        add_row("1 / sqrt(N)", n, {first / std::sqrt(n), independent.cost});
     }
+    add_placements(report, placements,
+                   {.study = "Edge",
+                    .x_name = "samples per pixel",
+                    .error_name = "RMSE of a pixel",
+                    .cost_name = "time per sample / ns"},
+                   {.rounds = 9, .at_least_ms = 1}, [](int samples) { return edges * samples; });
 }
 
 // How far the mean radiance with each ending is from that of paths that may bounce 64 times: too
@@ -141,23 +153,23 @@ inline void study_depth(study::Report& report, const Stage& stage) {
     };
     const double reference = mean_radiance(draw(64, SkyEnding{}));
     const auto add = [&](const char* variant, int depth, const auto& ending) {
-        double mean = 0;
-        const double ns =
-            study::time_ns([&] { mean = mean_radiance(draw(depth, ending)); }, {.rounds = 1});
-        report.add({.study = "Depth limit",
-                    .variant = variant,
-                    .x = static_cast<double>(depth),
-                    .x_name = "most bounces",
-                    .error = 100 * std::abs(mean / reference - 1),
-                    .error_name = "mean radiance off / %",
-                    .cost = 1e-6 * ns,
-                    .cost_name = "time / ms"});
+        const double mean = mean_radiance(draw(depth, ending));
+        report.add(
+            {.study = "Depth limit",
+             .variant = variant,
+             .x = static_cast<double>(depth),
+             .x_name = "most bounces",
+             .error = 100 * std::abs(mean / reference - 1),
+             .error_name = "mean radiance off / %",
+             .cost_name = "time / ms"},
+            [draw, depth, ending] { study::keep(draw(depth, ending)); }, 1e6);
     };
     for (const int depth : {1, 2, 3, 4, 6, 8, 16}) {
         add("sky", depth, SkyEnding{});
         add("black", depth, BlackEnding{});
         add("Russian roulette", depth, RouletteEnding{});
     }
+    report.time_in_turns({.rounds = 3});
 }
 
 inline void study_samples_and_depth(study::Report& report) {

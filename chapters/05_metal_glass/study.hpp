@@ -57,15 +57,14 @@ struct Reflectance {
     Real (*function)(Real cosine, Real eta);
 };
 
-// The average time over all cosines from 0 to 1.
-inline double reflectance_ns(Real (*function)(Real, Real), Real eta) {
-    const int count = 2048;
-    const double ns = study::time_ns([&] {
+// Work to be timed: all cosines from 0 to 1.
+constexpr int cosines = 2048;
+inline study::Work all_cosines(Real (*function)(Real, Real), Real eta) {
+    return [=] {
         Real sum = 0;
-        for (int i = 0; i < count; ++i) sum += function((static_cast<Real>(i) + 1) / count, eta);
+        for (int i = 1; i <= cosines; ++i) sum += function(static_cast<Real>(i) / cosines, eta);
         study::keep(sum);
-    });
-    return ns / count;
+    };
 }
 
 inline void add_reflectance(study::Report& report) {
@@ -76,7 +75,6 @@ inline void add_reflectance(study::Report& report) {
     };
     for (const double index : indices) {
         const Real eta = 1 / static_cast<Real>(index);
-        const double ns = reflectance_ns(schlick_reflectance, eta);
         for (const int degrees : {30, 40, 45, 50, 55, 60, 65, 70, 75, 80, 83, 86, 89}) {
             const Real cosine = std::cos(radians(static_cast<Real>(degrees)));
             report.add({.study = "Schlick over the angle",
@@ -85,8 +83,8 @@ inline void add_reflectance(study::Report& report) {
                         .x_name = "angle in air / degrees",
                         .error = error(schlick_reflectance, cosine, eta),
                         .error_name = "error of reflectance",
-                        .cost = ns,
-                        .cost_name = "time / ns"});
+                        .cost_name = "time / ns"},
+                       all_cosines(schlick_reflectance, eta), cosines);
         }
     }
     const std::array<Reflectance, 3> ways{{{"exact", fresnel_reflectance},
@@ -97,17 +95,19 @@ inline void add_reflectance(study::Report& report) {
             for (const double index : indices) {
                 const Real n = static_cast<Real>(index), eta = inside ? n : 1 / n;
                 double worst = 0;
-                for (int i = 1; i <= 2048; ++i)
-                    worst = std::max(worst, error(way.function, static_cast<Real>(i) / 2048, eta));
+                for (int i = 1; i <= cosines; ++i)
+                    worst =
+                        std::max(worst, error(way.function, static_cast<Real>(i) / cosines, eta));
                 report.add({.study = "Reflectance",
                             .variant = std::string(way.name) + (inside ? ", inside" : ", outside"),
                             .x = index,
                             .x_name = "index of refraction",
                             .error = worst,
                             .error_name = "largest error",
-                            .cost = reflectance_ns(way.function, eta),
-                            .cost_name = "time / ns"});
+                            .cost_name = "time / ns"},
+                           all_cosines(way.function, eta), cosines);
             }
+    report.time_in_turns();
 }
 
 // A ball of glass, as the strip below the picture shows it: both ways are followed at each surface,
@@ -175,14 +175,16 @@ inline constexpr std::array<Refraction, 3> refractions{{{"textbook", refract_wit
                                                         {"cross products", refract_by_cross},
                                                         {"rt::refract", rt::refract}}};
 
-inline double refract_ns(const Refraction& way, const std::vector<Vec3>& lights, Vec3 n, Real eta) {
-    const double ns = study::time_ns([&] {
+// Adds a row whose cost is the time of a refraction.
+inline void add_refraction_row(study::Report& report, const study::Row& row, const Refraction& way,
+                               const std::vector<Vec3>& lights, Vec3 n, Real eta) {
+    const auto refract_all = [=] {
         Vec3 sum;
         for (const Vec3 v : lights)
             if (const auto r = way.refract(v, n, eta)) sum += *r;
         study::keep(sum);
-    });
-    return ns / static_cast<double>(lights.size());
+    };
+    report.add(row, refract_all, static_cast<double>(lights.size()));
 }
 
 inline void add_refraction(study::Report& report) {
@@ -205,14 +207,15 @@ inline void add_refraction(study::Report& report) {
                 const DoubleDouble error = exact_sine(*way.refract(v, n, eta), n) - expected;
                 worst = std::max(worst, std::abs(error.high));
             }
-            report.add({.study = "Refraction",
-                        .variant = way.name,
-                        .x = sine,
-                        .x_name = "sine of the angle",
-                        .error = worst / static_cast<double>(epsilon),
-                        .error_name = "error of the sine / epsilon",
-                        .cost = refract_ns(way, lights, n, eta),
-                        .cost_name = "time / ns"});
+            add_refraction_row(report,
+                               {.study = "Refraction",
+                                .variant = way.name,
+                                .x = sine,
+                                .x_name = "sine of the angle",
+                                .error = worst / static_cast<double>(epsilon),
+                                .error_name = "error of the sine / epsilon",
+                                .cost_name = "time / ns"},
+                               way, lights, n, eta);
         }
     }
     // Light so close to the critical angle that rounding can decide: how often is the branch wrong?
@@ -234,15 +237,17 @@ inline void add_refraction(study::Report& report) {
             Real s = 1 / eta;
             for (int k = 0; k < ulps; ++k) s = std::nextafter(s, Real(0));
             lights.assign(512, {s, -std::sqrt((1 - s) * (1 + s)), 0});
-            report.add({.study = "Critical angle",
-                        .variant = way.name,
-                        .x = static_cast<double>(ulps),
-                        .x_name = "distance / ulp",
-                        .error = static_cast<double>(wrong) / count,
-                        .error_name = "share of wrong branches",
-                        .cost = refract_ns(way, lights, {0, 1, 0}, eta),
-                        .cost_name = "time / ns"});
+            add_refraction_row(report,
+                               {.study = "Critical angle",
+                                .variant = way.name,
+                                .x = static_cast<double>(ulps),
+                                .x_name = "distance / ulp",
+                                .error = static_cast<double>(wrong) / count,
+                                .error_name = "share of wrong branches",
+                                .cost_name = "time / ns"},
+                               way, lights, {0, 1, 0}, eta);
         }
+    report.time_in_turns();
 }
 
 // Three ways to deal with fuzz that points below the surface. Each returns
@@ -280,21 +285,22 @@ inline void add_fuzz(study::Report& report) {
                 for (int i = 0; i < samples; ++i)
                     out += way.sample(incoming, {0, 1, 0}, fuzz, rng).has_value();
                 const int batch = 512;
-                const double ns = study::time_ns([&] {
+                const auto sample_many = [=]() mutable {
                     Vec3 sum;
                     for (int i = 0; i < batch; ++i)
                         if (const auto d = way.sample(incoming, {0, 1, 0}, fuzz, rng)) sum += *d;
                     study::keep(sum);
-                });
+                };
                 report.add({.study = degrees > 0 ? "Fuzz at the rim" : "Fuzz head on",
                             .variant = way.name,
                             .x = static_cast<double>(fuzz),
                             .x_name = "fuzz",
                             .error = 1 - static_cast<double>(out) / samples,
                             .error_name = "light lost in the furnace",
-                            .cost = ns / batch,
-                            .cost_name = "time / ns"});
+                            .cost_name = "time / ns"},
+                           sample_many, batch);
             }
+    report.time_in_turns();
 }
 
 // A small picture as a list of colors.
@@ -331,23 +337,24 @@ inline void add_depth(study::Report& report) {
     const auto correct = draw(world, glass, BlackEnding{}, view, {4, 2000, 1});
     const auto add = [&](const char* name, int depth, const auto& ending) {
         constexpr int samples = 4;
-        std::vector<Color> pixels;
-        const double ns = study::time_ns([&] {
-            pixels = draw(world, glass, ending, view, {samples, depth, 1});
-        });
-        report.add({.study = "Depth limit",
-                    .variant = name,
-                    .x = static_cast<double>(depth),
-                    .x_name = "depth",
-                    .error = mean_difference(pixels, correct),
-                    .error_name = "mean error of a pixel",
-                    .cost = ns / (drawn_width * drawn_height * samples),
-                    .cost_name = "time of a path / ns"});
+        const auto draw_again = [&, depth, ending] {
+            return draw(world, glass, ending, view, {samples, depth, 1});
+        };
+        report.add(
+            {.study = "Depth limit",
+             .variant = name,
+             .x = static_cast<double>(depth),
+             .x_name = "depth",
+             .error = mean_difference(draw_again(), correct),
+             .error_name = "mean error of a pixel",
+             .cost_name = "time of a path / ns"},
+            [draw_again] { study::keep(draw_again()); }, drawn_width * drawn_height * samples);
     };
     for (const int depth : {1, 2, 4, 6, 8, 12, 16, 32, 64}) {
         add("ends in sky", depth, SkyEnding{});
         add("ends in black", depth, BlackEnding{});
     }
+    report.time_in_turns();
 }
 
 inline void add_choice_row(study::Report& report, const char* study, const char* variant, int kinds,
@@ -394,26 +401,28 @@ inline void add_choice_alone(study::Report& report, const scene::Scene& evening,
         hit.normal = {0, 1, 0};
         hit.material = static_cast<int>(order() % static_cast<unsigned>(count));
     }
-    const auto ns = [&](const auto& materials) {
-        Rng random{1, 1};
-        const Vec3 incoming = normalize({1, -1, 0});
-        return study::time_ns([&] {
-                   Vec3 sum;
-                   for (const Hit& hit : hits)
-                       if (const auto bounce = materials(incoming, hit, random))
-                           sum += bounce->direction;
-                   study::keep(sum);
-               }) /
-               static_cast<double>(hits.size());
+    const auto scatter_all = [&hits](const auto& materials) -> study::Work {
+        return [&hits, &materials, random = Rng{1, 1}]() mutable {
+            const Vec3 incoming = normalize({1, -1, 0});
+            Vec3 sum;
+            for (const Hit& hit : hits)
+                if (const auto bounce = materials(incoming, hit, random)) sum += bounce->direction;
+            study::keep(sum);
+        };
     };
-    const auto add = [&](const char* variant, int kinds, const auto& materials) {
-        add_choice_row(report, "Choice alone", variant, kinds, 0, ns(materials));
+    const auto ns =
+        study::in_turns_ns({scatter_all(alone), scatter_all(same), scatter_all(same_objects),
+                            scatter_all(evening.set), scatter_all(objects)},
+                           {.rounds = 9, .at_least_ms = 1});
+    const auto add = [&](const char* variant, int kinds, std::size_t i) {
+        add_choice_row(report, "Choice alone", variant, kinds, 0,
+                       ns[i] / static_cast<double>(hits.size()));
     };
-    add("one type", 1, alone);
-    add("std::variant", 1, same);
-    add("virtual", 1, same_objects);
-    add("std::variant", 4, evening.set);
-    add("virtual", 4, objects);
+    add("one type", 1, 0);
+    add("std::variant", 1, 1);
+    add("virtual", 1, 2);
+    add("std::variant", 4, 3);
+    add("virtual", 4, 4);
 }
 
 inline void add_choice(study::Report& report) {

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <deque>
 #include <mutex>
 #include <string_view>
 #include <study/pixel_error.hpp>
@@ -40,7 +41,7 @@ void add_trials(study::Report& report, const char* study, const char* x_name,
                                [&](int x, int y) { return shader(x, y).color; }));
     }};
     for (const Trial& trial : trials) works.push_back(trial.work);
-    const auto rounds = study::rounds_ns(works, {.clock = study::Clock::wall});
+    const auto rounds = study::rounds_ns(works, {.rounds = 7, .clock = study::Clock::wall});
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const std::vector<double>&alone = rounds[0], &ns = rounds[i + 1];
         std::vector<double> lost;
@@ -223,26 +224,22 @@ void study_false_sharing(study::Report& report) {
 // All workers take numbers from one counter.
 void study_counter(study::Report& report) {
     constexpr int count = 1'000'000;
+    struct Counting {
+        const char* variant;
+        int workers;
+        std::vector<double> lost;  // of each round, in percent
+        study::Work work;
+    };
+    std::deque<Counting> trials;
     const auto add = [&](const char* variant, int workers, auto take) {
-        std::vector<double> lost;
-        const double ns = study::time_ns(
-            [&] {
-                std::atomic<int> next = 0;
-                run_workers(workers, [&](int) {
-                    for (int i = 0; i < count; ++i) take(next);
-                });
-                lost.push_back(100 - 100 * static_cast<double>(next) / count / workers);
-            },
-            {.clock = study::Clock::wall});
-        report.add({.study = "Counter",
-                    .variant = variant,
-                    .x = static_cast<double>(workers),
-                    .x_name = "workers",
-                    .error = study::median(lost),
-                    .error_name = error_of("numbers taken twice",
-                                           std::string_view{variant} == "read, then write"),
-                    .cost = ns / count / workers,
-                    .cost_name = "time per number / ns"});
+        Counting& trial = trials.emplace_back(Counting{variant, workers, {}, {}});
+        trial.work = [&trial, take] {
+            std::atomic<int> next = 0;
+            run_workers(trial.workers, [&](int) {
+                for (int i = 0; i < count; ++i) take(next);
+            });
+            trial.lost.push_back(100 - 100 * static_cast<double>(next) / count / trial.workers);
+        };
     };
     std::mutex mutex;
     for (const int workers : {1, 2, 4}) {
@@ -255,6 +252,20 @@ void study_counter(study::Report& report) {
             next.store(next.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
         });
     }
+    std::vector<study::Work> works;
+    for (const Counting& trial : trials) works.push_back(trial.work);
+    const auto ns = study::in_turns_ns(works, {.rounds = 9, .clock = study::Clock::wall});
+    for (std::size_t i = 0; i < trials.size(); ++i)
+        report.add(
+            {.study = "Counter",
+             .variant = trials[i].variant,
+             .x = static_cast<double>(trials[i].workers),
+             .x_name = "workers",
+             .error = study::median(trials[i].lost),
+             .error_name = error_of("numbers taken twice",
+                                    std::string_view{trials[i].variant} == "read, then write"),
+             .cost = ns[i] / count / trials[i].workers,
+             .cost_name = "time per number / ns"});
 }
 
 }  // namespace

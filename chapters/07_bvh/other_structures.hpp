@@ -120,23 +120,14 @@ struct Cloud {
             for (int x = 0; x < 240; ++x)
                 rays.push_back(primary_ray(camera, x, y, {Real(0.5), Real(0.5)}));
     }
-    template <class World>
-    double ns_per_ray(const World& world) const {
-        return ns(world, rays);
-    }
-    template <class World>
-    double ns_per_random_ray(const World& world) const {
-        return ns(world, random_rays);
-    }
-
-  private:
-    template <class World>
-    static double ns(const World& world, const std::vector<Ray>& rays) {
-        const auto all = [&] {
-            for (const Ray& ray : rays) study::keep(world.hit(ray, {}));
-        };
-        return study::time_ns(all, {.once_from_ms = 100}) / static_cast<double>(rays.size());
-    }
 };
+
+// Work to be timed: all these rays in a world.
+template <class World>
+study::Work search_all(const World& world, const std::vector<Ray>& rays) {
+    return [&] {
+        for (const Ray& ray : rays) study::keep(world.hit(ray, {}));
+    };
+}
 
 }  // namespace bvh

@@ -1,5 +1,6 @@
 #include "study.hpp"
 
+#include <deque>
 #include <rt/counting_world.hpp>
 #include <rt/flat_tree.hpp>
 #include <rt/render_pixel.hpp>
@@ -32,13 +33,6 @@ struct Shot {
                                          SkyEnding{}, Quality{1, 4, 1}, x, y));
         return rays;
     }
-    // Nanoseconds per ray, including shading.
-    template <class World>
-    double ns_per_ray(const World& world) const {
-        std::uint64_t rays = 1;
-        const double ns = study::time_ns([&] { rays = render(world); }, {.rounds = 3});
-        return ns / static_cast<double>(rays);
-    }
 };
 
 // Boxes of a node and spheres of a leaf tested for a ray, eight at once counted as one.
@@ -61,84 +55,130 @@ void study_searches(study::Report& report, const Scene& scene) {
     const FlatTree flat = make_flat(by_area);
     const WideTreeOf<Real> wide = make_wide_tree<Real>(scene.spheres);
     const WideTree wide_float = make_wide_tree<float>(scene.spheres);
-    const double of_list = small.ns_per_ray(list);
-    const auto row = [&](const char* name, double ns) {
-        report.add({"structures", name, 10'000, "spheres", of_list / ns,
-                    "times as fast as the list", ns, "time per ray / ns"});
+    const FlatInOrder in_order{flat};
+    std::vector<const char*> names;
+    std::vector<double> rays;
+    std::vector<study::Work> works;
+    const auto add = [&](const char* name, const Shot& shot, const auto& world) {
+        names.push_back(name);
+        rays.push_back(static_cast<double>(shot.render(world)));
+        works.push_back([&] { shot.render(world); });
     };
-    row("linear list", of_list);
-    row("linear list 8 at once", small.ns_per_ray(packed));
-    row("tree sorted", large.ns_per_ray(sorted));
-    row("tree by area", large.ns_per_ray(by_area));
-    row("flat in order", large.ns_per_ray(FlatInOrder{flat}));
-    row("flat nearest first", large.ns_per_ray(flat));
-    row("8-wide", large.ns_per_ray(wide));
-    row("8-wide float boxes", large.ns_per_ray(wide_float));
+    add("linear list", small, list);
+    add("linear list 8 at once", small, packed);
+    add("tree sorted", large, sorted);
+    add("tree by area", large, by_area);
+    add("flat in order", large, in_order);
+    add("flat nearest first", large, flat);
+    add("8-wide", large, wide);
+    add("8-wide float boxes", large, wide_float);
+    const auto ns = study::in_turns_ns(works);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        report.add({"structures", names[i], 10'000, "spheres", ns[0] / rays[0] * rays[i] / ns[i],
+                    "times as fast as the list", ns[i] / rays[i], "time per ray / ns"});
 }
 
 // Build quality against build time, and against the size of the leaves.
 void study_splits(study::Report& report, const Scene& scene) {
     const Shot shot{scene, 120, 85};
-    const auto row = [&](const char* study, const char* name, double x, const char* x_name,
-                         const auto& split) {
+    struct Trial {
+        std::string variant;
+        int leaf;  // 0 for those that are compared by their build time
         SphereTree tree;
-        const double build =
-            study::time_ns([&] { tree = make_tree(scene.spheres, split); }, {.rounds = 3});
-        report.add({study, name, x < 0 ? build * 1e-6 : x, x_name, tests_per_ray(tree),
-                    "tests per ray", shot.ns_per_ray(tree), "time per ray / ns"});
     };
-    row("build", "random axis", -1, "build time / ms", SplitRandomAxis{});
-    row("build", "sorted", -1, "build time / ms", split_in_half);
-    row("build", "area binned", -1, "build time / ms", split_binned);
-    row("build", "area full sweep", -1, "build time / ms", split_by_area);
-    for (const int size : {1, 2, 4, 8, 16, 32})
-        row("leaf-size", "sorted", size, "spheres in a leaf", SplitLeaf{size});
+    std::deque<Trial> trials;
+    std::vector<study::Work> builds, renders;
+    const auto add = [&](const char* variant, int leaf, const auto& split) {
+        Trial& trial = trials.emplace_back(Trial{variant, leaf, {}});
+        builds.push_back([&trial, &scene, split] { trial.tree = make_tree(scene.spheres, split); });
+        renders.push_back([&trial, &shot] { shot.render(trial.tree); });
+    };
+    add("random axis", 0, SplitRandomAxis{});
+    add("sorted", 0, split_in_half);
+    add("area binned", 0, split_binned);
+    add("area full sweep", 0, split_by_area);
+    for (const int size : {1, 2, 4, 8, 16, 32}) add("sorted", size, SplitLeaf{size});
+    const auto build = study::in_turns_ns(builds), render = study::in_turns_ns(renders);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const auto& [variant, leaf, tree] = trials[i];
+        const bool by_time = leaf == 0;
+        report.add({by_time ? "build" : "leaf-size", variant,
+                    by_time ? build[i] * 1e-6 : static_cast<double>(leaf),
+                    by_time ? "build time / ms" : "spheres in a leaf", tests_per_ray(tree),
+                    "tests per ray", render[i] / static_cast<double>(shot.render(tree)),
+                    "time per ray / ns"});
+    }
 }
 
 // How the times of a ray and of building grow with the number of spheres.
 void study_growth(study::Report& report) {
+    // What is searched, kept until all have been timed.
+    std::deque<Cloud> clouds;
+    std::deque<WideTree> wide_trees;
+    std::deque<SphereTree> trees;
     std::vector<study::Row> building;
     for (const int count : {1'000, 10'000, 100'000, 1'000'000}) {
-        const Cloud cloud{count};
-        WideTree tree;
-        const auto build_row = [&](const char* name, const auto& split) {
-            const double build = study::time_ns(
-                [&] { tree = make_wide_tree<float>(cloud.spheres, split); }, {.rounds = 1});
+        const Cloud& cloud = clouds.emplace_back(count);
+        WideTree by_sweep, in_bins;
+        std::vector<study::Work> builds{
+            [&] { in_bins = make_wide_tree<float>(cloud.spheres, binned_split); }};
+        if (count <= 100'000)
+            builds.push_back(
+                [&] { by_sweep = make_wide_tree<float>(cloud.spheres, split_by_area); });
+        const auto ns = study::in_turns_ns(builds);
+        const auto build_row = [&](const char* name, const WideTree& tree, double time) {
             const double bytes = static_cast<double>(tree.nodes.size() * sizeof(tree.nodes[0]) +
                                                      tree.leaves.size() * sizeof(tree.leaves[0]));
             building.push_back({"build-time", name, static_cast<double>(count), "spheres",
-                                bytes / count, "bytes per sphere", build * 1e-6, "time / ms"});
+                                bytes / count, "bytes per sphere", time * 1e-6, "time / ms"});
         };
-        build_row("8-wide, area in bins", binned_split);
-        if (count <= 100'000) build_row("8-wide, area full sweep", split_by_area);
-        const auto row = [&](const char* name, double tests, const char* tests_name, double ns) {
-            report.add({"growth", name, static_cast<double>(count), "spheres", tests, tests_name,
-                        ns, "time per ray / ns"});
+        build_row("8-wide, area in bins", in_bins, ns[0]);
+        if (count <= 100'000) build_row("8-wide, area full sweep", by_sweep, ns[1]);
+
+        const WideTree& tree = wide_trees.emplace_back(std::move(in_bins));
+        const auto add = [&](const char* name, const char* tests_name, double tests,
+                             const auto& world, const std::vector<Ray>& rays) {
+            report.add({.study = "growth",
+                        .variant = name,
+                        .x = static_cast<double>(count),
+                        .x_name = "spheres",
+                        .error = tests,
+                        .error_name = tests_name,
+                        .cost_name = "time per ray / ns"},
+                       search_all(world, rays), static_cast<double>(rays.size()));
         };
-        row("8-wide float boxes", wide_tests_per_ray(tree, cloud.rays), "wide tests per ray",
-            cloud.ns_per_ray(tree));
-        row("8-wide float boxes, random rays", wide_tests_per_ray(tree, cloud.random_rays),
-            "wide tests per ray", cloud.ns_per_random_ray(tree));
+        add("8-wide float boxes", "wide tests per ray", wide_tests_per_ray(tree, cloud.rays), tree,
+            cloud.rays);
+        add("8-wide float boxes, random rays", "wide tests per ray",
+            wide_tests_per_ray(tree, cloud.random_rays), tree, cloud.random_rays);
         // Its tests are not counted: they are of one box or sphere, not of eight.
         if (count <= 100'000)
-            row("tree sorted", 0, "", cloud.ns_per_ray(make_tree(cloud.spheres, split_in_half)));
+            add("tree sorted", "", 0, trees.emplace_back(make_tree(cloud.spheres, split_in_half)),
+                cloud.rays);
     }
+    report.time_in_turns({.rounds = 5});
     for (const study::Row& row : building) report.add(row);
 }
 
 // From how many spheres on a tree is worthwhile.
 void study_few(study::Report& report) {
+    std::deque<Cloud> clouds;
+    std::deque<SphereList> lists;
+    std::deque<WideTree> trees;
     for (const int few : {1, 2, 4, 8, 16, 32}) {
-        const Cloud cloud{few};
-        const SphereList all{cloud.spheres};
-        const WideTree tree = make_wide_tree<float>(cloud.spheres);
-        const auto row = [&](const char* name, double ns) {
-            report.add(
-                {"few", name, static_cast<double>(few), "spheres", 0, "", ns, "time per ray / ns"});
+        const Cloud& cloud = clouds.emplace_back(few);
+        const auto add = [&](const char* name, const auto& world) {
+            report.add({.study = "few",
+                        .variant = name,
+                        .x = static_cast<double>(few),
+                        .x_name = "spheres",
+                        .cost_name = "time per ray / ns"},
+                       search_all(world, cloud.rays), static_cast<double>(cloud.rays.size()));
         };
-        row("linear list", cloud.ns_per_ray(all));
-        row("8-wide float boxes", cloud.ns_per_ray(tree));
+        add("linear list", lists.emplace_back(SphereList{cloud.spheres}));
+        add("8-wide float boxes", trees.emplace_back(make_wide_tree<float>(cloud.spheres)));
     }
+    report.time_in_turns();
 }
 
 // A tree whose boxes are exactly as large as their spheres: neither boxes nor rays have a margin.

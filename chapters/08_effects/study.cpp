@@ -114,14 +114,19 @@ void study_light(study::Report& report) {
                 const double off = static_cast<double>((scene.*way)(random)) - expected;
                 squares += off * off;
             }
-            const auto many = [&] {
+            const auto many = [=]() mutable {
                 for (int i = 0; i < timed; ++i) study::keep((scene.*way)(random));
             };
-            report.add({"light", named_way.first, static_cast<double>(distance),
-                        "distance / radius", std::sqrt(squares / count) / expected,
-                        "error of one sample / mean", study::time_ns(many, {.rounds = 3}) / timed,
-                        "time per sample / ns"});
+            report.add({.study = "light",
+                        .variant = named_way.first,
+                        .x = static_cast<double>(distance),
+                        .x_name = "distance / radius",
+                        .error = std::sqrt(squares / count) / expected,
+                        .error_name = "error of one sample / mean",
+                        .cost_name = "time per sample / ns"},
+                       many, timed);
         }
+    report.time_in_turns();
 }
 
 // Pixels of a floor that the light makes white, each the mean of 100 samples.
@@ -164,11 +169,17 @@ void study_cap(study::Report& report, const char* name, double power, Formula fo
             std::max(largest, std::min(1e18, study::error_in_ulp(formula(Real(1), distance),
                                                                  one / (d * d) / (one + cosine))));
     }
-    const double ns = study::time_ns([&] {
+    const auto all = [=] {
         for (const Real distance : distances) study::keep(formula(Real(1), distance));
-    });
-    report.add({"solid-angle", name, std::pow(10, power), "distance / radius", largest,
-                "largest error / ulp", ns / count, "time / ns"});
+    };
+    report.add({.study = "solid-angle",
+                .variant = name,
+                .x = std::pow(10, power),
+                .x_name = "distance / radius",
+                .error = largest,
+                .error_name = "largest error / ulp",
+                .cost_name = "time / ns"},
+               all, count);
 }
 
 void study_solid_angle(study::Report& report) {
@@ -180,6 +191,7 @@ void study_solid_angle(study::Report& report) {
         study_cap(report, "1 - cos", power, naive);
         study_cap(report, "sin^2 / (1 + cos)", power, cone_height);
     }
+    report.time_in_turns();
 }
 
 // What each effect costs where it is absent, compiled in but unused, and present.
@@ -203,7 +215,7 @@ void study_each_effect(study::Report& report) {
                 for (int y = 0; y < rows; ++y)
                     for (int x = 0; x < width; ++x) study::keep(shaders[i](x, y, rays[i]));
             });
-        std::vector<double> per_ray = study::in_turns_ns(works, {.rounds = 5});
+        std::vector<double> per_ray = study::in_turns_ns(works, {.rounds = 9});
         for (std::size_t i = 0; i < shaders.size(); ++i) {
             per_ray[i] /= static_cast<double>(rays[i]);
             report.add({"effects", std::string(effect.name) + ", " + names[i],

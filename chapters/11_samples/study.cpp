@@ -94,26 +94,35 @@ void study_samples(study::Report& report) {
               return draw_watched(in, SobolSamples{seed, samples});
           }},
          {"Sobol in twin halves", draw_twins}}};
+    // A picture per round, each with a seed of its own.
+    struct Trial {
+        const char* variant;
+        int samples;
+        Draw draw;
+        std::uint64_t seed = 1;
+        double squares = 0, estimates = 0;
+    };
+    std::vector<Trial> trials;
     for (const auto& [name, draw] : ways)
-        for (int samples = 4; samples <= 256; samples *= 4) {
-            const int seeds = std::clamp(128 / samples, 1, 8);
-            double squares = 0, estimates = 0;
-            const double ns = study::time_ns(
-                [&, draw = draw] {
-                    for (int seed = 1; seed <= seeds; ++seed) {
-                        const Judged one = draw(stage, samples, static_cast<std::uint64_t>(seed));
-                        squares += std::pow(rmse(one.image, truth), 2);
-                        estimates += std::pow(one.estimate, 2);
-                    }
-                },
-                {.rounds = 1});
-            const double error = std::sqrt(squares / seeds), ms = 1e-6 * ns / seeds;
-            const double x = samples;
-            report.add({"Samples", name, x, "samples per pixel", error, "RMSE in a pixel", ms,
-                        "time / ms"});
-            report.add({"Estimate", name, x, "samples per pixel", std::sqrt(estimates / squares),
-                        "estimated error / error", ms, "time / ms"});
-        }
+        for (int samples = 4; samples <= 256; samples *= 4) trials.push_back({name, samples, draw});
+    std::vector<study::Work> works;
+    for (Trial& trial : trials)
+        works.push_back([&] {
+            const Judged one = trial.draw(stage, trial.samples, trial.seed++);
+            trial.squares += std::pow(rmse(one.image, truth), 2);
+            trial.estimates += std::pow(one.estimate, 2);
+        });
+    constexpr int rounds = 5;
+    const auto ns = study::in_turns_ns(works, {.rounds = rounds});
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const Trial& trial = trials[i];
+        const double x = trial.samples, ms = 1e-6 * ns[i];
+        report.add({"Samples", trial.variant, x, "samples per pixel",
+                    std::sqrt(trial.squares / rounds), "RMSE in a pixel", ms, "time / ms"});
+        report.add({"Estimate", trial.variant, x, "samples per pixel",
+                    std::sqrt(trial.estimates / trial.squares), "estimated error / error", ms,
+                    "time / ms"});
+    }
 }
 
 // A sample of a pixel where one path in ten finds a lamp.
@@ -207,22 +216,28 @@ void study_denoiser(study::Report& report, const std::string& name, const Tile& 
         return features_at(stage.ready, {1, 16}, x, y, Real(0.1));
     });
     const double lost = rmse(denoised(truth, features, {}), truth);
-    for (int samples = 1; samples <= 64; samples *= 4) {
+    struct Trial {
+        int samples;
         Image before, after;
-        const double ns = study::time_ns(
-            [&] {
-                before = stage.draw_with(SobolSamples{1, samples});
-            },
-            {.rounds = 1});
-        const double more =
-            study::time_ns([&] { after = denoised(before, features, {}); }, {.rounds = 1});
-        const auto add_row = [&](const char* variant, double error, double cost) {
-            report.add({"Denoiser, " + name, variant, static_cast<double>(samples),
-                        "samples per pixel", error, "RMSE in a pixel", 1e-6 * cost, "time / ms"});
+    };
+    std::vector<Trial> trials;
+    for (int samples = 1; samples <= 64; samples *= 4) trials.push_back({samples, {}, {}});
+    std::vector<study::Work> works;
+    for (Trial& trial : trials) {
+        works.push_back([&] { trial.before = stage.draw_with(SobolSamples{1, trial.samples}); });
+        works.push_back([&] { trial.after = denoised(trial.before, features, {}); });
+    }
+    const auto ns = study::in_turns_ns(works, {.rounds = 3});
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const auto& [samples, before, after] = trials[i];
+        const double drawing = ns[2 * i], denoising = ns[2 * i + 1];
+        const auto add_row = [&, x = samples](const char* variant, double error, double cost) {
+            report.add({"Denoiser, " + name, variant, static_cast<double>(x), "samples per pixel",
+                        error, "RMSE in a pixel", 1e-6 * cost, "time / ms"});
         };
-        add_row("as drawn", rmse(before, truth), ns);
-        add_row("denoised", rmse(after, truth), ns + more);
-        add_row("the converged picture denoised", lost, more);
+        add_row("as drawn", rmse(before, truth), drawing);
+        add_row("denoised", rmse(after, truth), drawing + denoising);
+        add_row("the converged picture denoised", lost, denoising);
     }
 }
 

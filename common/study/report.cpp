@@ -1,6 +1,7 @@
 #include <app/files.hpp>
 #include <fstream>
 #include <rt/real.hpp>
+#include <stdexcept>
 #include <study/csv.hpp>
 #include <study/report.hpp>
 #include <type_traits>
@@ -39,6 +40,25 @@ std::string precision() {
 
 Report::Report(std::string chapter) : chapter_{std::move(chapter)} {}
 
+void Report::add(Row row, Work work, double parts) {
+    waiting_.push_back({rows_.size(), std::move(work), parts});
+    rows_.push_back(std::move(row));
+}
+
+void Report::time_in_turns(const Turns& turns) {
+    std::vector<Work> works;
+    for (const Waiting& waiting : waiting_) works.push_back(waiting.work);
+    const std::vector<double> ns = in_turns_ns(works, turns);
+    for (std::size_t i = 0; i < ns.size(); ++i)
+        rows_[waiting_[i].row].cost = ns[i] / waiting_[i].parts;
+    waiting_.clear();
+}
+
+const std::vector<Row>& Report::rows() const {
+    if (!waiting_.empty()) throw std::logic_error{"time_in_turns() should come before rows()"};
+    return rows_;
+}
+
 void Report::write_csv(const std::filesystem::path& folder) const {
     const auto path = folder / (chapter_ + ".csv");
     std::string text = header;
@@ -48,13 +68,13 @@ void Report::write_csv(const std::filesystem::path& folder) const {
     for (const Line& line : read_csv(in))
         if (line.size() > precision_column && line[precision_column] == other)
             text += to_text(line);
-    for (const Row& row : rows_) text += to_text(to_line(row));
+    for (const Row& row : rows()) text += to_text(to_line(row));
     app::replace_file(path, text);
 }
 
 void Report::print_table(std::FILE* out) const {
     std::string title;
-    for (const Row& row : rows_) {
+    for (const Row& row : rows()) {
         if (row.study != title) {
             title = row.study;
             std::fprintf(out, "\n%s: %s (%s)\n%-24s %18s %24s %14s\n", chapter_.c_str(),

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <study/timing.hpp>
 #include <vector>
 
 namespace study {
@@ -11,12 +12,12 @@ namespace study {
 // One measurement. The names say what the numbers are and their units, such as "distance / radius",
 // "largest error / ulp", "time / ns".
 struct Row {
-    std::string study;    // which question the row helps to answer
-    std::string variant;  // which way of computing it measured
+    std::string study;         // which question the row helps to answer
+    std::string variant = {};  // which way of computing it measured
     double x = 0;
     std::string x_name;
     double error = 0;
-    std::string error_name;  // empty where the error was not measured
+    std::string error_name = {};  // empty where the error was not measured
     double cost = 0;
     std::string cost_name = {};  // empty where nothing was timed
 };
@@ -27,7 +28,16 @@ class Report {
     explicit Report(std::string chapter);
 
     void add(Row row) { rows_.push_back(std::move(row)); }
-    const std::vector<Row>& rows() const { return rows_; }
+
+    // A row whose cost is the time of `work` in nanoseconds, divided by `parts`. It is not measured
+    // before time_in_turns() is called.
+    void add(Row row, Work work, double parts);
+    // Times the works of all rows that wait for it, in turns.
+    void time_in_turns(const Turns& turns = {.rounds = 21, .at_least_ms = 0.5});
+
+    // The rows. Like the table and the file, it throws std::logic_error while rows wait for their
+    // time.
+    const std::vector<Row>& rows() const;
 
     // Writes folder/CHAPTER.csv. Keeps the rows of the other precision that it already holds, so
     // that running the double and the float program one after the other gives one file with both.
@@ -37,8 +47,15 @@ class Report {
     void print_table(std::FILE* out) const;
 
   private:
+    struct Waiting {
+        std::size_t row;
+        Work work;
+        double parts;
+    };
+
     std::string chapter_;
     std::vector<Row> rows_;
+    std::vector<Waiting> waiting_;
 };
 
 // "float" or "double": what rt::Real is in this program.

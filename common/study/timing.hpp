@@ -21,7 +21,7 @@ using Work = std::function<void()>;
 enum class Clock { processor, wall };
 
 struct Turns {
-    int rounds = 3;
+    int rounds = 5;
     // Within a round, each piece of work is repeated until it has taken this long.
     double at_least_ms = 0;
     // A piece of work that takes this long is timed in the first round only.

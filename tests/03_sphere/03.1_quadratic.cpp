@@ -76,8 +76,9 @@ void check_none(const std::optional<Roots>& roots, const char* what) {
     CHECK(text(roots) == "no solution");
 }
 
-// Checks both functions with the equations of one kind. The derivation allows 4 units in the last
-// place. Half a unit each for the division, the sum, the root and half of the discriminant's error.
+// Checks both functions with the equations of one kind. With u = epsilon / 2, the discriminant is
+// off by at most 2 u of its value, and its root by half of that. Rounding the root, the sum and the
+// quotient adds u each: 4 u in all, which is at most 4 units in the last place.
 void check_table(std::string_view kind, const char* hint) {
     for (const auto& row : exact::quadratics()) {
         if (row.kind != kind) continue;

@@ -28,8 +28,7 @@ inline double length_error(Vec3 v) {
     return std::abs((squared - Exact(1)).high / 2);  // sqrt(1 + x) is 1 + x / 2 for tiny x
 }
 
-// Directions on a hemisphere about `pole`, counted on a grid of equal angles. What the cells should
-// hold: `share` of an angle is the share of directions within that angle from the pole.
+// Directions on a hemisphere about `pole`, counted in a grid of `turns` by `rings` cells.
 struct Grid {
     Vec3 pole, x, y;
     double lowest_pole_cosine = 0;
@@ -65,7 +64,7 @@ inline double ring_of_angle(double cosine) {
     return std::acos(std::clamp(cosine, -1.0, 1.0)) * rings / (3.141592653589793 / 2);
 }
 
-// How many of the samples a cell of each ring holds when the density is cos / pi: the integral of
+// The expected count of each cell if the density is cos / pi: `samples` times the integral of
 // cos sin / pi over the cell.
 inline std::vector<double> expected_by_cosine() {
     std::vector<double> expected;
@@ -80,10 +79,10 @@ inline std::vector<double> expected_by_cosine() {
     return expected;
 }
 
-// Places in a small rectangle become directions in a small patch of the sphere. This is the
-// patch's area divided by the rectangle's: the density of directions is 1 over it, whichever
-// number of the place sets the angle, and wherever that starts. The rectangle reaches `reach` of
-// the way to the square's edges.
+// The points of a small rectangle in the unit square become directions in a small patch of the
+// sphere. This is the patch's area divided by the rectangle's. The density of directions is 1 over
+// it, whichever of the two coordinates sets the angle about the pole, and wherever that angle
+// starts. The rectangle around `place` reaches `reach` of the way to the square's edges.
 template <class Direction>
 double area_ratio(const Direction& direction, Vec2 place, Real reach) {
     const Real h = reach * std::min(place.x, 1 - place.x),

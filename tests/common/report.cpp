@@ -1,6 +1,7 @@
 #include <sstream>
 #include <study/csv.hpp>
 #include <study/report.hpp>
+#include <study/timing.hpp>
 
 #include "checkpoint.hpp"
 #include "temporary_folder.hpp"
@@ -71,6 +72,32 @@ TEST_CASE("a report prints a dash for an error that was not measured", "[report]
     INFO(text);
     CHECK(text.find(" - ") != std::string::npos);
     CHECK(text.find("0.125") == std::string::npos);
+}
+
+TEST_CASE("a report times its rows in turns", "[report]") {
+    study::Report report{"99_test"};
+    std::string order;
+    const auto burn = [](int steps) {
+        for (int i = 0; i < steps; ++i) study::keep(i);
+    };
+    report.add(
+        {.study = "s", .variant = "one", .x_name = "x", .cost_name = "time / ns"},
+        [&] { order += '1', burn(1'000'000); }, 1);
+    report.add({.study = "s", .variant = "not timed", .x_name = "x", .cost = 7});
+    report.add(
+        {.study = "s", .variant = "a tenth", .x_name = "x", .cost_name = "time / ns"},
+        [&] { order += '2', burn(1'000'000); }, 10);
+    CHECK_THROWS_AS(report.rows(), std::logic_error);
+    report.time_in_turns({.rounds = 3});
+    CHECK(order == "121212");
+    const auto& rows = report.rows();
+    REQUIRE(rows.size() == 3);
+    CHECK(rows[1].cost == 7);
+    // Equal work. The rest is the machine's noise.
+    const double ratio = rows[0].cost / rows[2].cost;
+    INFO("expected about 10, actual " << ratio);
+    CHECK(ratio > 3);
+    CHECK(ratio < 30);
 }
 
 TEST_CASE("a report prints one table per study", "[report]") {
