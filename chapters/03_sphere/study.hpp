@@ -1,6 +1,7 @@
 #pragma once
 // What it costs to know where a far sphere is hit, and whether it is hit at all.
 
+#include <rt/compiler.hpp>
 #include <rt/length.hpp>
 #include <rt/orthonormal_basis.hpp>
 #include <rt/rng.hpp>
@@ -79,16 +80,20 @@ inline Quality judge(const std::vector<Case>& cases, variants::HitFunction hit) 
     return quality;
 }
 
-// The work to be timed, each function compiled into its own loop as in a renderer.
+// Each function is compiled into its own loop, as in a renderer.
+template <class Hit>
+RT_INLINES_ALL void hit_each(const std::vector<Ray>& rays, Hit hit) {
+    Real sum = 0;
+    for (const Ray& ray : rays) sum += hit({}, ray, {0, rt::infinity}).value_or(0);
+    study::keep(sum);
+}
+
+// The work to be timed.
 template <class Hit>
 study::Work hit_all(const std::vector<Case>& cases, Hit hit) {
     std::vector<Ray> rays;
     for (const Case& c : cases) rays.push_back(c.ray);
-    return [rays, hit] {
-        Real sum = 0;
-        for (const Ray& ray : rays) sum += hit({}, ray, {0, rt::infinity}).value_or(0);
-        study::keep(sum);
-    };
+    return [rays, hit] { hit_each(rays, hit); };
 }
 
 // Every way to intersect a sphere, with its name. Lambdas, because a loop over a function pointer
