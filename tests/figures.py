@@ -9,8 +9,10 @@ Each figure of the table must be that of a row of the study, rounded as it is sh
 its line and the heading of its column say which row: each is a variant, a precision or a number, which
 is an x. A heading "error" or "cost" says which of the two the column has; without such a heading it is
 the error, and a cell "0.02 / 5 ms" has both. The comment must say whatever neither of them says:
-variant="...", precision="double", x="100", value="cost". A cell without a digit, and the columns that
-text="..." names (several with | between them), are not checked.
+variant="...", precision="double", x="100", value="cost". A heading or a first cell that the study does
+not know is explained by names="lists of 8, float=batches+8+float|one by one=single rays". One of these
+may also be a study, where the comment has none. A cell without a digit, and the columns that text="..."
+names (several with | between them), are not checked.
 
 A figure in a sentence has its comment right before it, and never at the start of a line:
 
@@ -76,18 +78,29 @@ def number(text):
 def key_of(rows, text):
     """What a heading says about a row.
 
-    >>> rows = [{"variant": "a", "precision": "float", "x": "1e+07"}]
-    >>> [key_of(rows, text) for text in ("a", "float", "10,000,000", "cost", "b")]
-    [('variant', 'a'), ('precision', 'float'), ('x', 10000000.0), ('value', 'cost'), None]
+    >>> rows = [{"study": "s", "variant": "a", "precision": "float", "x": "1e+07"}]
+    >>> [key_of(rows, text) for text in ("a", "float", "10,000,000", "s", "cost", "b")]
+    [('variant', 'a'), ('precision', 'float'), ('x', 10000000.0), ('study', 's'), ('value', 'cost'), None]
     """
     text = plain(text)
-    for field in ("variant", "precision"):
+    for field in ("variant", "precision", "study"):
         if any(plain(row[field]) == text for row in rows):
             return field, text
     x = number(text.replace(",", ""))
     if x is not None and any(float(row["x"]) == x for row in rows):
         return "x", x
     return ("value", text) if text in ("error", "cost") else None
+
+
+def keys_of(rows, text, names):
+    """The same for what `names` may explain.
+
+    >>> rows = [{"study": "s", "variant": "a", "precision": "float", "x": "8"}]
+    >>> keys_of(rows, "eight at once", {"eight at once": ["8", "float"]}), keys_of(rows, "b", {})
+    ({'x': 8.0, 'precision': 'float'}, None)
+    """
+    keys = [key_of(rows, one) for one in names.get(plain(text), [text])]
+    return None if None in keys else dict(keys)
 
 
 def check(rows, keys, shown):
@@ -111,9 +124,9 @@ def check(rows, keys, shown):
 
 def study_rows(file, options):
     with open(ROOT / file, newline="", encoding="utf-8") as table:
-        rows = [row for row in csv.DictReader(table) if row["study"] == options.get("study")]
+        rows = [row for row in csv.DictReader(table) if options.get("study") in (None, row["study"])]
     if not rows:
-        raise Wrong(f"{file} has no study '{options.get('study')}'")
+        raise Wrong(f"{file} has no study '{options['study']}'")
     return rows
 
 
@@ -121,7 +134,7 @@ def cells(line):
     return [cell.strip() for cell in line.strip().strip("|").split("|")]
 
 
-def check_table(rows, keys, prose, text):
+def check_table(rows, keys, prose, names, text):
     """Checks the first table of a text; returns how many figures it has."""
     lines = text.lstrip("\n").split("\n")
     table = lines[:next((i for i, line in enumerate(lines) if not line.startswith("|")), len(lines))]
@@ -129,18 +142,18 @@ def check_table(rows, keys, prose, text):
         raise Wrong("a table should follow")
     columns = [None]
     for heading in cells(table[0])[1:]:
-        columns.append(None if heading in prose else key_of(rows, heading))
+        columns.append(None if heading in prose else keys_of(rows, heading, names))
         if columns[-1] is None and heading not in prose:
             raise Wrong(f"the heading '{heading}' is no variant, precision or x of the study")
     count = 0
     for line in table[2:]:
         first, *rest = cells(line)
-        head = key_of(rows, first)
+        head = keys_of(rows, first, names)
         if head is None:
             raise Wrong(f"'{first}' is no variant, precision or x of the study")
         for column, shown in zip(columns[1:], rest):
             if column and re.search(r"\d", shown):
-                check(rows, {**keys, head[0]: head[1], column[0]: column[1]}, shown)
+                check(rows, {**keys, **head, **column}, shown)
                 count += 1
     if not count:
         raise Wrong("the table has no figures")
@@ -152,15 +165,17 @@ def check_text(path):
     text, right, wrong = path.read_text(encoding="utf-8"), 0, 0
     for mark in MARK.finditer(text):
         try:
-            keys = {k: plain(v) for k, v in re.findall(r'(\w+)="([^"]*)"', mark[3])}
+            keys = {k: plain(" ".join(v.split())) for k, v in re.findall(r'(\w+)="([^"]*)"', mark[3])}
             rows = study_rows(mark[2], keys)
             prose = keys.pop("text", "").split("|")
-            del keys["study"]
+            names = dict(name.rsplit("=", 1) for name in keys.pop("names", "").split("|") if name)
+            names = {name: said.split("+") for name, said in names.items()}
+            keys.pop("study", None)
             after = text[mark.end():]
             if mark[1] == "figure" and text[:mark.start()].endswith("\n"):
                 raise Wrong("text after a comment at the start of a line is not Markdown: put a word before the comment")
             if mark[1] == "figures":
-                right += check_table(rows, keys, prose, after)
+                right += check_table(rows, keys, prose, names, after)
             else:
                 check(rows, keys, re.match(r"\S*(?:\s\d{3}\b)*", after)[0])
                 right += 1
