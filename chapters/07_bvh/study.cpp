@@ -88,7 +88,7 @@ void study_splits(study::Report& report, const Scene& scene) {
     };
     std::deque<Trial> trials;
     std::vector<study::Work> builds, renders;
-    const auto add = [&](const char* variant, int leaf, const auto& split) {
+    const auto add = [&](const char* variant, int leaf, auto split) {
         Trial& trial = trials.emplace_back(Trial{variant, leaf, {}});
         builds.push_back([&trial, &scene, split] { trial.tree = make_tree(scene.spheres, split); });
         renders.push_back([&trial, &shot] { shot.render(trial.tree); });
