@@ -1,6 +1,7 @@
-# The facts of course.json: course_names, the chapters of exercises in their order; and for each of
-# them course_ids_NN_topic, its exercises, and course_text_NN_topic, the file of its text. The chapter
-# of rungs is in Own.cmake.
+# The facts of course.json. course_names: the chapters of exercises in their order. For each of them
+# course_ids_NN_topic, its exercises; course_files_NN.k, the files that the learner writes for one;
+# course_text_NN_topic, the file of its text; and course_folders_NN_topic, the include folders of its solution:
+# what is given and the answers, of all chapters up to this one, so that no chapter can use what comes after it.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/course.json)
 file(READ ${CMAKE_SOURCE_DIR}/course.json course_json)
 
@@ -14,6 +15,7 @@ function(course_fact out mode)
 endfunction()
 
 set(course_names "")
+set(folders "")
 course_fact(chapters LENGTH chapters)
 math(EXPR last_chapter "${chapters} - 1")
 foreach(chapter RANGE ${last_chapter})
@@ -23,18 +25,25 @@ foreach(chapter RANGE ${last_chapter})
     continue()
   endif()
   course_fact(course_text_${name} GET chapters ${chapter} text)
+  list(APPEND folders ${CMAKE_SOURCE_DIR}/chapters/${name} ${CMAKE_SOURCE_DIR}/solutions/${name})
+  set(course_folders_${name} ${folders})
   course_fact(exercises LENGTH chapters ${chapter} exercises)
   math(EXPR last_exercise "${exercises} - 1")
   set(course_ids_${name} "")
   foreach(exercise RANGE ${last_exercise})
     course_fact(id GET chapters ${chapter} exercises ${exercise} id)
+    if(NOT id STREQUAL "00.1" AND NOT EXISTS ${CMAKE_SOURCE_DIR}/tests/${name}/${id}/answer.cpp)
+      continue()  # TRANSITION
+    endif()
     list(APPEND course_ids_${name} ${id})
-    # Used until the companion puts the learner's files there. All exist from the start: a build that found a
-    # header in another folder would not look here again.
+    set(course_files_${id} "")
     course_fact(files LENGTH chapters ${chapter} exercises ${exercise} files)
     math(EXPR last_file "${files} - 1")
     foreach(number RANGE ${last_file})
       course_fact(file GET chapters ${chapter} exercises ${exercise} files ${number})
+      list(APPEND course_files_${id} ${file})
+      # Used until the companion puts the learner's files there. All exist from the start: a build that found a
+      # header in another folder would not look here again.
       if(file MATCHES "^rt/" AND NOT EXISTS ${CMAKE_BINARY_DIR}/yours/${file})
         file(COPY ${CMAKE_SOURCE_DIR}/solutions/${name}/${file} DESTINATION ${CMAKE_BINARY_DIR}/yours/rt)
       endif()
@@ -42,3 +51,4 @@ foreach(chapter RANGE ${last_chapter})
   endforeach()
   list(APPEND course_names ${name})
 endforeach()
+set(course_folders ${folders})  # of all chapters

@@ -117,24 +117,20 @@ bool compiles(const std::string& target, const std::string& group) {
     // The certificate's programs, and what electives add to 08, take the code of other chapters as
     // well.
     if (target.rfind(certify, 0) == 0) return target.compare(certify.size(), 2, number) >= 0;
-    for (const std::string start : {"tests.", "check."})
-        if (target.rfind(start + number + '.', 0) == 0) return true;
-    return target == group || target == group + "_learners" || target == group + "_checkpoint" ||
-           target == "08_effects_electives";
+    return target.rfind("yours." + number + '.', 0) == 0;
 }
 
 // Removes what was compiled and linked from a group, so that it is built again.
 void remove_built(const fs::path& build, const std::string& group) {
     std::vector<fs::path> stale;
     std::error_code none;
-    for (const auto& entry : fs::directory_iterator{build / "CMakeFiles", none})
-        if (const fs::path& folder = entry.path();
-            folder.extension() == ".dir" && compiles(folder.stem().string(), group))
-            for (const auto& object : fs::recursive_directory_iterator{folder, none})
-                if (object.path().extension() == ".o") stale.push_back(object.path());
-    for (const char* const folder : {"bin", "check"})
-        for (const auto& entry : fs::directory_iterator{build / folder, none})
-            if (compiles(entry.path().filename().string(), group)) stale.push_back(entry.path());
+    for (const auto& chapter : fs::directory_iterator{build / "chapters", none})
+        for (const auto& entry : fs::directory_iterator{chapter.path() / "CMakeFiles", none})
+            if (const fs::path& folder = entry.path();
+                folder.extension() == ".dir" && compiles(folder.stem().string(), group))
+                for (const auto& object : fs::recursive_directory_iterator{folder, none})
+                    if (object.path().extension() == ".o") stale.push_back(object.path());
+    // Programs and libraries are linked again when their objects are new.
     for (const fs::path& path : stale) fs::remove(path);
 }
 

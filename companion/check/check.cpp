@@ -1,12 +1,8 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
-#include <companion/build/side_build.hpp>
 #include <companion/check/check.hpp>
-#include <companion/check/recognition.hpp>
 #include <companion/model/state.hpp>
-#include <companion/system/process.hpp>
-#include <csignal>
 #include <ctime>
 #include <map>
 #include <set>
@@ -14,11 +10,10 @@
 namespace companion {
 namespace {
 
-// The most that a test program may print and allocate: an endless loop gets far in 20 seconds.
-constexpr std::size_t most_bytes = std::size_t{16} << 20, most_memory = std::size_t{2} << 30;
-
-std::string target_of(const Exercise& exercise, bool in_float = false) {
-    return "check." + exercise.id + (in_float ? ".float" : "");
+// The checkpoint, and the learner's answer behind it.
+std::vector<std::string> targets_of(const Checked& checked) {
+    const std::string id = checked.exercise.id + (checked.in_float ? ".float" : "");
+    return {"check." + id, "yours." + id};
 }
 
 // Builds the targets of these exercises in their precision, and stores the compiler's warnings in
@@ -27,10 +22,8 @@ std::map<std::string, std::string> build_all(const Course& course, std::vector<C
     std::map<std::string, std::string> errors;
     if (some.empty()) return errors;
     std::vector<std::string> targets;
-    const auto target_of_one = [](const Checked& one) {
-        return target_of(one.exercise, one.in_float);
-    };
-    for (const Checked* checked : some) targets.push_back(target_of_one(*checked));
+    for (const Checked* checked : some)
+        for (std::string& target : targets_of(*checked)) targets.push_back(std::move(target));
     const BuildResult together = build(course, targets);
     for (Checked* checked : some) {
         const Exercise& exercise = checked->exercise;
@@ -38,8 +31,7 @@ std::map<std::string, std::string> build_all(const Course& course, std::vector<C
             checked->warning = first_warning(course, together.output, exercise.files);
         if (together.ok) continue;
         // What was built stays; an exercise that was built alone need not be built again.
-        const BuildResult alone =
-            some.size() == 1 ? together : build(course, {target_of_one(*checked)});
+        const BuildResult alone = some.size() == 1 ? together : build(course, targets_of(*checked));
         if (alone.ok) continue;
         std::string& error = errors[exercise.id];
         error = first_error(course, alone.output, exercise.files);
@@ -62,72 +54,13 @@ std::string said_by_all(const std::vector<TestCase>& tests) {
     return said;
 }
 
-// Why a program crashed, given the test case in which it crashed, if that is known.
-std::string cause_of(const Result& result, const TestCase* test) {
-    const std::string memory = test ? test->memory : "";
-    switch (result.signal) {
-        case SIGSEGV:
-        case SIGBUS:
-            if (memory == "stack")
-                return "the stack overflowed: a function never stops calling itself, or a local "
-                       "array is too large";
-            if (memory == "null")
-                return "it dereferenced a null pointer: a pointer to nothing, or an empty "
-                       "unique_ptr";
-            return "it accessed memory that does not belong to it (segmentation fault): an index "
-                   "out of range, the value of an empty std::optional, or a reference to something "
-                   "that no longer exists, such as v.back() after v.pop_back()";
-        case SIGFPE:
-            return "it divided an integer by 0";
-        case SIGABRT:
-            return "it was aborted: it freed memory twice, or wrote past the end of a block of "
-                   "memory, or an exception left a function that must not throw";
-        case SIGILL:
-            return "it executed invalid code: is a return missing?";
-        default:
-            return test && !test->crash.empty() ? test->crash : how_it_ended(result);
-    }
-}
-
 bool is_failing(const TestCase& test) {
     return !test.passed && missing_exercise(test).empty();
 }
 
-// One run of an exercise's program of test cases.
-struct Tested {
-    Result result;
-    std::vector<TestCase> tests;
-
-    // The test case in which the program crashed or was stopped; null if it ran to its end.
-    const TestCase* ended_in() const {
-        const auto found = std::find_if(tests.begin(), tests.end(), [](const TestCase& test) {
-            return !test.crash.empty() || !test.ended;
-        });
-        return found == tests.end() ? nullptr : &*found;
-    }
-    bool was_stopped() const { return result.timed_out || result.too_much; }
-    bool crashed() const { return ended_in() || result.signal != 0; }
-    // What ended it.
-    std::string trouble() const {
-        return was_stopped() ? how_it_ended(result) : cause_of(result, ended_in());
-    }
-};
-
-// `which` selects test cases in Catch2's notation, "[hard]~[x]"; empty selects all.
 Tested run_cases(const Course& course, const Checked& checked, const std::string& which = "") {
-    // Sanitizers take address space by the terabyte.
-    const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
-    const std::string target = target_of(checked.exercise, checked.in_float);
-    Run run{.command = {(course.build / "check" / target).string(), "-r", "events"},
-            .folder = course.build,
-            .output = Output::errors_hidden,
-            .timeout = most_seconds,
-            .most_memory = is_sanitized ? 0 : most_memory,
-            .most_output = most_bytes};
-    if (!which.empty()) run.command.push_back(which);
-    Tested tested{run_process(run), {}};
-    tested.tests = read_report(tested.result.output);
-    return tested;
+    return run_cases(
+        course, {.exercise = checked.exercise.id, .in_float = checked.in_float, .which = which});
 }
 
 // The verdict on a run, which speaks of the core alone.
@@ -165,7 +98,7 @@ void judge(const Course& course, Checked& checked, const Tested& tested) {
                     "each const and &.";
         }
     } else if (tests.empty()) {
-        throw app::Failure(target_of(checked.exercise, checked.in_float) +
+        throw app::Failure("check." + checked.exercise.id +
                            " ran no test case: " + how_it_ended(tested.result));
     } else {
         checked.verdict = tested.result.ok() || fails(true) ? Verdict::passed : Verdict::crashed;
@@ -243,7 +176,6 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
     }
     const auto errors = build_all(course, begun);
     State before = read_state(course);
-    std::map<std::string, Signatures> signatures;  // by chapter
     for (Checked* one : begun) {
         Checked& checked = *one;
         // The compiler does not repeat warnings on code that was compiled before.
@@ -260,14 +192,6 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
         run_tests(course, checked);
         if (checked.verdict == Verdict::to_write)
             checked.left = functions_left(course, checked.exercise);
-        if ((checked.verdict == Verdict::passed && checked.open_stars.empty()) ||
-            checked.verdict == Verdict::to_write || checked.verdict == Verdict::waiting)
-            continue;
-        const Chapter& chapter = checked.exercise.chapter;
-        if (!signatures.count(chapter.name))
-            signatures[chapter.name] = read_signatures(course, chapter);
-        checked.mistakes =
-            recognize(signatures[chapter.name], checked.exercise.id, signature_of(checked.tests));
     }
     change_state(course, [&](State& state) {
         for (std::size_t i = 0; i < all.size(); ++i) {

@@ -1,8 +1,7 @@
 #pragma once
 // Checking the learner's answers: build, run, judge, remember.
 
-#include <companion/check/recognition.hpp>
-#include <companion/check/test_results.hpp>
+#include <companion/check/cases.hpp>
 #include <companion/model/exercise.hpp>
 
 namespace companion {
@@ -34,14 +33,10 @@ struct Checked {
     std::string warning;               // of the compiler, on its files
     std::string missing;               // waiting: the exercise that it needs
     std::vector<std::string> left;     // to_write: the functions still to write
-    std::vector<LookAlikes> mistakes;  // that it looks like
     bool first_pass = false;           // passed: and never did before
     int stars = 0;                     // passed: how many there are
     std::vector<OpenStar> open_stars;  // passed: those that are open
 };
-
-// Seconds after which an exercise's checkpoints are stopped.
-inline constexpr double most_seconds = 20;
 
 // Checks these exercises, each in a program of its own, and remembers the verdicts. An exercise
 // that is not begun is not built. Throws app::Failure if the build itself is broken.

@@ -1,13 +1,8 @@
 #include <algorithm>
-#include <app/errors.hpp>
-#include <app/json.hpp>
 #include <companion/check/recognition.hpp>
-#include <companion/system/files.hpp>
 
 namespace companion {
 namespace {
-
-using app::Json;
 
 // All mistakes except one, whose failure depends on chance, are recognized as themselves or as one
 // with the same signature. A trial left each of the 247 mistakes of that time out of the list in
@@ -50,60 +45,7 @@ std::vector<Candidate> candidates(const Signatures& known, const std::string& ex
     return found;
 }
 
-// The hashes stored in the file under this key of a signature.
-std::set<std::string> hashes(const Json& signature, const std::string& key, const fs::path& file) {
-    const Json* const list = app::find(signature, key, Json::Kind::list);
-    if (!list) throw app::Failure(file.string() + ": a signature has no list '" + key + '\'');
-    std::set<std::string> found;
-    for (const Json& hash : list->items) found.insert(hash.text);
-    return found;
-}
-
-Json list(const std::set<std::string>& hashes) {
-    Json json{Json::Kind::list};
-    for (const std::string& hash : hashes) json.items.push_back({Json::Kind::text, 0, hash});
-    return json;
-}
-
 }  // namespace
-
-fs::path signatures_file(const Course& course, const Chapter& chapter) {
-    return course.root / "tests/mistakes" / chapter.name / "signatures.json";
-}
-
-Signatures read_signatures(const Course& course, const Chapter& chapter) {
-    const fs::path file = signatures_file(course, chapter);
-    if (!fs::exists(file)) return {};
-    Signatures signatures;
-    const Json json = [&] {
-        try {
-            return app::parse_json(read_file(file), file.string());
-        } catch (const app::UsageError& error) {  // not written by the user
-            throw app::Failure(error.what());
-        }
-    }();
-    for (std::size_t i = 0; i < json.keys.size(); ++i) {
-        Signature& signature = signatures[json.keys[i]];
-        signature.where = hashes(json.items[i], "where", file);
-        signature.what = hashes(json.items[i], "what", file);
-    }
-    return signatures;
-}
-
-// One line per mistake: a change to one mistake changes one line.
-std::string to_text(const Signatures& signatures) {
-    std::string text;
-    for (const auto& [name, signature] : signatures) {
-        text += text.empty() ? "{\n" : ",\n";
-        text += app::to_text({Json::Kind::text, 0, name}) + ": " +
-                app::to_text({Json::Kind::object,
-                              0,
-                              {},
-                              {list(signature.what), list(signature.where)},
-                              {"what", "where"}});
-    }
-    return text.empty() ? "{}\n" : text + "\n}\n";
-}
 
 std::vector<LookAlikes> recognize(const Signatures& known, const std::string& exercise,
                                   const Signature& signature) {

@@ -2,7 +2,6 @@
 // Recognizing the known mistakes by what fails.
 
 #include <companion/check/signature.hpp>
-#include <companion/model/course.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,11 +9,6 @@
 namespace companion {
 
 using Signatures = std::map<std::string, Signature>;  // by the mistake's name
-
-// tests/mistakes/NN_topic/signatures.json, which the target mistake_signatures writes.
-fs::path signatures_file(const Course& course, const Chapter& chapter);
-Signatures read_signatures(const Course& course, const Chapter& chapter);  // empty where missing
-std::string to_text(const Signatures& signatures);
 
 // Mistakes that look the same from outside: it is one of them.
 using LookAlikes = std::vector<std::string>;

@@ -46,18 +46,18 @@ std::vector<std::string> at_fixed_addresses() {
 }
 
 SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool threads) {
-    const std::string target = "check." + exercise.id;
     const Course side =
         side_build(course, threads ? "sanitized-threads" : "sanitized",
                    {"-DCMAKE_BUILD_TYPE=Debug",
                     std::string{"-DRT_SANITIZE="} + (threads ? "thread" : "address,undefined")});
     if (!fs::exists(side.build / "check"))
         print("The first time, building takes about a minute.\n");
-    must_build(side, target);
+    for (const char* const target : {"check.", "yours."}) must_build(side, target + exercise.id);
     std::vector<std::string> command = threads ? at_fixed_addresses() : std::vector<std::string>{};
     // If the library crashes, the learner's line is further up.
-    command.insert(command.end(), {"env", "UBSAN_OPTIONS=print_stacktrace=1",
-                                   (side.build / "check" / target).string()});
+    command.insert(command.end(), {"env", "UBSAN_OPTIONS=print_stacktrace=1"});
+    for (std::string& word : command_of(side, {.exercise = exercise.id}, false))
+        command.push_back(std::move(word));
     const Result result = run_process({.command = command, .timeout = 10 * most_seconds});
     const fs::path log = side.build / (exercise.id + ".txt");
     app::replace_file(log, result.output);

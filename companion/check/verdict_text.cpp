@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <companion/check/compiler_words.hpp>
+#include <companion/check/known_mistakes.hpp>
 #include <companion/check/verdict_text.hpp>
-#include <companion/model/mistakes.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
@@ -238,7 +238,10 @@ std::string warned(const Checked& checked) {
 
 std::string what_it_looks_like(const Course& course, const Checked& checked) {
     std::string text;
-    for (const LookAlikes& alike : checked.mistakes)
+    const Signature signature = signature_of(checked.tests);
+    if (signature.where.empty()) return "";
+    for (const LookAlikes& alike :
+         recognize(signatures_of(course, checked.exercise), checked.exercise.id, signature))
         for (const std::string& name : alike) {
             const Mistake mistake = read_mistake(course, checked.exercise.chapter, name);
             const char* const start = text.empty()            ? "This looks like: "

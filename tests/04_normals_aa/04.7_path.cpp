@@ -1,5 +1,7 @@
+#include <rt/ending.hpp>
 #include <rt/image.hpp>
 #include <rt/lambertian.hpp>
+#include <rt/leave_surface.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/path.hpp>
 #include <rt/ray.hpp>
@@ -203,11 +205,8 @@ Color radiance(const Story& story, rt::Rng& rng) {
                              rng);
 }
 
-// Keeps the compiler from taking Ray for granted: a ray with a time, and a world that looks at it.
-struct TimedRay {
-    Vec3 origin, direction;
-    Real time;
-};
+// A ray with a time, and a world that looks at it.
+using answer::TimedRay;
 struct TimedGround : Ground {
     mutable bool time_was_lost = false;
 

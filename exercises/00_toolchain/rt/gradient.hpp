@@ -1,12 +1,7 @@
 #pragma once
-#include <rt/color.hpp>
+#include <rt/corners.hpp>
 
 namespace rt {
-
-// The colors in the four corners of a picture.
-struct Corners {
-    Color top_left, top_right, bottom_left, bottom_right;
-};
 
 // The color at one point of the picture: `across` runs from 0 at the left edge to 1 at the right
 // edge, `down` from 0 at the top to 1 at the bottom. At a corner it is exactly the corner's color;

@@ -1,28 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <rt/color.hpp>
+#include <rt/fate.hpp>
 #include <rt/todo.hpp>
 
 namespace rt {
-
-// What becomes of a path that has made all of its bounces.
-enum class Fate { ends_in_sky, ends_in_black, goes_on };
-
-// As if nothing stood in the way after the last bounce. Too bright, mostly by a little.
-struct SkyEnding {
-    template <class Random>
-    Fate operator()(Color&, Random&) const {
-        return Fate::ends_in_sky;
-    }
-};
-
-// As if no light came from there. Too dark.
-struct BlackEnding {
-    template <class Random>
-    Fate operator()(Color&, Random&) const {
-        return Fate::ends_in_black;
-    }
-};
 
 // Exercise 04.7. Russian roulette: the path goes on with a probability p, and its throughput is
 // divided by p, so that the paths that go on stand in for those that ended. Correct on average:

@@ -1,21 +1,13 @@
 #pragma once
-#include <cstddef>
 #include <optional>
 #include <rt/hit_sphere.hpp>
 #include <rt/interval.hpp>
+#include <rt/nearest.hpp>
 #include <rt/ray.hpp>
 #include <rt/scene_sphere.hpp>
 #include <span>
 
 namespace rt {
-
-// Which sphere of a list a ray meets, and at which t.
-struct NearestSphere {
-    std::size_t number = 0;  // the first sphere of the list has number 0
-    Real t = 0;
-
-    friend bool operator==(const NearestSphere&, const NearestSphere&) = default;
-};
 
 // The sphere that the ray meets at the smallest t within the interval, and this t. If several
 // are equally near, it is the last of them in the list. None if the ray meets no sphere

@@ -1,0 +1,129 @@
+#pragma once
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <rt/interval.hpp>
+#include <rt/ray.hpp>
+#include <rt/sphere_list.hpp>
+#include <rt/vector_registers.hpp>
+#include <rt/wide.hpp>
+
+namespace rt {
+
+// The most spheres that a tree may have: a tag must hold the number of each, times eight.
+inline constexpr std::int64_t most_spheres = std::numeric_limits<std::int32_t>::max() / lanes;
+
+// A leaf with up to eight spheres and their materials: everything that a hit needs (given).
+struct alignas(64) WideLeaf {
+    static constexpr Real nothing = std::numeric_limits<Real>::quiet_NaN();
+
+    // Unused lanes have NaN as their radius: no ray hits them.
+    Lanes<Real> x{}, y{}, z{}, radius;
+    Lanes<std::int32_t> tag{};  // the sphere's number in the scene, times eight, plus its lane here
+    Lanes<std::int32_t> material{};
+
+    WideLeaf() { radius.fill(nothing); }
+
+    // The number is less than most_spheres.
+    void set(std::size_t i, const SceneSphere& sphere, int number) {
+        x[i] = sphere.shape.center.x;
+        y[i] = sphere.shape.center.y;
+        z[i] = sphere.shape.center.z;
+        radius[i] = sphere.shape.radius;
+        tag[i] = number * static_cast<int>(lanes) + static_cast<int>(i);
+        material[i] = sphere.material;
+    }
+    bool is_used(std::size_t i) const { return !std::isnan(radius[i]); }
+    Sphere sphere(std::size_t i) const { return {{x[i], y[i], z[i]}, radius[i]}; }
+};
+
+// The nearest hit so far.
+struct WideHit {
+    Real t = infinity;
+    std::int32_t tag = -1;  // of the sphere that is hit there; -1 before any hit
+
+    int number() const { return tag < 0 ? -1 : tag / static_cast<int>(lanes); }
+    std::size_t place() const { return static_cast<std::size_t>(tag) % lanes; }
+};
+
+// A part of a leaf's spheres, as seen from a ray (given). It computes what hit_sphere and
+// roots_from_discriminant compute, by the same operations in the same order, so each t has the same
+// bits. The names are the same, too.
+struct LeafPart {
+    Vec3 d;  // the ray's direction
+    Real a;  // its squared length
+    Reals fx, fy, fz, r_squared;
+
+    RT_INLINED LeafPart(const WideLeaf& leaf, std::size_t first, const Ray& ray)
+        : d{ray.direction},
+          a{d.x * d.x + d.y * d.y + d.z * d.z},
+          fx{ray.origin.x - load_part(leaf.x, first)},
+          fy{ray.origin.y - load_part(leaf.y, first)},
+          fz{ray.origin.z - load_part(leaf.z, first)},
+          r_squared{load_part(leaf.radius, first) * load_part(leaf.radius, first)} {}
+
+    // A quarter of each discriminant: 0 or more if the ray's line meets the sphere.
+    RT_INLINED Reals quarter() const {
+        const Reals mx = fy * d.z - fz * d.y, my = fz * d.x - fx * d.z, mz = fx * d.y - fy * d.x;
+        return a * r_squared - (mx * mx + my * my + mz * mz);
+    }
+
+    // The spheres that the ray meets within the interval, as bits, and the t of each. It looks only
+    // at those whose bit is set in `met`; a must be greater than 0.
+    RT_INLINED unsigned hits(Reals quarter, unsigned met, Interval within, Reals& t) const {
+        const Reals half_b = fx * d.x + fy * d.y + fz * d.z;
+        const Reals b = 2 * half_b, c = fx * fx + fy * fy + fz * fz - r_squared;
+        // If a ray starts outside a sphere and runs away from its center, the whole sphere
+        // is behind it: both solutions are negative. This holds for half of all spheres
+        // that lines meet.
+        if (within.min >= 0) met &= ~RT_VECTOR_BITS((half_b > 0) & (c > 0));
+        if (met == 0) return 0;
+
+        const Reals q = -(b + part_copysign(part_sqrt(4 * quarter), b)) / 2;
+        const auto at_origin = q == 0;  // both solutions are 0
+        const Reals one = at_origin ? Reals{} : c / q, other = at_origin ? Reals{} : q / a;
+        const Reals low = one < other ? one : other, high = one < other ? other : one;
+        const auto low_counts = (low >= within.min) & (low <= within.max);
+        const auto high_counts = (high >= within.min) & (high <= within.max);
+        t = low_counts ? low : high;
+        return met & RT_VECTOR_BITS(low_counts | high_counts);
+    }
+};
+
+// Tries the spheres of a leaf between min and best.t, and returns whether best has changed. Of
+// equally near spheres the one with the highest number counts.
+RT_INLINED bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
+    constexpr std::size_t size = part_size<Real>;
+    std::array<Reals, lanes / size> quarters;
+    std::array<unsigned, lanes / size> met;
+    unsigned any = 0;
+    for (std::size_t p = 0; p < quarters.size(); ++p) {
+        quarters[p] = LeafPart{leaf, p * size, ray}.quarter();
+        met[p] = RT_VECTOR_BITS(quarters[p] >= 0);
+        any |= met[p];
+    }
+    // If the line misses all of them, the leaf is done. For the roots, f is computed once more:
+    // keeping it for all eight would take more registers than the processor has.
+    const Vec3 d = ray.direction;
+    if (any == 0 || !(d.x * d.x + d.y * d.y + d.z * d.z > 0)) return false;
+
+    Lanes<Real> t;
+    unsigned hits = 0;
+    for (std::size_t p = 0; p < quarters.size(); ++p) {
+        Reals some{};
+        hits |= LeafPart{leaf, p * size, ray}.hits(quarters[p], met[p], {min, best.t}, some)
+                << p * size;
+        store_part(some, t, p * size);
+    }
+    bool changed = false;
+    for (; hits; hits &= hits - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(hits));
+        if (t[i] > best.t || (t[i] == best.t && leaf.tag[i] < best.tag)) continue;
+        best = {t[i], leaf.tag[i]};
+        changed = true;
+    }
+    return changed;
+}
+
+}  // namespace rt

@@ -1,0 +1,72 @@
+#pragma once
+#include <rt/leave_surface.hpp>
+#include <rt/path_record.hpp>
+#include <rt/rng.hpp>
+#include <rt/vector_registers.hpp>
+
+namespace rt {
+
+// A sphere of the scene, with the data that its material's kernel needs (given).
+struct alignas(std::max(32, RT_REGISTER_BYTES)) Surface {
+    Vec3 center;
+    Real radius = 0;
+    Real parameter = 0;  // of its material: fuzz, or the index of refraction
+    Color color;         // its albedo
+};
+
+// A pack of paths that have arrived at spheres (given): surface_hit of 04.1 for each of them.
+struct Arrivals {
+    Vec3Pack direction, normal, facing_normal, point;
+    Pack point_error, parameter;
+    PackMask front;
+    PackBits active;  // which of the pack's lanes are used
+};
+
+inline Arrivals arrive(const PathRecord* paths, const Surface* surfaces, PathList list) {
+    const RayPack rays = load_rays(paths, list);
+    const auto [cx, cy, cz, radius, parameter, r, g, b] = load_eight(
+        list.size(),
+        [&](std::size_t i) { return &surfaces[static_cast<std::size_t>(paths[list[i]].sphere)]; });
+    const Vec3Pack center{cx, cy, cz};
+    Arrivals all;
+    all.active = first_bits(list.size());
+    all.direction = rays.direction;
+    all.parameter = parameter;
+    const Vec3Pack outward = (rays.origin - center) + rays.t * rays.direction;
+    const PackMask nowhere = is_zero(outward);
+    all.normal = normalize(pick(nowhere, -rays.direction, outward), all.active);
+    all.front = dot(rays.direction, all.normal) <= 0;
+    all.facing_normal = pick(all.front, all.normal, -all.normal);
+    all.point = center + radius * all.normal;
+    all.point_error =
+        rounding_bound(1) * dot(abs(all.point), abs(all.normal)) + rounding_bound(16) * radius;
+    return all;
+}
+
+// Two random numbers for each path: random_place of 04.3.
+struct PlacePack {
+    Pack x{}, y{};
+};
+template <class Record>
+PlacePack random_places(std::size_t size, const Record& record) {
+    PlacePack places;
+    for (std::size_t i = 0; i < size; ++i) {
+        Rng& random = record(i).random;
+        places.x[i] = random.uniform();
+        places.y[i] = random.uniform();
+    }
+    return places;
+}
+inline PlacePack random_places(PathRecord* paths, PathList list) {
+    return random_places(list.size(), [&](std::size_t i) -> PathRecord& { return paths[list[i]]; });
+}
+
+// leave_surface of 04.6.
+inline Vec3Pack leave_surface(const Arrivals& from, Vec3Pack direction) {
+    const PackMask goes_in = dot(direction, from.normal) < 0;
+    const Vec3Pack side = pick(goes_in, -from.normal, from.normal);
+    const Pack distance = from.point_error + rounding_bound(1) * dot(abs(from.point), abs(side));
+    return from.point + distance * side;
+}
+
+}  // namespace rt

@@ -1,0 +1,167 @@
+#pragma once
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <rt/real.hpp>
+#include <rt/vector_registers.hpp>
+#include <utility>
+
+namespace rt {
+
+// As many numbers as fit in one register of this processor (given), for arithmetic on all of them
+// at once: a + b adds each number of a to its partner in b, and rounds it as it would alone. A
+// comparison gives a PackMask, and mask ? a : b takes each number from a where the mask is true,
+// and from b elsewhere.
+inline constexpr std::size_t pack_size = RT_REGISTER_BYTES / sizeof(Real);
+using PackInteger = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+typedef Real Pack RT_VECTOR_OF(RT_REGISTER_BYTES);
+typedef PackInteger PackMask RT_VECTOR_OF(RT_REGISTER_BYTES);  // -1 for true, 0 for false
+
+// The same number, pack_size times.
+inline Pack pack_of(Real x) {
+    return Pack{} + x;
+}
+
+// Bit i belongs to lane i.
+using PackBits = std::uint32_t;
+inline PackBits bits_of(PackMask mask) {
+    return RT_VECTOR_BITS(mask);
+}
+// The bits of the first `count` lanes of a pack.
+constexpr PackBits first_bits(std::size_t count) {
+    return (PackBits{1} << count) - 1;
+}
+// Calls visit(i) for each bit that is set.
+template <class Visit>
+void for_each_bit(PackBits bits, Visit visit) {
+    for (; bits; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+// Functions of the standard library, applied to each number of a pack: they give the same bits.
+inline Pack sqrt(Pack x) {
+    for (std::size_t i = 0; i < pack_size; ++i) x[i] = std::sqrt(x[i]);
+    return x;
+}
+inline Pack fma(Pack a, Pack b, Pack c) {
+    for (std::size_t i = 0; i < pack_size; ++i) c[i] = std::fma(a[i], b[i], c[i]);
+    return c;
+}
+inline Pack max(Pack a, Pack b) {
+    return a < b ? b : a;
+}
+inline Pack min(Pack a, Pack b) {
+    return b < a ? b : a;
+}
+inline constexpr PackInteger sign_bit = std::numeric_limits<PackInteger>::min();
+inline Pack abs(Pack x) {
+    return std::bit_cast<Pack>(std::bit_cast<PackMask>(x) & ~(PackMask{} + sign_bit));
+}
+inline Pack copysign(Pack size, Pack sign) {
+    const PackMask bit = PackMask{} + sign_bit;
+    return std::bit_cast<Pack>((std::bit_cast<PackMask>(size) & ~bit) |
+                               (std::bit_cast<PackMask>(sign) & bit));
+}
+
+// The numbers that a processor fetches from a record in memory at once. A pack holds one
+// block or more.
+typedef Real Block RT_VECTOR_OF(16);
+inline constexpr std::size_t block_size = sizeof(Block) / sizeof(Real);
+inline constexpr std::size_t blocks = pack_size / block_size;
+
+template <class Low, class High, std::size_t... i>
+auto join(Low low, High high, std::index_sequence<i...>) {
+    return __builtin_shufflevector(low, high, i...);
+}
+// `count` blocks, one after the other: block(first), block(first + 1) ...
+template <std::size_t count = blocks, class GetBlock>
+auto join_blocks(const GetBlock& block, std::size_t first = 0) {
+    if constexpr (count == 1)
+        return block(first);
+    else
+        return join(join_blocks<count / 2>(block, first),
+                    join_blocks<count / 2>(block, first + count / 2),
+                    std::make_index_sequence<count * block_size>{});
+}
+template <std::size_t number>
+Block get_block(Pack pack) {
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+        return __builtin_shufflevector(pack, pack, (number * block_size + i)...);
+    }
+    (std::make_index_sequence<block_size>{});
+}
+
+// The first number of a, the first of b, the second of a, the second of b ... from the lower or the
+// upper half of each block.
+template <std::size_t half, std::size_t... i>
+Pack interleave(Pack a, Pack b, std::index_sequence<i...>) {
+    constexpr std::size_t n = block_size;
+    return __builtin_shufflevector(
+        a, b, (i / n * n + half * n / 2 + i % n / 2 + (i % 2 ? pack_size : 0))...);
+}
+
+// Swaps rows[i][k] and rows[k][i] within each block.
+inline void transpose_blocks(Pack (&rows)[block_size]) {
+    constexpr auto all = std::make_index_sequence<pack_size>{};
+    constexpr std::size_t half = block_size / 2;
+    for (std::size_t done = 1; done < block_size; done *= 2) {
+        Pack shuffled[block_size];
+        for (std::size_t i = 0; i < half; ++i) {
+            shuffled[2 * i] = interleave<0>(rows[i], rows[i + half], all);
+            shuffled[2 * i + 1] = interleave<1>(rows[i], rows[i + half], all);
+        }
+        for (std::size_t i = 0; i < block_size; ++i) rows[i] = shuffled[i];
+    }
+}
+
+// Loads eight numbers from each of up to pack_size records, as eight packs: the first numbers of
+// all records, the second numbers, and so on. record(i), for i below size, is the address of a
+// record. The contents of unused lanes do not matter.
+template <class Record>
+RT_INLINED std::array<Pack, 8> load_eight(std::size_t size, const Record& record) {
+    std::array<Pack, 8> packs;
+    for (std::size_t first = 0; first < packs.size(); first += block_size) {
+        Pack rows[block_size];
+        for (std::size_t i = 0; i < block_size; ++i)
+            rows[i] = join_blocks([&](std::size_t b) {
+                const std::size_t n = b * block_size + i;
+                Block block;
+                std::memcpy(&block, reinterpret_cast<const Real*>(record(n < size ? n : 0)) + first,
+                            sizeof block);
+                return block;
+            });
+        transpose_blocks(rows);
+        for (std::size_t k = 0; k < block_size; ++k) packs[first + k] = rows[k];
+    }
+    return packs;
+}
+
+// The inverse: writes `count` numbers, a multiple of block_size, to each of up to pack_size
+// records.
+template <std::size_t count, class Record>
+RT_INLINED void store(const std::array<Pack, count>& packs, std::size_t size,
+                      const Record& record) {
+    for (std::size_t first = 0; first < count; first += block_size) {
+        Pack rows[block_size];
+        for (std::size_t k = 0; k < block_size; ++k) rows[k] = packs[first + k];
+        transpose_blocks(rows);
+        const auto write = [&](std::size_t n, Block block) {
+            std::memcpy(reinterpret_cast<Real*>(record(n)) + first, &block, sizeof block);
+        };
+        for (std::size_t i = 0; i < block_size; ++i)
+            [&]<std::size_t... b>(std::index_sequence<b...>) {
+                if (size == pack_size)
+                    (write(b * block_size + i, get_block<b>(rows[i])), ...);
+                else
+                    ((b * block_size + i < size ? write(b * block_size + i, get_block<b>(rows[i]))
+                                                : void()),
+                     ...);
+            }
+        (std::make_index_sequence<blocks>{});
+    }
+}
+
+}  // namespace rt

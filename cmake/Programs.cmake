@@ -1,0 +1,180 @@
+# The programs of a chapter. Which code a target compiles is decided by the order of its include folders alone:
+#
+#   solution of chapter N    what is given and the answers of chapters up to N, common
+#   mine                     COURSE_YOURS, then the same
+#
+# Nearly everything is in headers. Where an answer is an rt/NAME.cpp, the first of the folders that has it
+# provides it.
+
+# course_long_tests(targets...): programs that only the tests with COURSE_ALL_TESTS run.
+function(course_long_tests)
+  if(NOT COURSE_ALL_TESTS)
+    set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+endfunction()
+
+# course_compile_options(source options...): for one file, which then cannot use headers precompiled without them.
+function(course_compile_options source)
+  set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${ARGN}" SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
+# course_executable(target real sources... INCLUDE folders...): a program on common, in one precision.
+function(course_executable target real)
+  cmake_parse_arguments(arg "" "" "INCLUDE" ${ARGN})
+  add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
+  target_include_directories(${target} PRIVATE ${arg_INCLUDE})
+  target_link_libraries(${target} PRIVATE common_${real})
+endfunction()
+
+# course_program(target real sources... INCLUDE folders...): the same, and the standard library's headers are
+# read once for all such programs.
+function(course_program target real)
+  course_executable(${target} ${real} ${ARGN})
+  target_precompile_headers(${target} REUSE_FROM common_${real})
+endfunction()
+
+# course_sources(out chapter folders...): the sources of a chapter's answers, each from the first of these
+# folders that has it, and those that are given.
+function(course_sources out chapter)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/rt/*.cpp)
+  foreach(id ${course_ids_${chapter}})
+    foreach(file ${course_files_${id}})
+      foreach(folder ${ARGN})
+        if(file MATCHES "^rt/.*[.]cpp$" AND EXISTS ${folder}/${file})
+          list(APPEND sources ${folder}/${file})
+          break()
+        endif()
+      endforeach()
+    endforeach()
+  endforeach()
+  # Each is compiled as it is, without headers that it does not name.
+  set_source_files_properties(${sources} PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+    COMPILE_OPTIONS "${course_source_options}" COMPILE_DEFINITIONS "${course_source_definitions}")
+  set(${out} ${sources} PARENT_SCOPE)
+endfunction()
+
+# course_chapter_program(target real chapter folders...): the chapter's program, with the code of these folders.
+# What course_libraries_NN_topic names is linked, too.
+function(course_chapter_program target real chapter)
+  file(GLOB program CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/*.cpp)
+  course_sources(sources ${chapter} ${ARGN})
+  course_program(${target} ${real} ${program} ${sources} INCLUDE ${ARGN})
+  target_link_libraries(${target} PRIVATE ${course_libraries_${chapter}})
+endfunction()
+
+# course_small_picture_test(name chapter real program): the solution still draws the same bytes. An emulator
+# runs programs for other processors, which CMake does for a test only where the test is the program.
+function(course_small_picture_test name chapter real program)
+  add_test(NAME ${name}
+    COMMAND sh ${CMAKE_SOURCE_DIR}/tests/app/small_picture.sh ${chapter} ${real}
+            ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${program}>)
+  set_tests_properties(${name} PROPERTIES LABELS solution TIMEOUT 300)
+endfunction()
+
+# course_program_tests(chapter): the program still draws its picture, and refuses what it should.
+function(course_program_tests chapter)
+  set(tests ${CMAKE_SOURCE_DIR}/tests)
+  course_small_picture_test(${chapter}.small_picture ${chapter} double ${chapter}_solution)
+  add_test(NAME ${chapter}.bad_input COMMAND sh ${tests}/app/bad_input.sh $<TARGET_FILE:${chapter}_solution>)
+  set_tests_properties(${chapter}.bad_input PROPERTIES LABELS solution TIMEOUT 300)
+  if(NOT COURSE_ALL_TESTS)
+    return()
+  endif()
+  course_small_picture_test(${chapter}.small_picture_in_float ${chapter} float ${chapter}_solution_float)
+  # It is the picture that the text shows.
+  add_test(NAME ${chapter}.image
+    COMMAND sh ${tests}/app/same_image.sh $<TARGET_FILE:${chapter}_solution>
+            $<TARGET_FILE:image_compare> ${CMAKE_SOURCE_DIR}/docs/images/${chapter}.png)
+  add_test(NAME ${chapter}.float_program
+    COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
+            --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
+  # `course compare` does not call right code wrong; see tests/support/compare_programs.cpp for
+  # more runs. A still picture takes one.
+  add_test(NAME ${chapter}.compare
+    COMMAND compare_programs alarms 1 $<TARGET_FILE:${chapter}_solution>)
+  set_tests_properties(${chapter}.image ${chapter}.float_program ${chapter}.compare
+                       PROPERTIES LABELS solution TIMEOUT 600)
+endfunction()
+
+# course_certificate(chapter): what `course certify` measures of a chapter, on the solution, and on the learner's
+# own code of all chapters up to this one.
+function(course_certificate chapter)
+  set(source ${CMAKE_SOURCE_DIR}/tests/certify/${chapter}.cpp)
+  if(NOT EXISTS ${source})
+    return()
+  endif()
+  set(folders ${course_folders_${chapter}})
+  set(exercises ${folders})
+  list(FILTER exercises INCLUDE REGEX "/solutions/")
+  list(TRANSFORM exercises REPLACE "/solutions/" "/exercises/")
+  set(support ${CMAKE_SOURCE_DIR}/tests/support)
+  course_program(certify.${chapter} double ${source} INCLUDE ${exercises} ${folders} ${support})
+  course_program(certify.${chapter}_solution double ${source} INCLUDE ${folders} ${support})
+  set_target_properties(certify.${chapter} PROPERTIES EXCLUDE_FROM_ALL ON)
+  course_of_learner(certify.${chapter})
+  course_long_tests(certify.${chapter}_solution)
+  if(COURSE_ALL_TESTS)
+    # Other tests run at the same time: speeds say nothing.
+    add_test(NAME certify.${chapter} COMMAND certify.${chapter}_solution --no-timing)
+    set_tests_properties(certify.${chapter} PROPERTIES LABELS solution TIMEOUT 300
+      FAIL_REGULAR_EXPRESSION "FAILS")
+  endif()
+endfunction()
+
+# course_given_tests(chapter): what a chapter gives beyond its exercises has tests of its own, and so have the
+# program's parts.
+function(course_given_tests chapter)
+  file(GLOB given CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${chapter}/given/*.cpp)
+  if(NOT given)
+    return()
+  endif()
+  file(GLOB parts CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/*.cpp)
+  list(FILTER parts EXCLUDE REGEX "/(main|study|narrowest_renderer)\\.cpp$")
+  foreach(real double float)
+    set(target ${chapter}_given_${real})
+    course_checkpoint(${target} ${real} ${given} ${parts} INCLUDE ${course_folders_${chapter}})
+    target_compile_definitions(${target} PRIVATE COURSE_ROOT="${CMAKE_SOURCE_DIR}")
+    if(real STREQUAL "float")
+      course_long_tests(${target})
+    endif()
+    if(real STREQUAL "double" OR COURSE_ALL_TESTS)
+      add_test(NAME ${target} COMMAND ${target})
+      set_tests_properties(${target} PROPERTIES LABELS "solution;hard" TIMEOUT 600)
+    endif()
+  endforeach()
+endfunction()
+
+# course_chapter(NN_topic): all targets and tests of one chapter. Its CMakeLists.txt calls this, and adds what the
+# chapter alone has.
+function(course_chapter chapter)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/study.cpp)
+    # A study holds many loops, each of which is timed: g++ would stop inlining once the file has grown by
+    # 40 %, and the loops after that would be slower than they are in a program.
+    course_compile_options(study.cpp --param=inline-unit-growth=200)
+  endif()
+  set(folders ${course_folders_${chapter}})
+  course_chapter_program(${chapter}_solution double ${chapter} ${folders})
+  course_chapter_program(${chapter}_solution_float float ${chapter} ${folders})
+  course_chapter_program(${chapter}_mine double ${chapter} ${COURSE_YOURS} ${folders})
+  course_chapter_program(${chapter}_mine_float float ${chapter} ${COURSE_YOURS} ${folders})
+  course_of_learner(${chapter}_mine ${chapter}_mine_float)
+  set_target_properties(${chapter}_mine ${chapter}_mine_float PROPERTIES EXCLUDE_FROM_ALL ON)
+  course_long_tests(${chapter}_solution_float)
+  course_program_tests(${chapter})
+
+  foreach(id ${course_ids_${chapter}})
+    course_exercise(${chapter} ${id})
+  endforeach()
+  course_certificate(${chapter})
+  course_mistake_tests(${chapter})
+  course_given_tests(${chapter})
+
+  # Scripts that check what the text says.
+  file(GLOB scripts CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${chapter}/*.sh)
+  foreach(script ${scripts})
+    get_filename_component(name ${script} NAME_WE)
+    add_test(NAME ${chapter}.${name} COMMAND sh ${script} ${CMAKE_SOURCE_DIR})
+    set_tests_properties(${chapter}.${name} PROPERTIES LABELS solution TIMEOUT 120
+                         SKIP_RETURN_CODE 77)
+  endforeach()
+endfunction()

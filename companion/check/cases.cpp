@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <companion/build/side_build.hpp>
+#include <companion/check/cases.hpp>
+#include <csignal>
+
+namespace companion {
+namespace {
+
+// The most that a test program may print and allocate: an endless loop gets far in 20 seconds.
+constexpr std::size_t most_bytes = std::size_t{16} << 20, most_memory = std::size_t{2} << 30;
+
+// Why a program crashed, given the test case in which it crashed, if that is known.
+std::string cause_of(const Result& result, const TestCase* test) {
+    const std::string memory = test ? test->memory : "";
+    switch (result.signal) {
+        case SIGSEGV:
+        case SIGBUS:
+            if (memory == "stack")
+                return "the stack overflowed: a function never stops calling itself, or a local "
+                       "array is too large";
+            if (memory == "null")
+                return "it dereferenced a null pointer: a pointer to nothing, or an empty "
+                       "unique_ptr";
+            return "it accessed memory that does not belong to it (segmentation fault): an index "
+                   "out of range, the value of an empty std::optional, or a reference to something "
+                   "that no longer exists, such as v.back() after v.pop_back()";
+        case SIGFPE:
+            return "it divided an integer by 0";
+        case SIGABRT:
+            return "it was aborted: it freed memory twice, or wrote past the end of a block of "
+                   "memory, or an exception left a function that must not throw";
+        case SIGILL:
+            return "it executed invalid code: is a return missing?";
+        default:
+            return test && !test->crash.empty() ? test->crash : how_it_ended(result);
+    }
+}
+
+#ifdef __APPLE__
+constexpr const char* library_path = "DYLD_LIBRARY_PATH=";
+constexpr const char* library_end = ".dylib";
+#else
+constexpr const char* library_path = "LD_LIBRARY_PATH=";
+constexpr const char* library_end = ".so";
+#endif
+
+}  // namespace
+
+const TestCase* Tested::ended_in() const {
+    const auto found = std::find_if(tests.begin(), tests.end(), [](const TestCase& test) {
+        return !test.crash.empty() || !test.ended;
+    });
+    return found == tests.end() ? nullptr : &*found;
+}
+
+std::string Tested::trouble() const {
+    return was_stopped() ? how_it_ended(result) : cause_of(result, ended_in());
+}
+
+fs::path yours_folder(const Course& course, bool in_float) {
+    return course.build / "answers/yours" / (in_float ? "float" : "double");
+}
+
+std::string answer_file(const Course& course, const std::string& exercise) {
+    for (const auto& entry : fs::directory_iterator{course.root / "tests"})
+        if (fs::exists(entry.path() / exercise / "answer.cpp"))
+            return "libanswer." + exercise + library_end;
+    return "answer." + exercise;
+}
+
+std::vector<std::string> command_of(const Course& course, const Cases& cases, bool events) {
+    const fs::path answer =
+        cases.answer.empty() ? yours_folder(course, cases.in_float) : cases.answer;
+    const std::string program = "check." + cases.exercise + (cases.in_float ? ".float" : "");
+    std::vector<std::string> command{"env", library_path + answer.string(),
+                                     "COURSE_ANSWER=" + answer.string(),
+                                     (course.build / "check" / program).string()};
+    if (events) command.insert(command.end(), {"-r", "events"});
+    if (!cases.which.empty()) command.push_back(cases.which);
+    return command;
+}
+
+Tested run_cases(const Course& course, const Cases& cases) {
+    // Sanitizers take address space by the terabyte.
+    const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
+    Tested tested{run_process({.command = command_of(course, cases),
+                               .folder = course.build,
+                               .output = Output::errors_hidden,
+                               .timeout = cases.timeout,
+                               .most_memory = is_sanitized ? 0 : most_memory,
+                               .most_output = most_bytes}),
+                  {}};
+    tested.tests = read_report(tested.result.output);
+    return tested;
+}
+
+}  // namespace companion

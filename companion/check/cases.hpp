@@ -1,0 +1,45 @@
+#pragma once
+// Running an exercise's test cases on an answer.
+
+#include <companion/check/test_results.hpp>
+#include <companion/model/course.hpp>
+#include <companion/system/process.hpp>
+
+namespace companion {
+
+// Seconds after which an exercise's checkpoints are stopped.
+inline constexpr double most_seconds = 20;
+
+// One run of an exercise's program of test cases.
+struct Tested {
+    Result result;
+    std::vector<TestCase> tests;
+
+    // The test case in which the program crashed or was stopped; null if it ran to its end.
+    const TestCase* ended_in() const;
+    bool was_stopped() const { return result.timed_out || result.too_much; }
+    bool crashed() const { return ended_in() || result.signal != 0; }
+    // What ended it, for a person.
+    std::string trouble() const;
+};
+
+// Which answer an exercise's checkpoints are run on, and how.
+struct Cases {
+    std::string exercise;  // "03.2"
+    bool in_float = false;
+    fs::path answer = {};    // the folder of the answer; empty: the learner's
+    std::string which = {};  // in Catch2's notation, "[hard]~[x]"; empty: all
+    double timeout = most_seconds;
+};
+Tested run_cases(const Course& course, const Cases& cases);
+
+// The command that runs them on the answer, and lists what happens if `events` is true.
+std::vector<std::string> command_of(const Course& course, const Cases& cases, bool events = true);
+
+// The folder of the learner's answers in this precision; of each exercise there is one.
+fs::path yours_folder(const Course& course, bool in_float);
+
+// "libanswer.03.2.so", as the checkpoint looks for it; "answer.00.1" for a program of its own.
+std::string answer_file(const Course& course, const std::string& exercise);
+
+}  // namespace companion

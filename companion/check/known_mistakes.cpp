@@ -1,0 +1,100 @@
+#include <app/errors.hpp>
+#include <app/files.hpp>
+#include <companion/build/remake.hpp>
+#include <companion/check/known_mistakes.hpp>
+#include <companion/system/files.hpp>
+#include <companion/system/parallel.hpp>
+#include <nlohmann/json.hpp>
+
+namespace companion {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Signature, where, what)
+
+namespace {
+
+std::vector<Mistake> mistakes_of(const Course& course, const Exercise& exercise) {
+    const fs::path file =
+        course.root / "tests/mistakes" / exercise.chapter.name / (exercise.id + ".md");
+    return fs::exists(file) ? read_mistakes(file) : std::vector<Mistake>{};
+}
+
+// A hash of everything that decides what fails.
+std::string version_of(const Course& course, const Exercise& exercise) {
+    std::string bytes;
+    for (const Mistake& mistake : mistakes_of(course, exercise))
+        for (const Edit& edit : mistake.edits)
+            bytes += mistake.name + edit.file + edit.before + edit.after;
+    for (const fs::path& file : source_files(course.root / "solutions" / exercise.chapter.name))
+        bytes += read_file(file);
+    std::error_code missing;
+    const auto checkpoint =
+        fs::last_write_time(course.build / "check" / ("check." + exercise.id), missing);
+    return hash_of(bytes + std::to_string(checkpoint.time_since_epoch().count()));
+}
+
+void keep_common(std::set<std::string>& kept, const std::set<std::string>& other) {
+    std::erase_if(kept, [&](const std::string& hash) { return !other.count(hash); });
+}
+
+}  // namespace
+
+std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& exercise,
+                                          const fs::path& below) {
+    std::vector<MistakenAnswer> answers;
+    for (Mistake& mistake : mistakes_of(course, exercise)) {
+        const fs::path folder = below / mistake.name;
+        answers.push_back({std::move(mistake), folder, {}});
+    }
+    if (answers.empty()) return {};
+    const Remake remake{course, "answer." + exercise.id};
+    const std::string file = answer_file(course, exercise.id);
+    in_parallel(answers.size(), [&](std::size_t i) {
+        MistakenAnswer& answer = answers[i];
+        for (const auto& [name, text] :
+             edited_files(answer.mistake, course.root / "solutions" / exercise.chapter.name)) {
+            app::make_folder((answer.folder / name).parent_path());
+            app::replace_file(answer.folder / name, text);
+        }
+        answer.build = remake(answer.folder, answer.folder / file);
+    });
+    return answers;
+}
+
+Signature what_always_fails(const Course& course, const MistakenAnswer& answer) {
+    const Cases cases{.exercise = answer.mistake.name.substr(0, answer.mistake.name.find('_')),
+                      .answer = answer.folder};
+    const auto once = [&] { return signature_of(run_cases(course, cases).tests); };
+    Signature always = once();
+    const Signature second = once();
+    if (second == always) return always;
+    for (const Signature& other : {second, once()}) keep_common(always.where, other.where);
+    always.what.clear();  // values that changed once will do so again
+    return always;
+}
+
+Signatures signatures_of(const Course& course, const Exercise& exercise) {
+    const fs::path file = course.build / "signatures" / (exercise.id + ".json");
+    const std::string version = version_of(course, exercise);
+    if (fs::exists(file)) {
+        const auto known = nlohmann::json::parse(read_file(file), nullptr, false);
+        if (!known.is_discarded() && known.value("version", "") == version)
+            return known.at("mistakes").get<Signatures>();
+    }
+    const fs::path below = course.build / "mistakes";
+    const std::vector<MistakenAnswer> answers = make_mistakes(course, exercise, below);
+    std::vector<Signature> found(answers.size());
+    in_parallel(answers.size(), [&](std::size_t i) {
+        if (answers[i].build.ok) found[i] = what_always_fails(course, answers[i]);
+    });
+    Signatures signatures;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        signatures[answers[i].mistake.name] = found[i];
+        fs::remove_all(answers[i].folder);
+    }
+    app::make_folder(file.parent_path());
+    app::replace_file(file,
+                      nlohmann::json{{"version", version}, {"mistakes", signatures}}.dump() + '\n');
+    return signatures;
+}
+
+}  // namespace companion

@@ -1,0 +1,32 @@
+#pragma once
+// The known mistakes of an exercise, made and run: what fails in each tells which of them an answer
+// looks like.
+
+#include <companion/build/build.hpp>
+#include <companion/check/cases.hpp>
+#include <companion/check/recognition.hpp>
+#include <companion/model/exercise.hpp>
+#include <companion/model/mistakes.hpp>
+
+namespace companion {
+
+// The answer that a mistake makes.
+struct MistakenAnswer {
+    Mistake mistake;
+    fs::path folder;    // of the answer
+    BuildResult build;  // if it is not ok, there is none
+};
+
+// The answers of all known mistakes of an exercise, compiled below this folder, several at a time.
+std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& exercise,
+                                          const fs::path& below);
+
+// What fails in a mistake: every time, since with threads it may be something else from run to run.
+Signature what_always_fails(const Course& course, const MistakenAnswer& answer);
+
+// What fails in each known mistake of an exercise. It is found out when it is first asked for,
+// which takes a few seconds, and kept in the folder of the build until mistakes, checkpoint or
+// solution change.
+Signatures signatures_of(const Course& course, const Exercise& exercise);
+
+}  // namespace companion

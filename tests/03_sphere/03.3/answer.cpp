@@ -1,0 +1,11 @@
+#include <answer.hpp>
+#include <rt/nearest_sphere.hpp>
+
+namespace answer EXPORTED {
+
+std::optional<rt::NearestSphere> nearest_sphere(std::span<const rt::SceneSphere> spheres,
+                                                const rt::Ray& ray, rt::Interval within) {
+    return rt::nearest_sphere(spheres, ray, within);
+}
+
+}  // namespace EXPORTED

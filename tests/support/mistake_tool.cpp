@@ -1,0 +1,211 @@
+// Makes the known mistakes, in a build that has their exercises' checkpoints, and says what becomes
+// of them.
+//
+//   mistake_tool check NN.k          the test case that should catch a mistake fails, and what
+//   fails is
+//                                    recognized as this mistake or as one that looks the same from
+//                                    outside
+//   mistake_tool certify NN_topic    in `course certify`, the lines of these exercises fail
+//   ("certificate fails") mistake_tool pictures NN_topic   `course compare` sees that the picture
+//   is another one ("changes picture") mistake_tool memory NN_topic     the address sanitizer
+//   reports this ("address sanitizer reports: ...") mistake_tool races NN_topic      the thread
+//   sanitizer reports a data race ("data race in: test case")
+
+#include <algorithm>
+#include <app/errors.hpp>
+#include <app/files.hpp>
+#include <companion/build/remake.hpp>
+#include <companion/check/known_mistakes.hpp>
+#include <companion/check/sanitized.hpp>
+#include <companion/system/parallel.hpp>
+#include <cstdio>
+#include <functional>
+#include <regex>
+
+using namespace companion;
+
+namespace {
+
+const Course course = this_course();
+const fs::path below = course.build / "mistakes";
+
+// Whether the test case that should catch a mistake failed by an assertion, and ran to its end.
+bool is_caught(const Mistake& mistake, const std::vector<TestCase>& tests) {
+    return std::any_of(tests.begin(), tests.end(), [&](const TestCase& test) {
+        return test.name == mistake.caught_by && test.ended && test.crash.empty() &&
+               !test.failures.empty();
+    });
+}
+
+// One mistake's line: what is wrong, or empty.
+struct Outcome {
+    std::string words, wrong;
+};
+
+int report(const std::string& what, const std::vector<MistakenAnswer>& answers,
+           const std::vector<Outcome>& outcomes) {
+    long failed = 0;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        failed += !outcomes[i].wrong.empty();
+        std::printf("%s%s: %s\n", outcomes[i].wrong.empty() ? "" : "FAILS ",
+                    answers[i].mistake.name.c_str(),
+                    (outcomes[i].wrong.empty() ? outcomes[i].words : outcomes[i].wrong).c_str());
+    }
+    std::printf("%s: %zu mistakes, %ld fail\n", what.c_str(), answers.size(), failed);
+    return failed || answers.empty() ? app::could_not : app::done;
+}
+
+int check(const std::string& id) {
+    const Exercise exercise = find_exercise(course, id);
+    const std::vector<MistakenAnswer> answers = make_mistakes(course, exercise, below);
+    Signatures known;
+    for (const MistakenAnswer& answer : answers) known[answer.mistake.name];
+    in_parallel(answers.size(), [&](std::size_t i) {
+        if (answers[i].build.ok)
+            known.at(answers[i].mistake.name) = what_always_fails(course, answers[i]);
+    });
+    std::vector<Outcome> outcomes(answers.size());
+    in_parallel(answers.size(), [&](std::size_t i) {
+        const Mistake& mistake = answers[i].mistake;
+        Outcome& outcome = outcomes[i];
+        if (!answers[i].build.ok) {
+            outcome.wrong = "does not compile:\n" + first_error(course, answers[i].build.output);
+            return;
+        }
+        const Cases all{.exercise = id, .answer = answers[i].folder};
+        const std::vector<TestCase> tests = run_cases(course, all).tests;
+        if (!is_caught(mistake, tests)) {
+            // It may end the program before the test case that catches it had its turn.
+            Cases one = all;
+            one.which = mistake.caught_by;
+            one.timeout = 60;
+            if (!is_caught(mistake, run_cases(course, one).tests)) {
+                outcome.wrong = "NOT CAUGHT by '" + mistake.caught_by + '\'';
+                return;
+            }
+        }
+        // With threads, and in undefined behavior, chance decides what fails.
+        const bool by_chance = known.at(mistake.name).what.empty();
+        for (int tries = 0; tries < 3; ++tries) {
+            const Signature signature =
+                signature_of(tries == 0 ? tests : run_cases(course, all).tests);
+            const auto found = recognize(known, id, signature);
+            if (found.size() == 1 &&
+                std::find(found[0].begin(), found[0].end(), mistake.name) != found[0].end()) {
+                outcome.words = found[0].size() == 1 ? "caught, recognized"
+                                                     : "caught, recognized, and others like it";
+                return;
+            }
+            outcome.words = "caught, taken for " +
+                            (found.empty() ? "no known mistake" : found[0][0]) +
+                            ", as it fails by chance";
+        }
+        if (!by_chance) outcome.wrong = outcome.words;
+    });
+    for (const MistakenAnswer& answer : answers) fs::remove_all(answer.folder);
+    return report(id, answers, outcomes);
+}
+
+// The mistakes of a chapter with this remark, each compiled into a program of the build and judged.
+int try_in_program(const std::string& chapter, const std::string& remark, const std::string& target,
+                   const std::function<Outcome(const MistakenAnswer&, const fs::path&)>& judge) {
+    std::vector<MistakenAnswer> answers;
+    for (Mistake& mistake : read_mistakes(course, Chapter{.name = chapter}))
+        if (mistake.remarks.count(remark))
+            answers.push_back({mistake, below / (remark + ' ' + mistake.name), {}});
+    std::vector<Outcome> outcomes(answers.size());
+    if (answers.empty()) {
+        std::printf("%s: no mistake says '%s'\n", chapter.c_str(), remark.c_str());
+        return app::done;
+    }
+    const Remake remake{course, target};
+    in_parallel(answers.size(), [&](std::size_t i) {
+        const fs::path folder = answers[i].folder, program = folder / "program";
+        for (const auto& [name, text] :
+             edited_files(answers[i].mistake, course.root / "solutions" / chapter)) {
+            app::make_folder((folder / name).parent_path());
+            app::replace_file(folder / name, text);
+        }
+        const BuildResult built = remake(folder, program);
+        if (built.ok)
+            outcomes[i] = judge(answers[i], program);
+        else
+            outcomes[i].wrong = "does not compile:\n" + first_error(course, built.output);
+        fs::remove_all(folder);
+    });
+    return report(chapter + ", " + remark, answers, outcomes);
+}
+
+Outcome expect(const std::string& output, const std::string& pattern) {
+    if (std::regex_search(output, std::regex{pattern})) return {"seen", ""};
+    return {"", "expected '" + pattern + "' in:\n" + output.substr(0, 2000)};
+}
+
+int certify(const std::string& chapter) {
+    return try_in_program(
+        chapter, "certificate fails", "certify." + chapter + "_solution",
+        [](const MistakenAnswer& answer, const fs::path& program) {
+            const std::string id = answer.mistake.name.substr(0, answer.mistake.name.find('_'));
+            return expect(run_process({.command = {program.string(), "--no-timing"}}).output,
+                          "FAILS\t" + id);
+        });
+}
+
+int pictures(const std::string& chapter) {
+    return try_in_program(
+        chapter, "changes picture", chapter + "_solution",
+        [&](const MistakenAnswer&, const fs::path& program) -> Outcome {
+            const Result seen = run_process(
+                {.command = {course.program("compare_programs").string(), "differ",
+                             program.string(), course.program(chapter + "_solution").string()}});
+            return seen.ok() ? Outcome{"seen", ""} : Outcome{"", seen.output};
+        });
+}
+
+int memory(const std::string& chapter) {
+    const std::string remark = "address sanitizer reports";
+    return try_in_program(chapter, remark, chapter + "_memory",
+                          [&](const MistakenAnswer& answer, const fs::path& program) {
+                              return expect(run_process({.command = {program.string()}}).output,
+                                            answer.mistake.remarks.at(remark));
+                          });
+}
+
+int races(const std::string& chapter) {
+    const std::string remark = "data race in";
+    std::vector<MistakenAnswer> answers;
+    std::vector<Outcome> outcomes;
+    for (const Exercise& exercise : exercises(course, Chapter{.name = chapter, .hints = {}}))
+        for (MistakenAnswer& answer : make_mistakes(course, exercise, below)) {
+            if (!answer.mistake.remarks.count(remark)) continue;
+            const Cases cases{.exercise = exercise.id,
+                              .answer = answer.folder,
+                              .which = answer.mistake.remarks.at(remark)};
+            std::vector<std::string> command = at_fixed_addresses();
+            for (std::string& word : command_of(course, cases, false))
+                command.push_back(std::move(word));
+            outcomes.push_back(answer.build.ok ? expect(run_process({.command = command}).output,
+                                                        "WARNING: ThreadSanitizer: data race")
+                                               : Outcome{"", answer.build.output});
+            answers.push_back(std::move(answer));
+        }
+    return report(chapter + ", " + remark, answers, outcomes);
+}
+
+int run(const std::vector<std::string>& words) {
+    if (words.size() == 2) {
+        if (words[0] == "check") return check(words[1]);
+        if (words[0] == "certify") return certify(words[1]);
+        if (words[0] == "pictures") return pictures(words[1]);
+        if (words[0] == "memory") return memory(words[1]);
+        if (words[0] == "races") return races(words[1]);
+    }
+    throw app::UsageError(
+        "usage: mistake_tool check NN.k, or certify, pictures, memory or races NN_topic");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return app::run_or_explain("mistake_tool", [&] { return run({argv + 1, argv + argc}); });
+}
