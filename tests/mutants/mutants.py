@@ -5,26 +5,21 @@ Takes the solution of an exercise, makes many small changes to it (an operator, 
 constant, a sign, another variable of the same type, a dropped statement ...) and runs the exercise's
 checkpoints on each. A mutant that passes all of them, in double and in float, has survived: either a
 better test is needed, or no test should stop it. The latter are listed with the reason in NN.k.txt
-beside this file.
+beside this file, as "function  |  change".
 
-All mutants of a file are compiled into one program; the environment variable RT_MUTANT chooses one:
+All mutants of an exercise are compiled into one answer; the environment variable RT_MUTANT chooses one:
 
     a + b   becomes   (rt_mutant == 7 ? a - b : a + b)
 
 A mutant that does not compile in this form is left out. A mutant that cannot be chosen while the program
 runs, such as a parameter by value instead of by reference, is compiled alone.
 
-verified.json holds a hash of each exercise's solution, checkpoints and reasons as they were when no
-mutant survived. With --changed, an exercise whose hash has changed is tried with all mutants, and the
-others with a few (--sample).
-
-Needs python3 with libclang (package python3-clang), ninja and a configured build folder.
+Needs python3 with libclang (package python3-clang) and a configured build folder.
 """
 
 import argparse
 import collections
 import concurrent.futures
-import hashlib
 import json
 import os
 import pathlib
@@ -75,6 +70,7 @@ class Mutant:
     def __init__(self, start, end, text, form="expression"):
         self.start, self.end, self.text, self.form = start, end, text, form
         self.number = 0
+        self.function = ""
         self.key = ""
 
 
@@ -89,6 +85,7 @@ class Maker:
         self.seen = set()
         self.no_sign = set()  # -x == 0 says what x == 0 says
         self.assigned = set()  # what is on the left of an assignment must stay a variable
+        self.function = ""  # around the place that is visited
         unit = cindex.Index.create().parse(self.path, args=arguments + ["-x", "c++"])
         for cursor in unit.cursor.get_children():
             if cursor.location.file and cursor.location.file.name == self.path:
@@ -110,6 +107,7 @@ class Maker:
             return
         self.seen.add((start, end, text))
         self.mutants.append(Mutant(start, end, text, form))
+        self.mutants[-1].function = self.function
 
     def visit(self, cursor, scope):
         if cursor.extent.start.file is None or cursor.extent.start.file.name != self.path:
@@ -118,8 +116,10 @@ class Maker:
         functions = (Kind.FUNCTION_DECL, Kind.CXX_METHOD, Kind.FUNCTION_TEMPLATE, Kind.CONSTRUCTOR,
                      Kind.DESTRUCTOR, Kind.LAMBDA_EXPR)
         if kind in functions:
-            if kind != Kind.LAMBDA_EXPR and self.is_given(cursor):
-                return
+            if kind != Kind.LAMBDA_EXPR:
+                if self.is_given(cursor):
+                    return
+                self.function = cursor.spelling.split("<")[0] or self.function
             scope = list(scope)
             for child in cursor.get_children():
                 if child.kind == Kind.PARM_DECL:
@@ -420,12 +420,10 @@ def one_line(text):
 
 
 def name_mutants(source, mutants):
-    """A key that stays when lines move: the line of the source, and the change."""
+    """A key that stays when lines move: the function, and the change."""
     seen = collections.Counter()
-    lines = source.decode().split("\n")
     for mutant in mutants:
-        row = source[:mutant.start].count(b"\n")
-        mutant.row = row + 1
+        mutant.row = source[:mutant.start].count(b"\n") + 1
         original = one_line(source[mutant.start:mutant.end].decode())
         if mutant.form == "dropped":
             change = f"drop {original}"
@@ -433,7 +431,7 @@ def name_mutants(source, mutants):
             change = re.search(r"/\* (.*?) \*/", mutant.text).group(1)
         else:
             change = f"{original} -> {one_line(mutant.text)}"
-        key = f"{one_line(lines[row])}  |  {change}"
+        key = f"{mutant.function}  |  {change}"
         seen[key] += 1
         mutant.key = key if seen[key] == 1 else f"{key}  #{seen[key]}"
 
@@ -455,86 +453,64 @@ def limits():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-class Program:
-    """The checkpoints of one exercise in one precision, compiled with an edited solution."""
+class Answer:
+    """The answer of an exercise in one precision, compiled with an edited solution, and its checkpoint."""
 
-    def __init__(self, build, chapter, exercise, source, precision, folder):
-        self.build, self.folder, self.precision = build, folder, precision
-        target = f"{chapter}_checkpoint_solution" + ("_float" if precision == "float" else "")
-        self.objects = f"CMakeFiles/{target}.dir/"
+    def __init__(self, build, exercise, precision, folder):
+        self.build, self.folder = build, folder
+        suffix = exercise + (".float" if precision == "float" else "")
+        target = f"answer.{suffix}"
         commands = json.loads((build / "compile_commands.json").read_text())
-        self.compiles = [c for c in commands if f" -o {self.objects}" in c["command"]]
-        # The .cpp files of a solution have no checkpoints in them.
-        self.source = source
-        links = subprocess.run(["ninja", "-C", str(build), "-t", "commands", target], check=True,
-                               capture_output=True, text=True).stdout.splitlines()
-        self.link = [l for l in links if f" -o bin/{target} " in l][-1]
-        self.target = target
-        self.program = folder / f"checkpoint_{precision}"
-        self.own = folder / f"first_{precision}"  # where the exercise is a program of its own
+        self.compiles = [c for c in commands if f"/{target}.dir/" in c["command"]]
+        self.linked = (build / "link" / f"{target}.txt").read_text().split("\n")
+        self.checkpoint = build / "check" / f"check.{suffix}"
+        self.place = folder / precision
+        self.place.mkdir(parents=True, exist_ok=True)
+        is_library = any(f.name == "answer.cpp" for f in map(pathlib.Path, (c["file"] for c in self.compiles)))
+        self.result = self.place / (f"libanswer.{exercise}.so" if is_library else f"answer.{exercise}")
 
-    def arguments(self, compile_command, extra):
-        words = shlex.split(compile_command["command"])
-        while words and not words[0].startswith(("/", "c++", "g++", "clang")):
-            words.pop(0)
-        if "ccache" in words[0]:
-            words.pop(0)
-        position = words.index("-c")
-        out = words.index("-o")
-        name = self.folder / f"{self.precision}_{pathlib.Path(words[position + 1]).name}.o"
-        words = [f'-DCOURSE_FIRST_PROGRAM="{self.own}"' if w.startswith("-DCOURSE_FIRST_PROGRAM") else w
-                 for w in words]
-        words[out + 1] = str(name)
-        words[1:1] = extra + ["-w", "-fmax-errors=0" if "clang" not in words[0] else "-ferror-limit=0",
-                              "-fno-diagnostics-show-caret"]
-        return words, name
+    def words(self, command, edited):
+        """The words that compile a source, with the edited folder first, but for the source and the object."""
+        words = shlex.split(command["command"])
+        for option in ("-c", "-o"):
+            at = words.index(option)
+            del words[at:at + 2]
+        first = 2 if "ccache" in words[0] else 1
+        every_error = "-ferror-limit=0" if "clang" in words[first - 1] else "-fmax-errors=0"
+        words[first:first] = [f"-I{edited}", f"-I{edited}/rt", "-w", every_error, "-fno-diagnostics-show-caret"]
+        return words
 
     def compile(self, edited, only_errors=False):
         """Compiles with the edited folder first. Returns the errors; empty if it compiles."""
-        objects, errors = [], ""
+        objects, errors, link = [], "", []
         for command in self.compiles:
             file = pathlib.Path(command["file"])
-            is_test = "tests" in file.parts
-            if is_test and file != self.source:
-                continue
-            words, name = self.arguments(command, [f"-I{edited}"])
-            if not is_test and (edited / "rt" / file.name).exists():
-                words[words.index("-c") + 1] = str(edited / "rt" / file.name)
-            if only_errors:
-                words.append("-fsyntax-only")
-            done = subprocess.run(words, cwd=self.build, capture_output=True, text=True)
+            for other in (edited / "rt" / file.name, edited / file.name):
+                if other.exists():
+                    file = other
+            name = self.place / f"{file.name}.o"
+            words = self.words(command, edited)
+            link = link or words
+            output = ["-fsyntax-only"] if only_errors else ["-o", str(name)]
+            done = subprocess.run([*words, "-c", str(file), *output], cwd=self.build, capture_output=True, text=True)
             if done.returncode:
                 errors += done.stderr
-            objects.append(name)
-        if (edited / "first.cpp").exists():
-            words = [words[0], "-std=c++20", "-O2", "-w", f"-I{edited}/rt", f"-I{ROOT}/common",
-                     str(edited / "first.cpp")]
-            words += ["-fsyntax-only"] if only_errors else ["-o", str(self.own)]
-            done = subprocess.run(words, cwd=self.build, capture_output=True, text=True)
-            if done.returncode:
-                errors += done.stderr
+            objects.append(str(name))
         if errors or only_errors:
             return errors
-        words, linked = shlex.split(self.link), []
-        words = words[words.index("&&") + 1:] if "&&" in words else words
-        if "&&" in words:
-            words = words[:words.index("&&")]
-        for word in words:
-            if word.startswith(self.objects):
-                if objects:
-                    linked += [str(o) for o in objects]
-                    objects = []
-            else:
-                linked.append(word)
-        linked[linked.index("-o") + 1] = str(self.program)
-        done = subprocess.run(linked, cwd=self.build, capture_output=True, text=True)
+        if "-include" in link:
+            at = link.index("-include")
+            link = link[:at] + link[at + 2:]
+        done = subprocess.run([*link, *objects, *filter(None, self.linked), "-o", str(self.result)],
+                              cwd=self.build, capture_output=True, text=True)
         return done.stderr if done.returncode else ""
 
     def passes(self, number, seconds):
         """Do all checkpoints pass?"""
-        environment = dict(os.environ, RT_MUTANT=str(number))
+        environment = dict(os.environ, RT_MUTANT=str(number), COURSE_ANSWER=str(self.place),
+                           LD_LIBRARY_PATH=str(self.place), DYLD_LIBRARY_PATH=str(self.place))
         try:
-            done = subprocess.run([str(self.program), "--abort"], cwd=self.folder, env=environment,
+            done = subprocess.run([str(self.checkpoint), "--abort"], cwd=self.folder, env=environment,
                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                   timeout=seconds, preexec_fn=limits)
         except subprocess.TimeoutExpired:
@@ -546,15 +522,7 @@ class Exercise:
     def __init__(self, chapter, exercise):
         self.chapter, self.id = chapter, exercise["id"]
         self.files = exercise["files"]
-        self.test = next((ROOT / "tests" / chapter).glob(f"{self.id}_*.cpp"))
         self.reasons = HERE / f"{self.id}.txt"
-
-    def hash(self):
-        """A hash of all that its mutants depend on, except for the headers that it includes."""
-        files = [ROOT / "solutions" / self.chapter / name for name in self.files]
-        files += [self.test, self.reasons, *sorted((ROOT / "tests" / self.chapter).glob("*.hpp")),
-                  *sorted((ROOT / "tests/support").glob("*.hpp"))]
-        return hashlib.sha256(b"".join(f.read_bytes() for f in files if f.exists())).hexdigest()[:16]
 
     def allowed(self):
         """The keys of mutants that no test should stop. Their reasons are indented."""
@@ -586,19 +554,17 @@ def blame(errors):
     return numbers or around
 
 
-def run_exercise(exercise, build, sample, float_too, log):
+def run_exercise(exercise, build, float_too, log):
     started = time.time()
     folder = build / "mutants" / exercise.id
-    (folder / "mutated" / "rt").mkdir(parents=True, exist_ok=True)
-    (folder / "mutated" / "rt" / "mutant_number.hpp").write_text(PRELUDE)
-    program = Program(build, exercise.chapter, exercise.id, exercise.test, "double", folder)
+    edited = folder / "mutated"
+    (edited / "rt").mkdir(parents=True, exist_ok=True)
+    (edited / "rt" / "mutant_number.hpp").write_text(PRELUDE)
+    answer = Answer(build, exercise.id, "double", folder)
+    words = answer.words(answer.compiles[0], edited)[1:]
     parse = ["-std=c++20", "-w", "-DRT_REAL=double"]
-    words, _ = program.arguments(next(c for c in program.compiles
-                                      if c["file"] == str(exercise.test)), [])
     parse += [w for w in words if w.startswith(("-I", "-D"))]
-    for i, w in enumerate(words):
-        if w == "-isystem":
-            parse += [w, words[i + 1]]
+    parse += [w for pair in zip(words, words[1:]) if pair[0] == "-isystem" for w in pair]
     clang_headers = subprocess.run(["clang++", "-print-resource-dir"], capture_output=True,
                                    text=True).stdout.strip()
     if clang_headers:
@@ -620,7 +586,7 @@ def run_exercise(exercise, build, sample, float_too, log):
     def write(chosen):
         for name, source, own in files:
             text = rendered(source, [m for m in own if m in chosen and m.form != "alone"], 0, len(source))
-            target = folder / "mutated" / name
+            target = edited / name
             line = "#pragma once"
             head = '#include "mutant_number.hpp"\n'
             text = text.replace(line, line + "\n" + head, 1) if line in text else head + text
@@ -630,7 +596,7 @@ def run_exercise(exercise, build, sample, float_too, log):
     uncompiled = set()
     for _ in range(12):
         write(kept)
-        errors = program.compile(folder / "mutated", only_errors=True)
+        errors = answer.compile(edited, only_errors=True)
         if not errors:
             break
         bad = {m for m in kept if m.number in blame(errors)}
@@ -638,27 +604,20 @@ def run_exercise(exercise, build, sample, float_too, log):
             raise RuntimeError(f"{exercise.id}: the mutants do not compile:\n{errors[:3000]}")
         kept -= bad
         uncompiled |= bad
-    errors = program.compile(folder / "mutated")
+    errors = answer.compile(edited)
     if errors:
         raise RuntimeError(f"{exercise.id}: the mutants do not compile:\n{errors[:3000]}")
     begun = time.time()
-    if not program.passes(0, 300):
+    if not answer.passes(0, 300):
         raise RuntimeError(f"{exercise.id}: the solution itself does not pass")
     seconds = max(5.0, 8 * (time.time() - begun))
 
     chosen = sorted((m for m in kept if m.form != "alone"), key=lambda m: m.number)
     alone = [m for m in kept if m.form == "alone"]
-    if sample:
-        # The same few each time, but different ones after a change.
-        order = lambda m: hashlib.sha256((exercise.id + m.key).encode()).digest()
-        chosen = sorted(chosen, key=order)[:sample]
-        alone = []
     allowed = exercise.allowed()
     surviving, stopped = [], 0
     for mutant in chosen:
-        if mutant.key in allowed and sample:
-            continue
-        if program.passes(mutant.number, seconds):
+        if answer.passes(mutant.number, seconds):
             surviving.append(mutant)
         else:
             stopped += 1
@@ -670,7 +629,7 @@ def run_exercise(exercise, build, sample, float_too, log):
             if mutant in own:
                 text = source[:mutant.start] + mutant.text.encode() + source[mutant.end:]
             (single / name).write_bytes(text)
-        lonely = Program(build, exercise.chapter, exercise.id, exercise.test, "double", single.parent)
+        lonely = Answer(build, exercise.id, "double", single.parent)
         if lonely.compile(single):
             uncompiled.add(mutant)
         elif lonely.passes(0, seconds):
@@ -678,11 +637,11 @@ def run_exercise(exercise, build, sample, float_too, log):
         else:
             stopped += 1
     if float_too and any(m.form != "alone" and m.key not in allowed for m in surviving):
-        narrow = Program(build, exercise.chapter, exercise.id, exercise.test, "float", folder)
-        errors = narrow.compile(folder / "mutated")
+        narrow = Answer(build, exercise.id, "float", folder)
+        errors = narrow.compile(edited)
         if errors and blame(errors):
             write({m for m in kept if m.number not in blame(errors)})
-            errors = narrow.compile(folder / "mutated")
+            errors = narrow.compile(edited)
         if errors:
             log(f"{exercise.id}: not compiled in float: {errors[:300]}")
         elif narrow.passes(0, 300):
@@ -699,8 +658,7 @@ def run_exercise(exercise, build, sample, float_too, log):
     surviving = [m for m in surviving if m.key not in allowed]
     keys = {m.key for m in mutants}
     stale = sorted(k for k in allowed if k not in keys)
-    needless = [] if sample else sorted(
-        m.key for m in kept if m.key in allowed and m not in equal)
+    needless = sorted(m.key for m in kept if m.key in allowed and m not in equal)
     made = stopped + len(equal) + len(surviving)
     log(f"{exercise.id}  made {made:4}  stopped {stopped:4}  allowed {len(equal):3}  "
         f"survived {len(surviving):3}   {time.time() - started:4.0f} s")
@@ -718,10 +676,6 @@ def main():
                                                  "checkpoints stop them?")
     parser.add_argument("exercises", nargs="*", help="NN or NN.k; all if none is named")
     parser.add_argument("--build", default=str(ROOT / "build"), help="a configured build folder")
-    parser.add_argument("--sample", type=int, default=0, help="only this many of each exercise")
-    parser.add_argument("--changed", action="store_true",
-                        help="all of the exercises that are not as verified.json knows them, a few of the "
-                             "others")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--no-float", action="store_true", help="do not try survivors in float")
     options = parser.parse_args()
@@ -738,40 +692,27 @@ def main():
     exercises = [e for e in exercises if e.id not in FREE]
     if not exercises:
         sys.exit("mutants: none are made, since any design passes that keeps the contract")
-    chapters = sorted({e.chapter for e in exercises})
-    targets = [f"{c}_checkpoint_solution" for c in chapters]
+    targets = [f"check.{e.id}" for e in exercises]
     if not options.no_float:
-        targets += [f"{c}_checkpoint_solution_float" for c in chapters]
+        targets += [f"{target}.float" for target in targets]
     subprocess.run(["cmake", "--build", str(build), "-j", str(options.jobs), "--target", *targets],
                    check=True, stdout=subprocess.DEVNULL)
 
     failed, totals = False, [0, 0, 0, 0, 0]
-    record = HERE / "verified.json"
-    recorded = lambda: json.loads(record.read_text()) if record.exists() else {}
-    known, verified = recorded(), {}
-    lines = lambda text: print(text, flush=True)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         running = []
         for exercise in exercises:
             said = []
-            sample = options.sample
-            if options.changed:
-                sample = (options.sample or 2) if known.get(exercise.id) == exercise.hash() else 0
-            running.append((exercise, sample, said, pool.submit(run_exercise, exercise, build, sample,
-                                                                not options.no_float, said.append)))
-        for exercise, sample, said, result in running:
+            running.append((exercise, said, pool.submit(run_exercise, exercise, build, not options.no_float,
+                                                        said.append)))
+        for exercise, said, result in running:
             try:
-                counts = result.result()
-                totals = [a + b for a, b in zip(totals, counts)]
-                if sample == 0 and counts[3] == counts[4] == 0:
-                    verified[exercise.id] = exercise.hash()
+                totals = [a + b for a, b in zip(totals, result.result())]
             except (RuntimeError, subprocess.CalledProcessError) as error:
                 said.append(f"{exercise.id}: {error}")
                 failed = True
-            lines("\n".join(said))
-    # Another run may have written meanwhile.
-    record.write_text(json.dumps(recorded() | verified, indent=1, sort_keys=True) + "\n")
-    lines(f"all  made {totals[0]}  stopped {totals[1]}  allowed {totals[2]}  survived {totals[3]}")
+            print("\n".join(said), flush=True)
+    print(f"all  made {totals[0]}  stopped {totals[1]}  allowed {totals[2]}  survived {totals[3]}")
     sys.exit(1 if failed or totals[3] or totals[4] else 0)
 
 
