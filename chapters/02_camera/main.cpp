@@ -2,10 +2,10 @@
 // at and the up vector change.
 
 #include <algorithm>
-#include <app/fill.hpp>
 #include <app/run.hpp>
 #include <array>
 #include <rt/canvas.hpp>
+#include <rt/fill.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/portable.hpp>
 #include <rt/primary_ray.hpp>

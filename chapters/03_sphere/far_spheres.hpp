@@ -2,7 +2,7 @@
 // The small pictures beside the planet: one sphere from farther and farther away, by the textbook
 // formula and by the stable one.
 
-#include <app/fill.hpp>
+#include <rt/fill.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/portable.hpp>

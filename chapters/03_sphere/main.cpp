@@ -1,9 +1,9 @@
 // A planet with rings of moons; beside it one sphere seen from farther and farther away, by the
 // textbook formula and by the stable one.
 
-#include <app/fill.hpp>
 #include <app/run.hpp>
 #include <rt/canvas.hpp>
+#include <rt/fill.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/nearest_sphere.hpp>
 #include <rt/ppm.hpp>

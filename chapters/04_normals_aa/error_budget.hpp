@@ -2,8 +2,8 @@
 // The error budget: what each error of a picture does to a pixel, all on one scale.
 
 #include <rt/color.hpp>
+#include <rt/far_view.hpp>
 #include <string>
-#include <study/far_view.hpp>
 #include <study/pixel_error.hpp>
 #include <type_traits>
 

@@ -2,10 +2,10 @@
 // with one sample a pixel against many, and with the light followed from bounce to bounce.
 
 #include <algorithm>
-#include <app/fill.hpp>
 #include <app/run.hpp>
 #include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
+#include <rt/fill.hpp>
 #include <rt/lambert.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/render_pixel.hpp>

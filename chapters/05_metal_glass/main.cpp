@@ -1,9 +1,9 @@
 // Chapter 05: metal, glass, and a strip that compares two formulas for how much glass reflects.
 
-#include <app/fill.hpp>
 #include <app/run.hpp>
 #include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
+#include <rt/fill.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/render_pixel.hpp>
 

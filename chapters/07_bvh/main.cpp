@@ -1,10 +1,10 @@
 // Chapter 07: ten thousand spheres, the boxes that they are sorted into, and how much work each
 // pixel takes with the linear list, with the sorted tree and with the tree by surface area.
 
-#include <app/fill.hpp>
 #include <app/run.hpp>
 #include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
+#include <rt/fill.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/split_by_area.hpp>
 

@@ -2,11 +2,11 @@
 
 #include <deque>
 #include <rt/counting_world.hpp>
+#include <rt/far_view.hpp>
 #include <rt/flat_tree.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
-#include <study/far_view.hpp>
 #include <study/pixel_error.hpp>
 #include <study/timing.hpp>
 

@@ -1,12 +1,12 @@
 #include "study.hpp"
 
 #include <array>
+#include <rt/cover_scene.hpp>
 #include <rt/effects_of.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/light_sample.hpp>
 #include <rt/sphere_light.hpp>
 #include <study/classic.hpp>
-#include <study/cover_scene.hpp>
 #include <study/double_double.hpp>
 #include <study/pixel_error.hpp>
 #include <study/timing.hpp>

@@ -2,9 +2,9 @@
 
 #include <functional>
 #include <rt/batch_renderer.hpp>
+#include <rt/cover_scene.hpp>
 #include <string>
 #include <study/classic.hpp>
-#include <study/cover_scene.hpp>
 #include <study/pixel_error.hpp>
 #include <study/timing.hpp>
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <ostream>
 #include <rt/portable.hpp>
-#include <rt/vec3.hpp>
+#include <rt/vec3_type.hpp>
 
 namespace rt {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <rt/color.hpp>
-#include <rt/vec3.hpp>
+#include <rt/vec3_type.hpp>
 
 namespace rt {
 

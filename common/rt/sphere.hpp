@@ -1,5 +1,5 @@
 #pragma once
-#include <rt/vec3.hpp>
+#include <rt/vec3_type.hpp>
 
 namespace rt {
 
@@ -10,7 +10,8 @@ struct Sphere {
 
 // The same sphere, moved by a vector.
 inline Sphere moved(const Sphere& sphere, Vec3 by) {
-    return {sphere.center + by, sphere.radius};
+    const Vec3 c = sphere.center;
+    return {{c.x + by.x, c.y + by.y, c.z + by.z}, sphere.radius};
 }
 
 }  // namespace rt

@@ -182,12 +182,18 @@ class Examination {
         for (const Chapter& chapter : all) {
             const std::string what = "memory and undefined behavior, " + chapter.name;
             for (const bool star : {false, true}) {
-                const Result result =
-                    run_process({.command = {checked.program(chapter.name + "_checkpoint").string(),
-                                             star ? "[hard]" : "~[hard]"},
-                                 .timeout = patience});
-                std::string found = sanitizer_report(chapter, result.output);
-                if (found.empty() && !result.ok()) found = how_it_ended(result);
+                std::string found;
+                for (const Exercise& exercise : exercises(course_, chapter)) {
+                    const Result result =
+                        run_process({.command = command_of(checked,
+                                                           {.exercise = exercise.id,
+                                                            .which = star ? "[hard]" : "~[hard]"},
+                                                           false),
+                                     .timeout = patience});
+                    if (found.empty()) found = sanitizer_report(chapter, result.output);
+                    if (found.empty() && !result.ok())
+                        found = exercise.id + ": " + how_it_ended(result);
+                }
                 note(found.empty(), "", what, found.empty() ? "clean" : found, "clean", star);
             }
         }

@@ -5,6 +5,7 @@
 #include <app/json.hpp>
 #include <app/nearest_word.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/model/stubs.hpp>
 #include <companion/system/files.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -129,6 +130,7 @@ int obey(Words words) {
         return app::done;
     }
     const companion::Course course = companion::this_course();
+    companion::keep_stubs(course);
     CommandLine commands{course};
     const std::string name = words[0];
     if (std::count(commands.names.begin(), commands.names.end(), name) == 0)

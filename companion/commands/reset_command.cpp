@@ -30,18 +30,20 @@ fs::path new_folder(const Course& course, const Exercise& exercise) {
 
 int reset(const Course& course, const std::string& id) {
     const Exercise exercise = find_exercise(course, id);
-    const Stubs stubs = shipped_stubs(course, exercise.chapter);
-    const fs::path chapter = fs::path{"exercises"} / exercise.chapter.name;
-
     std::vector<fs::path> changed;
     for (const fs::path& file : exercise.files)
         if (fs::exists(fs::symlink_status(course.root / file)) &&
             !why_no_file(course.root / file).empty())
             throw app::Failure(trouble_with_files(course, exercise));
-    for (const fs::path& file : exercise.files)
+    for (const fs::path& file : exercise.files) {
+        if (shipped_stub(course, file).empty())
+            throw app::Failure("nobody knows the stub of " + file.string() +
+                               " any more; git checkout -- " + file.string() +
+                               " restores what you last committed");
         if (!fs::exists(course.root / file) ||
-            read_text(course.root / file) != stubs.at(file.lexically_relative(chapter)))
+            read_text(course.root / file) != shipped_stub(course, file))
             changed.push_back(file);
+    }
     if (changed.empty()) {
         std::printf("%s is unchanged: it is as it was shipped.\n", exercise.id.c_str());
         return app::done;
@@ -57,7 +59,7 @@ int reset(const Course& course, const std::string& id) {
                 (folder / path.filename()).lexically_relative(course.root).string().c_str());
         }
         fs::create_directories(path.parent_path());
-        app::replace_file(path, stubs.at(file.lexically_relative(chapter)));
+        app::replace_file(path, shipped_stub(course, file));
         std::printf("reset  %s\n", file.string().c_str());
     }
     return app::done;

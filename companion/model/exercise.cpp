@@ -23,30 +23,22 @@ std::string present(const Course& course, const fs::path& file) {
 }
 
 // Fills in the stubs of a chapter's exercises as they were shipped.
-void add_shipped(const Course& course, const Chapter& chapter, std::vector<Exercise>& exercises) {
-    const Stubs stubs = shipped_stubs(course, chapter);
-    const auto read = [&](const fs::path& file) {
-        const auto stub = stubs.find(file.lexically_relative(fs::path{"exercises"} / chapter.name));
-        if (stub == stubs.end())
-            throw app::Failure("course.json names " + file.string() + ", which was never shipped");
-        return stub->second;
-    };
-    std::vector<fs::path> shipped;
-    for (const auto& [file, source] : stubs)
-        shipped.push_back(fs::path{"exercises"} / chapter.name / file);
+void add_shipped(const Course& course, std::vector<Exercise>& exercises) {
+    const auto read = [&](const fs::path& file) { return shipped_stub(course, file); };
     std::map<fs::path, int> users;
-    for (Exercise& exercise : exercises) exercise.shipped = shipped;
-    for (Exercise& exercise : exercises)
+    for (const Exercise& exercise : exercises)
+        for (const fs::path& file : exercise.files) ++users[file];
+    for (Exercise& exercise : exercises) {
+        bool is_known = true;
         for (const fs::path& file : exercise.files) {
-            ++users[file];
-            exercise.shipped_todos += count_todos(read(file), exercise.id);
-            exercise.functions +=
-                static_cast<int>(functions_to_write(read(file), exercise.id).size());
+            const std::string stub = read(file);
+            exercise.shipped_todos += count_todos(stub, exercise.id);
+            exercise.functions += static_cast<int>(functions_to_write(stub, exercise.id).size());
+            is_known = is_known && !stub.empty() && users[file] == 1;
         }
-    for (Exercise& exercise : exercises)
-        if (std::all_of(exercise.files.begin(), exercise.files.end(),
-                        [&](const fs::path& file) { return users[file] == 1; }))
-            exercise.shipped_hash = hash_over(exercise.files, read);
+        if (is_known) exercise.shipped_hash = hash_over(exercise.files, read);
+        for (const auto& [file, count] : users) exercise.chapter_files.push_back(file);
+    }
 }
 
 }  // namespace
@@ -55,7 +47,7 @@ std::vector<Exercise> exercises(const Course& course, const Chapter& chapter) {
     std::vector<Exercise> found;
     for (Exercise& exercise : read_course_file(course).exercises)
         if (exercise.chapter.name == chapter.name) found.push_back(std::move(exercise));
-    add_shipped(course, chapter, found);
+    add_shipped(course, found);
     return found;
 }
 
@@ -93,10 +85,10 @@ Exercise find_exercise(const Course& course, const std::string& id) {
 
 std::string hash_of(const Course& course, const Exercise& exercise) {
     std::vector<fs::path> files = exercise.files;
-    const auto& shipped = exercise.shipped;
+    const auto& known = exercise.chapter_files;
     for (const fs::path& path : source_files(course.root / "exercises" / exercise.chapter.name))
         if (const fs::path file = path.lexically_relative(course.root);
-            std::find(shipped.begin(), shipped.end(), file) == shipped.end())
+            std::find(known.begin(), known.end(), file) == known.end())
             files.push_back(file);
     return hash_over(files, [&](const fs::path& file) { return present(course, file); });
 }
@@ -112,7 +104,7 @@ std::string trouble_with_files(const Course& course, const Exercise& exercise) {
                file.string() + " what you last committed";
     }
     // Other files of the chapter may be included: a compiler would wait at a pipe.
-    for (const fs::path& file : exercise.shipped)
+    for (const fs::path& file : exercise.chapter_files)
         if (const fs::path path = course.root / file;
             fs::exists(path) && !why_no_file(path).empty())
             return file.string() + ' ' + why_no_file(path) + "; move it away";
@@ -120,7 +112,8 @@ std::string trouble_with_files(const Course& course, const Exercise& exercise) {
 }
 
 bool is_begun(const Course& course, const Exercise& exercise) {
-    if (todos_left(course, exercise) < exercise.shipped_todos) return true;
+    const int left = todos_left(course, exercise);
+    if (left == 0 || left < exercise.shipped_todos) return true;
     const auto read = [&](const fs::path& file) { return present(course, file); };
     return !exercise.shipped_hash.empty() &&
            hash_over(exercise.files, read) != exercise.shipped_hash;

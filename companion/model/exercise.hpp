@@ -14,11 +14,13 @@ struct Exercise {
     int star_minutes = 0;  // beyond that
     Chapter chapter;
     std::vector<fs::path>
-        files;                   // that the learner writes, such as exercises/01_vectors/rt/dot.hpp
-    int shipped_todos = 0;       // in these files, for this exercise
-    int functions = 0;           // that the learner writes: those with an rt::todo
-    std::string shipped_hash{};  // of these files; empty if they also hold another exercise
-    std::vector<fs::path> shipped{};  // all files of its chapter
+        files;              // that the learner writes, such as exercises/01_vectors/rt/dot.hpp
+    int shipped_todos = 0;  // in these files, for this exercise
+    int functions = 0;      // that the learner writes: those with an rt::todo
+    // Of these files as they were shipped; empty if nobody knows, or if they also hold another
+    // exercise.
+    std::string shipped_hash{};
+    std::vector<fs::path> chapter_files{};  // of all exercises of its chapter
 
     // "docs/01-vectors.md, section 01.3"
     std::string section() const { return chapter.text.string() + ", section " + id; }
@@ -45,7 +47,7 @@ std::string hash_of(const Course& course, const Exercise& exercise);
 std::string trouble_with_files(const Course& course, const Exercise& exercise);
 
 // Whether the learner has begun it: an rt::todo is gone, or a file that it has
-// alone is not as shipped.
+// alone is not as it was shipped.
 bool is_begun(const Course& course, const Exercise& exercise);
 
 // Those of its functions that still have an rt::todo, by name.

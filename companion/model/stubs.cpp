@@ -1,17 +1,30 @@
 #include <algorithm>
 #include <app/errors.hpp>
+#include <app/files.hpp>
+#include <companion/model/course_file.hpp>
 #include <companion/model/stubs.hpp>
 #include <companion/system/files.hpp>
+#include <companion/system/process.hpp>
 #include <regex>
 #include <set>
 
 namespace companion {
 namespace {
 
-const std::string file_mark = "==> ";
+fs::path kept_file(const Course& course, const fs::path& file) {
+    return course.root / ".course/stubs" / file.lexically_relative("exercises");
+}
 
-fs::path file_of(const Course& course, const Chapter& chapter) {
-    return course.root / "companion/shipped_stubs" / (chapter.name + ".txt");
+std::string text_of(const fs::path& file) {
+    return why_no_file(file).empty() ? read_text(file) : "";
+}
+
+// Whether the file is as the course's repository has it: then it is a stub, even if it differs from
+// the one kept.
+bool is_as_committed(const Course& course, const fs::path& file) {
+    return run_process({.command = {"git", "diff", "--quiet", "HEAD", "--", file.string()},
+                        .folder = course.root})
+        .ok();
 }
 
 // The source without comments. Quoted text stays.
@@ -39,58 +52,15 @@ std::string code_of(const std::string& source) {
 
 }  // namespace
 
-Stubs shipped_stubs(const Course& course, const Chapter& chapter) {
-    const fs::path file = file_of(course, chapter);
-    if (!fs::exists(file))
-        throw app::Failure(file.string() +
-                           " is missing: cmake --build build --target shipped_stubs makes it");
-    return stubs_from_text(read_text(file));
-}
-
-Stubs present_stubs(const Course& course, const Chapter& chapter) {
-    const fs::path folder = course.root / "exercises" / chapter.name;
-    Stubs stubs;
-    if (!fs::exists(folder)) return stubs;
-    for (const auto& entry : fs::recursive_directory_iterator{folder}) {
-        const std::string kind = entry.path().extension().string();
-        if (entry.is_regular_file() && (kind == ".hpp" || kind == ".cpp"))
-            stubs[entry.path().lexically_relative(folder)] = read_text(entry.path());
-    }
-    return stubs;
-}
-
-std::string to_text(const Stubs& stubs) {
-    std::string text;
-    for (const auto& [file, source] : stubs) text += file_mark + file.string() + '\n' + source;
-    return text;
-}
-
-Stubs stubs_from_text(const std::string& text) {
-    Stubs stubs;
-    std::string* source = nullptr;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
-        const std::string line = text.substr(at, end - at);
-        at = end;
-        if (line.rfind(file_mark, 0) == 0)
-            source = &stubs[line.substr(file_mark.size(), line.size() - file_mark.size() - 1)];
-        else if (source)
-            *source += line;
-        else
-            throw app::Failure("the list of shipped stubs does not start with a file name: " +
-                               line);
-    }
-    return stubs;
-}
-
 namespace {
 
-// Where the code calls todo("NN.k" for this exercise.
+// Where the code calls todo("NN.k" for this exercise, or for any if its name is empty.
 std::vector<std::size_t> todos(const std::string& code, const std::string& exercise) {
     std::vector<std::size_t> found;
     for (auto at = code.find("todo"); at != std::string::npos; at = code.find("todo", at + 4)) {
         auto next = at + 4;
-        for (const std::string& part : {std::string{"("}, '"' + exercise + '"'}) {
+        const std::string name = exercise.empty() ? "\"" : '"' + exercise + '"';
+        for (const std::string& part : {std::string{"("}, name}) {
             next = std::min(code.find_first_not_of(" \t\r\n", next), code.size());
             if (code.compare(next, part.size(), part) != 0) {
                 next = std::string::npos;
@@ -134,6 +104,32 @@ std::string function_around(const std::string& code, std::size_t place) {
 
 int count_todos(const std::string& source, const std::string& exercise) {
     return static_cast<int>(todos(code_of(source), exercise).size());
+}
+
+int count_todos(const std::string& source) {
+    return count_todos(source, "");
+}
+
+void keep_stubs(const Course& course) try {
+    for (const Exercise& exercise : read_course_file(course).exercises)
+        for (const fs::path& file : exercise.files) {
+            const std::string now = text_of(course.root / file),
+                              kept = text_of(kept_file(course, file));
+            if (now == kept) continue;
+            const int left = count_todos(now), all = count_todos(kept);
+            if (left == 0 || left < all) continue;
+            if (left == all && !is_as_committed(course, file)) continue;
+            app::make_folder(kept_file(course, file).parent_path());
+            app::replace_file(kept_file(course, file), now);
+        }
+} catch (const std::exception&) {  // a checkout that cannot be written to, or a broken course.json:
+                                   // others say so
+}
+
+std::string shipped_stub(const Course& course, const fs::path& file) {
+    if (const std::string kept = text_of(kept_file(course, file)); !kept.empty()) return kept;
+    const std::string now = text_of(course.root / file);
+    return count_todos(now) > 0 ? now : "";
 }
 
 std::vector<std::string> functions_to_write(const std::string& source,

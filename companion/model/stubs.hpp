@@ -1,27 +1,24 @@
 #pragma once
-// The stubs as they were shipped. The learner writes over them, so they are kept a second time, all
-// of a chapter in one file, companion/shipped_stubs/NN_topic.txt. Git could bring them back as
-// well, but only from a clone, and only while the learner has not committed an answer.
+// The stubs as they were shipped. The learner writes over them, so the companion keeps a copy of
+// each, in .course/stubs, when it first sees it.
 
 #include <companion/model/course.hpp>
-#include <map>
 #include <string>
+#include <vector>
 
 namespace companion {
 
-using Stubs = std::map<fs::path, std::string>;  // "rt/dot.hpp" and its content
+// Keeps the stubs that are kept nowhere yet, or that an update of the course has changed. A stub is
+// kept as long as each of its rt::todo is there. What cannot be written is not kept.
+void keep_stubs(const Course& course);
 
-// Throws app::Failure if the file is missing or not in this format.
-Stubs shipped_stubs(const Course& course, const Chapter& chapter);
+// The stub of a file such as exercises/01_vectors/rt/dot.hpp: as it was kept, else as it is now if
+// something in it is still to be written. Empty if nobody knows.
+std::string shipped_stub(const Course& course, const fs::path& file);
 
-// The stubs of exercises/NN_topic as they are now.
-Stubs present_stubs(const Course& course, const Chapter& chapter);
-
-std::string to_text(const Stubs& stubs);
-Stubs stubs_from_text(const std::string& text);
-
-// How often a source calls rt::todo("NN.k"); comments do not count.
+// How often a source calls rt::todo("NN.k"), or rt::todo for any exercise; comments do not count.
 int count_todos(const std::string& source, const std::string& exercise);
+int count_todos(const std::string& source);
 
 // The functions of a source that contain an rt::todo of the exercise, by name, each once.
 std::vector<std::string> functions_to_write(const std::string& source, const std::string& exercise);

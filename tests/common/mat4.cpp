@@ -1,4 +1,5 @@
 #include <rt/mat4.hpp>
+#include <rt/vec3.hpp>
 
 #include "checkpoint.hpp"
 

@@ -1,8 +1,8 @@
 #include <memory>
 #include <optional>
-#include <rt/camera.hpp>
 #include <rt/color.hpp>
 #include <rt/mat4.hpp>
+#include <rt/sphere.hpp>
 #include <rt/todo.hpp>
 #include <tuple>
 #include <variant>
@@ -74,7 +74,7 @@ TEST_CASE("the message leads from the stub to its text, wherever the course lies
 TEST_CASE("todo stands in for a function of any type", "[todo]") {
     CHECK_THROWS_AS(no_value(1), rt::NotImplemented);
     CHECK_THROWS_AS(no_arguments(), rt::NotImplemented);
-    all_throw<bool, int, float, double, rt::Vec3, rt::Color, rt::Mat4, rt::Basis, rt::Camera>();
+    all_throw<bool, int, float, double, rt::Vec3, rt::Color, rt::Mat4, rt::Sphere>();
     all_throw<std::optional<int>, std::optional<rt::Vec3>, std::vector<int>, std::string,
               std::vector<std::vector<rt::Vec3>>, std::pair<int, int>, std::tuple<int, rt::Vec3>,
               std::variant<int, rt::Vec3>, std::unique_ptr<int>, std::shared_ptr<Big>, Big, Big*>();

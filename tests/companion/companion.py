@@ -103,28 +103,23 @@ class Companion(unittest.TestCase):
         self.root = Path(self.folder.name)
         self.facts = []
         hints = "# Hints\n"
-        stubs = ""
         cmake = "cmake_minimum_required(VERSION 3.22)\nproject(tiny NONE)\n"
         for number, name in ((1, "one"), (2, "two")):
             self.facts.append({"id": f"01.{number}", "title": f"Number {name}", "minutes": 10 * number, "star_minutes": 5,
                                "files": [f"rt/{name}.hpp"]})
             hints += f"\n## 01.{number}\n\n1. idea\n2. formula √x in `code`\n3. shape\n"
-            stubs += f"==> rt/{name}.hpp\n" + STUB % (number, number)
             self.write(name, STUB % (number, number))
             self.put(f"solutions/01_tiny/rt/{name}.hpp", f"// solution {number}\n")
             for target in (f"01.{number}", f"01.{number}.float"):
-                cmake += (f"add_custom_target(check.{target} COMMAND sh ${{CMAKE_SOURCE_DIR}}/check.sh "
-                          f"{target} ${{CMAKE_SOURCE_DIR}}/exercises/01_tiny/rt/{name}.hpp VERBATIM)\n")
+                cmake += self.answer(target, f"01_tiny/rt/{name}.hpp")
         for program in ("01_tiny_mine", "01_tiny_mine_float", "01_tiny_solution", "01_tiny_solution_float",
                         "09_own_solution"):
             cmake += (f"add_custom_target({program} COMMAND ${{CMAKE_COMMAND}} -E make_directory bin "
                       f"COMMAND ${{CMAKE_COMMAND}} -E copy ${{CMAKE_SOURCE_DIR}}/program.sh bin/{program})\n")
         for target in ("02.1", "02.1.float"):
-            cmake += (f"add_custom_target(check.{target} COMMAND sh ${{CMAKE_SOURCE_DIR}}/check.sh "
-                      f"{target} ${{CMAKE_SOURCE_DIR}}/exercises/02_more/rt/three.hpp VERBATIM)\n")
+            cmake += self.answer(target, "02_more/rt/three.hpp")
         self.put_course(self.chapter("01_tiny", self.facts))
         self.put("docs/hints/01-tiny.md", hints)
-        self.put("companion/shipped_stubs/01_tiny.txt", stubs)
         self.put("CMakeLists.txt", cmake)
         self.put("check.sh", CHECK)
         self.put("program.sh", '#!/bin/sh\necho "program $*"\n'
@@ -142,6 +137,11 @@ class Companion(unittest.TestCase):
         for name in ("NO_COLOR", "COURSE_CMAKE_ARGS"):
             self.environment.pop(name, None)
 
+    @staticmethod
+    def answer(target, file):
+        return (f"add_custom_target(check.{target})\nadd_custom_target(yours.{target} COMMAND sh "
+                f"${{CMAKE_SOURCE_DIR}}/check.sh {target} ${{CMAKE_SOURCE_DIR}}/exercises/{file} VERBATIM)\n")
+
     def configure(self):
         subprocess.run(["cmake", "-S", self.root, "-B", self.root / "build"], check=True,
                        stdout=subprocess.DEVNULL)
@@ -156,7 +156,6 @@ class Companion(unittest.TestCase):
 
     def add_second_chapter(self):
         stub = (STUB % (1, 1)).replace("01.1", "02.1")
-        self.put("companion/shipped_stubs/02_more.txt", "==> rt/three.hpp\n" + stub)
         self.put("exercises/02_more/rt/three.hpp", stub)
         self.put_course(self.chapter("01_tiny", self.facts), self.chapter("02_more", [
             {"id": "02.1", "title": "Number three", "minutes": 10, "files": ["rt/three.hpp"]}]))
@@ -528,8 +527,8 @@ class Companion(unittest.TestCase):
 
     def test_a_missing_file_is_no_answer(self):
         # Of several todos: with the solution's header none of them would be left.
-        self.put("companion/shipped_stubs/01_tiny.txt",
-                 "==> rt/one.hpp\n" + 2 * (STUB % (1, 1)) + "==> rt/two.hpp\n" + STUB % (2, 2))
+        self.write("one", 2 * (STUB % (1, 1)))
+        self.course()
         self.write("one", "right\n")
         self.course("check", "01.1")
         words = ("exercises/01_tiny/rt/one.hpp is missing; ./course reset 01.1 restores the stub, "
@@ -588,7 +587,7 @@ class Companion(unittest.TestCase):
         self.assertIn("as it was shipped", self.course("reset", "01.1"))
         self.write("two", "right\n")
         self.course("check", "01.2")
-        for name in ("companion/shipped_stubs/01_tiny.txt", "docs/hints/01-tiny.md", "course.json",
+        for name in (".course/stubs/01_tiny/rt/one.hpp", "docs/hints/01-tiny.md", "course.json",
                      "exercises/01_tiny/rt/two.hpp"):
             end_lines_as_windows_does(self.root / name)
         said = self.course("list")

@@ -9,15 +9,10 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 using namespace companion;
-
-TEST_CASE("stubs survive the way into a text and back", "[exercises]") {
-    const Stubs stubs{{"rt/a.hpp", "#pragma once\n\nint a;\n"}, {"rt/b.hpp", ""}};
-    CHECK(stubs_from_text(to_text(stubs)) == stubs);
-    CHECK(stubs_from_text("").empty());
-    CHECK_THROWS_AS(stubs_from_text("no name\n"), app::Failure);
-}
+using checkpoint::TemporaryFolder, checkpoint::write_file;
 
 TEST_CASE("a todo counts where it is code and of this exercise", "[exercises]") {
     CHECK(count_todos("return rt::todo(\"01.1\", a);", "01.1") == 1);
@@ -43,6 +38,7 @@ class Canvas {
     CHECK(count_todos("\"// \" rt::todo(\"01.1\")", "01.1") == 1);
     CHECK(count_todos("/* open", "01.1") == 0);
     CHECK(count_todos("todo", "01.1") == 0);
+    CHECK(count_todos("rt::todo(\"01.1\"); rt::todo(\"01.2\", a);") == 2);
 }
 
 TEST_CASE("every function to write has a name", "[exercises]") {
@@ -60,19 +56,12 @@ TEST_CASE("every exercise has minutes and stubs that say so", "[exercises]") {
     const Course here = this_course();
     std::set<std::string> seen;
     for (const Exercise& exercise : exercises(here)) {
-        INFO("exercise " << exercise.id << "; the target shipped_stubs keeps the stubs");
+        INFO("exercise " << exercise.id);
         CHECK(seen.insert(exercise.id).second);
         CHECK(exercise.minutes > 0);
         CHECK(exercise.star_minutes > 0);
         CHECK_FALSE(exercise.title.empty());
         CHECK_FALSE(exercise.files.empty());
-        CHECK(exercise.shipped_todos >= 1);
-        const Stubs stubs = shipped_stubs(here, exercise.chapter);
-        std::vector<fs::path> files;  // that say todo("NN.k")
-        for (const auto& [file, source] : stubs)
-            if (count_todos(source, exercise.id) > 0)
-                files.push_back(fs::path{"exercises"} / exercise.chapter.name / file);
-        CHECK((exercise.files == files));
     }
     CHECK(find_exercise(here, "1.2").id == "01.2");
     for (const fs::path& folder : {fs::path{}, here.root, fs::path{"docs/.."}})
@@ -156,10 +145,41 @@ TEST_CASE("the core of the course takes at most 35 hours", "[exercises]") {
 }
 
 // Only where nobody has written into the exercises.
-TEST_CASE("the stubs that are kept are those that are shipped", "[stubs]") {
+TEST_CASE("every exercise has the stubs that say its number", "[stubs]") {
     const Course here = this_course();
-    for (const Chapter& chapter : chapters(here)) {
-        INFO(chapter.name << ": cmake --build build --target shipped_stubs");
-        CHECK((shipped_stubs(here, chapter) == present_stubs(here, chapter)));
+    for (const Exercise& exercise : exercises(here)) {
+        std::vector<fs::path> files;  // that say todo("NN.k")
+        for (const fs::path& path : source_files(here.root / "exercises" / exercise.chapter.name))
+            if (count_todos(read_file(path), exercise.id) > 0)
+                files.push_back(path.lexically_relative(here.root));
+        INFO("exercise " << exercise.id);
+        CHECK((exercise.files == files));
     }
+}
+
+TEST_CASE("a stub is kept until it is written over", "[exercises]") {
+    const TemporaryFolder folder;
+    const Course course{folder.path(), folder / "build"};
+    write_file(folder / "course.json", R"({"chapters": [{"name": "01_tiny", "core": true,
+        "uses_real": true, "title": "Tiny", "reading": 30, "text": "docs/01-tiny.md",
+        "hints": "docs/hints/01-tiny.md", "caption": "A ball.", "exercises": [
+        {"id": "01.1", "title": "One", "minutes": 10, "files": ["rt/one.hpp"]}]}]})");
+    const fs::path file = "exercises/01_tiny/rt/one.hpp";
+    const auto becomes = [&](const std::string& text) {
+        write_file(folder / file, text);
+        keep_stubs(course);
+        return shipped_stub(course, file);
+    };
+    const std::string stub = "rt::todo(\"01.1\"); rt::todo(\"01.1\");\n";
+    CHECK(becomes("done\n").empty());
+    CHECK(becomes(stub) == stub);
+    CHECK_FALSE(is_begun(course, find_exercise(course, "01.1")));
+    CHECK(becomes("half done: rt::todo(\"01.1\");\n") == stub);
+    CHECK(is_begun(course, find_exercise(course, "01.1")));
+    CHECK(becomes("done\n") == stub);
+    CHECK(becomes("// a note of the learner's\n" + stub) == stub);
+    CHECK(becomes(stub + stub) == stub + stub);
+    fs::remove(folder / file);
+    keep_stubs(course);
+    CHECK(shipped_stub(course, file) == stub + stub);
 }

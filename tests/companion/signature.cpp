@@ -82,18 +82,3 @@ TEST_CASE("a mistake is recognized by its failures, and only within its exercise
                                   failing("01.1 q", "7 == 8")}))
               .empty());
 }
-
-TEST_CASE("every mistake has a signature that was written down", "[signature]") {
-    const Course here = this_course();
-    for (const Chapter& chapter : chapters(here)) {
-        const Signatures known = read_signatures(here, chapter);
-        const std::vector<Mistake> mistakes = read_mistakes(here, chapter);
-        CHECK(known.size() == mistakes.size());
-        for (const Mistake& mistake : mistakes) {
-            INFO("cmake --build build --target mistake_signatures writes that of " << mistake.name);
-            const auto found = known.find(mistake.name);
-            REQUIRE(found != known.end());
-            CHECK_FALSE(found->second.where.empty());
-        }
-    }
-}

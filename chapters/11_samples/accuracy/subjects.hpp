@@ -2,8 +2,8 @@
 // The three scenes of docs/accuracy.md: matte, metal and glass under a sky; lamps in the dark; and
 // glass within glass.
 
+#include <rt/cover_scene.hpp>
 #include <rt/scene.hpp>
-#include <study/cover_scene.hpp>
 
 #include "../scene.hpp"
 

@@ -6,10 +6,10 @@
 #include <functional>
 #include <rt/batch_renderer.hpp>
 #include <rt/batch_search.hpp>
+#include <rt/cover_scene.hpp>
 #include <rt/renderer.hpp>
 #include <string>
 #include <study/classic.hpp>
-#include <study/cover_scene.hpp>
 #include <study/median.hpp>
 #include <study/timing.hpp>
 
