@@ -19,11 +19,12 @@ bool same(Vec3 a, Vec3 b) {
 }
 
 void check(const std::string& what, Vec3 expected, Vec3 actual, const char* hint) {
-    if (same(expected, actual)) return;
-    INFO(what << ": expected " << text(expected) << ", actual " << text(actual)
-              << ".\nHint: " << hint);
-    const std::string wanted = text(expected), came = text(actual);
-    REQUIRE(came == wanted);
+    if (!same(expected, actual)) {
+        INFO(what << ": expected " << text(expected) << ", actual " << text(actual)
+                  << ".\nHint: " << hint);
+        const std::string wanted = text(expected), came = text(actual);
+        REQUIRE(came == wanted);
+    }
     REQUIRE(same(expected, actual));
 }
 

@@ -51,7 +51,6 @@ void check(const Tile& tile) {
                 {static_cast<int>(tile.left + i % width), static_cast<int>(tile.top + i / width)});
     }
     const std::vector<Pixel> actual = visited(tile, expected.size());
-    if (actual == expected) return;
     INFO("tile: " << text(tile));
     for (std::size_t i = 0; i < actual.size(); ++i) {
         if (actual[i] == expected[i]) continue;
