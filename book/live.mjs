@@ -73,8 +73,8 @@ const headers = folder => [folder, ...['rt', 'app', 'study'].map(name => join(fo
 // The include folders of a chapter's figures, in the order of its program's.
 export function folders(chapter, chapters, first) {
     const upTo = chapters.filter(one => one.number <= chapter).reverse();
-    return [...(first ? [first] : []), ...upTo.map(one => join(root, 'solutions', one.name)), join(root, 'common'),
-            join(root, 'chapters', upTo[0].name)];
+    return [...(first ? [first] : []),
+            ...upTo.flatMap(one => ['chapters', 'solutions'].map(kind => join(root, kind, one.name))), join(root, 'common')];
 }
 
 // The wide trees, from chapter 07 on, are twice as fast with SIMD, and give the same bits.

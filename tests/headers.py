@@ -33,14 +33,14 @@ def first_include(file, text):
 
 
 def include_order(header):
-    """The include folders of a header's chapter; see cmake/Chapter.cmake."""
+    """The include folders of a header's chapter; see cmake/Course.cmake."""
     room, chapter = header.parts[:2]
     if room == "companion":
         return [ROOT, ROOT / "common"]
-    if room == "common":  # the operators of Vec3 are those of the solution
-        chapter = "01_vectors" if header.parts[1] == "rt" else "08_effects"
-    solutions = [f for f in sorted((ROOT / "solutions").iterdir()) if f.name <= chapter]
-    return [(ROOT / header).parent, *solutions, ROOT / "common"]
+    if room == "common":
+        return [(ROOT / header).parent, ROOT / "common"]
+    up_to = [f for kind in ("chapters", "solutions") for f in sorted((ROOT / kind).iterdir()) if f.name <= chapter]
+    return [(ROOT / header).parent, *up_to, ROOT / "common"]
 
 
 def main():

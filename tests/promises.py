@@ -3,7 +3,7 @@
 
 The names are those in backticks in the last column of the table of promises, and in the gallery whatever
 looks like the name of a test; * stands for any letters. A name that this build lacks, such as one of the
-thread sanitizer's, must be that of an add_test in cmake/ or tests/. The known mistakes that the page names
+thread sanitizer's, must be that of an add_test in chapters/ or tests/. The known mistakes that the page names
 must be in tests/mistakes.
 """
 
@@ -20,16 +20,16 @@ PAGE = ROOT / "docs" / "hard-cases.md"
 
 def names_of(page):
     """
-    >>> names_of("see `03_sphere_checkpoint_solution.03.2`, `t < 1`\\n"
+    >>> names_of("see `checkpoint.03.2`, `t < 1`\\n"
     ...          "<!-- promises -->\\n| a | b | c |\\n|---|---|---|\\n| `no` | x | `a.b`, `*.c` |\\n\\n`no`")
-    (['03_sphere_checkpoint_solution.03.2'], ['a.b', '*.c'], [])
+    (['checkpoint.03.2'], ['a.b', '*.c'], [])
     >>> names_of("<!-- promises -->\\n| a | b | c |\\n|---|---|---|\\n| it works | x | surely |\\n")
     ([], [], ['it works'])
     """
     prose, _, table = page.partition("<!-- promises -->\n")
     rows = [line.strip("|").split("|") for line in table.split("\n\n")[0].splitlines()[2:]]
     named = [re.findall(r"`([^`]+)`", row[-1]) for row in rows]
-    return (re.findall(r"`((?:\w+_checkpoint_solution|torture_)[\w.]*)`", prose),
+    return (re.findall(r"`((?:checkpoint\.|torture_)[\w.]*)`", prose),
             [name for names in named for name in names],
             [row[0].strip() for row, names in zip(rows, named) if not names])
 
@@ -38,8 +38,8 @@ def main():
     wrong = doctest.testmod()[0]
     listing = subprocess.run(["ctest", "--test-dir", sys.argv[1], "-N"], capture_output=True, text=True, check=True)
     known = re.findall(r"Test\s+#\d+: (\S+)", listing.stdout)
-    for file in [*(ROOT / "cmake").glob("*.cmake"), ROOT / "tests" / "CMakeLists.txt"]:
-        known += re.findall(r"add_test\(NAME ([\w.]+)\s", file.read_text(encoding="utf-8"))
+    for file in [*(ROOT / "chapters").glob("*/CMakeLists.txt"), ROOT / "tests" / "CMakeLists.txt"]:
+        known += re.findall(r"(?:add_test\(NAME|course_scenes_test\() ?([\w.]+)\s", file.read_text(encoding="utf-8"))
     page = PAGE.read_text(encoding="utf-8")
     in_prose, in_table, untested = names_of(page)
     for promise in untested:

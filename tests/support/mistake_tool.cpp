@@ -1,15 +1,12 @@
 // Makes the known mistakes, in a build that has their exercises' checkpoints, and says what becomes
 // of them.
 //
-//   mistake_tool check NN.k          the test case that should catch a mistake fails, and what
-//   fails is
-//                                    recognized as this mistake or as one that looks the same from
-//                                    outside
-//   mistake_tool certify NN_topic    in `course certify`, the lines of these exercises fail
-//   ("certificate fails") mistake_tool pictures NN_topic   `course compare` sees that the picture
-//   is another one ("changes picture") mistake_tool memory NN_topic     the address sanitizer
-//   reports this ("address sanitizer reports: ...") mistake_tool races NN_topic      the thread
-//   sanitizer reports a data race ("data race in: test case")
+//   mistake_tool check NN.k          The test case that should catch a mistake fails. What fails is
+//                                    recognized: as this mistake, or as one that looks the same.
+//   mistake_tool certify NN_topic    `course certify` finds it ("certificate fails").
+//   mistake_tool pictures NN_topic   `course compare` sees another picture ("changes picture").
+//   mistake_tool memory NN_topic     The address sanitizer says so ("address sanitizer reports").
+//   mistake_tool races NN_topic      The thread sanitizer reports a data race ("data race in").
 
 #include <algorithm>
 #include <app/errors.hpp>
