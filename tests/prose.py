@@ -9,8 +9,8 @@ links, HTML comments and names such as CMake.
 - Phrases that the texts do not use, such as "shall"; repeated words.
 - Lines over 125 columns, except for tables, images, code and HTML comments.
 
-Each finding is one line: file:line: what is wrong, and what would be right. Ends with 1 if there is one,
-and with 77 if hunspell or its dictionary is missing.
+Each finding is one line: file:line: what is wrong, and what would be right. Ends with 1 if there is one, or if
+hunspell or its dictionary is missing.
 """
 
 import doctest
@@ -171,8 +171,9 @@ def main(named):
     known = {*own, *(word.capitalize() for word in own)}
     wrong = misspelled(word for word in uses if word not in known)
     if wrong is None:
-        print("hunspell with its en_US dictionary is not installed: the texts' spelling is not checked")
-        return 77
+        print("the texts' spelling cannot be checked: install hunspell with its en_US dictionary (on Debian and "
+              "Ubuntu the packages hunspell and hunspell-en-us)")
+        return 1
     for word, better in wrong.items():
         advice = (f"write '{better}', or" if better else "correct it, or") + " add it to tests/words.txt if it is right"
         findings += [(path, line, f"'{word}': {advice}") for path, line in uses[word]]

@@ -676,6 +676,7 @@ def main():
                                                  "checkpoints stop them?")
     parser.add_argument("exercises", nargs="*", help="NN or NN.k; all if none is named")
     parser.add_argument("--build", default=str(ROOT / "build"), help="a configured build folder")
+    parser.add_argument("--as-built", action="store_true", help="the checkpoints are built already")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--no-float", action="store_true", help="do not try survivors in float")
     options = parser.parse_args()
@@ -691,12 +692,14 @@ def main():
             e.id == w or e.id.startswith(w + ".") for w in options.exercises)]
     exercises = [e for e in exercises if e.id not in FREE]
     if not exercises:
-        sys.exit("mutants: none are made, since any design passes that keeps the contract")
+        print("mutants: none are made, since any design passes that keeps the contract")
+        return
     targets = [f"check.{e.id}" for e in exercises]
     if not options.no_float:
         targets += [f"{target}.float" for target in targets]
-    subprocess.run(["cmake", "--build", str(build), "-j", str(options.jobs), "--target", *targets],
-                   check=True, stdout=subprocess.DEVNULL)
+    if not options.as_built:
+        subprocess.run(["cmake", "--build", str(build), "-j", str(options.jobs), "--target", *targets],
+                       check=True, stdout=subprocess.DEVNULL)
 
     failed, totals = False, [0, 0, 0, 0, 0]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
