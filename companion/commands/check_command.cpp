@@ -12,7 +12,7 @@ namespace companion {
 namespace {
 
 // The exercises that are meant by "03.2", by "3" or "sphere", or by no name: all that are begun.
-std::vector<Exercise> chosen(const Course& course, const Named& name) {
+std::vector<Exercise> chosen(const Course& course, const std::optional<std::string>& name) {
     if (name && name->find('.') != std::string::npos) return {find_exercise(course, *name)};
     if (name) return exercises(course, find_chapter(course, *name));
     const State state = read_state(course);
@@ -85,9 +85,11 @@ void print_stars(const Course& course, const std::vector<Checked>& all, bool eve
                 print('\n' + text);
 }
 
-}  // namespace
-
-int check_sanitized(const Course& course, const std::string& name, const std::string& sanitizer) {
+// Runs the checkpoints of one exercise under the thread sanitizer, or the others.
+int check_sanitized(const Course& course, const Given& given) {
+    std::string name = given.named.value_or(""), sanitizer = given.options.at("--sanitize");
+    if (name.empty()) std::swap(name, sanitizer);  // check --sanitize 01.3
+    if (name.empty()) throw app::UsageError("check --sanitize: needs an exercise, such as 01.3");
     if (!sanitizer.empty() && sanitizer != "thread" && sanitizer != "address")
         throw app::UsageError("--sanitize: takes nothing, address or thread, not '" + sanitizer +
                               '\'');
@@ -99,8 +101,11 @@ int check_sanitized(const Course& course, const std::string& name, const std::st
     return run.passed ? app::done : app::could_not;
 }
 
-int check(const Course& course, const Named& name, bool every_star) {
-    const std::vector<Exercise> some = chosen(course, name);
+}  // namespace
+
+int check(const Course& course, const Given& given) {
+    if (given.has("--sanitize")) return check_sanitized(course, given);
+    const std::vector<Exercise> some = chosen(course, given.named);
     std::vector<Checked> all = check_exercises(course, some);
     std::string chapter;
     for (const Checked& checked : all) {
@@ -125,7 +130,7 @@ int check(const Course& course, const Named& name, bool every_star) {
         print('\n' + details(course, *shown));
         return wrong ? app::could_not : app::still_to_write;
     }
-    print_stars(course, all, every_star);
+    print_stars(course, all, given.has("--stars"));
     print_chapters_done(course, chapters_done(course, all));
     if (shown != all.end()) {
         print('\n' + next_step(course, &shown->exercise));

@@ -78,7 +78,7 @@ Work work_of(const Course& course, const State& state, const Chapter& chapter,
 
 }  // namespace
 
-int list(const Course& course) {
+int list(const Course& course, const Given&) {
     const State state = read_state(course);
     Work total, electives;
     std::vector<Exercise> every;

@@ -16,9 +16,10 @@ std::vector<Measurement> measured(const Course& course, const Chapter& chapter, 
 
 }  // namespace
 
-int study(const Course& course, const Named& name, bool mine) {
+int study(const Course& course, const Given& given) {
+    const bool mine = given.has("--mine");
     std::vector<Chapter> chosen = chapters(course);
-    if (name) chosen = {find_chapter(course, *name)};
+    if (given.named) chosen = {find_chapter(course, *given.named)};
     std::string words = "The solution's code was measured.";
     const Whose shown = mine ? Whose::mine : Whose::solution;
     if (mine) {

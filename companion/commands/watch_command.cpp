@@ -216,10 +216,10 @@ class Watch {
 
 }  // namespace
 
-int watch(const Course& course, const Named& name) {
+int watch(const Course& course, const Given& given) {
     std::vector<Chapter> watched = core_chapters(course);
     std::optional<Chapter> chapter;
-    if (name) chapter = find_chapter(course, *name);
+    if (given.named) chapter = find_chapter(course, *given.named);
     // It does not go on to an elective by itself.
     if (chapter && !chapter->core) watched.push_back(*chapter);
     std::vector<Exercise> all = exercises(course, watched);
