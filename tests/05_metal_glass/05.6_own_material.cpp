@@ -179,29 +179,6 @@ OwnMaterial extreme_material(Rng& rng) {
     return {color, rng() % 2 ? Real(rng() % 2) : any()};
 }
 
-// A random generator whose first three numbers are the smallest or the largest that are possible.
-class Extreme : public Rng {
-  public:
-    // Bit 2 is for the first number, bit 0 for the third: whether it is the largest.
-    explicit Extreme(unsigned largest) : Rng{56, 7}, largest_{largest} {}
-
-    Real uniform() {
-        if (left_ == 0) return Rng::uniform();
-        return next() ? 1 - rt::epsilon / 2 : 0;
-    }
-    Real uniform(Real low, Real high) { return low + (high - low) * uniform(); }
-    result_type operator()() {
-        if (left_ == 0) return Rng::operator()();
-        return next() ? max() : min();
-    }
-
-  private:
-    bool next() { return (largest_ >> --left_ & 1) != 0; }
-
-    unsigned largest_;
-    int left_ = 3;
-};
-
 }  // namespace
 
 TEST_CASE("05.6 light leaves in a direction of length 1", "[05.6]") {
