@@ -1,5 +1,5 @@
 #pragma once
-// A counter for take_tile, as a type that both sides know.
+// A type that both sides know.
 
 #include <atomic>
 #include <rt/rng.hpp>

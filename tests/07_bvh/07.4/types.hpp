@@ -1,5 +1,5 @@
 #pragma once
-// A search of another type, which both sides know.
+// A type that both sides know.
 
 #include <rt/search.hpp>
 

@@ -11,7 +11,7 @@ namespace rt {
 
 using answer::run_workers;
 
-// Threads that run on after the call may have a copy of the work.
+// The work is copied: in a wrong answer, threads that run on after the call may still need it.
 template <class Work>
 void run_workers(int workers, const Work& work) {
     answer::run_workers(workers, std::function<void(int)>{work});

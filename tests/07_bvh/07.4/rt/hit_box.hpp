@@ -1,5 +1,5 @@
 #pragma once
-// The answer's own: what a search expects depends on its roundings.
+// The answer's own: its roundings decide which boxes a search meets.
 
 #include <rt/box.hpp>
 #include <rt/interval.hpp>
