@@ -1,7 +1,10 @@
 #pragma once
-// The processor's wide registers, as far as it takes compiler-specific code.
+// The processor's wide registers, as far as it takes compiler-specific code. Instructions have the
+// names that g++ and clang++ give them: <immintrin.h>, which has the official ones, takes a quarter
+// of a second to read.
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <rt/compiler.hpp>
 #include <type_traits>
@@ -9,9 +12,6 @@
 // Vectors that fill the widest register that this program is compiled for, the bytes of that
 // register, and a mask of such a vector (each lane -1 or 0) as bits.
 #define RT_VECTOR_OF(bytes) __attribute__((vector_size(bytes)))
-#ifdef __SSE2__
-#include <immintrin.h>
-#endif
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #define RT_REGISTER_BYTES 64
 #elif defined(__AVX2__)
@@ -24,19 +24,30 @@ template <class Mask>
 inline unsigned rt_vector_bits(const Mask& mask) {
     constexpr std::size_t size = sizeof(Mask), count = size / sizeof(mask[0]);
     [[maybe_unused]] constexpr bool is_short = sizeof(mask[0]) == 4;
+    // Each instruction has a type that it takes, for the same bits.
 #ifdef __AVX512DQ__
-    if constexpr (size == 64)
-        return is_short ? _mm512_movepi32_mask((__m512i)mask) : _mm512_movepi64_mask((__m512i)mask);
+    if constexpr (size == 64) {
+        typedef int Short RT_VECTOR_OF(64);
+        typedef long long Long RT_VECTOR_OF(64);
+        return is_short ? __builtin_ia32_cvtd2mask512((Short)mask)
+                        : __builtin_ia32_cvtq2mask512((Long)mask);
+    }
 #endif
 #ifdef __AVX2__
-    if constexpr (size == 32)
-        return static_cast<unsigned>(is_short ? _mm256_movemask_ps((__m256)mask)
-                                              : _mm256_movemask_pd((__m256d)mask));
+    if constexpr (size == 32) {
+        typedef float Short RT_VECTOR_OF(32);
+        typedef double Long RT_VECTOR_OF(32);
+        return static_cast<unsigned>(is_short ? __builtin_ia32_movmskps256((Short)mask)
+                                              : __builtin_ia32_movmskpd256((Long)mask));
+    }
 #endif
 #ifdef __SSE2__
-    if constexpr (size == 16)
-        return static_cast<unsigned>(is_short ? _mm_movemask_ps((__m128)mask)
-                                              : _mm_movemask_pd((__m128d)mask));
+    if constexpr (size == 16) {
+        typedef float Short RT_VECTOR_OF(16);
+        typedef double Long RT_VECTOR_OF(16);
+        return static_cast<unsigned>(is_short ? __builtin_ia32_movmskps((Short)mask)
+                                              : __builtin_ia32_movmskpd((Long)mask));
+    }
 #endif
     if constexpr (size > 16 && size > RT_REGISTER_BYTES) {
         typedef std::remove_cvref_t<decltype(mask[0])> Half RT_VECTOR_OF(size / 2);
@@ -55,15 +66,32 @@ inline unsigned rt_vector_bits(const Mask& mask) {
 // instruction, where the processor has one.
 #ifdef __AVX2__
 #define RT_HAS_EIGHT_ORDERED
-#define RT_TOP_BITS_OF_EIGHT(bytes, shift)                                                        \
-    static_cast<unsigned>(                                                                        \
-        _mm_movemask_epi8(_mm_sll_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(bytes)), \
-                                        _mm_cvtsi32_si128(static_cast<int>(shift)))) &            \
-        0xff)
-#define RT_STORE_EIGHT_ORDERED(to, numbers, places)                        \
-    _mm256_storeu_si256(                                                   \
-        reinterpret_cast<__m256i*>(to),                                    \
-        _mm256_permutevar8x32_epi32(                                       \
-            _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers)), \
-            _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(places)))))
+typedef char rt_bytes RT_VECTOR_OF(16);
+typedef long long rt_halves RT_VECTOR_OF(16);
+// Eight bytes, and eight more that are 0.
+RT_INLINED rt_halves rt_eight_bytes(const std::uint8_t* from) {
+    long long bytes;
+    std::memcpy(&bytes, from, sizeof bytes);
+    return rt_halves{bytes, 0};
+}
+RT_INLINED unsigned rt_top_bits_of_eight(const std::uint8_t* bytes, unsigned shift) {
+    const auto shifted = __builtin_ia32_psllq128(rt_eight_bytes(bytes), rt_halves{shift, 0});
+    return static_cast<unsigned>(__builtin_ia32_pmovmskb128((rt_bytes)shifted));
+}
+RT_INLINED void rt_store_eight_ordered(std::uint32_t* to, const std::uint32_t* numbers,
+                                       const std::uint8_t* places) {
+    typedef int Eight RT_VECTOR_OF(32);
+    Eight all;
+    std::memcpy(&all, numbers, sizeof all);
+    const auto bytes = (rt_bytes)rt_eight_bytes(places);
+#if __has_builtin(__builtin_ia32_pmovzxbd256)
+    all = __builtin_ia32_permvarsi256(all, __builtin_ia32_pmovzxbd256(bytes));
+#else  // clang++ has no name for this instruction, and finds it
+    const auto low = __builtin_shufflevector(bytes, bytes, 0, 1, 2, 3, 4, 5, 6, 7);
+    all = __builtin_ia32_permvarsi256(all, __builtin_convertvector(low, Eight));
+#endif
+    std::memcpy(to, &all, sizeof all);
+}
+#define RT_TOP_BITS_OF_EIGHT(bytes, shift) rt_top_bits_of_eight(bytes, shift)
+#define RT_STORE_EIGHT_ORDERED(to, numbers, places) rt_store_eight_ordered(to, numbers, places)
 #endif

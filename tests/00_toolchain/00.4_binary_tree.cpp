@@ -1,12 +1,11 @@
 #include <cmath>
 #include <rt/binary_tree.hpp>
-#include <rt/range_node.hpp>
 #include <rt/rng.hpp>
 #include <string>
 
 #include "checkpoint.hpp"
 #include "own_process.hpp"
-#include "watched.hpp"
+#include "watch.hpp"
 
 using namespace checkpoint;
 
@@ -37,8 +36,7 @@ int plain_depth(const WatchedNode* root) {
 }
 
 // The things that the leaves stand for, from left to right.
-template <class Node>
-void collect(const Node* root, std::vector<int>& things) {
+void collect(const WatchedNode* root, std::vector<int>& things) {
     if (!root) return;
     if (!root->left && !root->right)
         for (int i = root->first; i < root->last; ++i) things.push_back(i);
@@ -48,8 +46,7 @@ void collect(const Node* root, std::vector<int>& things) {
 
 // The first node whose children are not the halves of what it stands for, or that is not a leaf
 // though it stands for one thing; "none" if all are right.
-template <class Node>
-std::string unbalanced(const Node* root) {
+std::string unbalanced(const WatchedNode* root) {
     const int size = root->last - root->first;
     bool right = size == 1 ? !root->left && !root->right : root->left && root->right;
     if (right && size > 1) {
@@ -59,7 +56,7 @@ std::string unbalanced(const Node* root) {
     }
     if (!right)
         return "the one over " + std::to_string(root->first) + " to " + std::to_string(root->last);
-    for (const Node* child : {root->left.get(), root->right.get()})
+    for (const WatchedNode* child : {root->left.get(), root->right.get()})
         if (child)
             if (const std::string wrong = unbalanced(child); wrong != "none") return wrong;
     return "none";
@@ -80,17 +77,6 @@ void check_memory() {
     CHECK(Watch::released_twice == 0);
 }
 
-// A plain node, quickly made. It records how many destructors run inside each other.
-struct PlainNode {
-    struct Level {
-        ~Level() { --depth; }
-        inline static int depth = 0, most = 0;
-    } level;
-    ~PlainNode() { Level::most = std::max(Level::most, ++Level::depth); }
-
-    std::unique_ptr<PlainNode> left, right;
-};
-
 constexpr int million = 1'000'000;
 
 // A tree a million nodes deep. The way down turns left and right, and for long stretches stays on
@@ -99,9 +85,9 @@ constexpr int million = 1'000'000;
 // two children, and lists that are too short. It is made once and stays.
 struct DeepTree {
     DeepTree() {
-        std::unique_ptr<PlainNode> tree;
+        Tree tree;
         for (int i = 0; i < million; ++i) {
-            auto parent = std::make_unique<PlainNode>();
+            Tree parent = node();
             const int stretch = i / 200'000;
             const bool to_left = stretch % 2 == 0 ? i % 2 == 0 : stretch == 1;
             auto& way = to_left ? parent->left : parent->right;
@@ -109,11 +95,11 @@ struct DeepTree {
             way = std::move(tree);
             ++count;
             if (stretch > 0 && i > 10) {
-                side = std::make_unique<PlainNode>();
+                side = node();
                 ++count;
                 if (i % 16 == 0) {
-                    side->left = std::make_unique<PlainNode>();
-                    side->right = std::make_unique<PlainNode>();
+                    side->left = node();
+                    side->right = node();
                     count += 2;
                 }
             }
@@ -122,7 +108,7 @@ struct DeepTree {
         root = tree.release();
     }
 
-    PlainNode* root;
+    WatchedNode* root;
     int count = 0;
 };
 
@@ -134,7 +120,7 @@ DeepTree& deep_tree() {
 // Checks what work() returns for the deep tree.
 template <class Work>
 void check_deep(int expected_number, Work work) {
-    const PlainNode* const root = deep_tree().root;
+    const WatchedNode* const root = deep_tree().root;
     const std::string actual = in_own_process([&] { return std::to_string(work(root)); });
     const std::string expected = std::to_string(expected_number);
     INFO(
@@ -272,22 +258,25 @@ TEST_CASE("00.4 no destructor runs inside another", "[00.4][hard]") {
 }
 
 TEST_CASE("00.4 a tree a million nodes deep can be counted", "[00.4][hard]") {
-    rt::count_nodes<PlainNode>(nullptr);
-    check_deep(deep_tree().count, [](const PlainNode* root) { return rt::count_nodes(root); });
+    const Watch watch{Watch::destructors_only};
+    rt::count_nodes<WatchedNode>(nullptr);
+    check_deep(deep_tree().count, [](const WatchedNode* root) { return rt::count_nodes(root); });
 }
 
 TEST_CASE("00.4 a tree a million nodes deep has its depth measured", "[00.4][hard]") {
-    rt::depth_of<PlainNode>(nullptr);
-    check_deep(million, [](const PlainNode* root) { return rt::depth_of(root); });
+    const Watch watch{Watch::destructors_only};
+    rt::depth_of<WatchedNode>(nullptr);
+    check_deep(million, [](const WatchedNode* root) { return rt::depth_of(root); });
 }
 
 TEST_CASE("00.4 a tree a million nodes deep is taken apart", "[00.4][hard]") {
-    rt::take_apart(std::unique_ptr<PlainNode>{});
-    PlainNode* const root = deep_tree().root;
+    const Watch watch{Watch::destructors_only};
+    rt::take_apart(Tree{});
+    WatchedNode* const root = deep_tree().root;
     // In a process of its own, on a copy of the tree.
     const std::string actual = in_own_process([&] {
-        rt::take_apart(std::unique_ptr<PlainNode>{root});
-        return std::to_string(PlainNode::Level::most) + " destructor at a time";
+        rt::take_apart(Tree{root});
+        return std::to_string(Watch::deepest_destructor) + " destructor at a time";
     });
     INFO(
         "if the program ended, its stack was full.\nHint: does take_apart call itself? Each "
@@ -297,12 +286,13 @@ TEST_CASE("00.4 a tree a million nodes deep is taken apart", "[00.4][hard]") {
 }
 
 TEST_CASE("00.4 things may be numbered up to the largest int", "[00.4][hard]") {
-    rt::make_tree<rt::RangeNode>(0, 0);
+    const Watch watch{Watch::destructors_only};
+    rt::make_tree<WatchedNode>(0, 0);
     using limits = std::numeric_limits<int>;
     for (const int first : {limits::max() - 100, limits::max() - 1, limits::min(), -50}) {
         const int last = first + (first == limits::max() - 1 ? 1 : 100);
         const std::string actual = in_own_process([&] {
-            const auto root = rt::make_tree<rt::RangeNode>(first, last);
+            const auto root = rt::make_tree<WatchedNode>(first, last);
             const bool is_root = root && root->first == first && root->last == last;
             return is_root ? unbalanced(root.get()) : "the root";
         });
@@ -314,13 +304,14 @@ TEST_CASE("00.4 things may be numbered up to the largest int", "[00.4][hard]") {
 }
 
 TEST_CASE("00.4 a balanced tree is as deep as the logarithm says", "[00.4][hard]") {
+    const Watch watch{Watch::destructors_only};
     for (const int count : {1, 2, 3, 4, 5, 8, 9, 1000, 1024, 1025, 100'000}) {
-        const auto root = rt::make_tree<rt::RangeNode>(-count / 3, count - count / 3);
+        const auto root = rt::make_tree<WatchedNode>(-count / 3, count - count / 3);
         const int expected = 1 + static_cast<int>(std::ceil(std::log2(count)));
         INFO(count << " things");
         REQUIRE(root);
         CHECK(unbalanced(root.get()) == "none");
         CHECK(rt::count_nodes(root.get()) == 2 * count - 1);
-        CHECK(rt::depth_of(root.get()) == expected);
+        REQUIRE(rt::depth_of(root.get()) == expected);
     }
 }

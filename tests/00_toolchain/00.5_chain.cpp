@@ -93,9 +93,9 @@ void check_gathered(const std::vector<Link>& links, const std::vector<Real>& val
 
 void check_sum(const char* of, const Link* first, Real expected_sum, const char* hint) {
     const Real sum = rt::sum_along(first);
-    if (sum == expected_sum) return;
     INFO("the sum of " << of << "\nHint: " << hint);
-    const std::string actual = text(sum), expected = text(expected_sum);
+    const std::string expected = text(expected_sum);
+    const std::string actual = sum == expected_sum ? expected : text(sum);
     CHECK(actual == expected);
 }
 

@@ -104,12 +104,14 @@ void check_side(const Shot& shot, const Hit& hit) {
     const Exact cosine = (n.x * Exact(d.x) + n.y * Exact(d.y) + n.z * Exact(d.z)) /
                          (exact_length(n) * exact_length({d.x, d.y, d.z}));
     if (std::abs(cosine.high) < std::sqrt(16 * epsilon * (1 + start_in_radii(shot)))) return;
-    if (hit.front == (cosine.high < 0)) return;
-    INFO(text(shot));
-    INFO("the cosine of direction and outward normal is "
-         << cosine.high
-         << ".\nHint: the hit is in front if the ray's direction points against the outward "
-            "normal, however slightly");
+    if (hit.front != (cosine.high < 0)) {
+        UNSCOPED_INFO(text(shot));
+        UNSCOPED_INFO(
+            "the cosine of direction and outward normal is "
+            << cosine.high
+            << ".\nHint: the hit is in front if the ray's direction points against the outward "
+               "normal, however slightly");
+    }
     REQUIRE(hit.front == (cosine.high < 0));
 }
 
@@ -165,39 +167,39 @@ TEST_CASE("04.1 the side is right from as far away as rounding allows", "[04.1][
 }
 
 TEST_CASE("04.1 normals have length 1 and lead from the center to the point", "[04.1][hard]") {
-    for_shots(
-        20000, 6, 1000, [](const Shot& shot) {
-            const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);
-            const Vec3 n = hit.normal;
-            const double off = (exact_length({n.x, n.y, n.z}) - Exact(1)).high;
-            // In epsilons, since numbers as small as an error are all printed as 0.0.
-            const double off_in_epsilons = std::abs(off) / epsilon;
-            if (!(off_in_epsilons <= 2)) {
-                INFO(text(shot));
-                INFO("the normal is "
-                     << text(n) << ", its length differs from 1 by " << off
-                     << ".\nHint: normalize the vector from the center to the point. t is rounded, "
-                        "so that vector is not quite as long as the radius: dividing by the radius "
-                        "is not enough");
-                REQUIRE(off_in_epsilons <= 2);
-            }
-
-            const ExactVec3 to = exact_outward(shot);
-            const Exact size = exact_length(to);
-            // Three roundings of numbers as large as the distance, and those of normalize.
-            const double allowed = epsilon * (4 + 4 * start_in_radii(shot));
-            const double error_over_allowed =
-                std::max({std::abs((to.x / size - Exact(n.x)).high),
-                          std::abs((to.y / size - Exact(n.y)).high),
-                          std::abs((to.z / size - Exact(n.z)).high)}) /
-                allowed;
-            if (error_over_allowed <= 1) return;
+    for_shots(20000, 6, 1000, [](const Shot& shot) {
+        const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);
+        const Vec3 n = hit.normal;
+        const double off = (exact_length({n.x, n.y, n.z}) - Exact(1)).high;
+        // In epsilons, since numbers as small as an error are all printed as 0.0.
+        const double off_in_epsilons = std::abs(off) / epsilon;
+        if (!(off_in_epsilons <= 2)) {
             INFO(text(shot));
-            HINT((ExactVec3{to.x / size, to.y / size, to.z / size}), n,
-                 "take (origin - center) + t * direction. The point itself, far from the scene's "
-                 "origin, has already lost digits when the center is subtracted");
-            REQUIRE(error_over_allowed <= 1);
-        });
+            INFO("the normal is "
+                 << text(n) << ", its length differs from 1 by " << off
+                 << ".\nHint: normalize the vector from the center to the point. t is rounded, "
+                    "so that vector is not quite as long as the radius: dividing by the radius "
+                    "is not enough");
+            REQUIRE(off_in_epsilons <= 2);
+        }
+
+        const ExactVec3 to = exact_outward(shot);
+        const Exact size = exact_length(to);
+        // Three roundings of numbers as large as the distance, and those of normalize.
+        const double allowed = epsilon * (4 + 4 * start_in_radii(shot));
+        const double error_over_allowed = std::max({std::abs((to.x / size - Exact(n.x)).high),
+                                                    std::abs((to.y / size - Exact(n.y)).high),
+                                                    std::abs((to.z / size - Exact(n.z)).high)}) /
+                                          allowed;
+        if (!(error_over_allowed <= 1)) {
+            UNSCOPED_INFO(text(shot));
+            UNSCOPED_HINT(
+                (ExactVec3{to.x / size, to.y / size, to.z / size}), n,
+                "take (origin - center) + t * direction. The point itself, far from the scene's "
+                "origin, has already lost digits when the center is subtracted");
+        }
+        REQUIRE(error_over_allowed <= 1);
+    });
 }
 
 TEST_CASE("04.1 the point lies on the surface within its error bound", "[04.1][hard]") {
@@ -220,21 +222,26 @@ TEST_CASE("04.1 the point lies on the surface within its error bound", "[04.1][h
                                                      beside(hit.point.y, c.y, hit.normal.y),
                                                      beside(hit.point.z, c.z, hit.normal.z)}) /
                                            (8 * epsilon * far);
-        if (off_over_allowed <= 1 && off_over_bound <= 1 && beside_over_allowed <= 1) return;
-        INFO(text(shot));
-        INFO("the point " << text(hit.point) << " is " << off << " off the surface, its bound is "
-                          << hit.point_error << ", its normal " << text(hit.normal));
-        {
+        const bool is_right =
+            off_over_allowed <= 1 && off_over_bound <= 1 && beside_over_allowed <= 1;
+        if (!is_right) {
+            INFO(text(shot));
+            INFO("the point " << text(hit.point) << " is " << off
+                              << " off the surface, its bound is " << hit.point_error
+                              << ", its normal " << text(hit.normal));
+            {
+                INFO(
+                    "Hint: move the point onto the surface, to center + radius * normal: what is "
+                    "left is the rounding of that");
+                REQUIRE(off_over_allowed <= 1);
+                REQUIRE(beside_over_allowed <= 1);
+            }
             INFO(
-                "Hint: move the point onto the surface, to center + radius * normal: what is left "
-                "is the rounding of that");
-            REQUIRE(off_over_allowed <= 1);
-            REQUIRE(beside_over_allowed <= 1);
+                "Hint: each coordinate of the point was rounded, and so was everything that "
+                "depends on the radius");
+            REQUIRE(off_over_bound <= 1);
         }
-        INFO(
-            "Hint: each coordinate of the point was rounded, and so was everything that depends on "
-            "the radius");
-        REQUIRE(off_over_bound <= 1);
+        REQUIRE(is_right);
     });
 }
 
@@ -247,15 +254,17 @@ TEST_CASE("04.1 the error bound is the one that the text derives", "[04.1][hard]
         const Real expected = rt::epsilon / 2 * (sum + 16 * shot.sphere.radius);
         // Beyond the formula's own rounding there is a bit to spare, as in rounding_bound.
         const Real allowed = for_this_precision(real(1e-4), real(1e-9));
-        const Real relative = (hit.point_error - expected) / expected;
-        if (std::abs(relative) <= allowed) return;
-        INFO(text(shot));
-        INFO("the point is " << text(p) << ", the normal " << text(n));
-        HINT(expected, hit.point_error,
-             "u (|Px nx| + |Py ny| + |Pz nz|) + 16 u r with u = epsilon / 2. A smaller bound lets "
-             "rays start inside, since hit_sphere rounds too; a larger one lets them start beyond "
-             "other surfaces");
-        REQUIRE(text(hit.point_error) == text(expected));
+        const Real relative = std::abs(hit.point_error - expected) / expected;
+        if (!(relative <= allowed)) {
+            INFO(text(shot));
+            INFO("the point is " << text(p) << ", the normal " << text(n));
+            HINT(expected, hit.point_error,
+                 "u (|Px nx| + |Py ny| + |Pz nz|) + 16 u r with u = epsilon / 2. A smaller bound "
+                 "lets rays start inside, since hit_sphere rounds too; a larger one lets them "
+                 "start beyond other surfaces");
+            REQUIRE(text(hit.point_error) == text(expected));
+        }
+        REQUIRE(relative <= allowed);
     });
 }
 
@@ -276,16 +285,19 @@ TEST_CASE("04.1 a scene 2^30 times larger or smaller gives the same hits", "[04.
             const Hit scaled =
                 rt::surface_hit({s * shot.sphere.center, s * shot.sphere.radius},
                                 {s * shot.ray.origin, s * shot.ray.direction}, shot.t);
-            if (scaled.point == s * hit.point && scaled.normal == hit.normal &&
-                scaled.front == hit.front && scaled.point_error == s * hit.point_error)
-                continue;
-            INFO(text(shot));
-            INFO("scaled by 2^" << power
-                                << ".\nHint: is there a constant length somewhere, such as 0.001?");
-            REQUIRE(text(scaled.point) == text(s * hit.point));
-            REQUIRE(text(scaled.normal) == text(hit.normal));
-            REQUIRE(scaled.front == hit.front);
-            REQUIRE(text(scaled.point_error) == text(s * hit.point_error));
+            const bool is_same = scaled.point == s * hit.point && scaled.normal == hit.normal &&
+                                 scaled.front == hit.front &&
+                                 scaled.point_error == s * hit.point_error;
+            if (!is_same) {
+                INFO(text(shot));
+                INFO("scaled by 2^"
+                     << power << ".\nHint: is there a constant length somewhere, such as 0.001?");
+                REQUIRE(text(scaled.point) == text(s * hit.point));
+                REQUIRE(text(scaled.normal) == text(hit.normal));
+                REQUIRE(scaled.front == hit.front);
+                REQUIRE(text(scaled.point_error) == text(s * hit.point_error));
+            }
+            REQUIRE(is_same);
         }
     });
 }

@@ -259,7 +259,7 @@ TEST_CASE("04.7 an absorbed path is black", "[04.7]") {
     const Color light = rt::path_radiance(downward, Ground{}, Absorber{}, rt::UniformSky{},
                                           rt::SkyEnding{}, 8, rng);
     INFO("no Scatter means that the light ends here: expected (0, 0, 0), actual " << text(light));
-    if (!(light == Color{})) CHECK(text(light) == "(0, 0, 0)");
+    CHECK(light == Color{});
 }
 
 TEST_CASE("04.7 the material gets the incoming direction and the hit", "[04.7]") {
@@ -284,12 +284,15 @@ TEST_CASE("04.7 the material gets the incoming direction and the hit", "[04.7]")
                        text(h.normal) + (h.front ? ", front" : ", not front") + ", error " +
                        text(h.point_error) + ", material " + std::to_string(h.material);
             };
-            if (hit.t == right.t && hit.point == right.point && hit.normal == right.normal &&
-                hit.front == right.front && hit.point_error == right.point_error &&
-                hit.material == right.material)
-                continue;
-            INFO("Hint: pass on the hit as the world gives it");
-            REQUIRE(all(hit) == all(right));
+            const bool is_same = hit.t == right.t && hit.point == right.point &&
+                                 hit.normal == right.normal && hit.front == right.front &&
+                                 hit.point_error == right.point_error &&
+                                 hit.material == right.material;
+            if (!is_same) {
+                INFO("Hint: pass on the hit as the world gives it");
+                REQUIRE(all(hit) == all(right));
+            }
+            REQUIRE(is_same);
         }
     }
 }
@@ -476,13 +479,17 @@ TEST_CASE("04.7 a gray sphere under a white sky returns its albedo", "[04.7]") {
             const Color light = rt::path_radiance(Ray{from, (at - from) / radius},
                                                   rt::SphereList{{{{center, radius}, 0}}}, gray,
                                                   rt::UniformSky{}, rt::BlackEnding{}, 16, rng);
-            if (std::abs(light.r - albedo) <= rt::epsilon) continue;
-            INFO("radius " << text(radius) << ": expected " << text(albedo) << ", actual "
-                           << text(light.r)
-                           << ".\nHint: the path met the sphere again that it had just left, and "
-                              "was dimmed twice. Move by the error of the point plus what rounding "
-                              "the sum may take back");
-            REQUIRE(text(light.r) == text(albedo));
+            const bool is_near = std::abs(light.r - albedo) <= rt::epsilon;
+            if (!is_near) {
+                INFO("radius "
+                     << text(radius) << ": expected " << text(albedo) << ", actual "
+                     << text(light.r)
+                     << ".\nHint: the path met the sphere again that it had just left, and "
+                        "was dimmed twice. Move by the error of the point plus what rounding "
+                        "the sum may take back");
+                REQUIRE(text(light.r) == text(albedo));
+            }
+            REQUIRE(is_near);
         }
 }
 
@@ -530,9 +537,8 @@ TEST_CASE("04.7 a path in a closed room stays in it", "[04.7]") {
     for (int i = 0; i < 200; ++i) {
         const Color light = rt::path_radiance(Ray{{0, 0, 0}, any_direction(rng)}, room, white,
                                               rt::UniformSky{}, rt::BlackEnding{}, 100, rng);
-        if (light == Color{}) continue;
         INFO("this path got out.\nHint: a ray that leaves the inner side starts inside");
-        REQUIRE(text(light.r) == "0");
+        REQUIRE(light == Color{});
     }
 }
 
@@ -625,7 +631,7 @@ TEST_CASE("04.7 even a path between white surfaces ends by roulette", "[04.7][ha
         const Color light = rt::path_radiance(downward, world, white, rt::UniformSky{},
                                               rt::RouletteEnding{}, 1, rng);
         INFO("Hint: no path may be certain to go on, however bright it is");
-        if (!(light == Color{})) REQUIRE(text(light) == "(0, 0, 0)");
+        REQUIRE(light == Color{});
     }
 }
 

@@ -65,6 +65,7 @@ TEST_CASE("05.3 light that enters glass bends toward the normal", "[05.3]") {
 
 TEST_CASE("05.3 the law of refraction holds for 100000 directions", "[05.3]") {
     rt::Rng rng{53, 1};
+    double worst = 0;
     for (int i = 0; i < 100000; ++i) {
         const auto [incoming, normal] = random_arrival(rng);
         const Real eta = rng.uniform(real(0.4), real(2.5));
@@ -80,6 +81,7 @@ TEST_CASE("05.3 the law of refraction holds for 100000 directions", "[05.3]") {
         if (!refracted) continue;
         const Exact computed = sine(*refracted, normal);
         const double off_in_epsilons = in_epsilon(computed - expected);
+        worst = std::max(worst, off_in_epsilons);
         if (off_in_epsilons <= allowed) continue;
         INFO("incoming " << text(incoming) << ", normal " << text(normal) << ", eta " << text(eta));
         INFO("the sine behind the surface: expected " << text(expected) << ", actual "
@@ -89,6 +91,7 @@ TEST_CASE("05.3 the law of refraction holds for 100000 directions", "[05.3]") {
             "epsilon");
         REQUIRE(off_in_epsilons <= allowed);
     }
+    CHECK(worst <= allowed);
 }
 
 TEST_CASE("05.3 refracted light stays in the plane with length 1", "[05.3]") {
@@ -173,11 +176,13 @@ TEST_CASE("05.3 any ratio of indices bends light by the right amount", "[05.3][h
         const ExactVec3 expected = along - sqrt(squared) * n;
         const double off = length(exact(*refracted) - expected).high;
         const double off_over_allowed = off / (rounding * (2 + 2 / sqrt(squared).high));
-        if (off_over_allowed <= 1) continue;
-        INFO(describe());
-        HINT(expected, *refracted,
-             "eta (d + c n) is the part along the surface, for any eta greater than 0. Only eta == "
-             "1 leaves the direction as it is: close to 1 is not enough");
+        if (!(off_over_allowed <= 1)) {
+            UNSCOPED_INFO(describe());
+            UNSCOPED_HINT(
+                expected, *refracted,
+                "eta (d + c n) is the part along the surface, for any eta greater than 0. Only eta "
+                "== 1 leaves the direction as it is: close to 1 is not enough");
+        }
         REQUIRE(off_over_allowed <= 1);
     }
 }

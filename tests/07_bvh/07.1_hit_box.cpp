@@ -164,7 +164,9 @@ TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
         return low + static_cast<long>(rng() % static_cast<unsigned long>(high - low + 1));
     };
     const long always = 1L << 60;  // stands for infinity
-    for (int i = 0; i < 30000; ++i) {
+    const int count = 30000;
+    int right = 0;
+    for (int i = 0; i < count; ++i) {
         const int t_power = static_cast<int>(whole(-60, 60)) * (i % 2);
         const bool same_scale = i % 4 < 2;
         const int power = static_cast<int>(whole(-30, 30)) * (i % 2);
@@ -218,7 +220,10 @@ TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
         const Box box = empty ? Box{} : Box{vec(low), vec(high)};
         const Interval within{end_of(min), end_of(max)};
         const Real grown = std::ldexp(static_cast<Real>(margin), power);
-        if (hit_box(box, bare(vec(origin), vec(direction), grown), within) == expected) continue;
+        if (hit_box(box, bare(vec(origin), vec(direction), grown), within) == expected) {
+            ++right;
+            continue;
+        }
         check(box, vec(origin), vec(direction), within, expected,
               empty    ? "this is the empty box, Box{}: it is left before it is entered"
               : zero   ? "a component of the direction is 0: see the cases with zeros and faces"
@@ -228,12 +233,14 @@ TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
               grown);
         return;
     }
+    CHECK(right == count);
 }
 
 // Rays in any direction that leave one slab just before or just after they enter another: they pass
 // an edge of the box, or just cut it.
 TEST_CASE("07.1 a near miss is a miss in any direction", "[07.1][hard]") {
     rt::Rng rng{71, 2};
+    int right = 0;
     for (int i = 0; i < 4000; ++i) {
         const Real size = any_size(rng, -9, 9);
         const Vec3 low = size * any_size(rng, -1, 1) * in_cube(rng);
@@ -260,11 +267,16 @@ TEST_CASE("07.1 a near miss is a miss in any direction", "[07.1][hard]") {
             (max_component(low) + max_component(high) + max_component(origin) + margin);
         if (by < rounding || max_component(low - high) < 4 * by) continue;
         const SlabRay ray = bare(origin, d, margin);
-        if (hit_box({low, high}, ray, ahead) == over) continue;
+        if (hit_box({low, high}, ray, ahead) == over) {
+            ++right;
+            continue;
+        }
         check({low, high}, origin, d, ahead, over,
               over ? "it just cuts an edge of the box: it is inside for a short way"
                    : "it passes close to an edge of the box: nothing but the margin is added",
               margin);
         return;
     }
+    INFO("the test itself is wrong if it tries few rays");
+    CHECK(right > 2000);
 }

@@ -11,7 +11,10 @@ namespace {
 
 void check_join(const Box& a, const Box& b, const Box& expected, const char* hint) {
     const Box both = join(a, b);
-    if (both == expected) return;
+    if (const bool same = both == expected; same) {
+        CHECK(same);
+        return;
+    }
     INFO(checkpoint::text(a) << " and " << checkpoint::text(b) << ".\nHint: " << hint);
     CHECK(checkpoint::text(both) == checkpoint::text(expected));
 }
@@ -46,7 +49,10 @@ TEST_CASE("07.2 the margin is as wide as the proof asks", "[07.2]") {
         const Real largest = rt::max_component(sphere.center) + sphere.radius;
         const Real margin = rt::hit_margin * largest, rounding = 2 * rt::epsilon * largest;
         const auto check = [&](int axis, const char* side, Real added) {
-            if (std::abs(added - margin) <= rounding) return;
+            if (const bool right = std::abs(added - margin) <= rounding; right) {
+                CHECK(right);
+                return;
+            }
             INFO("sphere at " << checkpoint::text(sphere.center) << " of radius "
                               << checkpoint::text(sphere.radius) << ", your "
                               << checkpoint::text(box));

@@ -1,10 +1,14 @@
 #include <checkpoint.hpp>
 #include <rt/color.hpp>
+#include <rt/dielectric.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/lit_path.hpp>
+#include <rt/metal.hpp>
+#include <rt/mirror.hpp>
 #include <rt/path.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
+#include <rt/textures.hpp>
 #include <rt/timed_ray.hpp>
 #include <statistics.hpp>
 

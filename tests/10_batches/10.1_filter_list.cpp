@@ -40,30 +40,32 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
     Fenced<std::uint8_t> marks{masks, beside};
     const std::size_t count = rt::filter_list(from.span(), marks.data(), bit, to.data());
     const Paths actual(to.data(), to.data() + std::min(count, list.size()));
-    if (count == expected.size() && actual == expected && to.stands()) return;
-
-    INFO("a list of " << list.size() << " paths " << text(list) << " with the masks "
-                      << binary(masks) << ", bit " << bit);
-    const auto same = static_cast<std::size_t>(
-        std::mismatch(actual.begin(), actual.end(), expected.begin(), expected.end()).first -
-        actual.begin());
-    const std::size_t first = same < 12 ? 0 : same;
-    INFO("expected " << expected.size() << " paths " << text(expected, first)
-                     << ", but yours gives " << count << ' ' << text(actual, first));
-    {
+    const bool is_right = count == expected.size() && actual == expected && to.stands();
+    if (!is_right) {
+        INFO("a list of " << list.size() << " paths " << text(list) << " with the masks "
+                          << binary(masks) << ", bit " << bit);
+        const auto same = static_cast<std::size_t>(
+            std::mismatch(actual.begin(), actual.end(), expected.begin(), expected.end()).first -
+            actual.begin());
+        const std::size_t first = same < 12 ? 0 : same;
+        INFO("expected " << expected.size() << " paths " << text(expected, first)
+                         << ", but yours gives " << count << ' ' << text(actual, first));
+        {
+            INFO(
+                "Hint: `to` has room for as many paths as the list has, and no more: the memory "
+                "before and after it belongs to others");
+            REQUIRE(to.stands());
+        }
+        {
+            INFO("Hint: the result is how many paths have the bit: add 0 or 1 for each");
+            REQUIRE(count == expected.size());
+        }
         INFO(
-            "Hint: `to` has room for as many paths as the list has, and no more: the memory before "
-            "and after it belongs to others");
-        REQUIRE(to.stands());
+            "Hint: the paths, not their indices in the list, in the same order; masks[i] belongs "
+            "to list[i]");
+        REQUIRE(text(actual, first) == text(expected, first));
     }
-    {
-        INFO("Hint: the result is how many paths have the bit: add 0 or 1 for each");
-        REQUIRE(count == expected.size());
-    }
-    INFO(
-        "Hint: the paths, not their indices in the list, in the same order; masks[i] belongs to "
-        "list[i]");
-    REQUIRE(text(actual, first) == text(expected, first));
+    CHECK(is_right);
 }
 void check_filter(const Paths& list, const Masks& masks, unsigned bit) {
     check_filter(list, masks, bit, 0);

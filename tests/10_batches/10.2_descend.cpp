@@ -156,7 +156,6 @@ void check_descend(int levels, std::uint64_t seed, std::size_t rays, bool is_cha
     Fenced<std::uint32_t> lists{room, 0xdeadbeef, 0xdeadbeef, 10 * room + 100};
     Fenced<std::uint8_t> masks{room, 0xa5, 0xa5, 10 * room + 100};
     rt::descend(tree, root, list, {lists.data(), masks.data()});
-    if (tree.log == expected && lists.stands() && masks.stands()) return;
 
     INFO("it begins at node " << root << " with " << text(list));
     check_log(tree.log, expected);

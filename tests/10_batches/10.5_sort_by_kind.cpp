@@ -34,30 +34,34 @@ void check_sort(const Kinds& kinds, std::uint8_t beside) {
     Fenced<std::uint32_t> to{kinds.size(), 0xdeadbeef, 0xdeadbeef};
     const auto first = rt::sort_by_kind<count>(from.span(), to.span());
     const std::vector<std::uint32_t> sorted(to.data(), to.data() + to.size());
-    if (first == first_expected && sorted == sorted_expected && to.stands()) return;
-
-    INFO(kinds.size() << " numbers of " << count << " kinds " << text(kinds));
-    for (std::size_t kind = 0; kind <= count; ++kind) {
-        INFO("the result's [" << kind << "]: expected " << first_expected[kind]
-                              << ", but yours gives " << first[kind]);
-        INFO("Hint: [k] is how many numbers have a kind less than k; the last one counts all");
-        REQUIRE(first[kind] == first_expected[kind]);
+    const bool is_right = first == first_expected && sorted == sorted_expected && to.stands();
+    if (!is_right) {
+        INFO(kinds.size() << " numbers of " << count << " kinds " << text(kinds));
+        for (std::size_t kind = 0; kind <= count; ++kind) {
+            INFO("the result's [" << kind << "]: expected " << first_expected[kind]
+                                  << ", but yours gives " << first[kind]);
+            INFO("Hint: [k] is how many numbers have a kind less than k; the last one counts all");
+            REQUIRE(first[kind] == first_expected[kind]);
+        }
+        {
+            INFO(
+                "Hint: `sorted` is as long as `kinds`, and nothing must be written beyond its "
+                "ends: does each kind begin at its own index, and go on by one?");
+            REQUIRE(to.stands());
+        }
+        for (std::size_t place = 0; place < sorted.size(); ++place) {
+            if (sorted[place] == sorted_expected[place]) continue;
+            INFO("sorted[" << place << "]: expected " << sorted_expected[place] << ", of kind "
+                           << int(kinds[sorted_expected[place]]) << ", but yours gives "
+                           << sorted[place]
+                           << (sorted[place] == 0xdeadbeef ? ": nothing was written there" : ""));
+            INFO(
+                "Hint: the numbers i, not their kinds; numbers of the same kind stay in their "
+                "order");
+            REQUIRE(sorted[place] == sorted_expected[place]);
+        }
     }
-    {
-        INFO(
-            "Hint: `sorted` is as long as `kinds`, and nothing must be written beyond its ends: "
-            "does each kind begin at its own index, and go on by one?");
-        REQUIRE(to.stands());
-    }
-    for (std::size_t place = 0; place < sorted.size(); ++place) {
-        if (sorted[place] == sorted_expected[place]) continue;
-        INFO("sorted[" << place << "]: expected " << sorted_expected[place] << ", of kind "
-                       << int(kinds[sorted_expected[place]]) << ", but yours gives "
-                       << sorted[place]
-                       << (sorted[place] == 0xdeadbeef ? ": nothing was written there" : ""));
-        INFO("Hint: the numbers i, not their kinds; numbers of the same kind stay in their order");
-        REQUIRE(sorted[place] == sorted_expected[place]);
-    }
+    CHECK(is_right);
 }
 template <std::size_t count>
 void check_sort(const Kinds& kinds) {

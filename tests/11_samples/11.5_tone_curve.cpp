@@ -66,30 +66,36 @@ void check_exposed(const Color& color, Real stops) {
     const Color actual = rt::exposed(color, stops);
     const WideColor expected = wide(color) * std::exp2(wide(stops));
     // A power by exp(stops log 2) has this much error.
-    if (is_near(actual, expected, 8 + static_cast<int>(2 * std::abs(stops)))) return;
-    INFO("exposed(" << text(color) << ", " << checkpoint::text(stops) << "): expected "
-                    << text(expected) << ", but yours gives " << text(actual));
-    const char* hint =
-        "the light times 2 to the power of the stops: 3 stops are a factor of 8, -1 stop is one "
-        "half, 0 changes nothing. std::exp2 has fractions, too";
-    if (is_single(actual, expected)) hint = single_precision_hint;
-    INFO("Hint: " << hint);
-    REQUIRE(text(actual) == text(expected));
+    const bool is_right = is_near(actual, expected, 8 + static_cast<int>(2 * std::abs(stops)));
+    if (!is_right) {
+        INFO("exposed(" << text(color) << ", " << checkpoint::text(stops) << "): expected "
+                        << text(expected) << ", but yours gives " << text(actual));
+        const char* hint =
+            "the light times 2 to the power of the stops: 3 stops are a factor of 8, -1 stop is "
+            "one half, 0 changes nothing. std::exp2 has fractions, too";
+        if (is_single(actual, expected)) hint = single_precision_hint;
+        INFO("Hint: " << hint);
+        REQUIRE(text(actual) == text(expected));
+    }
+    CHECK(is_right);
 }
 
 void check_luminance(const Color& color) {
     const Real actual = rt::luminance(color);
     const Wide expected = expected_luminance(color);
-    if (is_near(actual, expected, 12)) return;
-    INFO("luminance(" << text(color) << "): expected "
-                      << checkpoint::text(static_cast<Real>(expected)) << ", but yours gives "
-                      << checkpoint::text(actual));
-    const char* hint =
-        "0.2126 of red, 0.7152 of green and 0.0722 of blue, which is the darkest; the light is "
-        "linear already, and has no upper limit";
-    if (only_single_precision(wide(actual), expected)) hint = single_precision_hint;
-    INFO("Hint: " << hint);
-    REQUIRE(checkpoint::text(actual) == checkpoint::text(static_cast<Real>(expected)));
+    const bool is_right = is_near(actual, expected, 12);
+    if (!is_right) {
+        INFO("luminance(" << text(color) << "): expected "
+                          << checkpoint::text(static_cast<Real>(expected)) << ", but yours gives "
+                          << checkpoint::text(actual));
+        const char* hint =
+            "0.2126 of red, 0.7152 of green and 0.0722 of blue, which is the darkest; the light is "
+            "linear already, and has no upper limit";
+        if (only_single_precision(wide(actual), expected)) hint = single_precision_hint;
+        INFO("Hint: " << hint);
+        REQUIRE(checkpoint::text(actual) == checkpoint::text(static_cast<Real>(expected)));
+    }
+    CHECK(is_right);
 }
 
 // Where the core allows it: some digits may have been lost in a difference.
@@ -98,24 +104,28 @@ constexpr int few_digits = 4000;
 void check_curve(Real luminance, Real white, int roundings = 16) {
     const Real actual = rt::tone_curve(luminance, white);
     const Wide expected = expected_curve(wide(luminance), wide(white));
-    if (is_near(actual, expected, roundings)) return;
-    INFO("tone_curve(" << checkpoint::text(luminance) << ", white " << checkpoint::text(white)
-                       << "): expected " << checkpoint::text(static_cast<Real>(expected))
-                       << ", but yours gives " << checkpoint::text(actual));
-    const char* hint =
-        "L / (1 + L) and (1 + L / white^2) are the two factors; white must come out as 1";
-    if (only_single_precision(wide(actual), expected))
-        hint = single_precision_hint;
-    else if (!std::isfinite(actual) || actual == 0 || luminance >= 1000000 ||
-             is_near(actual, expected, few_digits))
-        hint =
-            "a step on the way, such as luminance * luminance or white * white, is too large or "
-            "too small for a Real, or loses all digits: divide before you multiply, and start with "
-            "L / (1 + L)";
-    else if (is_near(actual, wide(luminance) / (1 + wide(luminance)), few_digits))
-        hint = "this is L / (1 + L), in which nothing becomes white: 1 + L / white^2 is missing";
-    INFO("Hint: " << hint);
-    REQUIRE(checkpoint::text(actual) == checkpoint::text(static_cast<Real>(expected)));
+    const bool is_right = is_near(actual, expected, roundings);
+    if (!is_right) {
+        INFO("tone_curve(" << checkpoint::text(luminance) << ", white " << checkpoint::text(white)
+                           << "): expected " << checkpoint::text(static_cast<Real>(expected))
+                           << ", but yours gives " << checkpoint::text(actual));
+        const char* hint =
+            "L / (1 + L) and (1 + L / white^2) are the two factors; white must come out as 1";
+        if (only_single_precision(wide(actual), expected))
+            hint = single_precision_hint;
+        else if (!std::isfinite(actual) || actual == 0 || luminance >= 1000000 ||
+                 is_near(actual, expected, few_digits))
+            hint =
+                "a step on the way, such as luminance * luminance or white * white, is too large "
+                "or too small for a Real, or loses all digits: divide before you multiply, and "
+                "start with L / (1 + L)";
+        else if (is_near(actual, wide(luminance) / (1 + wide(luminance)), few_digits))
+            hint =
+                "this is L / (1 + L), in which nothing becomes white: 1 + L / white^2 is missing";
+        INFO("Hint: " << hint);
+        REQUIRE(checkpoint::text(actual) == checkpoint::text(static_cast<Real>(expected)));
+    }
+    CHECK(is_right);
 }
 
 void check_mapped(const Color& color, Real white, int roundings = 40) {
@@ -124,25 +134,29 @@ void check_mapped(const Color& color, Real white, int roundings = 40) {
     const WideColor expected =
         luminance > 0 ? wide(color) * (expected_curve(luminance, wide(white)) / luminance)
                       : WideColor{};
-    if (is_near(actual, expected, roundings)) return;
-    INFO("tone_mapped(" << text(color) << ", white " << checkpoint::text(white) << "): expected "
-                        << text(expected) << ", but yours gives " << text(actual));
-    const char* hint =
-        "the whole color gets one factor, the curve's luminance over the luminance before; the "
-        "result's luminance is then what the curve says";
-    if (luminance == 0)
-        hint = "the luminance of black is 0, and 0 / 0 is NaN: black stays black";
-    else if (is_single(actual, expected))
-        hint = single_precision_hint;
-    else if (is_near(actual, wide(color), 1))
-        hint =
-            "the color came back as it was. Light of any size goes through the curve: it is dark "
-            "or bright only compared with `white`, and no light but 0 is black";
-    else if (is_near(actual.r, expected_curve(wide(color.r), wide(white)), few_digits) &&
-             is_near(actual.g, expected_curve(wide(color.g), wide(white)), few_digits))
-        hint = "each channel went through the curve by itself: that changes the hue";
-    INFO("Hint: " << hint);
-    REQUIRE(text(actual) == text(expected));
+    const bool is_right = is_near(actual, expected, roundings);
+    if (!is_right) {
+        INFO("tone_mapped(" << text(color) << ", white " << checkpoint::text(white)
+                            << "): expected " << text(expected) << ", but yours gives "
+                            << text(actual));
+        const char* hint =
+            "the whole color gets one factor, the curve's luminance over the luminance before; the "
+            "result's luminance is then what the curve says";
+        if (luminance == 0)
+            hint = "the luminance of black is 0, and 0 / 0 is NaN: black stays black";
+        else if (is_single(actual, expected))
+            hint = single_precision_hint;
+        else if (is_near(actual, wide(color), 1))
+            hint =
+                "the color came back as it was. Light of any size goes through the curve: it is "
+                "dark or bright only compared with `white`, and no light but 0 is black";
+        else if (is_near(actual.r, expected_curve(wide(color.r), wide(white)), few_digits) &&
+                 is_near(actual.g, expected_curve(wide(color.g), wide(white)), few_digits))
+            hint = "each channel went through the curve by itself: that changes the hue";
+        INFO("Hint: " << hint);
+        REQUIRE(text(actual) == text(expected));
+    }
+    CHECK(is_right);
 }
 
 Color any_color(rt::Rng& rng) {

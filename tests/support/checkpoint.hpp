@@ -73,3 +73,8 @@ inline std::string text(const ExactVec3& v) {
 #define HINT(expected, computed, suggestion)                                                    \
     INFO("expected " << checkpoint::text(expected) << ", actual " << checkpoint::text(computed) \
                      << ".\nHint: " << (suggestion))
+
+// The same for the next assertion alone, which may stand after the block that this stands in.
+#define UNSCOPED_HINT(expected, computed, suggestion)                      \
+    UNSCOPED_INFO("expected " << checkpoint::text(expected) << ", actual " \
+                              << checkpoint::text(computed) << ".\nHint: " << (suggestion))

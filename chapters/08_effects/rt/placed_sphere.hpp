@@ -16,9 +16,8 @@ namespace rt {
 // with any position and orientation. Such a copy of a shape is called an instance.
 struct Instance {
     Mat4 object_to_world, world_to_object;  // each is the other's inverse
-    // As long as a Real, so that no padding follows: with -ftrivial-auto-var-init, which
-    // checkpoints are compiled with, g++ 12 loses a number of the first matrix when such an object
-    // is returned.
+    // As long as a Real, so that no padding follows: with -ftrivial-auto-var-init, which answers
+    // are compiled with, g++ 12 loses a number of the first matrix when such an object is returned.
     std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> material = 0;
 };
 

@@ -1,17 +1,20 @@
 #pragma once
 #include <cstddef>
-#include <rt/dielectric.hpp>
 #include <rt/hit.hpp>
 #include <rt/lambert.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/material_set.hpp>
-#include <rt/metal.hpp>
-#include <rt/mirror.hpp>
-#include <rt/own_material.hpp>
-#include <rt/textures.hpp>
 #include <type_traits>
 
 namespace rt {
+
+// Only their names are needed here: what includes this compiles sooner.
+struct CheckeredMatte;
+struct ImageMatte;
+struct Mirror;
+struct Metal;
+struct Dielectric;
+struct OwnMaterial;
 
 // The probability density, per solid angle, with which scatter() of a material takes a direction
 // (given). It is 0 for materials for which light cannot be sampled: mirrors and glass allow single

@@ -4,14 +4,11 @@
 #include <cstdint>
 #include <cstring>
 #include <rt/color.hpp>
+#include <rt/path_list.hpp>
 #include <rt/rng.hpp>
 #include <rt/vec3_pack.hpp>
-#include <span>
 
 namespace rt {
-
-// Numbers of paths in a batch.
-using PathList = std::span<const std::uint32_t>;
 
 // A path on its way (given). In float it has 64 bytes, as many as a processor fetches from
 // memory at once.

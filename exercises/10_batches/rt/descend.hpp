@@ -1,16 +1,10 @@
 #pragma once
 #include <cstdint>
 #include <rt/filter_list.hpp>
+#include <rt/path_list.hpp>
 #include <rt/todo.hpp>
 
 namespace rt {
-
-// Room for what descend() writes: a list, and its masks, for each level of nodes on the way down.
-// None is longer than the first list.
-struct Scratch {
-    std::uint32_t* lists;
-    std::uint8_t* masks;
-};
 
 // Exercise 10.2. Takes the list of rays that meet a node, one ray or more, down the tree. For
 // each child whose box at least one of them meets, the list of those that do, in the same

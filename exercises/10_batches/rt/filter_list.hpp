@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <rt/path_record.hpp>
+#include <rt/path_list.hpp>
 #include <rt/todo.hpp>
 
 namespace rt {

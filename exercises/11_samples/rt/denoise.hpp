@@ -3,28 +3,12 @@
 #include <cmath>
 #include <rt/canvas.hpp>
 #include <rt/color.hpp>
+#include <rt/denoise_widths.hpp>
 #include <rt/dot.hpp>
 #include <rt/image.hpp>
 #include <rt/todo.hpp>
 
 namespace rt {
-
-// What is known about a pixel without noise: the surface that its eye ray meets.
-struct Features {
-    Color albedo;  // may be more than 1 for a lamp
-    Vec3 normal;   // 0 for the sky
-};
-
-// How far a pixel's light may spread. If two pixels are one width apart, the weight is exp(-1/2),
-// or 0.61, of what it would otherwise be. Widths are greater than 0; an infinite width switches
-// its part off.
-struct DenoiseWidths {
-    int radius = 6;  // pixels; those farther away across or down do not count; 0 or more
-    Real space = 3;  // pixels
-    Real albedo = Real(0.1);
-    Real normal = Real(0.2);
-    Real darkest = Real(0.02);  // a smaller albedo counts as this; greater than 0
-};
 
 // Exercise 11.6. The weight of pixel b's light for pixel a. b is `across` and `down` pixels away
 // (either may be negative, and large). The weight is exp(-d / 2), where d is the sum of three

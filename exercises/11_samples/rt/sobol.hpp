@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <rt/fixed_point.hpp>
 #include <rt/todo.hpp>
 
 namespace rt {
@@ -9,14 +10,6 @@ namespace rt {
 inline std::uint32_t reversed_bits(std::uint32_t x) {
     return rt::todo("11.4", x);
 }
-
-// A point of the unit square, each coordinate as the 32 bits after its binary point: 0x80000000 is
-// one half, 0x40000000 a quarter, and the fraction itself is x / 2^32.
-struct FixedPoint2 {
-    std::uint32_t x = 0, y = 0;
-
-    friend constexpr bool operator==(const FixedPoint2&, const FixedPoint2&) = default;
-};
 
 // Point `index` of Sobol's sequence in two dimensions, counted from point 0, which is (0, 0), in
 // the order of the formula itself (not that of a Gray code). x has the bits of the index in

@@ -1,14 +1,9 @@
 #pragma once
+#include <cstdint>
 #include <rt/filter_list.hpp>
-#include <span>
+#include <rt/path_list.hpp>
 
 namespace rt {
-
-// Room for what descend() writes down. It only grows.
-struct Scratch {
-    std::uint32_t* lists;
-    std::uint8_t* masks;
-};
 
 // Takes the list of rays that meet a node down the tree. For each child, in the order of
 // tree.order(node), which is nearest first for these rays, the list of those that meet its box goes

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <rt/copy_marked.hpp>
-#include <rt/path_record.hpp>
+#include <rt/path_list.hpp>
 
 namespace rt {
 

@@ -1,16 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <rt/known_numbers.hpp>
 #include <rt/real.hpp>
 
 namespace rt {
-
-// What is known about numbers that arrived one by one: how many there were, their mean, and the sum
-// of their squared distances from that mean. Before the first number all three are 0.
-struct RunningVariance {
-    std::int64_t count = 0;
-    Real mean = 0;
-    Real squares = 0;
-};
 
 // Takes one more number into account: count, mean and squares are then those of all numbers so
 // far. It stores no number. The digits of squares survive even if the numbers are far from 0 and

@@ -1,20 +1,10 @@
 #pragma once
 #include <cmath>
 #include <numbers>
+#include <rt/halves.hpp>
 #include <rt/real.hpp>
 
 namespace rt {
-
-// A value for each of two independent halves of the samples.
-template <class T>
-struct Halves {
-    T first{}, second{};
-};
-
-// The fewest and the most samples that a place of the picture may get: 1 <= least <= most.
-struct CountLimits {
-    int least = 1, most = 1;
-};
 
 // How many samples a place of the picture is worth if the mean square error of the whole picture is
 // to be error^2 with the least work: spread * mean_spread / error^2, rounded up and kept within the

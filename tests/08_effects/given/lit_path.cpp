@@ -1,9 +1,13 @@
 // Fog, and hard scenes for the loop of 08.4.
 
+#include <rt/dielectric.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/lit_path.hpp>
+#include <rt/metal.hpp>
+#include <rt/mirror.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
+#include <rt/textures.hpp>
 #include <statistics.hpp>
 
 #include "checkpoint.hpp"

@@ -1,0 +1,14 @@
+#pragma once
+#include <cstdint>
+
+namespace rt {
+
+// A point of the unit square, each coordinate as the 32 bits after its binary point: 0x80000000 is
+// one half, 0x40000000 a quarter, and the fraction itself is x / 2^32.
+struct FixedPoint2 {
+    std::uint32_t x = 0, y = 0;
+
+    friend constexpr bool operator==(const FixedPoint2&, const FixedPoint2&) = default;
+};
+
+}  // namespace rt

@@ -1,0 +1,15 @@
+#pragma once
+#include <cstdint>
+#include <rt/real.hpp>
+
+namespace rt {
+
+// What is known about numbers that arrived one by one: how many there were, their mean, and the sum
+// of their squared distances from that mean. Before the first number all three are 0.
+struct RunningVariance {
+    std::int64_t count = 0;
+    Real mean = 0;
+    Real squares = 0;
+};
+
+}  // namespace rt

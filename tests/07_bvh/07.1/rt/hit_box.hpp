@@ -1,0 +1,16 @@
+#pragma once
+#include <rt/box.hpp>
+#include <rt/interval.hpp>
+#include <rt/slab_ray.hpp>
+
+namespace answer {
+
+bool hit_box(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within);
+
+}  // namespace answer
+
+namespace rt {
+
+using answer::hit_box;
+
+}  // namespace rt

@@ -1,0 +1,21 @@
+#pragma once
+#include <rt/search.hpp>
+#include <rt/tree.hpp>
+
+#include "../types.hpp"
+
+namespace answer {
+
+void try_sphere(int number, rt::Search& search);
+void try_sphere(int number, MovedSearch& search);
+void find_nearest(const rt::TreeNode& node, rt::Search& search);
+void find_nearest(const rt::TreeNode& node, MovedSearch& search);
+
+}  // namespace answer
+
+namespace rt {
+
+using answer::find_nearest;
+using answer::try_sphere;
+
+}  // namespace rt

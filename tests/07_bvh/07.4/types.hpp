@@ -1,0 +1,19 @@
+#pragma once
+// A type that both sides know.
+
+#include <rt/search.hpp>
+
+namespace answer {
+
+// A search of another type: it meets spheres that have been moved.
+struct MovedSearch : rt::Search {
+    std::span<const rt::Vec3> motions;
+
+    std::optional<rt::Real> meets_sphere(int number) {
+        ++sphere_tests;
+        const auto i = static_cast<std::size_t>(number);
+        return rt::hit_sphere(rt::moved(spheres[i].shape, motions[i]), ray, within);
+    }
+};
+
+}  // namespace answer
