@@ -149,13 +149,13 @@ void run_tests(const Course& course, Checked& checked) {
 void note_first_passes(State& state, std::vector<Checked>& all) {
     std::set<std::string> chapters;
     for (Checked& checked : all) {
-        checked.first_pass =
-            checked.verdict == Verdict::passed && state[checked.exercise.id].first_passed == 0;
+        checked.first_pass = checked.verdict == Verdict::passed &&
+                             state.exercises[checked.exercise.id].first_passed == 0;
         if (checked.first_pass) chapters.insert(checked.exercise.chapter.name);
     }
     const std::int64_t time = chapters.size() > 1 ? unknown_time : std::time(nullptr);
     for (const Checked& checked : all)
-        if (checked.first_pass) state[checked.exercise.id].first_passed = time;
+        if (checked.first_pass) state.exercises[checked.exercise.id].first_passed = time;
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
     for (Checked* one : begun) {
         Checked& checked = *one;
         // The compiler does not repeat warnings on code that was compiled before.
-        const Record& known = before[checked.exercise.id];
+        const Record& known = before.exercises[checked.exercise.id];
         if (checked.warning.empty() &&
             known.hash == hashes[static_cast<std::size_t>(one - all.data())])
             checked.warning = known.warning;
@@ -196,7 +196,7 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
     change_state(course, [&](State& state) {
         for (std::size_t i = 0; i < all.size(); ++i) {
             const Verdict verdict = all[i].verdict;
-            Record& record = state[all[i].exercise.id];
+            Record& record = state.exercises[all[i].exercise.id];
             record.passed = verdict == Verdict::passed;
             // If it waits for another exercise, nothing is known yet of its own answer.
             const bool is_known =
@@ -251,7 +251,7 @@ int check_in_float(const Course& course, std::vector<Checked>& all) {
     }
     change_state(course, [&](State& state) {
         for (const Try& one : tries) {
-            Record& record = state[one.in_double->exercise.id];
+            Record& record = state.exercises[one.in_double->exercise.id];
             if (record.hash != hash_of(course, one.in_double->exercise)) record.hash.clear();
             if (one.in_double->in_float) {
                 record.passed = false;

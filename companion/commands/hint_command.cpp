@@ -27,7 +27,7 @@ int hint(const Course& course, const Given& given) {
                            exercise.section());
     int number = 0;
     change_state(course, [&](State& state) {
-        int& shown = state[exercise.id].hints;
+        int& shown = state.exercises[exercise.id].hints;
         number = shown;
         if (shown < static_cast<int>(all.size())) ++shown;
     });

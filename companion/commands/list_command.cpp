@@ -63,8 +63,8 @@ Work work_of(const Course& course, const State& state, const Chapter& chapter,
         const bool done = passes(progress_of(course, state, exercise));
         result.done += done;
         if (done) {
-            result.stars += state.at(exercise.id).stars;
-            result.open_stars += state.at(exercise.id).open_stars;
+            result.stars += state.exercises.at(exercise.id).stars;
+            result.open_stars += state.exercises.at(exercise.id).open_stars;
         }
         ++result.exercises;
         of_exercises += exercise.minutes;
@@ -99,11 +99,12 @@ int list(const Course& course, const Given&) {
                     stars_of(part).c_str());
         for (const Exercise& exercise : all) {
             const Progress now = progress_of(course, state, exercise);
-            std::printf("  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
-                        exercise.title.c_str(), text(now),
-                        now == Progress::core
-                            ? (", " + stars_open(state.at(exercise.id).open_stars)).c_str()
-                            : "");
+            std::printf(
+                "  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
+                exercise.title.c_str(), text(now),
+                now == Progress::core
+                    ? (", " + stars_open(state.exercises.at(exercise.id).open_stars)).c_str()
+                    : "");
             if (chapter.core) every.push_back(exercise);
         }
         if (!chapter.core) {
