@@ -97,4 +97,18 @@ Signatures signatures_of(const Course& course, const Exercise& exercise) {
     return signatures;
 }
 
+LooksLike what_it_looks_like(const Course& course, const Exercise& exercise,
+                             const std::vector<TestCase>& tests) {
+    const Signature signature = signature_of(tests);
+    if (signature.where.empty()) return {};
+    LooksLike all;
+    for (const LookAlikes& names :
+         recognize(signatures_of(course, exercise), exercise.id, signature)) {
+        all.emplace_back();
+        for (const std::string& name : names)
+            all.back().push_back(read_mistake(course, exercise.chapter, name));
+    }
+    return all;
+}
+
 }  // namespace companion

@@ -29,4 +29,12 @@ Signature what_always_fails(const Course& course, const MistakenAnswer& answer);
 // solution change.
 Signatures signatures_of(const Course& course, const Exercise& exercise);
 
+// The known mistake that an answer looks like, with those that look the same; or the two that were
+// made at once; or none.
+using LooksLike = std::vector<std::vector<Mistake>>;
+
+// What an answer looks like whose test cases ended so.
+LooksLike what_it_looks_like(const Course& course, const Exercise& exercise,
+                             const std::vector<TestCase>& tests);
+
 }  // namespace companion

@@ -2,6 +2,7 @@
 #include <app/errors.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/commands/next_step.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
