@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <locale>
 #include <nlohmann/json.hpp>
 #include <rt/image_file.hpp>
@@ -240,7 +241,7 @@ void run_study(const Program& program, const Request& request) {
     study::Report report{program.name};
     program.study(report);
     try {
-        report.write_csv(folder);
+        write_study(report, folder);
     } catch (const std::system_error& full) {
         fail(full.code());
     }
@@ -437,6 +438,11 @@ std::string describe(const Program& program) {
     for (const CLI::Option* const option : options.get_options())
         defaults[option->get_single_name()] = option->get_default_str();
     return defaults.dump();
+}
+
+void write_study(const study::Report& report, const std::filesystem::path& folder) {
+    std::ifstream earlier{folder / report.file()};
+    replace_file(folder / report.file(), report.csv(earlier));
 }
 
 int run(int argc, const char* const* argv, const Program& program) {

@@ -214,6 +214,30 @@ TEST_CASE("no chapter uses what comes after it, and common uses no chapter", "[s
     }
 }
 
+// Where the headers of these folders are included: <app/errors.hpp> is one of app.
+TEST_CASE("the rooms of common and of the companion do not include each other", "[structure]") {
+    std::map<std::string, std::set<std::string>> uses;
+    const auto note = [&](const fs::path& folder, const std::string& room) {
+        for (const fs::path& path : files(folder, {".hpp", ".cpp", ".inc"}))
+            for (const std::string& used :
+                 matches(read(path), "#include <((?:companion/)?[a-z]+)/[^>]*>"))
+                if (used != room) uses[room].insert(used);
+    };
+    for (const fs::path& folder : folders(root / "common")) note(folder, folder.filename());
+    for (const fs::path& folder : folders(root / "companion"))
+        note(folder, "companion/" + folder.filename().string());
+    CHECK(uses.size() >= 10);
+    // What a room needs, and what that needs, and so on.
+    for (std::size_t i = 0; i < uses.size(); ++i)
+        for (auto& [room, used] : uses)
+            for (const std::string& other : std::set<std::string>{used})
+                if (uses.count(other)) used.insert(uses[other].begin(), uses[other].end());
+    for (const auto& [room, used] : uses) {
+        INFO(room << " needs itself: which of the rooms that it includes, includes it?");
+        CHECK(used.count(room) == 0);
+    }
+}
+
 TEST_CASE("there is no absolute epsilon in the solutions and in common", "[structure]") {
     // Numbers this small that are no tolerances: file and literal.
     const std::set<std::pair<std::string, std::string>> allowed{
