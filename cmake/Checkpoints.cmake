@@ -62,7 +62,7 @@ function(course_as_answer target real place chapter id)
   target_link_libraries(${target} PRIVATE answer_${real}_flags ${course_libraries_of_answer_${id}})
   target_precompile_headers(${target} REUSE_FROM answer_${real})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME answer.${id} DEFINE_SYMBOL ""
-    LIBRARY_OUTPUT_DIRECTORY ${course_answers}/${place})
+    LIBRARY_OUTPUT_DIRECTORY ${course_answers}/${place} ARCHIVE_OUTPUT_DIRECTORY ${course_answers}/${place})
   course_linked_with(${target} -shared ${course_answer_linker}
                      $<FILTER:$<TARGET_OBJECTS:answer_${real}>,EXCLUDE,[.]gch$>
                      ${course_libraries_of_answer_${id}})

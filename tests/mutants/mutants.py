@@ -543,9 +543,10 @@ def blame(errors):
         row = int(row) - 1
         marks = re.findall(r"/\*@(\d*)\*/", lines[row]) if row < len(lines) else []
         if not marks:  # a mutant's text may span lines
-            while row > 0 and not re.search(r"/\*@\d*\*/", lines[row]):
-                row -= 1
-            marks = re.findall(r"/\*@(\d*)\*/", lines[row])
+            above = row
+            while above > 0 and not re.search(r"/\*@\d*\*/", lines[above]):
+                above -= 1
+            marks = re.findall(r"/\*@(\d*)\*/", lines[above])
         if marks and marks[0]:
             numbers.add(int(marks[0]))
         else:  # said of what stands around it
