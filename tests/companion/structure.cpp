@@ -3,6 +3,7 @@
 
 #include <companion/model/exercise.hpp>
 #include <companion/model/mistakes.hpp>
+#include <companion/model/source.hpp>
 #include <map>
 #include <regex>
 #include <set>
@@ -12,6 +13,7 @@
 
 namespace fs = std::filesystem;
 using namespace source_text;
+using companion::code_of, companion::signatures;
 
 namespace {
 
