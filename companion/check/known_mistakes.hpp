@@ -21,6 +21,9 @@ struct MistakenAnswer {
 std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& exercise,
                                           const fs::path& below);
 
+// Whether the test case that should catch a mistake fails by an assertion, and runs to its end.
+bool is_caught(const Course& course, const MistakenAnswer& answer);
+
 // What fails in a mistake: every time, since with threads it may be something else from run to run.
 Signature what_always_fails(const Course& course, const MistakenAnswer& answer);
 
