@@ -88,13 +88,15 @@ void compare_stub(const Course& course, const Exercise& exercise, Lines& wrong) 
         if (count_todos(text, exercise.id) == 0)
             wrong.push_back(stub.string() + " calls no rt::todo(\"" + exercise.id +
                             "\"): the body of a stub is nothing else");
-        if (text.find("Exercise " + exercise.id + '.') == std::string::npos)
+        if (text.find("Exercise " + exercise.id) == std::string::npos)
             wrong.push_back(stub.string() +
-                            " does not say what to write: a comment begins with 'Exercise " +
-                            exercise.id + ".'");
+                            " does not say what to write: its comment begins with 'Exercise " +
+                            exercise.id + '\'');
         if (stub.extension() != ".hpp") continue;
-        const Lines written = signatures(read_text(course.root / solution));
-        for (const std::string& signature : signatures(text))
+        const Lines written = signatures(read_text(course.root / solution)),
+                    given = signatures(text);
+        if (given.empty()) wrong.push_back(stub.string() + " defines no function");
+        for (const std::string& signature : given)
             if (std::find(written.begin(), written.end(), signature) == written.end())
                 wrong.push_back(stub.string() + " has '" + signature + "', which " +
                                 solution.string() + " has not: both need the same");
@@ -133,7 +135,7 @@ std::string trouble_with_mistakes(const Course& course, const Exercise& exercise
         edited_files(mistake, course.root / "solutions" / exercise.chapter.name);
     return "";
 } catch (const app::Failure& failure) {
-    return failure.what();
+    return with_relative_paths(course, failure.what());
 }
 
 void count_mistakes(const Course& course, const Exercise& exercise, Lines& wrong) {
