@@ -21,8 +21,8 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FILES = ["README.md", "docs/**/*.md", "chapters/*/start/*.md", "chapters/*/questions.json", "course.json",
-         "companion/commands/commands.inc", "exercises/**/*.hpp", "solutions/**/*.hpp",
+FILES = ["README.md", "CONTRIBUTING.md", "docs/**/*.md", "chapters/*/start/*.md", "chapters/*/questions.json",
+         "course.json", "companion/commands/commands.inc", "exercises/**/*.hpp", "solutions/**/*.hpp",
          "chapters/*/rt/*.hpp"]
 WORD_LIST = ROOT / "tests" / "words.txt"
 HUNSPELL = ["hunspell", "-d", "en_US", "-i", "utf-8", "-a"]

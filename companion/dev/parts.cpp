@@ -145,7 +145,7 @@ void count_mistakes(const Course& course, const Exercise& exercise, Lines& wrong
         wrong.push_back(trouble);
     else if (const auto count = read_mistakes(course.root / file).size(); count < few_mistakes)
         wrong.push_back(file.string() + " has " + std::to_string(count) +
-                        " known mistakes: an exercise has three or more");
+                        " of the three known mistakes that an exercise has, or more");
 }
 
 std::string quoted_cases(const std::vector<TestCase>& tests) {

@@ -81,13 +81,35 @@ TEST_CASE("a new exercise has all of its parts, some of them to be written", "[d
             INFO(file << " has " << placeholder);
             CHECK(small.text(file).find(placeholder) == std::string::npos);
         }
-    CHECK(small.wrong() == std::vector<std::string>{
-                               mistakes + " has 1 known mistakes: an exercise has three or more"});
+    CHECK(small.wrong() ==
+          std::vector<std::string>{
+              mistakes + " has 1 of the three known mistakes that an exercise has, or more"});
     const auto all = wrong_parts(small.course(), find_exercise(small.course(), "01.2"));
     for (const fs::path& file : made)
         if (small.text(file).find(unwritten) != std::string::npos)
             CHECK(has(all, file.string() + ':'));
     CHECK(has(all, "docs/01.md:9 is still UNWRITTEN"));
+}
+
+TEST_CASE("each chapter can have another exercise", "[dev]") {
+    const Course here = this_course();
+    for (const Chapter& chapter : chapters(here)) {
+        const TemporaryFolder folder;
+        const Course copy{folder.path(), folder / "build"};
+        for (const fs::path& file :
+             {fs::path{"course.json"}, fs::path{"companion/dev/exercise.txt"}, chapter.text,
+              chapter.hints})
+            write_file(folder.path() / file, read_file(here.root / file));
+        const auto last = exercises(here, chapter).back();
+        const std::string id = chapter.number() + '.' + std::to_string(last.id.back() - '0' + 1);
+        INFO(id);
+        begin_exercise(copy, id, "newest");
+        const auto wrong = wrong_parts(copy, find_exercise(copy, id));
+        CHECK(std::all_of(wrong.begin(), wrong.end(), [](const std::string& line) {
+            return line.find("UNWRITTEN") != std::string::npos ||
+                   line.find("known mistakes") != std::string::npos;
+        }));
+    }
 }
 
 TEST_CASE("a new exercise changes nothing where its number or its name is taken", "[dev]") {

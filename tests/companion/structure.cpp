@@ -81,6 +81,7 @@ bool has_tag(const TestCase& test, const std::string& tag) {
 std::vector<fs::path> documents() {
     auto all = files(root / "docs", {".md"});
     all.push_back(root / "README.md");
+    all.push_back(root / "CONTRIBUTING.md");
     return all;
 }
 
@@ -232,6 +233,11 @@ TEST_CASE("the rooms of common and of the companion do not include each other", 
         INFO(room << " needs itself: which of the rooms that it includes, includes it?");
         CHECK(used.count(room) == 0);
     }
+    for (const char* const kind : {"chapters", "exercises", "solutions"})
+        for (const fs::path& path : files(root / kind, {".hpp", ".cpp"})) {
+            INFO(name(path));
+            CHECK(matches(read(path), "(#include <companion/)").empty());
+        }
 }
 
 TEST_CASE("there is no absolute epsilon in the solutions and in common", "[structure]") {
