@@ -811,7 +811,7 @@ class Companion(unittest.TestCase):
     def test_study_measures_what_passes(self):
         self.write("one", "right\n")
         said = self.course("study", "01", "--mine")
-        self.assertIn("Yours: 01.1. The solution's: 01.2. Tables are in ", said)
+        self.assertIn("Yours: 01.1. The solution's: 01.2. Tables and plots are in ", said)
         self.assertEqual(said.count(f"program --study {self.root}/out/study-mine"), 2)
         self.assertIn("Yours is as accurate and as fast as the solution's", said)
         for folder in ("study-mine", "study"):
