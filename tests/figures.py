@@ -219,6 +219,9 @@ def figures_at(text, start, end, row, quantity):
     between = re.compile(r"[ \w%$]* / (?=\d)").match(text, first.end(), end)
     if between and not quantity:
         numbers, quantities = [first, NUMBER.match(text, between.end(), end)], ["error", "cost"]
+    for one in quantities:
+        if not row[f"{one}_name"] or not float(row[one]) < float("inf"):
+            raise Wrong(f"the table has no {one} of {', '.join(row[field] for field in FIELDS)}")
     return [(*both, row) for both in zip(numbers, quantities)]
 
 
