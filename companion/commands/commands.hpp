@@ -38,6 +38,8 @@ int reset(const Course& course, const std::string& exercise);
 int run(const Course& course, const std::string& chapter, const std::vector<std::string>& options);
 // mine: measures the learner's code where it passes, next to the solution's.
 int study(const Course& course, const Named& chapter, bool mine);
+// Draws docs/plots from docs/studies.
+int study_of_texts(const Course& course);
 int watch(const Course& course, const Named& chapter);
 
 }  // namespace companion

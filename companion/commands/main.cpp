@@ -43,6 +43,7 @@ struct CommandLine {
     companion::Named answer;     // of ask --answer
     bool every_star = false;     // of check --stars
     bool is_mine = false;        // of study --mine
+    bool of_texts = false;       // of study --docs
     std::string folder;          // of own judge
     int rung = 0;                // likewise; 0: all
     companion::Named part;       // likewise
@@ -106,8 +107,11 @@ struct CommandLine {
         add("demo", [&] { return demo(course); });
         add("book", [&] { return book_mine(course); });  // the texts' pages are the script's part
         parser.get_subcommand("book")->add_flag("--mine")->required();
-        add("study", "chapter", [&] { return study(course, named, is_mine); });
-        parser.get_subcommand("study")->add_flag("--mine", is_mine);
+        CLI::Option* const studied = add("study", "chapter", [&] {
+            return of_texts ? study_of_texts(course) : study(course, named, is_mine);
+        });
+        CLI::App* const study = parser.get_subcommand("study");
+        study->add_flag("--docs", of_texts)->excludes(studied, study->add_flag("--mine", is_mine));
     }
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;
