@@ -43,8 +43,9 @@ int own_new(const Course& course, const Given& given) {
     const fs::path to = fs::absolute(folder);
     if (fs::exists(to) && (!fs::is_directory(to) || !fs::is_empty(to)))
         throw app::UsageError(folder + " exists and is not empty; name a new folder");
+    must_build(course, "own_start");
     fs::create_directories(to);
-    fs::copy(course.root / "chapters/09_own/start", to, fs::copy_options::recursive);
+    fs::copy(course.build / "own_start", to, fs::copy_options::recursive);
     change_state(course, [&](State& state) {
         if (!own_passes(state.own)) state.own = {.folder = to.string()};
     });

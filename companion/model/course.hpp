@@ -37,7 +37,7 @@ struct Chapter {
     fs::path text = {}, hints = {};
     std::string caption = {};  // what its picture shows
     bool uses_real = true;     // it uses rt::Real, so its exercises are checked in float, too
-    fs::path scene = {};       // the scene that its picture shows
+    fs::path scene = {};       // the scene that its picture shows, in the build folder
 
     bool has_exercises() const { return scene.empty(); }
 

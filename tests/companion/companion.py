@@ -117,6 +117,7 @@ class Companion(unittest.TestCase):
                         "09_own_solution"):
             cmake += (f"add_custom_target({program} COMMAND ${{CMAKE_COMMAND}} -E make_directory bin "
                       f"COMMAND ${{CMAKE_COMMAND}} -E copy ${{CMAKE_SOURCE_DIR}}/program.sh bin/{program})\n")
+        cmake += "add_custom_target(own_start)\n"
         for target in ("02.1", "02.1.float"):
             cmake += self.answer(target, "02_more/rt/three.hpp")
         self.put_course(self.chapter("01_tiny", self.facts))
@@ -232,10 +233,10 @@ class Companion(unittest.TestCase):
     def add_own_chapter(self):
         self.put_course(self.chapter("01_tiny", self.facts), {
             "name": "09_own", "core": True, "title": "Your own", "reading": 5, "minutes": 60,
-            "text": "docs/09-own.md", "caption": "A picture.", "scene": "chapters/09_own/start/one.txt"})
-        self.put("chapters/09_own/start/TASK.md", "# Your own\n")
-        self.put("chapters/09_own/start/main.cpp", "")
-        self.put("chapters/09_own/start/build.sh", "false\n")
+            "text": "docs/09-own.md", "caption": "A picture.", "scene": "own_start/one.txt"})
+        self.put("build/own_start/TASK.md", "# Your own\n")
+        self.put("build/own_start/main.cpp", "")
+        self.put("build/own_start/build.sh", "false\n")
         # Both programs draw one black pixel, whatever the scene.
         self.put("program.sh", "#!/bin/sh\nprintf 'P3 1 1 255 0 0 0' >$2\n")
 
@@ -811,7 +812,7 @@ class Companion(unittest.TestCase):
     def test_study_measures_what_passes(self):
         self.write("one", "right\n")
         said = self.course("study", "01", "--mine")
-        self.assertIn("Yours: 01.1. The solution's: 01.2. Tables are in ", said)
+        self.assertIn("Yours: 01.1. The solution's: 01.2. Tables and plots are in ", said)
         self.assertEqual(said.count(f"program --study {self.root}/out/study-mine"), 2)
         self.assertIn("Yours is as accurate and as fast as the solution's", said)
         for folder in ("study-mine", "study"):

@@ -121,7 +121,7 @@ TEST_CASE("a chapter of rungs has minutes and a scene in place of exercises", "[
     REQUIRE(rungs);
     CHECK(rungs->name == "09_own");
     CHECK(rungs->minutes == 240);
-    CHECK(companion::fs::exists(here.root / rungs->scene));
+    CHECK(companion::fs::exists(here.build / rungs->scene));
     CHECK(companion::every_chapter(here).size() == companion::chapters(here).size() + 1);
     for (const Chapter& chapter : companion::chapters(here)) CHECK(chapter.has_exercises());
 }

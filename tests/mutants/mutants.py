@@ -477,7 +477,7 @@ class Answer:
             del words[at:at + 2]
         first = 2 if "ccache" in words[0] else 1
         every_error = "-ferror-limit=0" if "clang" in words[first - 1] else "-fmax-errors=0"
-        words[first:first] = [f"-I{edited}", f"-I{edited}/rt", "-w", every_error, "-fno-diagnostics-show-caret"]
+        words[first:first] = [f"-I{edited}", f"-I{edited}/rt", f"-I{ROOT}/common", "-w", every_error, "-fno-diagnostics-show-caret"]
         return words
 
     def compile(self, edited, only_errors=False):
