@@ -216,6 +216,12 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
     return all;
 }
 
+void prepare_check(const Course& course, const Exercise& exercise) {
+    std::vector<std::string> targets{"check." + exercise.id};
+    if (exercise.chapter.uses_real) targets.push_back(targets[0] + ".float");
+    build(course, targets);
+}
+
 void check_in_float(const Course& course, std::vector<Checked>& all) {
     struct Try {
         Checked* in_double;

@@ -84,6 +84,10 @@ struct Checked {
 // that is not begun is not built. Throws app::Failure if the build itself is broken.
 std::vector<Checked> check_exercises(const Course& course, const std::vector<Exercise>& exercises);
 
+// Compiles the test cases of an exercise, in both precisions, so that its first check need only
+// compile the answer. What cannot be built is left for that check to say.
+void prepare_check(const Course& course, const Exercise& exercise);
+
 // Tries those that pass, and that compute with rt::Real, once more with Real as float. If the core
 // fails there, the verdict changes; a hard case that fails is an open star. Both are remembered.
 void check_in_float(const Course& course, std::vector<Checked>& all);

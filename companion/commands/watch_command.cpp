@@ -46,6 +46,10 @@ class Watch {
           on_terminal_{::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO)},
           keyboard_{on_terminal_} {}
 
+    ~Watch() {
+        if (preparing_.joinable()) preparing_.join();
+    }
+
     int run() {
         seen_ = written(course_, all_);
         go_on();
@@ -81,6 +85,7 @@ class Watch {
             if (progress_of(course_, state, *next) == Progress::to_write) {
                 print('\n' + next_step(course_, &*next));
                 print_keys();
+                prepare();
                 return;
             }
             if (!check_current()) return;
@@ -199,6 +204,19 @@ class Watch {
         }
         print('\n' + next_step(course_, &all_[current_]));
         print_keys();
+        prepare();
+    }
+
+    // Prepares the check of the current exercise while the learner reads and writes.
+    void prepare() {
+        if (preparing_.joinable()) preparing_.join();
+        preparing_ = std::thread{[this, exercise = all_[current_]] {
+            try {
+                prepare_check(course_, exercise);
+            } catch (const std::exception&) {
+                // The check itself will say what is wrong.
+            }
+        }};
     }
 
     void print_keys() const {
@@ -216,6 +234,7 @@ class Watch {
     bool on_terminal_;
     Keyboard keyboard_;
     Written seen_;
+    std::thread preparing_;
 };
 
 }  // namespace
