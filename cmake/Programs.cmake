@@ -144,6 +144,18 @@ function(course_given_tests chapter)
   endforeach()
 endfunction()
 
+# course_graft(chapter): the program that the chapter's graft leads to, for the learner's to be compared with.
+function(course_graft chapter)
+  string(SUBSTRING ${chapter} 0 2 number)
+  set(source ${CMAKE_SOURCE_DIR}/solutions/tracer/${number}.cpp)
+  if(NOT EXISTS ${source})
+    return()
+  endif()
+  add_executable(tracer.${number} EXCLUDE_FROM_ALL ${source})
+  target_include_directories(tracer.${number} PRIVATE ${course_folders_${chapter}} ${CMAKE_SOURCE_DIR}/common)
+  target_link_libraries(tracer.${number} PRIVATE course_flags Threads::Threads)
+endfunction()
+
 # course_chapter(NN_topic): all targets and tests of one chapter. Its CMakeLists.txt calls this, and adds what the
 # chapter alone has.
 function(course_chapter chapter)
@@ -165,6 +177,7 @@ function(course_chapter chapter)
   foreach(id ${course_ids_${chapter}})
     course_exercise(${chapter} ${id})
   endforeach()
+  course_graft(${chapter})
   course_certificate(${chapter})
   course_mistake_tests(${chapter})
   course_given_tests(${chapter})

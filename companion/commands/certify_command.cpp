@@ -296,7 +296,7 @@ int certify(const Course& course, const Given&) {
     std::puts("Not there yet; out/certificate.html shows how far you are.");
     const bool is_exercise = !ids.empty() && ids.begin()->find('.') != std::string::npos;
     if (is_exercise) std::printf("Next: ./course check %s\n", ids.begin()->c_str());
-    if (!ids.empty() && !is_exercise) print(next_step(course, nullptr));
+    if (!ids.empty() && !is_exercise) print(next_step(course, next_on_route(course)));
     return written ? app::could_not : app::still_to_write;
 }
 

@@ -35,28 +35,6 @@ LooksLike what_it_looks_like(const Course& course, const Checked& checked) {
     return what_it_looks_like(course, checked.exercise, checked.tests());
 }
 
-// The exercises to do after these: the later ones in the chapter of the last of these, else the
-// earlier ones in it, else those of later chapters, else those of earlier ones, electives excluded.
-// Empty if every core passes.
-std::vector<Exercise> left_after(const Course& course, const std::vector<Checked>& all) {
-    const State state = read_state(course);
-    std::vector<Exercise> later, same_chapter, later_chapters, earlier_chapters;
-    for (Exercise& exercise : exercises(course)) {
-        if (passes(progress_of(course, state, exercise))) continue;
-        const std::string last = all.empty() ? "" : all.back().exercise.id;
-        const bool is_later = exercise.id > last;
-        const bool is_same =
-            !all.empty() && exercise.chapter.name == all.back().exercise.chapter.name;
-        if (!is_same && !exercise.chapter.core) continue;
-        auto& kind = is_same ? (is_later ? later : same_chapter)
-                             : (is_later ? later_chapters : earlier_chapters);
-        kind.push_back(std::move(exercise));
-    }
-    for (auto* const kind : {&later, &same_chapter, &later_chapters, &earlier_chapters})
-        if (!kind->empty()) return *kind;
-    return {};
-}
-
 // The chapters among these whose exercises all pass.
 std::vector<Chapter> chapters_done(const Course& course, const std::vector<Checked>& all) {
     const State state = read_state(course);
@@ -146,11 +124,11 @@ int check(const Course& course, const Given& given) {
     print_stars(course, all, given.has("--stars"));
     print_chapters_done(course, chapters_done(course, all));
     if (shown != all.end()) {
-        print('\n' + next_step(course, &shown->exercise));
+        print('\n' + next_step(course, shown->exercise));
         return app::still_to_write;
     }
-    const std::vector<Exercise> left = left_after(course, all);
-    print('\n' + next_step(course, left.empty() ? nullptr : &left.front()));
+    print('\n' +
+          next_step(course, next_on_route(course, all.empty() ? "" : all.back().exercise.id)));
     return all.empty() ? app::still_to_write : app::done;
 }
 

@@ -82,7 +82,6 @@ Work work_of(const Course& course, const State& state, const Chapter& chapter,
 int list(const Course& course, const Given&) {
     const State state = read_state(course);
     Work total, electives;
-    std::vector<Exercise> every;
     for (const Chapter& chapter : every_chapter(course)) {
         if (!chapter.has_exercises()) {
             std::printf("%s %s %s, %s\n", name_of(chapter).c_str(),
@@ -106,8 +105,13 @@ int list(const Course& course, const Given&) {
                 now == Progress::core
                     ? (", " + stars_open(state.exercises.at(exercise.id).open_stars)).c_str()
                     : "");
-            if (chapter.core) every.push_back(exercise);
         }
+        if (chapter.graft)
+            std::printf(
+                "  %s  graft %s\n",
+                marked(state.grafts.count(chapter.number()) ? Progress::done : Progress::to_write)
+                    .c_str(),
+                chapter.graft->title.c_str());
         if (!chapter.core) {
             electives.done += part.done;
             electives.exercises += part.exercises;
@@ -128,7 +132,7 @@ int list(const Course& course, const Given&) {
     if (electives.done > 0)
         std::printf("Beyond the course: %d of %d exercises in electives\n", electives.done,
                     electives.exercises);
-    std::printf("\n%s", next_step(course, first_open(course, state, every)).c_str());
+    std::printf("\n%s", next_step(course, next_on_route(course)).c_str());
     return app::done;
 }
 

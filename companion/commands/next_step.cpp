@@ -35,19 +35,28 @@ std::string step_after_the_exercises(const Course& course) {
 
 }  // namespace
 
-std::string next_step(const Course& course, const Exercise* next) {
+std::string next_step(const Course& course, const std::optional<Step>& next) {
     if (!next)
         return (electives_left(course).empty() ? "Every exercise passes. "
                                                : "Every exercise of the core passes. ") +
                step_after_the_exercises(course);
-    if (const std::string trouble = trouble_with_files(course, *next); !trouble.empty())
+    if (next->exercise) return next_step(course, *next->exercise);
+    const Graft& graft = *next->chapter.graft;
+    return "Next: " + bold(next->id() + ", " + graft.title) + ", about " +
+           std::to_string(graft.minutes) + " minutes, in your own tracer\n  read   " +
+           next->chapter.text.string() + ", section Graft\n  write  exercises/tracer/tracer.cpp\n" +
+           "  check  ./course tracer\n";
+}
+
+std::string next_step(const Course& course, const Exercise& next) {
+    if (const std::string trouble = trouble_with_files(course, next); !trouble.empty())
         return red(trouble) + '\n';
-    return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
-           std::to_string(next->minutes) + " minutes" +
-           (next->star_minutes > 0 ? " (its stars: " + std::to_string(next->star_minutes) + " more)"
-                                   : "") +
-           "\n  read   " + next->section() + "\n  write  " + next->file_list() +
-           "\n  check  ./course check " + next->id + '\n';
+    return "Next: " + bold(next.id + ' ' + next.title) + ", about " + std::to_string(next.minutes) +
+           " minutes" +
+           (next.star_minutes > 0 ? " (its stars: " + std::to_string(next.star_minutes) + " more)"
+                                  : "") +
+           "\n  read   " + next.section() + "\n  write  " + next.file_list() +
+           "\n  check  ./course check " + next.id + '\n';
 }
 
 std::string chapter_done(const Chapter& chapter, int open_stars) {

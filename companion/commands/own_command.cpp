@@ -1,15 +1,12 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <app/cores.hpp>
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
-#include <companion/commands/commands.hpp>
+#include <companion/commands/judged_lines.hpp>
 #include <companion/own/judge.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
 #include <ctime>
-#include <random>
 
 namespace companion {
 namespace {
@@ -26,14 +23,6 @@ std::string asked_part(const Given& given) {
     std::string known;
     for (const std::string& one : parts) known += (known.empty() ? "" : ", ") + one;
     throw app::UsageError("--part: there is no part '" + name + "'; the parts are " + known);
-}
-
-void print_line(const JudgedLine& line) {
-    const std::string first = (line.passed ? "+ " : "x ") + line.what + '\n';
-    print((line.passed ? green(first) : red(first)) + wrapped(line.actual, "    ") + '\n');
-    if (line.passed) return;
-    print(wrapped("expected: " + line.expected, "    ") + '\n');
-    if (!line.suggestion.empty()) print(wrapped(line.suggestion, "    ") + '\n');
 }
 
 }  // namespace
@@ -57,34 +46,26 @@ int own_new(const Course& course, const Given& given) {
 int own_judge(const Course& course, const Given& given) {
     const std::string &folder = *given.named, part = asked_part(given);
     must_build(course, "09_own_solution");
-    const std::uint64_t wanted = given.number("--seed"),
-                        seed = wanted ? wanted : 1 + std::random_device{}() % 9999;
+    const std::uint64_t seed = scenes_seed(given);
     print("Scenes of seed " + std::to_string(seed) +
           (part.empty() ? "; this takes a few minutes" : "") + ".\n");
 
     const fs::path path = fs::absolute(folder).lexically_normal();
     const std::string hash = hash_of_own(path);  // of what is judged, whatever is typed meanwhile
-    const bool on_terminal = ::isatty(STDOUT_FILENO);
-    int passed = 0, lines = 0;
+    JudgedLines lines;
     JudgeRequest request{path, course.program("09_own_solution"), seed, part,
                          app::physical_cores()};
-    if (on_terminal)
-        request.begins = [](const std::string& what) { print(dim("  " + what + " ...")); };
-    judge(request, [&](const JudgedLine& line) {
-        ++lines;
-        passed += line.passed;
-        if (on_terminal) print("\r\033[K");
-        print_line(line);
-    });
+    request.begins = lines.begins;
+    judge(request, std::ref(lines));
     if (part.empty())
         change_state(course, [&](State& state) {
-            const bool first = passed == lines && state.own.first_passed == 0;
-            state.own = {path.string(), hash, lines, passed,
+            const bool first = lines.passed == lines.lines && state.own.first_passed == 0;
+            state.own = {path.string(), hash, lines.lines, lines.passed,
                          first ? std::time(nullptr) : state.own.first_passed};
         });
-    print("\n" + std::to_string(passed) + " of " + std::to_string(lines) +
+    print("\n" + std::to_string(lines.passed) + " of " + std::to_string(lines.lines) +
           " lines pass. To repeat the same scenes: --seed " + std::to_string(seed) + "\n");
-    if (passed < lines) return app::could_not;
+    if (lines.passed < lines.lines) return app::could_not;
     if (part.empty()) print(bold("You are the author of a ray tracer.") + " ./course certify\n");
     if (const auto rung = given.number("--rung"); rung > 0)
         print("Next: ./course own judge " + folder +

@@ -1,33 +1,13 @@
 #include <app/errors.hpp>
 #include <app/files.hpp>
-#include <chrono>
 #include <companion/commands/commands.hpp>
 #include <companion/model/exercise.hpp>
-#include <companion/model/state.hpp>
+#include <companion/model/kept.hpp>
 #include <companion/model/stubs.hpp>
 #include <companion/system/files.hpp>
 #include <cstdio>
-#include <ctime>
 
 namespace companion {
-namespace {
-
-// .course/kept/01.3-20260131-174500, or with -2, -3, ... if that already exists.
-fs::path new_folder(const Course& course, const Exercise& exercise) {
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    char time[32];
-    std::strftime(time, sizeof time, "%Y%m%d-%H%M%S", std::localtime(&now));
-    const fs::path kept = private_folder(course) / "kept";
-    fs::create_directories(kept);
-    const std::string name = exercise.id + '-' + time;
-    for (int i = 1;; ++i) {
-        const fs::path folder = kept / (i == 1 ? name : name + '-' + std::to_string(i));
-        if (fs::create_directory(folder)) return folder;  // false if it exists
-    }
-}
-
-}  // namespace
-
 int reset(const Course& course, const Given& given) {
     const Exercise exercise = find_exercise(course, *given.named);
     std::vector<fs::path> changed;
@@ -52,7 +32,7 @@ int reset(const Course& course, const Given& given) {
     for (const fs::path& file : changed) {
         const fs::path path = course.root / file;
         if (fs::exists(path)) {
-            if (folder.empty()) folder = new_folder(course, exercise);
+            if (folder.empty()) folder = new_kept_folder(course, exercise.id);
             fs::copy_file(path, folder / path.filename());
             std::printf(
                 "kept   %s\n",

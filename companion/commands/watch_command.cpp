@@ -77,13 +77,13 @@ class Watch {
                 std::find_if(all_.begin() + static_cast<long>(current_), all_.end(), is_open);
             if (next == all_.end()) next = std::find_if(all_.begin(), all_.end(), is_open);
             if (next == all_.end()) {
-                print('\n' + next_step(course_, nullptr));
+                print('\n' + next_step(course_, next_on_route(course_)));
                 print_keys();
                 return;
             }
             current_ = static_cast<std::size_t>(next - all_.begin());
             if (progress_of(course_, state, *next) == Progress::to_write) {
-                print('\n' + next_step(course_, &*next));
+                print('\n' + next_step(course_, *next));
                 print_keys();
                 prepare();
                 return;
@@ -202,7 +202,7 @@ class Watch {
             current_ = i;
             break;
         }
-        print('\n' + next_step(course_, &all_[current_]));
+        print('\n' + next_step(course_, all_[current_]));
         print_keys();
         prepare();
     }
@@ -240,12 +240,12 @@ class Watch {
 }  // namespace
 
 int watch(const Course& course, const Given& given) {
-    std::vector<Chapter> watched = core_chapters(course);
+    std::vector<Exercise> all = exercises_on_route(course);
     std::optional<Chapter> chapter;
     if (given.named) chapter = find_chapter(course, *given.named);
     // It does not go on to an elective by itself.
-    if (chapter && !chapter->core) watched.push_back(*chapter);
-    std::vector<Exercise> all = exercises(course, watched);
+    if (chapter && !chapter->core)
+        for (Exercise& exercise : exercises(course, *chapter)) all.push_back(std::move(exercise));
     std::size_t first = 0;
     if (chapter)
         while (first < all.size() && all[first].chapter.name != chapter->name) ++first;

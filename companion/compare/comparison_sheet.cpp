@@ -77,6 +77,18 @@ void write(Image& sheet, int left, std::string_view text) {
 
 }  // namespace
 
+Image side_by_side(const Image& mine, const Image& ours) {
+    Image sheet{2 * mine.width() + 3 * gap, mine.height() + head + gap, paper};
+    int left = gap;
+    for (const auto& [image, name] : {std::pair{&mine, "YOURS"}, {&ours, "OURS"}}) {
+        for (int y = 0; y < image->height(); ++y)
+            for (int x = 0; x < image->width(); ++x) sheet.at(left + x, head + y) = image->at(x, y);
+        write(sheet, left, name);
+        left += mine.width() + gap;
+    }
+    return sheet;
+}
+
 Image comparison_sheet(const Comparison& comparison) {
     const Image mine = mean_of(comparison.mine), solution = mean_of(comparison.solution);
     const int width = solution.width(), height = solution.height();

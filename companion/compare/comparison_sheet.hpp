@@ -8,4 +8,7 @@ namespace companion {
 // is too bright, blue where it is too dark, violet where its color or noise differs.
 rt::Image comparison_sheet(const Comparison& comparison);
 
+// Two pictures of one size beside each other, the learner's on the left.
+rt::Image side_by_side(const rt::Image& mine, const rt::Image& ours);
+
 }  // namespace companion

@@ -23,6 +23,17 @@ struct Course {
 // The copy of the course that this program was built from.
 Course this_course();
 
+// What a chapter's end changes in the learner's own program, exercises/tracer/tracer.cpp.
+struct Graft {
+    std::string title = {};  // "Any scene"
+    int minutes = 0;
+    std::vector<std::string> headers = {};  // that it must use, such as "nearest_sphere.hpp"
+    // What the program is called with: nothing; a position of the eye; a scene and a picture file.
+    enum class Reads { nothing, eye, scene } reads = Reads::scene;
+    bool still = false;           // its pictures have no noise
+    std::vector<int> rungs = {};  // of chapter 09, whose scenes it must draw
+};
+
 // A chapter as course.json describes it. Paths are within the course. A chapter of
 // exercises has hints; one of rungs has a scene instead: there the learner writes a whole
 // program, in a folder of their own.
@@ -38,6 +49,8 @@ struct Chapter {
     std::string caption = {};  // what its picture shows
     bool uses_real = true;     // it uses rt::Real, so its exercises are checked in float, too
     fs::path scene = {};       // the scene that its picture shows, in the build folder
+
+    std::optional<Graft> graft = {};
 
     bool has_exercises() const { return scene.empty(); }
 

@@ -30,6 +30,36 @@ Exercise read_exercise(const Value& value, const Chapter& chapter) {
     return exercise;
 }
 
+Graft read_graft(const Value& value) {
+    Graft graft{.title = text(value.at("title")), .minutes = minutes(value.at("minutes"))};
+    for (const Value& header : value.at("headers").list("headers", 1))
+        graft.headers.push_back(text(header));
+    const std::string reads = value.at("reads").word({"nothing", "eye", "scene"});
+    graft.reads = reads == "nothing" ? Graft::Reads::nothing
+                  : reads == "eye"   ? Graft::Reads::eye
+                                     : Graft::Reads::scene;
+    if (const auto still = value.find("still")) graft.still = still->yes();
+    if (const auto rungs = value.find("rungs"))
+        for (const Value& rung : rungs->list("rungs", 1))
+            graft.rungs.push_back(static_cast<int>(rung.whole(1, 9)));
+    return graft;
+}
+
+// Reads the route, which has each exercise of the core and each graft once.
+void read_route(const Value& value, CourseFile& file) {
+    std::vector<std::string> wanted;
+    for (const Exercise& exercise : file.exercises)
+        if (exercise.chapter.core) wanted.push_back(exercise.id);
+    for (const Chapter& chapter : file.chapters)
+        if (chapter.graft) wanted.push_back("graft " + chapter.number());
+    for (const Value& step : value.list("steps", 1)) {
+        file.route.push_back(text(step));
+        if (std::erase(wanted, file.route.back()) == 0)
+            step.fail("must be an exercise of the core or a graft, each of them once");
+    }
+    if (!wanted.empty()) value.fail("lacks " + wanted.front());
+}
+
 }  // namespace
 
 CourseFile read_course_file(const Course& course) {
@@ -60,12 +90,17 @@ CourseFile read_course_file(const Course& course) {
             chapter.minutes += exercise.minutes;
             chapter.star_minutes += exercise.star_minutes;
         }
+        if (const auto graft = value.find("graft")) {
+            chapter.graft = read_graft(*graft);
+            chapter.minutes += chapter.graft->minutes;
+        }
         file.chapters.push_back(chapter);
         for (Exercise& exercise : exercises) {
             exercise.chapter = chapter;
             file.exercises.push_back(std::move(exercise));
         }
     }
+    read_route(whole.at("route"), file);
     return file;
 }
 

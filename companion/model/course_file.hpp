@@ -8,6 +8,7 @@ namespace companion {
 struct CourseFile {
     std::vector<Chapter> chapters;
     std::vector<Exercise> exercises;  // of all chapters; what was shipped of them is not filled in
+    std::vector<std::string> route;   // "NN.k" or "graft NN": each of the core's once
 };
 
 // Throws app::Failure if there is no such file, and app::UsageError, with the position in the file

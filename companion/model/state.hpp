@@ -45,11 +45,16 @@ struct DrawnRecord {
     std::vector<std::string> yours{};  // the exercises that ran the learner's code
 };
 
+// When the learner's own program first passed a chapter's graft, in seconds since 1970, by the
+// chapter's number. The program goes on to change, so a graft that has passed stays passed.
+using GraftTimes = std::map<std::string, std::int64_t>;
+
 struct State {
     std::map<std::string, Record> exercises{};
     std::map<std::string, Answered> answers{};  // by the question's key
     OwnRecord own{};
     DrawnRecord drawn{};
+    GraftTimes grafts{};
 };
 
 // The folder for what the companion keeps. It is created if it is missing.

@@ -174,10 +174,17 @@ void judge(const JudgeRequest& request, const std::function<void(const JudgedLin
         return;
     }
     own->patience = request.patience;
-    const OwnProgram reference = OwnProgram::existing(request.reference);
+    judge_program(*own, request, request.part.empty() ? judge_parts() : std::vector{request.part},
+                  report);
+}
+
+void judge_program(const OwnProgram& own, const JudgeRequest& request,
+                   const std::vector<std::string>& parts,
+                   const std::function<void(const JudgedLine&)>& report) {
+    const OwnProgram reference{OwnProgram::Existing{}, request.reference};
     bool left_out = false;
-    const Trial trial{request, *own, reference, [&](JudgedLine line, const auto& look) {
-                          left_out = own->times_out() > 1;  // the next one would not end, either
+    const Trial trial{request, own, reference, [&](JudgedLine line, const auto& look) {
+                          left_out = own.times_out() > 1;  // the next one would not end, either
                           if (left_out) return;
                           request.begins(line.what);
                           try {
@@ -188,8 +195,7 @@ void judge(const JudgeRequest& request, const std::function<void(const JudgedLin
                           }
                           report(line);
                       }};
-    for (const std::string& part : judge_parts())
-        if (request.part.empty() || request.part == part) judge_part(trial, part);
+    for (const std::string& part : parts) judge_part(trial, part);
     if (left_out)
         report({false, "the rest", "not judged: the program timed out twice", "a program that ends",
                 ""});

@@ -28,6 +28,8 @@ struct JudgeRequest {
     std::string part{};          // only this part; empty: everything
     int cores = 2;               // physical ones
     double patience = 60;        // seconds for one picture
+    int crowd = 10'000;          // spheres in the scenes on which all cores are measured
+    double tree_gain = 10;       // how many times as fast as --list a tree must be
     // Called when a line is begun, which may take long.
     std::function<void(const std::string& what)> begins = [](const std::string&) {};
 };
@@ -39,5 +41,12 @@ std::vector<std::string> judge_parts();
 // Judges, and reports each line as soon as it is known. A program that cannot be built is one line
 // that fails; so is everything that was not looked at because the program did not end.
 void judge(const JudgeRequest& request, const std::function<void(const JudgedLine&)>& report);
+
+class OwnProgram;
+
+// The same of a program that is built already, and of these parts.
+void judge_program(const OwnProgram& own, const JudgeRequest& request,
+                   const std::vector<std::string>& parts,
+                   const std::function<void(const JudgedLine&)>& report);
 
 }  // namespace companion

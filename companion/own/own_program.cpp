@@ -60,7 +60,7 @@ OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& o
         throw app::Failure("build.sh ran but did not make a program named own");
 }
 
-OwnProgram::OwnProgram(const fs::path& program, Existing)
+OwnProgram::OwnProgram(Existing, const fs::path& program)
     : work_{new_folder()}, program_{fs::absolute(program)} {}
 
 OwnProgram::~OwnProgram() {

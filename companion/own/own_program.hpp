@@ -19,7 +19,8 @@ class OwnProgram {
     // app::Failure with the compiler's words.
     OwnProgram(const fs::path& folder, const std::vector<std::string>& options = {});
     // A program that already exists.
-    static OwnProgram existing(const fs::path& program) { return OwnProgram{program, Existing{}}; }
+    struct Existing {};
+    OwnProgram(Existing, const fs::path& program);
     ~OwnProgram();
     OwnProgram(const OwnProgram&) = delete;
     OwnProgram& operator=(const OwnProgram&) = delete;
@@ -42,8 +43,6 @@ class OwnProgram {
     int times_out() const { return times_out_; }  // how often it did not end
 
   private:
-    struct Existing {};
-    OwnProgram(const fs::path& program, Existing);
     fs::path work_;  // for the copy, scenes and pictures
     fs::path program_;
     mutable std::atomic<int> times_out_ = 0;

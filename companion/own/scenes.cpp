@@ -191,12 +191,12 @@ std::string lens(Any& any) {
     return scene.text();
 }
 
-std::string crowd_of(std::uint64_t seed, int width, int height, bool twins) {
+std::string crowd_of(std::uint64_t seed, int width, int height, int spheres, bool twins) {
     Any any{seed, 90};
     Writer scene;
     scene.picture(width, height, 1).camera({any(-20, 20), any(15, 25), 55}, {0, 0, 0}, any(35, 45));
     sky(scene, any);
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < spheres; ++i) {
         const double kind = any(0, 1);
         const std::array<double, 3> center{any(-25, 25), any(-12, 12), any(-25, 25)};
         const double radius = any(0.05, 0.5);
@@ -215,12 +215,12 @@ std::string crowd_of(std::uint64_t seed, int width, int height, bool twins) {
 
 }  // namespace
 
-std::string crowd(std::uint64_t seed, int width, int height) {
-    return crowd_of(seed, width, height, false);
+std::string crowd(std::uint64_t seed, int width, int height, int spheres) {
+    return crowd_of(seed, width, height, spheres, false);
 }
 
 std::string crowd_with_twins(std::uint64_t seed, int width, int height) {
-    return crowd_of(seed, width, height, true);
+    return crowd_of(seed, width, height, 10'000, true);
 }
 
 std::string some_of_all(std::uint64_t seed) {

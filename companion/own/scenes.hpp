@@ -27,8 +27,8 @@ std::vector<Rung> own_rungs(std::uint64_t seed);
 // Scenes in which rounding shows: far, tiny, huge, nested, and scaled by 1/1000 and 1000.
 std::vector<OwnScene> hard_scenes(std::uint64_t seed);
 
-// 10,000 spheres of all materials, in a picture of this size with one sample a pixel.
-std::string crowd(std::uint64_t seed, int width, int height);
+// Spheres of all materials, in a picture of this size with one sample a pixel.
+std::string crowd(std::uint64_t seed, int width, int height, int spheres = 10'000);
 
 // The same, but every second sphere appears twice, with two materials: the later one counts.
 std::string crowd_with_twins(std::uint64_t seed, int width, int height);

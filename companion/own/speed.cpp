@@ -38,30 +38,31 @@ Turns in_turns(const Timed& first, const Timed& second, const std::string& scene
     return {study::median(of_first), study::median(of_second), study::median(ratios)};
 }
 
-std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, double wanted) {
+std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, double wanted,
+                        int spheres) {
     for (int width = 16;; width = width * 3 / 2) {
-        const std::string scene = crowd(seed, width, width * 9 / 16);
+        const std::string scene = crowd(seed, width, width * 9 / 16, spheres);
         if (width >= 2048 || time_of(timed, scene, clock) > wanted) return scene;
     }
 }
 
 void judge_cores(const Trial& trial) {
-    trial.line({false, "rung 8: the same bytes for 1, 2, 3 and 8 threads", "", "the same bytes",
-                "Does a thread use another thread's random numbers, or do two threads write to the "
-                "same memory?"},
-               [&](JudgedLine& line) {
-                   const std::string scene = crowd(trial.request.seed, 160, 90);
-                   const std::string one = trial.own.picture(scene, {"--threads", "1"}).bytes;
-                   line.passed = true;
-                   line.actual = "the same bytes";
-                   for (const char* threads : {"2", "3", "8"})
-                       for (int again = 0; line.passed && again < 2; ++again)
-                           if (trial.own.picture(scene, {"--threads", threads}).bytes != one) {
-                               line.passed = false;
-                               line.actual =
-                                   std::string{"different bytes with "} + threads + " threads";
-                           }
-               });
+    trial.line(
+        {false, "rung 8: the same bytes for 1, 2, 3 and 8 threads", "", "the same bytes",
+         "Does a thread use another thread's random numbers, or do two threads write to the "
+         "same memory?"},
+        [&](JudgedLine& line) {
+            const std::string scene = crowd(trial.request.seed, 160, 90, trial.request.crowd);
+            const std::string one = trial.own.picture(scene, {"--threads", "1"}).bytes;
+            line.passed = true;
+            line.actual = "the same bytes";
+            for (const char* threads : {"2", "3", "8"})
+                for (int again = 0; line.passed && again < 2; ++again)
+                    if (trial.own.picture(scene, {"--threads", threads}).bytes != one) {
+                        line.passed = false;
+                        line.actual = std::string{"different bytes with "} + threads + " threads";
+                    }
+        });
     const int cores = std::max(2, trial.request.cores);
     const double asked = 0.8 * trial.request.cores;
     trial.line(
@@ -71,8 +72,8 @@ void judge_cores(const Trial& trial) {
         [&](JudgedLine& line) {
             const std::vector<std::string> one{"--threads", "1"},
                 all{"--threads", std::to_string(cores)};
-            const std::string scene =
-                long_enough({trial.own, one}, trial.request.seed, Clock::wall, 1);
+            const std::string scene = long_enough({trial.own, one}, trial.request.seed, Clock::wall,
+                                                  1, trial.request.crowd);
             const Turns mine = in_turns({trial.own, one}, {trial.own, all}, scene, Clock::wall, 5);
             // Is it the program, or is the machine busy with other things?
             const Turns ours =
@@ -100,7 +101,8 @@ void judge_tree(const Trial& trial) {
         });
     trial.line(
         {false, "rung 9: the tree against --list", "",
-         "at least 10 times as fast, in processor time",
+         "at least " + number(trial.request.tree_gain, "%.0f") +
+             " times as fast, in processor time",
          "Do you skip everything in a box if the ray misses the box, or has already hit "
          "something nearer? std::fmin and std::fmax are slow; std::min and std::max are not."},
         [&](JudgedLine& line) {
@@ -108,7 +110,7 @@ void judge_tree(const Trial& trial) {
                 tree{trial.own, {"--threads", "1"}};
             const std::string scene = long_enough(list, trial.request.seed, Clock::processor, 1.5);
             const Turns turns = in_turns(list, tree, scene, Clock::processor, 3);
-            line.passed = turns.ratio >= 10;
+            line.passed = turns.ratio >= trial.request.tree_gain;
             line.actual = times_as_fast(turns);
         });
 }

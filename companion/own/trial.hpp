@@ -35,7 +35,8 @@ Turns in_turns(const Timed& first, const Timed& second, const std::string& scene
 
 // A crowd in a picture large enough that drawing it takes the wanted time, so that the time for
 // reading the scene does not count.
-std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, double wanted);
+std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, double wanted,
+                        int spheres = 10'000);
 
 // "1.53", and with another format "1.5 s".
 std::string number(double value, const char* format = "%.2f");

@@ -48,7 +48,7 @@ bool holds(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("every scene that is made up is a scene", "[own]") {
-    const OwnProgram ours = OwnProgram::existing(our_program());
+    const OwnProgram ours{OwnProgram::Existing{}, our_program()};
     for (const std::uint64_t seed : {1, 2}) {
         std::vector<OwnScene> scenes = hard_scenes(seed);
         for (const Rung& rung : own_rungs(seed))
@@ -68,7 +68,7 @@ TEST_CASE("every scene that is made up is a scene", "[own]") {
 }
 
 TEST_CASE("our program refuses what is broken", "[own]") {
-    const OwnProgram ours = OwnProgram::existing(our_program());
+    const OwnProgram ours{OwnProgram::Existing{}, our_program()};
     for (const OwnScene& scene : broken_scenes()) {
         INFO(scene.name);
         CHECK(ours.draw(scene.text, {}).result.exit_code == 1);

@@ -1,0 +1,132 @@
+#include <app/errors.hpp>
+#include <app/files.hpp>
+#include <companion/build/build.hpp>
+#include <companion/check/yours.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/commands/judged_lines.hpp>
+#include <companion/commands/next_step.hpp>
+#include <companion/compare/comparison_sheet.hpp>
+#include <companion/model/kept.hpp>
+#include <companion/own/graft_judge.hpp>
+#include <companion/own/tracer.hpp>
+#include <companion/system/files.hpp>
+#include <companion/system/terminal.hpp>
+#include <ctime>
+#include <rt/image_file.hpp>
+
+namespace companion {
+namespace {
+
+std::string relative(const Course& course, const fs::path& path) {
+    return path.lexically_relative(course.root).string();
+}
+
+// The tracer begins as the program of 00.1.
+void begin_tracer(const Course& course) {
+    const fs::path file = tracer_file(course);
+    if (fs::exists(file)) return;
+    const fs::path first = course.root / "exercises/00_toolchain/first.cpp";
+    const bool written = read_text(first).find("rt::todo") == std::string::npos;
+    const fs::path from = written ? first : course.root / "solutions/00_toolchain/first.cpp";
+    app::make_folder(file.parent_path());
+    fs::copy_file(from, file);
+    print("Your tracer begins as a copy of " + relative(course, from) + ": " +
+          relative(course, file) + "\n");
+}
+
+// Puts the program that a graft leads to in the tracer's place.
+int begin_from(const Course& course, const std::string& name) {
+    const Chapter chapter = find_chapter(course, name);
+    if (!chapter.graft)
+        throw app::UsageError("--from: chapter " + chapter.number() + " has no graft");
+    const fs::path file = tracer_file(course);
+    if (fs::exists(file)) {
+        const fs::path kept = new_kept_folder(course, "tracer") / file.filename();
+        fs::copy_file(file, kept);
+        print("kept   " + relative(course, kept) + '\n');
+    }
+    app::make_folder(file.parent_path());
+    app::replace_file(file, read_file(tracer_answer(course, chapter)));
+    print("begun  " + relative(course, file) + ", from our answer to graft " + chapter.number() +
+          '\n');
+    return app::done;
+}
+
+// Draws the learner's scene, or what the program draws without one, or says why it cannot.
+void draw(const Course& course, const Graft& graft) {
+    app::make_folder(course.out());
+    const fs::path file = course.out() / "tracer.ppm";
+    std::vector<std::string> words;
+    if (graft.reads == Graft::Reads::scene)
+        words = {relative(course, tracer_scene(course)), relative(course, file)};
+    const Picture picture = draw_by_tracer(course, tracer_program(course), words, file);
+    const fs::path shown = course.out() / "tracer.png";
+    app::replace_file(shown, rt::encode_png(mean_of({picture})));
+    print("Your picture: " + relative(course, shown) + '\n');
+    if (graft.reads != Graft::Reads::scene || graft.still) return;
+    must_build(course, "09_own_solution");
+    const fs::path other = course.out() / "tracer_ours.ppm";
+    words.back() = relative(course, other);
+    const Picture ours = draw_by_tracer(course, course.program("09_own_solution"), words, other);
+    if (ours.width != picture.width || ours.height != picture.height) return;
+    const fs::path beside = course.out() / "tracer_beside_ours.png";
+    app::replace_file(beside, rt::encode_png(side_by_side(mean_of({picture}), mean_of({ours}))));
+    print("Beside ours:  " + relative(course, beside) + '\n');
+}
+
+// The graft that is named, or the first that has not passed, or the last one.
+Chapter chosen(const Course& course, const Given& given) {
+    const std::vector<Chapter> all = grafts(course);
+    if (given.has("--graft")) {
+        const Chapter chapter = find_chapter(course, given.options.at("--graft"));
+        if (!chapter.graft)
+            throw app::UsageError("--graft: chapter " + chapter.number() + " has no graft");
+        return chapter;
+    }
+    const State state = read_state(course);
+    for (const Chapter& chapter : all)
+        if (!state.grafts.count(chapter.number())) return chapter;
+    return all.back();
+}
+
+}  // namespace
+
+int tracer(const Course& course, const Given& given) {
+    if (given.has("--from")) return begin_from(course, given.options.at("--from"));
+    begin_tracer(course);
+    const Chapter chapter = chosen(course, given);
+    const Graft& graft = *chapter.graft;
+    print(bold("Graft " + chapter.number() + ": " + graft.title) + '\n' +
+          put_yours_in_place(course, chapter).words() + '\n');
+    std::string line;
+    for (const std::string& word : tracer_command(course, chapter))
+        line += (line.empty() ? "" : " ") + word;
+    print(dim(line) + '\n');
+    compile_tracer(course, chapter);
+
+    try {
+        draw(course, graft);
+    } catch (const app::Failure& failure) {
+        print(yellow(std::string{"No picture: "} + failure.what()) + '\n');
+    }
+    print("\n");
+    const std::uint64_t seed = scenes_seed(given);
+    must_build(course, "tracer." + chapter.number());
+    JudgedLines lines;
+    judge_graft(course,
+                {chapter, tracer_program(course), course.program("tracer." + chapter.number()),
+                 headers_of_tracer(course), seed, lines.begins},
+                std::ref(lines));
+    if (lines.passed < lines.lines) {
+        print("The same scenes again: ./course tracer --seed " + std::to_string(seed) +
+              "\nStuck? ./course tracer --from NN begins again from our answer to graft NN.\n");
+        return app::could_not;
+    }
+    change_state(course,
+                 [&](State& state) { state.grafts.emplace(chapter.number(), std::time(nullptr)); });
+    print(green("Graft " + chapter.number() + " passes.") + '\n');
+    print('\n' + next_step(course, next_on_route(course, "graft " + chapter.number())));
+    return app::done;
+}
+
+}  // namespace companion

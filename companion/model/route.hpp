@@ -1,0 +1,29 @@
+#pragma once
+// The order in which the course is done: exercises of the core by need, and the grafts, by which
+// the learner's own program grows.
+
+#include <companion/model/exercise.hpp>
+#include <companion/model/state.hpp>
+
+namespace companion {
+
+// A stop on the route: an exercise, or else a chapter's graft.
+struct Step {
+    std::optional<Exercise> exercise = {};
+    Chapter chapter = {};
+
+    std::string id() const { return exercise ? exercise->id : "graft " + chapter.number(); }
+};
+
+// course.json has each exercise of the core and each graft once. Throws app::UsageError otherwise.
+std::vector<Step> route(const Course& course);
+
+// The exercises among the steps.
+std::vector<Exercise> exercises_on_route(const Course& course);
+
+bool is_open(const Course& course, const State& state, const Step& step);
+
+// The first open step after the one with this id, else the first of all; none: all is done.
+std::optional<Step> next_on_route(const Course& course, const std::string& after = "");
+
+}  // namespace companion

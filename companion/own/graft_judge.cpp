@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <app/cores.hpp>
+#include <app/errors.hpp>
+#include <companion/own/graft_judge.hpp>
+#include <companion/own/own_program.hpp>
+#include <companion/own/scenes.hpp>
+#include <companion/own/tracer.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <rt/rng.hpp>
+
+namespace companion {
+namespace {
+
+// The largest difference of two pixels in a channel, in steps of a byte.
+int difference(const Picture& picture, int x, int y, const Picture& other, int other_x,
+               int other_y) {
+    const auto at = [](const Picture& p, int column, int row) {
+        return p.bytes.data() + 3 * (static_cast<long>(row) * p.width + column);
+    };
+    int most = 0;
+    for (int channel = 0; channel < 3; ++channel)
+        most = std::max(
+            most, std::abs(at(picture, x, y)[channel] - at(other, other_x, other_y)[channel]));
+    return most;
+}
+
+// The largest difference among the pixels at most `reach` pixels from here, to their neighbors.
+int edge(const Picture& picture, int x, int y, int reach) {
+    int most = 0;
+    for (int row = std::max(0, y - reach); row <= std::min(picture.height - 2, y + reach); ++row)
+        for (int column = std::max(0, x - reach); column <= std::min(picture.width - 2, x + reach);
+             ++column)
+            most = std::max({most, difference(picture, column, row, picture, column + 1, row),
+                             difference(picture, column, row, picture, column, row + 1)});
+    return most;
+}
+
+// Of the outlines in one picture, the share in percent where the other has none. Colors do not
+// matter; learners choose their own.
+double outlines_missing(const Picture& in, const Picture& from) {
+    constexpr int outline = 28, nothing = 5;  // steps of a byte between neighbors
+    long all = 0, missing = 0;
+    for (int y = 0; y + 1 < in.height; ++y)
+        for (int x = 0; x + 1 < in.width; ++x)
+            if (edge(in, x, y, 0) >= outline) {
+                ++all;
+                missing += edge(from, x, y, 1) <= nothing;
+            }
+    return all == 0 ? 0 : 100.0 * static_cast<double>(missing) / static_cast<double>(all);
+}
+
+// Pictures of the two balls of 00.1, with nothing to read and perhaps a position of the eye.
+void look_at_outlines(const Course& course, const GraftRequest& request,
+                      const std::vector<std::string>& words, JudgedLine& line) {
+    const fs::path file = course.build / "tracer.ppm";
+    const Picture mine = draw_by_tracer(course, request.program, words, file),
+                  ours = draw_by_tracer(course, request.reference, words, file);
+    if (mine.width != ours.width || mine.height != ours.height) {
+        line.actual = std::to_string(mine.width) + " x " + std::to_string(mine.height) + " pixels";
+        line.expected = std::to_string(ours.width) + " x " + std::to_string(ours.height);
+        return;
+    }
+    const double missing = outlines_missing(ours, mine), more = outlines_missing(mine, ours);
+    line.passed = missing < 3 && more < 3;
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  "%.0f %% of our outlines are missing, %.0f %% of yours are not ours", missing,
+                  more);
+    line.actual = line.passed ? "the same outlines" : text;
+}
+
+// Scenes whose pictures have no noise: a few pixels on outlines may round to the other side.
+void look_at_still(const OwnProgram& own, const OwnProgram& ours, const OwnScene& scene,
+                   JudgedLine& line) {
+    const Picture mine = own.picture(scene.text, {}).picture,
+                  wanted = ours.picture(scene.text, {}).picture;
+    if (mine.width != wanted.width || mine.height != wanted.height) {
+        line.actual = "a picture of a different size from what the scene asks for";
+        return;
+    }
+    long differing = 0;
+    for (int y = 0; y < mine.height; ++y)
+        for (int x = 0; x < mine.width; ++x) differing += difference(mine, x, y, wanted, x, y) > 2;
+    line.passed = 500 * differing <= mine.pixels();
+    line.actual = differing == 0 ? "the same picture"
+                                 : std::to_string(differing) + " of " +
+                                       std::to_string(mine.pixels()) + " pixels differ";
+}
+
+}  // namespace
+
+void judge_graft(const Course& course, const GraftRequest& request,
+                 const std::function<void(const JudgedLine&)>& report) {
+    const Graft& graft = *request.chapter.graft;
+    const auto judge = [&](JudgedLine line, const std::function<void(JudgedLine&)>& look) {
+        request.begins(line.what);
+        try {
+            look(line);
+        } catch (const app::Failure& failure) {
+            line.actual = failure.what();
+        }
+        report(line);
+    };
+    for (const std::string& header : graft.headers)
+        if (!std::count(request.headers.begin(), request.headers.end(), header))
+            report({false, "#include <rt/" + header + ">", "tracer.cpp does not include it",
+                    "your own header, in place of what was there", ""});
+    if (graft.reads == Graft::Reads::nothing)
+        judge({false, "the picture of 00.1", "", "the same outlines of ball, ground and shadow",
+               "The eye, the balls and the light stay where they were."},
+              [&](JudgedLine& line) { look_at_outlines(course, request, {}, line); });
+    if (graft.reads == Graft::Reads::eye) {
+        rt::Rng random{request.seed, 1};
+        for (int i = 0; i < 3; ++i) {
+            std::vector<std::string> eye;
+            for (const auto& [low, high] : {std::pair{-4.0, 4.0}, {0.2, 3.0}, {-1.0, 2.0}})
+                eye.push_back(std::to_string(low + (high - low) * random.uniform()));
+            judge({false, "the eye at " + eye[0] + ' ' + eye[1] + ' ' + eye[2], "",
+                   "the same outlines of ball, ground and shadow",
+                   "The camera looks at the ball's center, (0, 0, -4), with y up and a vertical "
+                   "field of view of 50 degrees. The ray comes from primary_ray, through the "
+                   "pixel's middle."},
+                  [&](JudgedLine& line) { look_at_outlines(course, request, eye, line); });
+        }
+    }
+    if (graft.reads != Graft::Reads::scene) return;
+    const OwnProgram own{OwnProgram::Existing{}, request.program};
+    if (graft.still) {
+        const OwnProgram ours{OwnProgram::Existing{}, request.reference};
+        for (const Rung& rung : own_rungs(request.seed))
+            if (std::count(graft.rungs.begin(), graft.rungs.end(), rung.number))
+                for (const OwnScene& scene : rung.scenes)
+                    judge({false, scene.name, "", "our picture", scene.suggestion},
+                          [&](JudgedLine& line) { look_at_still(own, ours, scene, line); });
+        return;
+    }
+    std::vector<std::string> parts;
+    for (const int rung : graft.rungs) parts.push_back("rung" + std::to_string(rung));
+    JudgeRequest asked{{}, request.reference, request.seed, {}, app::physical_cores()};
+    asked.crowd = 300;    // so that a program without a tree is soon done
+    asked.tree_gain = 5;  // the list of chapter 03 is fast
+    asked.begins = request.begins;
+    judge_program(own, asked, parts, report);
+}
+
+}  // namespace companion

@@ -1,0 +1,107 @@
+#include <app/errors.hpp>
+#include <app/files.hpp>
+#include <companion/build/build.hpp>
+#include <companion/build/side_build.hpp>
+#include <companion/own/tracer.hpp>
+#include <companion/system/files.hpp>
+#include <companion/system/process.hpp>
+#include <cstdio>
+#include <sstream>
+
+namespace companion {
+namespace {
+
+// The command without its input and output, as the preprocessor wants it, too.
+std::vector<std::string> compiler_words(const Course& course, const Chapter& last) {
+    const std::string compiler = fs::path{cached(course, "CMAKE_CXX_COMPILER")}.filename().string();
+    std::vector<std::string> words{compiler.empty() ? "c++" : compiler, "-std=c++20", "-O3",
+                                   "-pthread", "-Wall"};
+    words.push_back("-I" + (course.build / "yours").lexically_relative(course.root).string());
+    for (const Chapter& chapter : grafts(course))
+        if (chapter.name <= last.name) words.push_back("-Ichapters/" + chapter.name);
+    words.insert(words.end(), {"-Icommon", "exercises/tracer/tracer.cpp"});
+    return words;
+}
+
+}  // namespace
+
+fs::path tracer_file(const Course& course) {
+    return course.root / "exercises/tracer/tracer.cpp";
+}
+
+fs::path tracer_scene(const Course& course) {
+    return course.root / "exercises/tracer/my.txt";
+}
+
+fs::path tracer_program(const Course& course) {
+    return course.build / "tracer";
+}
+
+fs::path tracer_answer(const Course& course, const Chapter& chapter) {
+    return course.root / "solutions/tracer" / (chapter.number() + ".cpp");
+}
+
+std::vector<Chapter> grafts(const Course& course) {
+    std::vector<Chapter> all = chapters(course);
+    std::erase_if(all, [](const Chapter& chapter) { return !chapter.graft; });
+    return all;
+}
+
+std::vector<std::string> tracer_command(const Course& course, const Chapter& last) {
+    std::vector<std::string> words = compiler_words(course, last);
+    words.insert(words.end(),
+                 {"-o", tracer_program(course).lexically_relative(course.root).string()});
+    return words;
+}
+
+void compile_tracer(const Course& course, const Chapter& last) {
+    const Result result =
+        run_process({.command = tracer_command(course, last), .folder = course.root});
+    const fs::path file = tracer_file(course).lexically_relative(course.root);
+    if (result.ok()) {
+        if (const std::string warning = first_warning(course, result.output, {file});
+            !warning.empty())
+            std::fprintf(stderr, "the compiler warns: %s\n", warning.c_str());
+        return;
+    }
+    const std::string error = first_error(course, result.output, {file});
+    throw app::Failure("tracer.cpp does not compile:\n" +
+                       (error.empty() ? how_it_ended(result) : error));
+}
+
+std::vector<std::string> headers_of_tracer(const Course& course) {
+    const std::vector<Chapter> all = grafts(course);
+    std::vector<std::string> words = compiler_words(course, all.back());
+    words.push_back("-MM");
+    // A rule for make: the object, a colon, then the files that it depends on.
+    std::istringstream rule{run_process({.command = words, .folder = course.root}).output};
+    std::vector<std::string> headers;
+    for (std::string word; rule >> word;)
+        if (const fs::path file{word}; file.parent_path().filename() == "rt")
+            headers.push_back(file.filename().string());
+    return headers;
+}
+
+Picture draw_by_tracer(const Course& course, const fs::path& program,
+                       const std::vector<std::string>& words, const fs::path& picture) {
+    std::error_code none;
+    fs::remove(picture, none);
+    std::vector<std::string> command{program.string()};
+    command.insert(command.end(), words.begin(), words.end());
+    const Result result = run_process({.command = command,
+                                       .folder = course.root,
+                                       .passes_signals = true,
+                                       .most_output = std::size_t{64} << 20});
+    const std::string name = program.filename().string();
+    if (!result.ok())
+        throw app::Failure(name + ": " + how_it_ended(result) +
+                           (result.output.empty() || result.output[0] == 'P'
+                                ? ""
+                                : ": " + result.output.substr(0, result.output.find('\n'))));
+    if (fs::exists(picture)) return parse_ppm(read_file(picture));
+    if (result.output.empty()) throw app::Failure(name + " printed no picture and wrote none");
+    app::replace_file(picture, result.output);
+    return parse_ppm(result.output);
+}
+
+}  // namespace companion

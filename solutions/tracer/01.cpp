@@ -1,0 +1,59 @@
+#include <cmath>
+#include <iostream>
+#include <rt/dot.hpp>
+#include <rt/length.hpp>
+#include <rt/vec3.hpp>
+
+using namespace rt;
+
+struct Sphere {
+    Vec3 center;
+    double radius;
+};
+
+// Where the ray meets the sphere: at t times its direction, or -1 if it misses.
+double hit(Sphere sphere, Vec3 origin, Vec3 direction) {
+    Vec3 offset = origin - sphere.center;
+    double a = dot(direction, direction);
+    double b = 2 * dot(offset, direction);
+    double c = dot(offset, offset) - sphere.radius * sphere.radius;
+    double discriminant = b * b - 4 * a * c;
+    if (discriminant < 0) return -1;
+    double front = (-b - std::sqrt(discriminant)) / (2 * a);
+    double back = (-b + std::sqrt(discriminant)) / (2 * a);
+    if (front > 0.001) return front;
+    if (back > 0.001) return back;
+    return -1;
+}
+
+int main() {
+    Sphere spheres[] = {{{0, 0, -4}, 1}, {{0, -1001, -4}, 1000}};
+    Vec3 eye = {0, 0, 0};
+    Vec3 to_light = normalize(Vec3{-2, 2, 1});
+    int width = 320;
+    int height = 180;
+    std::cout << "P3\n" << width << " " << height << "\n255\n";
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            double up = 1 - 2 * (row + 0.5) / height;
+            double right = (2 * (column + 0.5) - width) / height;
+            Vec3 direction = normalize(Vec3{right, up, -2});
+            Vec3 color = {0.7 - 0.3 * up, 0.8 - 0.2 * up, 1};
+            double nearest = -1;
+            for (Sphere sphere : spheres) {
+                double t = hit(sphere, eye, direction);
+                if (t < 0 || (nearest > 0 && t > nearest)) continue;
+                nearest = t;
+                Vec3 point = eye + t * direction;
+                Vec3 normal = normalize(point - sphere.center);
+                color = 0.5 * (normal + Vec3{1, 1, 1});
+                bool shadow = false;
+                for (Sphere other : spheres)
+                    if (hit(other, point, to_light) > 0) shadow = true;
+                if (shadow) color = 0.4 * color;
+            }
+            std::cout << int(255 * color.x) << " " << int(255 * color.y) << " "
+                      << int(255 * color.z) << "\n";
+        }
+    }
+}

@@ -1,0 +1,35 @@
+#include <fstream>
+#include <iostream>
+#include <rt/for_each_pixel.hpp>
+#include <rt/lambertian.hpp>
+#include <rt/make_camera.hpp>
+#include <rt/ppm.hpp>
+#include <rt/render_pixel.hpp>
+#include <rt/sky.hpp>
+#include <rt/sphere_list.hpp>
+#include <rt/tracer_call.hpp>
+
+using namespace rt;
+
+int main(int count, char** words) try {
+    TracerCall call = read_call(count, words);
+    SceneText scene = read_scene(call.scene);
+    Camera camera = make_camera(scene.view, scene.width, scene.height);
+    SphereList world{scene.spheres};
+    MaterialList<Lambertian> materials;
+    for (TextMaterial material : scene.materials)
+        materials.materials.push_back(Lambertian{material.color});
+    GradientSky sky{scene.below, scene.above};
+    // A path that has bounced `depth` times may still see the sky: that takes one ray more.
+    Quality quality{scene.samples, scene.depth + 1, std::uint64_t(call.seed)};
+    Image image{scene.width, scene.height};
+    for_each_pixel({0, 0, scene.width, scene.height}, [&](int column, int row) {
+        image.at(column, row) =
+            render_pixel(camera, world, materials, sky, BlackEnding{}, quality, column, row);
+    });
+    std::ofstream file{call.picture};
+    write_ppm(file, image);
+} catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+}
