@@ -154,6 +154,12 @@ function(course_graft chapter)
   add_executable(tracer.${number} EXCLUDE_FROM_ALL ${source})
   target_include_directories(tracer.${number} PRIVATE ${course_folders_${chapter}} ${CMAKE_SOURCE_DIR}/common)
   target_link_libraries(tracer.${number} PRIVATE course_flags Threads::Threads)
+  course_linked_with(tracer.${number} -pthread)
+  if(COURSE_ALL_TESTS)
+    set_target_properties(tracer.${number} PROPERTIES EXCLUDE_FROM_ALL OFF)
+    add_test(NAME tracer.${number} COMMAND graft_mistakes ${number})
+    set_tests_properties(tracer.${number} PROPERTIES LABELS mistakes TIMEOUT 600)
+  endif()
 endfunction()
 
 # course_chapter(NN_topic): all targets and tests of one chapter. Its CMakeLists.txt calls this, and adds what the

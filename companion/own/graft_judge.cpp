@@ -117,12 +117,16 @@ void judge_graft(const Course& course, const GraftRequest& request,
             std::vector<std::string> eye;
             for (const auto& [low, high] : {std::pair{-4.0, 4.0}, {0.2, 3.0}, {-1.0, 2.0}})
                 eye.push_back(std::to_string(low + (high - low) * random.uniform()));
-            judge({false, "the eye at " + eye[0] + ' ' + eye[1] + ' ' + eye[2], "",
+            judge({false, "eye " + std::to_string(i + 1) + " of 3", "",
                    "the same outlines of ball, ground and shadow",
                    "The camera looks at the ball's center, (0, 0, -4), with y up and a vertical "
                    "field of view of 50 degrees. The ray comes from primary_ray, through the "
                    "pixel's middle."},
-                  [&](JudgedLine& line) { look_at_outlines(course, request, eye, line); });
+                  [&](JudgedLine& line) {
+                      look_at_outlines(course, request, eye, line);
+                      line.actual = "called with " + eye[0] + ' ' + eye[1] + ' ' + eye[2] + ": " +
+                                    line.actual;
+                  });
         }
     }
     if (graft.reads != Graft::Reads::scene) return;

@@ -1,0 +1,81 @@
+// graft_mistakes NN: our answer to a graft passes; the one to the graft before it does not, and no
+// mistake of tests/mistakes/tracer/NN.md does: each fails at the line that it names. Lines that a
+// busy machine cannot judge do not count.
+
+#include <app/errors.hpp>
+#include <companion/build/remake.hpp>
+#include <companion/model/mistakes.hpp>
+#include <companion/own/graft_judge.hpp>
+#include <companion/own/tracer.hpp>
+#include <companion/system/files.hpp>
+#include <cstdio>
+#include <set>
+
+#include "temporary_folder.hpp"
+
+using namespace companion;
+using checkpoint::TemporaryFolder;
+
+namespace {
+
+// The lines that fail for a program.
+std::set<std::string> failing(const Course& course, const Chapter& chapter,
+                              const fs::path& program) {
+    std::set<std::string> lines;
+    const fs::path answer = course.program("tracer." + chapter.number());
+    judge_graft(course, {chapter, program, answer, chapter.graft->headers, 1},
+                [&](const JudgedLine& line) {
+                    if (line.passed || line.busy_machine) return;
+                    lines.insert(line.what);
+                    std::printf("    x %s: %s\n", line.what.c_str(), line.actual.c_str());
+                });
+    return lines;
+}
+
+// What the programs look like when this source is compiled like the answer.
+std::set<std::string> failing_source(const Course& course, const Chapter& chapter,
+                                     const std::string& source) {
+    const TemporaryFolder folder;
+    checkpoint::write_file(folder / (chapter.number() + ".cpp"), source);
+    const Remake remake{course, "tracer." + chapter.number()};
+    const BuildResult built = remake(folder.path(), folder / "tracer");
+    if (!built.ok) throw app::Failure("does not compile:\n" + built.output);
+    return failing(course, chapter, folder / "tracer");
+}
+
+bool report(bool as_it_should, const std::string& what) {
+    std::printf("%s %s\n", as_it_should ? "right" : "WRONG", what.c_str());
+    std::fflush(stdout);
+    return as_it_should;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (argc != 2) throw app::UsageError("usage: graft_mistakes NN");
+    const Course course = this_course();
+    const Chapter chapter = find_chapter(course, argv[1]);
+    fs::path before = course.root / "solutions/00_toolchain/first.cpp";
+    for (const Chapter& other : grafts(course))
+        if (other.name < chapter.name) before = tracer_answer(course, other);
+
+    bool all =
+        report(failing(course, chapter, course.program("tracer." + chapter.number())).empty(),
+               "our answer passes");
+    // The outlines are the same as before; the headers that it must use are what is new.
+    if (chapter.graft->reads != Graft::Reads::nothing)
+        all = report(!failing_source(course, chapter, read_file(before)).empty(),
+                     "the answer to the graft before fails") &&
+              all;
+    for (const Mistake& mistake :
+         read_mistakes(course.root / "tests/mistakes/tracer" / (chapter.number() + ".md"))) {
+        const auto lines =
+            failing_source(course, chapter,
+                           edited_files(mistake, course.root / "solutions/tracer").begin()->second);
+        all = report(lines.count(mistake.caught_by) == 1, mistake.name) && all;
+    }
+    return all ? app::done : app::could_not;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return app::could_not;
+}
