@@ -19,7 +19,8 @@ namespace checkpoint {
 using rt::Real;
 using rt::Vec3;
 
-// An exact value, as the tables of tests/oracle have it: correct to about 100 bits.
+// An exact value, correct to about 98 bits. Numbers so large or small that their products overflow or
+// underflow are scaled by a power of two first.
 using Exact = study::DoubleDouble;
 
 struct ExactVec3 {
