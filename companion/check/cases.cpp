@@ -86,7 +86,7 @@ Tested run_cases(const Course& course, const Cases& cases) {
     Tested tested{run_process({.command = command_of(course, cases),
                                .folder = course.build,
                                .output = Output::errors_hidden,
-                               .timeout = cases.timeout,
+                               .timeout = cases.timeout > 0 ? cases.timeout : course.patience,
                                .most_memory = is_sanitized ? 0 : most_memory,
                                .most_output = most_bytes}),
                   {}};

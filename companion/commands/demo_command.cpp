@@ -58,7 +58,7 @@ std::vector<Chapter> in_order(const Course& course) {
 
 }  // namespace
 
-int demo(const Course& course) {
+int demo(const Course& course, const Given&) {
     app::make_folder(course.out());
     bool ok = true;
     std::vector<Exhibit> exhibits;

@@ -13,11 +13,22 @@ std::vector<Measurement> measured(const Course& course, const Chapter& chapter, 
     return read_measurements(study_folder(course, whose) / chapter.table());
 }
 
+// Draws docs/plots from docs/studies.
+int study_of_texts(const Course& course, const Given& given) {
+    if (given.named || given.options.size() > 1)
+        throw app::UsageError("study --docs: takes nothing else");
+    draw_plots_of_texts(course);
+    std::puts("docs/plots shows what is in docs/studies.");
+    return app::done;
+}
+
 }  // namespace
 
-int study(const Course& course, const Named& name, bool mine) {
+int study(const Course& course, const Given& given) {
+    if (given.has("--docs")) return study_of_texts(course, given);
+    const bool mine = given.has("--mine");
     std::vector<Chapter> chosen = chapters(course);
-    if (name) chosen = {find_chapter(course, *name)};
+    if (given.named) chosen = {find_chapter(course, *given.named)};
     std::string words = "The solution's code was measured.";
     const Whose shown = mine ? Whose::mine : Whose::solution;
     if (mine) {
@@ -53,12 +64,6 @@ int study(const Course& course, const Named& name, bool mine) {
     }
     std::printf("\n%s Tables and plots are in %s\n", words.c_str(),
                 study_folder(course, shown).string().c_str());
-    return app::done;
-}
-
-int study_of_texts(const Course& course) {
-    draw_plots_of_texts(course);
-    std::puts("docs/plots shows what is in docs/studies.");
     return app::done;
 }
 

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 struct Course {
     fs::path root;
     fs::path build;
+    double patience = 20;  // seconds after which an exercise's checkpoints are stopped
 
     fs::path program(const std::string& name) const { return build / "bin" / name; }
     fs::path out() const { return root / "out"; }
