@@ -15,7 +15,8 @@ constexpr double bound = 0x1p-94;
 
 }  // namespace
 
-TEST_CASE("exact sines and cosines keep 94 bits, also where they are almost 0", "[exact]") {
+TEST_CASE("exact sines and cosines keep 94 bits, also where they are almost 0",
+          "[exact_functions]") {
     for (const auto& row : exact::turns) {
         const auto [sine, cosine] = checkpoint::exact_sine_cosine_of_turn(row.turn);
         INFO("turn " << row.turn);
@@ -24,14 +25,14 @@ TEST_CASE("exact sines and cosines keep 94 bits, also where they are almost 0", 
     }
 }
 
-TEST_CASE("exact tangents keep 94 bits, also near half a turn", "[exact]") {
+TEST_CASE("exact tangents keep 94 bits, also near half a turn", "[exact_functions]") {
     for (const auto& row : exact::halves) {
         INFO("angle " << row.angle);
         CHECK(relative_error(checkpoint::exact_tangent_of_half(row.angle), row.tangent) <= bound);
     }
 }
 
-TEST_CASE("exact roots keep 94 bits", "[exact]") {
+TEST_CASE("exact roots keep 94 bits", "[exact_functions]") {
     CHECK(checkpoint::exact_root(0, 5).high == 0);
     for (const auto& row : exact::roots) {
         INFO("root " << row.n << " of " << row.x);

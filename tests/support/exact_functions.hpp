@@ -1,6 +1,6 @@
 #pragma once
-// Sines, cosines, tangents and roots in twice the precision of double: exact values for the checkpoints.
-// tests/common/exact_functions.cpp compares them with a table.
+// Sines, cosines, tangents and roots in twice the precision of double: exact values for the
+// checkpoints. tests/common/exact_functions.cpp compares them with a table.
 
 #include <cmath>
 #include <study/double_double.hpp>
