@@ -215,7 +215,6 @@ def draw(program, width, height, *options, mistake=None):
 
 
 def chapter(name, width, height):
-    """Its picture. A mistake's picture may be drawn with the chapter's other arguments."""
     return lambda: draw(name + "_solution", width, height)
 
 
@@ -225,8 +224,8 @@ def own():
     return read_ppm(out)
 
 
-def of_mistake(name, mistake, width, height, times=2):
-    """A chapter's picture with a mistake; drawn larger, which makes it smooth."""
+def of_mistake(name, mistake, width, height, times):
+    """A chapter's picture with a mistake, drawn so many times as large."""
     return lambda: draw(name + "_solution", times * width, times * height, mistake=mistake).shrunk(width, height)
 
 
@@ -246,7 +245,7 @@ def of_edit(name, width, height, file, before, after):
 
 
 def threads_scene(mistake=None):
-    return lambda: draw("06_threads_solution", 960, 540, mistake=mistake).part(20, 20, 640, 360).shrunk(320)
+    return lambda: draw("06_threads_solution", 480, 270, "--spp", "16", mistake=mistake).part(10, 10, 320, 180)
 
 
 def effects_scene(scene, mistake=None):
@@ -373,13 +372,13 @@ for name, width, height, times, mistakes in (
         ("00_toolchain", 400, 225, 2, "00.2_across_is_down 00.2_whole_numbers 00.3_flips_twice 00.4_splits_off_one "
          "00.5_leads_into_the_old_chain"),
         ("01_vectors", 400, 225, 2, "01.2_forgets_z 01.5_turned_around 01.6_rows_for_columns"),
-        ("02_camera", 400, 225, 2, "02.1_upside_down 02.1_corner_as_middle 02.2_degrees 02.2_whole_angle "
+        ("02_camera", 400, 225, 1, "02.1_upside_down 02.1_corner_as_middle 02.2_degrees 02.2_whole_angle "
          "02.2_half_height 02.3_mirrored 02.3_up_as_v 02.3_not_normalized 02.4_forgets_minus "
          "02.4_row_before_column"),
-        ("03_sphere", 400, 225, 2, "03.1_forgets_half 03.2_far_side 03.2_forgets_center 03.2_behind_the_ray "
+        ("03_sphere", 400, 225, 1, "03.1_forgets_half 03.2_far_side 03.2_forgets_center 03.2_behind_the_ray "
          "03.2_ignores_interval 03.2_never_inside 03.2_textbook_discriminant 03.2_solver_of_rounded_numbers "
          "03.4_upside_down 03.4_columns_first 03.4_no_srgb 03.4_blue_first"),
-        ("04_normals_aa", 360, 202, 2, "04.1_not_unit 04.1_side_swapped 04.2_both_sides 04.2_half_lambert "
+        ("04_normals_aa", 360, 202, 1, "04.1_not_unit 04.1_side_swapped 04.2_both_sides 04.2_half_lambert "
          "04.3_no_root 04.3_uniform_hemisphere 04.3_not_turned 04.6_stays_on_surface 04.7_last_attenuation "
          "04.7_sky_of_the_eye"),
         ("05_metal_glass", 400, 225, 2, "05.1_wrong_sign 05.2_darkens 05.2_fuzz_around_normal "
