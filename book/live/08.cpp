@@ -120,7 +120,6 @@ Night make_night(double lamp_radius) {
     night.materials.materials = {rt::Lambertian{rt::from_hex(0xc9c4bd)},
                                  rt::Lambertian{rt::from_hex(0xf2ece2)},
                                  rt::Metal{rt::from_hex(0xe8dcc8), 0.15}};
-    const int first_light = static_cast<int>(night.materials.materials.size());
     const auto add = [&](rt::Vec3 center, double radius, int material) {
         spheres.push_back({{center, radius}, material});
     };
@@ -143,11 +142,14 @@ Night make_night(double lamp_radius) {
     const std::array lamps{Lamp{{-2.3, 1.7, 1.0}, {1.15, 0.48, 0.09}},
                            Lamp{{0.3, 2.7, -1.9}, {0.13, 0.47, 1.3}},
                            Lamp{{2.4, 1.5, 1.1}, {1.25, 0.12, 0.33}}};
-    night.lights.first_material = first_light;
     for (const Lamp& lamp : lamps) {
-        add(lamp.center, lamp_radius, first_light + static_cast<int>(night.lights.lights.size()));
+        // A light has a material of its own, which reflects nothing.
+        const auto material = static_cast<int>(night.materials.materials.size());
+        night.materials.materials.emplace_back(rt::Lambertian{});
+        const auto number = static_cast<int>(spheres.size());
+        add(lamp.center, lamp_radius, material);
         const double strength = 1.7 / (lamp_radius * lamp_radius);
-        night.lights.lights.push_back({{lamp.center, lamp_radius}, strength * lamp.light});
+        night.lights.add({{lamp.center, lamp_radius}, strength * lamp.light, material, number});
     }
     night.world = rt::make_wide_tree(spheres);
     return night;

@@ -107,12 +107,12 @@ class Reader {
     }
 
     void read_fog(const Value& value) {
-        value.with_keys({"center", "radius", "density", "color", "forwardness"});
+        value.with_keys({"center", "radius", "density", "color", "asymmetry"});
         Fog fog;
         fog.region = {value.at("center").vec3(), value.at("radius").number(lengths)};
         fog.density = value.at("density").number({0, 1e9});
         fog.albedo = value.color("color", {1, 1, 1}, shares);
-        fog.forwardness = value.number("forwardness", {-0.99, 0.99}, 0);
+        fog.asymmetry = value.number("asymmetry", {-0.99, 0.99}, 0);
         scene_.fog = fog;
     }
 

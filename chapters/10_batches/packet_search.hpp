@@ -72,7 +72,7 @@ class Packet {
         return waiting;
     }
 
-    void test(const WideLeaf& leaf, std::uint32_t rays) {
+    void test(const SphereLeaf& leaf, std::uint32_t rays) {
         for (; rays; rays &= rays - 1) {
             const auto ray = static_cast<std::size_t>(std::countr_zero(rays));
             if (hit_leaf(leaf, rays_[ray], 0, best[ray]))

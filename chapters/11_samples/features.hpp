@@ -41,7 +41,7 @@ Features features_at(const ReadyScene<effects>& scene, const SobolSamples& sampl
                      int row, Real strength) {
     Vec3 normal;
     const Color albedo =
-        samples.average(scene.eye, column, row, [&](const Ray& ray, SobolRandom& /*random*/) {
+        samples.average(scene.camera, column, row, [&](const Ray& ray, SobolRandom& /*random*/) {
             const Features one = features_along(scene, ray, strength);
             normal += one.normal;
             return one.albedo;

@@ -88,7 +88,7 @@ class BatchRenderer {
         const auto [column, row, first_x, first_y, x, y, end_x, end_y] = load_eight(size, record);
         const PixelPack pixel{
             column, row, {jittered(first_x, x, end_x), jittered(first_y, y, end_y)}};
-        const auto [origin, direction] = primary_rays(scene_.eye, pixel, paths, size);
+        const auto [origin, direction] = primary_rays(scene_.camera, pixel, paths, size);
         store(
             std::array<Pack, 8>{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z,
                                 pack_of(infinity), std::bit_cast<Pack>(PackMask{} - 1)},
@@ -96,7 +96,7 @@ class BatchRenderer {
         if constexpr (effects.motion)
             for (std::size_t i = 0; i < size; ++i)
                 batch_.times[from + i] =
-                    scene_.eye.anything_moves ? paths[i].random.uniform() : Real(0);
+                    scene_.camera.anything_moves ? paths[i].random.uniform() : Real(0);
     }
 
     // Follows all paths of the batch to their ends.

@@ -18,7 +18,7 @@ class BatchSearch {
   public:
     // The tree must outlive the search.
     explicit BatchSearch(const WideTree& tree) : tree_{tree}, orders_(tree.nodes.size()) {
-        for (const WideLeaf& leaf : tree.leaves) {
+        for (const SphereLeaf& leaf : tree.leaves) {
             std::uint8_t size = 0;
             while (size < lanes && leaf.is_used(size)) ++size;
             leaf_sizes_.push_back(size);
@@ -185,12 +185,12 @@ inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8
 }
 
 inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
-    const WideLeaf& spheres = tree_.leaves[leaf];
+    const SphereLeaf& spheres = tree_.leaves[leaf];
     const std::size_t size = leaf_sizes_[leaf];  // 1 or more
     RayPack rays = load_rays(paths_, list);
     PackMask hit{};
     std::size_t i = 0;
-    do hit |= hit_pack(spheres.sphere(i), spheres.tag[i] / static_cast<int>(lanes), rays);
+    do hit |= hit_pack(spheres.sphere(i), spheres.number[i], rays);
     while (++i < size);
     for_each_bit(bits_of(hit) & first_bits(list.size()),
                  [&](std::size_t k) { set_hit(list[k], rays.t[k], rays.sphere[k]); });
@@ -201,13 +201,13 @@ inline void BatchSearch::search_alone(std::int32_t child, PathList list) {
     for (const std::uint32_t i : list) {
         const PathRecord& path = paths_[i];
         const Ray ray{path.origin, path.direction};
-        const auto tag = static_cast<std::int32_t>(path.sphere) * static_cast<std::int32_t>(lanes);
-        WideHit best{path.t, tag};
+        const auto before = static_cast<std::int32_t>(path.sphere);
+        WideHit best{path.t, before};
         if (child < 0)
             hit_leaf(tree_.leaves[static_cast<std::size_t>(~child)], ray, 0, best);
         else
-            best = tree_.search(ray, {0, path.t}, child, tag).best;
-        if (best.tag != tag) set_hit(i, best.t, best.number());
+            best = tree_.search(ray, {0, path.t}, child, before).best;
+        if (best.number != before) set_hit(i, best.t, best.number);
     }
 }
 

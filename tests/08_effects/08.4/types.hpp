@@ -4,10 +4,10 @@
 
 #include <functional>
 #include <optional>
-#include <rt/fate.hpp>
 #include <rt/hit.hpp>
 #include <rt/interval.hpp>
 #include <rt/lights.hpp>
+#include <rt/path_end.hpp>
 #include <rt/ray.hpp>
 #include <rt/rng.hpp>
 #include <rt/scatter.hpp>
@@ -59,13 +59,13 @@ struct Lights {
 
 template <class AnyRay>
 struct Medium {
-    std::function<std::optional<rt::Real>(const AnyRay&, rt::Real, rt::Rng&)> droplet;
+    std::function<std::optional<rt::Real>(const AnyRay&, rt::Real, rt::Rng&)> collide;
     std::function<rt::Scatter(rt::Vec3, rt::Rng&)> turn;
     std::function<rt::Real(rt::Vec3, rt::Vec3)> density_of;
     std::function<rt::Real(const AnyRay&, rt::Real)> share;
 
     std::optional<rt::Real> meets(const AnyRay& ray, rt::Real most, rt::Rng& random) const {
-        return droplet(ray, most, random);
+        return collide(ray, most, random);
     }
     rt::Scatter scatter(rt::Vec3 incoming, rt::Rng& random) const { return turn(incoming, random); }
     rt::Real density(rt::Vec3 incoming, rt::Vec3 outgoing) const {
@@ -75,6 +75,6 @@ struct Medium {
 };
 
 using Sky = std::function<rt::Color(rt::Vec3)>;
-using Ending = std::function<rt::Fate(rt::Color&, rt::Rng&)>;
+using Ending = std::function<rt::PathEnd(rt::Color&, rt::Rng&)>;
 
 }  // namespace answer

@@ -57,7 +57,7 @@ Color direct_light(const AnyRay& ray, const World& world, const Lights& lights,
     const auto fog = answer::as_medium<AnyRay>(place.fog);
     return answer::direct_light(
         ray, answer::as_world<AnyRay>(world), answer::as_lights(lights),
-        {materials, fog, place.hit, place.droplet, place.point, place.incoming}, goes_on, random);
+        {materials, fog, place.hit, place.collision, place.point, place.incoming}, goes_on, random);
 }
 
 template <class AnyRay, class World, class Materials, class Sky, class Lights, class Medium,
