@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 #include <rt/real.hpp>
+#include <rt/vec3_of.hpp>
 #include <rt/vec3_type.hpp>
 #include <string>
 #include <study/double_double.hpp>
@@ -22,9 +23,7 @@ using rt::Vec3;
 // An exact value, as the tables of tests/oracle have it: correct to about 100 bits.
 using Exact = study::DoubleDouble;
 
-struct ExactVec3 {
-    Exact x, y, z;
-};
+using ExactVec3 = rt::Vec3Of<Exact>;
 
 // Picks the value for the precision that is tested.
 template <class T>

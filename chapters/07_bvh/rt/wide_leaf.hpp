@@ -80,10 +80,10 @@ struct LeafPart {
     RT_INLINED LeafPart(const SphereLeaf& leaf, std::size_t first, const Ray& ray)
         : d{ray.direction},
           a{d.x * d.x + d.y * d.y + d.z * d.z},
-          fx{ray.origin.x - load_part(leaf.x, first)},
-          fy{ray.origin.y - load_part(leaf.y, first)},
-          fz{ray.origin.z - load_part(leaf.z, first)},
-          r_squared{load_part(leaf.radius, first) * load_part(leaf.radius, first)} {}
+          fx{ray.origin.x - load<Reals>(&leaf.x[first])},
+          fy{ray.origin.y - load<Reals>(&leaf.y[first])},
+          fz{ray.origin.z - load<Reals>(&leaf.z[first])},
+          r_squared{load<Reals>(&leaf.radius[first]) * load<Reals>(&leaf.radius[first])} {}
 
     // A quarter of each discriminant: 0 or more if the ray's line meets the sphere.
     RT_INLINED Reals quarter() const {
@@ -102,7 +102,7 @@ struct LeafPart {
         if (within.min >= 0) met &= ~RT_VECTOR_BITS((half_b > 0) & (c > 0));
         if (met == 0) return 0;
 
-        const Reals q = -(b + part_copysign(part_sqrt(4 * quarter), b)) / 2;
+        const Reals q = -(b + copysign(sqrt(4 * quarter), b)) / 2;
         const auto at_origin = q == 0;  // both solutions are 0
         const Reals one = at_origin ? Reals{} : c / q, other = at_origin ? Reals{} : q / a;
         const Reals low = one < other ? one : other, high = one < other ? other : one;
@@ -136,7 +136,7 @@ RT_INLINED bool hit_leaf(const SphereLeaf& leaf, const Ray& ray, Real min, WideH
         Reals some{};
         hits |= LeafPart{leaf, p * size, ray}.hits(quarters[p], met[p], {min, best.t}, some)
                 << p * size;
-        store_part(some, t, p * size);
+        store(some, &t[p * size]);
     }
     bool changed = false;
     for (; hits; hits &= hits - 1) {
