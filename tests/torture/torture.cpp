@@ -10,7 +10,6 @@ namespace torture {
 namespace {
 
 constexpr Effects materials{.mirror = true, .fuzz = true, .glass = true, .texture = true};
-constexpr Effects everything{true, true, true, true, true, true, true, true, true, true};
 constexpr std::uint64_t seed = 17;
 
 // A part of a world, used without copying it.
@@ -140,7 +139,7 @@ Image draw_all(const SceneDescription& description, const Frame& frame) {
 
 Image draw_in_every_way(const SceneDescription& scene, const Frame& frame) {
     return covers(materials, effects_of(scene)) ? draw_all<materials>(scene, frame)
-                                                : draw_all<everything>(scene, frame);
+                                                : draw_all<every_effect>(scene, frame);
 }
 
 SceneDescription whitened(SceneDescription scene) {
@@ -197,7 +196,7 @@ double brightness(const Image& image) {
 }
 
 std::vector<checkpoint::Mean> pixel_means(const SceneDescription& description, const Frame& frame) {
-    const ReadyScene<everything> scene{description, frame.width, frame.height};
+    const ReadyScene<every_effect> scene{description, frame.width, frame.height};
     std::vector<checkpoint::Mean> pixels;
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {

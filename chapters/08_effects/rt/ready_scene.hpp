@@ -27,7 +27,7 @@ auto tree_if(const std::vector<Shape>& shapes) {
 // The world of a renderer with these effects: one tree for each type of shape (given). Spheres that
 // stand still come first, because they are the most, and lights are among them.
 template <Effects effects>
-auto make_world(const Prepared& shapes) {
+auto make_world(const SceneDescription& /*scene*/, const Prepared& shapes) {
     auto spheres = both(make_wide_tree(shapes.still), tree_if<effects.motion>(shapes.moving));
     return both(std::move(spheres), tree_if<effects.instances>(shapes.instances));
 }
@@ -50,7 +50,7 @@ struct RendererTypes {
     using Materials = Either<effects.own, AllMaterials, GivenMaterials>;
     using StillCamera = Either<effects.lens, LensCamera, Camera>;
     using SceneCamera = Either<effects.motion, ShutterCamera<StillCamera>, StillCamera>;
-    using World = decltype(make_world<effects>(std::declval<const Prepared&>()));
+    using World = decltype(make_world<effects>({}, {}));
     using Lights = Either<effects.lights, SphereLights, NoLights>;
     using Medium = Either<effects.fog, FogBall, NoFog>;
 };
@@ -72,7 +72,7 @@ struct ReadyScene {
 
   private:
     ReadyScene(const SceneDescription& scene, const Prepared& shapes, int width, int height)
-        : world{make_world<effects>(shapes)},
+        : world{make_world<effects>(scene, shapes)},
           materials{prepare_materials<typename Types::Materials>(scene, shapes.lights.size())},
           sky{scene.sky} {
         set_camera(camera, scene.camera, width, height, !shapes.moving.empty());

@@ -6,8 +6,8 @@
 #include <rt/metal.hpp>
 #include <rt/mirror.hpp>
 #include <rt/moving_spheres.hpp>
-#include <rt/textures.hpp>
 #include <rt/split_by_area.hpp>
+#include <rt/textures.hpp>
 #include <rt/wide_builder.hpp>
 #include <statistics.hpp>
 
