@@ -77,9 +77,9 @@ function sliders() {
 // The point of a plot that is nearest to the pointer shows its values below the plot. So does the one to
 // which the arrow keys move.
 function plots() {
-    for (const figure of document.querySelectorAll('.plot')) {
+    for (const figure of document.querySelectorAll('.measured')) {
         const said = Object.assign(document.createElement('output'), { textContent: 'Point at a value to read it.' });
-        const marks = [...figure.querySelectorAll('circle:has(title), rect.bar')];
+        const marks = [...figure.querySelectorAll('g > :has(> title), .bar')];
         const say = mark => {
             figure.querySelector('.near')?.classList.remove('near');
             mark?.classList.add('near');

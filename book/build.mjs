@@ -12,8 +12,7 @@ import { escape, mathLetters, render } from './markdown.mjs';
 import { figure, find, folders, modules, written } from './live.mjs';
 import { layout } from './layout.mjs';
 import { mistakesPage } from './mistakes.mjs';
-import { compared, img, rightPicture, sizeOf } from './pictures.mjs';
-import { plot, slug, studies } from './plots.mjs';
+import { compared, img, plot, rightPicture, sizeOf } from './pictures.mjs';
 import { exercisesUsed, whose } from './yours.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url)), root = dirname(here);
@@ -27,8 +26,17 @@ const packaged = name => createRequire(import.meta.url).resolve(name);
 
 const chapters = JSON.parse(read('course.json')).chapters
     .map(chapter => ({ ...chapter, number: chapter.name.slice(0, 2) }));
-const tables = new Map(readdirSync(join(root, 'docs/studies')).filter(name => name.endsWith('.csv'))
-    .map(name => [name.slice(0, -4), studies(read(`docs/studies/${name}`))]));
+
+// The plots of a chapter, in the order of its table.
+function plotsOf({ name }) {
+    const table = `docs/studies/${name}.csv`;
+    if (!existsSync(join(root, table))) return [];
+    const rows = read(table);
+    return readdirSync(join(root, 'docs/plots')).filter(file => file.startsWith(`${name}-`)).map(file => {
+        const svg = read(`docs/plots/${file}`), study = /aria-label="(.*?)"/.exec(svg)[1];
+        return { id: file.slice(name.length + 1, -4), study, svg };
+    }).sort((a, b) => rows.indexOf(a.study) - rows.indexOf(b.study));
+}
 
 const titleOf = source => /^# (.*)/m.exec(read(source))[1];
 const pages = [
@@ -46,7 +54,7 @@ for (const chapter of chapters) {
     });
     pages.push(page);
     if (existsSync(join(root, 'tests/mistakes', chapter.name))) part('mistakes', 'Known mistakes');
-    if (tables.has(chapter.name)) part('studies', 'Measured');
+    if (plotsOf(chapter).length > 0) part('studies', 'Measured');
 }
 const listed = new Set(pages.map(page => page.source));
 for (const file of readdirSync(join(root, 'docs')).filter(name => name.endsWith('.md')).sort())
@@ -88,8 +96,7 @@ function resolver(source) {
             return (page ? page.out : copy(existing(path))) + (anchor ? `#${anchor}` : '');
         },
         picture(src, text, beside) {
-            const rows = rowsOfPlot(file(src));
-            if (rows) return plot(rows, text);
+            if (file(src).startsWith('docs/plots/')) return plot(read(existing(src)), text);
             const image = described(src, text);
             if (beside) return compared(image, described(beside.src, beside.text));
             const right = chapter && rightPicture(join(root, file(src)), chapter);
@@ -105,26 +112,16 @@ function resolver(source) {
     };
 }
 
-// docs/plots/03_sphere-far-spheres.svg shows the study "Far spheres" of 03_sphere.csv, if that exists.
-function rowsOfPlot(file) {
-    if (dirname(file) !== 'docs/plots') return undefined;
-    const name = basename(file, '.svg');
-    for (const [table, all] of tables)
-        for (const [study, rows] of all)
-            if (name === `${table}-${slug(study)}`) return rows;
-    return undefined;
-}
-
 // ---- Writing them ----------------------------------------------------------------------------
 
-function studiesPage(chapter, name = chapter.name) {
+function studiesPage(chapter) {
     const headings = [];
-    let html = chapter.number ? `<h1>Chapter ${chapter.number}, measured</h1>
+    let html = `<h1>Chapter ${chapter.number}, measured</h1>
 <p>Point at a value to read it. <code>./course study ${chapter.number}</code> measures all this on your machine.
-The <a href="${copy(`docs/studies/${name}.csv`)}">table</a> has every figure.</p>\n` : '';
-    for (const [study, rows] of tables.get(name)) {
-        headings.push({ level: 2, id: slug(study), text: study });
-        html += `<h2 id="${slug(study)}">${escape(study)}</h2>\n${plot(rows)}\n`;
+The <a href="${copy(`docs/studies/${chapter.name}.csv`)}">table</a> has every figure.</p>\n`;
+    for (const { id, study, svg } of plotsOf(chapter)) {
+        headings.push({ level: 2, id, text: study });
+        html += `<h2 id="${id}">${study}</h2>\n${plot(svg, study)}\n`;
     }
     return { html, headings, sections: headings.map(({ id, text }) => ({ id, text, words: '' })) };
 }

@@ -16,9 +16,9 @@ for (const file of workflows)
 
 const json = file => JSON.parse(read(file));
 const { tasks } = json('.vscode/tasks.json');
-const help = read('companion/help.txt');
+const declared = read('companion/commands/commands.inc');
 for (const { label, command, args } of tasks)
-    if (command === './course') assert.match(help, new RegExp(`^  ${args[0]} `, 'm'), label);
+    if (command === './course') assert.match(declared, new RegExp(`^[A-Z]+\\(${args[0]}[,_]`, 'm'), label);
     else assert.ok(existsSync(join(root, args[0])), `${label}: ${args[0]}`);
 for (const { name, preLaunchTask } of json('.vscode/launch.json').configurations)
     assert.ok(tasks.some(({ label }) => label === preLaunchTask), name);

@@ -155,6 +155,18 @@ function sections(tokens, headings) {
     return parts.map(({ id, text, words }) => ({ id, text, words: words.join(' ').trim() }));
 }
 
+// The sections of a text for a page of another form: each heading and the paragraphs below it, as they are written.
+// Code is left out, and a paragraph that leads to code.
+export function sectionsOf(source) {
+    const tokens = md.parse(source, {}), sections = [];
+    tokens.forEach(({ type, content }, i) => {
+        if (type !== 'inline' || tokens[i + 2]?.type === 'fence') return;
+        if (tokens[i - 1].type === 'heading_open') sections.push({ heading: content, paragraphs: [] });
+        else sections.at(-1)?.paragraphs.push(content);
+    });
+    return sections;
+}
+
 // picture(src, text, beside) and link(href) decide what a picture becomes and where a link leads, if anywhere;
 // live(name, still, isBelow) brings the picture `still` to life.
 export function render(source, { picture, link, live }) {

@@ -1,7 +1,7 @@
 // The known mistakes of a chapter, from tests/mistakes: what is wrong, the picture that it draws, and the cure.
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { escape } from './markdown.mjs';
+import { escape, sectionsOf } from './markdown.mjs';
 
 // The pictures of mistakes in a chapter's text: for each mistake's name, "03.2_far_side", what shows it.
 export function picturesOfMistakes(text) {
@@ -14,17 +14,17 @@ export function picturesOfMistakes(text) {
     return found;
 }
 
-// The sections of one file: a heading, lines "key: value", the explanation, and edits, which are not shown.
-function parsed(source) {
-    return source.split(/^## /m).slice(1).map(section => {
-        const [id, ...lines] = section.split('\n'), end = lines.findIndex(line => line === '');
-        const facts = Object.fromEntries(lines.slice(0, end).map(line => line.split(/: (.*)/s, 2)));
-        const explanation = lines.slice(end + 1).join('\n').split(/^(?:Replace in|```)/m)[0].trim();
-        return { id: id.trim(), title: facts.title, caught: facts['caught by'], explanation };
+// The mistakes of one file, whose form is that of companion/model/mistakes.hpp. As text they need no compiler: below a
+// heading, the first paragraph has lines "key: value", and the others explain.
+function mistakesOf(source) {
+    return sectionsOf(source).slice(1).map(({ heading: id, paragraphs: [lines = '', ...explanation] }) => {
+        const facts = Object.fromEntries(lines.split('\n').map(line => line.split(/: (.*)/s, 2)));
+        if (!facts.title || !explanation.length) throw new Error(`${id}: no title, or no words for the learner`);
+        return { id, title: facts.title, caught: facts['caught by'], explanation };
     });
 }
 
-const prose = text => escape(text).replace(/`([^`]*)`/g, '<code>$1</code>').replace(/\n\n+/g, '</p><p>');
+const prose = text => escape(text).replace(/`([^`]*)`/g, '<code>$1</code>');
 
 // The page's parts, one for each exercise. picture(src, text, beside) as for render.
 export function mistakesPage(chapter, folder, text, picture) {
@@ -37,16 +37,16 @@ export function mistakesPage(chapter, folder, text, picture) {
         const title = exercise ? `${id} ${exercise.title}` : id[0].toUpperCase() + id.slice(1);
         headings.push({ level: 2, id, text: title });
         html += `<h2 id="${id}">${escape(title)}</h2>\n`;
-        const mistakes = parsed(readFileSync(join(folder, file), 'utf8'));
+        const mistakes = mistakesOf(readFileSync(join(folder, file), 'utf8'));
         mistakes.sort((a, b) => shown.has(b.id) - shown.has(a.id));
         for (const mistake of mistakes) {
             const image = shown.get(mistake.id);
             html += `<section class="mistake" id="${escape(mistake.id)}"><div><h3>${prose(mistake.title)}</h3>` +
-                `<p>${prose(mistake.explanation)}</p>` +
+                mistake.explanation.map(paragraph => `<p>${prose(paragraph)}</p>`).join('') +
                 (mistake.caught ? `<p class="caught">Caught by “${prose(mistake.caught)}”</p>` : '') + '</div>' +
                 (image ? picture(image.picture.src, image.picture.text, image.beside) : '') + '</section>\n';
         }
-        sections.push({ id, text: title, words: mistakes.map(m => `${m.title}. ${m.explanation}`).join(' ') });
+        sections.push({ id, text: title, words: mistakes.map(m => `${m.title}. ${m.explanation.join('\n\n')}`).join(' ') });
     }
     return { html, headings, sections };
 }

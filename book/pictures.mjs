@@ -26,6 +26,10 @@ export function rightPicture(file, chapter) {
 export const img = ({ src, text, size }) =>
     `<img src="${src}" alt="${escape(text)}" width="${size.width}" height="${size.height}" loading="lazy">`;
 
+// A plot of docs/plots is a part of the page: it has the page's colors, and its dots say their values.
+export const plot = (svg, text) =>
+    `<figure class="measured" aria-label="${escape(text)}"><div class="scroll">\n${svg}</div></figure>`;
+
 // Without scripts, and in print, the two are side by side.
 export function compared(left, right) {
     return `<span class="compare">${img(left)}<span class="over">${img({ ...right, size: left.size })}</span>` +

@@ -15,8 +15,8 @@ else()
   set(course_library_path LD_LIBRARY_PATH)
 endif()
 include(CheckLinkerFlag)
-# A linker that takes a third of the time of the usual one. Sanitizers know the usual one best. For another
-# processor, programs linked statically by this one end where an exception is thrown.
+# A linker that takes a third of the time of the usual one. Sanitizers know the usual one best, and it knows no
+# other processors.
 check_linker_flag(CXX -fuse-ld=gold RT_HAS_GOLD)
 set(course_fast_linker "")
 if(RT_HAS_GOLD AND NOT RT_SANITIZE AND NOT CMAKE_CROSSCOMPILING)
@@ -33,8 +33,6 @@ set(course_check_linker "")
 if(RT_HAS_NEW_DTAGS)
   set(course_check_linker -Wl,--enable-new-dtags)
 endif()
-# Programs for another processor are linked statically: the emulator needs none of that system's libraries.
-option(COURSE_STATIC_ANSWERS "Link each checkpoint with the solution's answer alone" OFF)
 
 # course_of_learner(targets...): marks targets that compile the learner's code, and so may fail to compile.
 function(course_of_learner)
@@ -90,11 +88,7 @@ function(course_answer target real place chapter id)
     course_linked_with(${target})
     return()
   endif()
-  set(kind SHARED)
-  if(COURSE_STATIC_ANSWERS)
-    set(kind STATIC)
-  endif()
-  add_library(${target} ${kind} ${call} ${sources})
+  add_library(${target} SHARED ${call} ${sources})
   course_as_answer(${target} ${real} ${place} ${chapter} ${id} ${ARGN})
 endfunction()
 

@@ -21,8 +21,9 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FILES = ["README.md", "docs/**/*.md", "chapters/*/start/*.md", "chapters/*/questions.json", "course.json",
-         "companion/help.txt", "exercises/**/*.hpp", "solutions/**/*.hpp"]
+FILES = ["README.md", "CONTRIBUTING.md", "docs/**/*.md", "chapters/*/start/*.md", "chapters/*/questions.json",
+         "course.json", "companion/commands/commands.inc", "exercises/**/*.hpp", "solutions/**/*.hpp",
+         "chapters/*/rt/*.hpp"]
 WORD_LIST = ROOT / "tests" / "words.txt"
 HUNSPELL = ["hunspell", "-d", "en_US", "-i", "utf-8", "-a"]
 COLUMNS = 125
@@ -81,8 +82,9 @@ def prose(path, text):
     """
     if path.endswith(".md"):
         text = hide(CODE, text)
-    elif path.endswith(".json"):  # its strings, except for names and paths
-        json.loads(text)
+    elif path.endswith((".json", ".inc")):  # its strings, except for names and paths
+        if path.endswith(".json"):
+            json.loads(text)
         strings = re.compile(r'"(?:[^"\\\n]|\\.)*"|.')
         text = strings.sub(lambda found: found[0] if " " in found[0].strip() else HIDDEN * len(found[0]), text)
     elif path.endswith(".hpp"):

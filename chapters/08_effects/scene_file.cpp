@@ -1,6 +1,8 @@
 #include "scene_file.hpp"
 
 #include <algorithm>
+#include <app/errors.hpp>
+#include <app/files.hpp>
 #include <cmath>
 #include <map>
 #include <rt/image_file.hpp>
@@ -39,8 +41,7 @@ class Reader {
     Reader(const std::string& name, const fs::path& folder, const Limits& limits)
         : name_{name}, folder_{folder}, limits_{limits} {}
 
-    SceneDescription read(const app::Json& json) {
-        const Value whole{json, "", name_};
+    SceneDescription read(const Value& whole) {
         whole.with_keys({"about", "camera", "sky", "fog", "textures", "materials", "spheres",
                          "groups", "render"});
         if (const auto about = whole.find("about")) about->text("a sentence");
@@ -62,9 +63,9 @@ class Reader {
                 ends_.push_back(static_cast<int>(scene_.spheres.size()));
             }
         if (const auto found = filled_glass_in_fog(scene_))
-            Value{json, place_of(found->first), name_}.fail(
-                "is glass in the fog, and " + place_of(found->second) +
-                " overlaps it; in fog, nothing may lie in glass or cut into it");
+            throw app::UsageError(name_ + ": " + place_of(found->first) +
+                                  " is glass in the fog, and " + place_of(found->second) +
+                                  " overlaps it; in fog, nothing may lie in glass or cut into it");
         if (const auto render = whole.find("render")) read_render(*render);
         return std::move(scene_);
     }
@@ -80,39 +81,39 @@ class Reader {
     void read_camera(const Value& camera) {
         camera.with_keys({"look_from", "look_at", "up", "vfov_deg", "lens", "shutter"});
         CameraDescription& to = scene_.camera;
-        to.view.from = camera.at("look_from").vec3();
-        to.view.at = camera.at("look_at").vec3();
+        to.view.from = vec3(camera.at("look_from"));
+        to.view.at = vec3(camera.at("look_at"));
         if (to.view.at == to.view.from)
             camera.at("look_at").fail("must be another point than look_from");
-        to.view.up = camera.vec3("up", {0, 1, 0});
+        to.view.up = vec3(camera, "up", {0, 1, 0});
         if (to.view.up == Vec3{}) camera.at("up").fail("must be a direction, not [0, 0, 0]");
-        to.view.vertical_fov = radians(camera.number("vfov_deg", angles, 40));
-        to.shutter = camera.number("shutter", {0, 1e6}, 0);
+        to.view.vertical_fov = radians(number(camera, "vfov_deg", angles, 40));
+        to.shutter = number(camera, "shutter", {0, 1e6}, 0);
         if (const auto lens = camera.find("lens")) {
             lens->with_keys({"aperture", "focus_distance"});
-            to.lens.aperture = lens->at("aperture").number({0, lengths.high});
+            to.lens.aperture = number(lens->at("aperture"), {0, lengths.high});
             const Vec3 ahead = to.view.at - to.view.from;
             const Real distance =
                 rt::portable::hypot(rt::portable::hypot(ahead.x, ahead.y), ahead.z);
             if (!lens->find("focus_distance") && distance < static_cast<Real>(lengths.low))
                 lens->fail("needs \"focus_distance\", because look_at is nearer than " +
-                           number_text(lengths.low) + " to look_from");
-            to.lens.focus_distance = lens->number("focus_distance", lengths, distance);
+                           app::number_text(lengths.low) + " to look_from");
+            to.lens.focus_distance = number(*lens, "focus_distance", lengths, distance);
         }
     }
 
     void read_sky(const Value& sky) {
         sky.with_keys({"below", "above"});
-        scene_.sky = {sky.at("below").color(light), sky.at("above").color(light)};
+        scene_.sky = {color(sky.at("below"), light), color(sky.at("above"), light)};
     }
 
     void read_fog(const Value& value) {
         value.with_keys({"center", "radius", "density", "color", "asymmetry"});
         Fog fog;
-        fog.region = {value.at("center").vec3(), value.at("radius").number(lengths)};
-        fog.density = value.at("density").number({0, 1e9});
-        fog.albedo = value.color("color", {1, 1, 1}, shares);
-        fog.asymmetry = value.number("asymmetry", {-0.99, 0.99}, 0);
+        fog.region = {vec3(value.at("center")), number(value.at("radius"), lengths)};
+        fog.density = number(value.at("density"), {0, 1e9});
+        fog.albedo = color(value, "color", {1, 1, 1}, shares);
+        fog.asymmetry = number(value, "asymmetry", {-0.99, 0.99}, 0);
         scene_.fog = fog;
     }
 
@@ -125,8 +126,8 @@ class Reader {
             scene_.images.push_back(read_image(texture.at("file")));
         } else {
             texture.with_keys({"type", "even", "odd", "size"});
-            result.checker = {texture.at("even").color(shares), texture.at("odd").color(shares),
-                              texture.number("size", lengths, 1)};
+            result.checker = {color(texture.at("even"), shares), color(texture.at("odd"), shares),
+                              number(texture, "size", lengths, 1)};
         }
         return result;
     }
@@ -180,7 +181,7 @@ class Reader {
         for (const auto& [key, value] : table) known.push_back(key);
         name.fail("is " + app::quoted(wanted) + ", and there is no such " + kind +
                   (known.empty() ? "; \"" + kind + "s\" holds none"
-                                 : Value::meant(wanted, known, "there are ")));
+                                 : app::meant(wanted, known, "there are ")));
     }
 
     // A type of material: its name in a file, its keys beside "type", and how it is read.
@@ -212,29 +213,28 @@ class Reader {
         return Lambertian{read_color(value, material)};
     }
     MaterialDescription read_metal(const Value& value, Material& material) const {
-        return Metal{read_color(value, material), value.number("fuzz", shares, 0)};
+        return Metal{read_color(value, material), number(value, "fuzz", shares, 0)};
     }
     MaterialDescription read_glass(const Value& value, Material&) const {
-        return Dielectric{value.number("index", {0.1, 10}, Real(1.5))};
+        return Dielectric{number(value, "index", {0.1, 10}, Real(1.5))};
     }
     MaterialDescription read_light(const Value& value, Material&) const {
-        const Real strength = value.number("strength", light, 1);
-        return Emitter{strength * value.at("color").color(light)};
+        const Real strength = number(value, "strength", light, 1);
+        return Emitter{strength * color(value.at("color"), light)};
     }
     MaterialDescription read_own(const Value& value, Material& material) const {
-        return OwnMaterial{read_color(value, material), value.number("amount", shares, Real(0.5))};
+        return OwnMaterial{read_color(value, material), number(value, "amount", shares, Real(0.5))};
     }
 
     // The color of a material, or the first of the two that it lies between.
     static Color read_color(const Value& value, Material& material) {
-        const Value color = value.at("color");
-        if (!color.is_object()) return color.color(shares);
-        const std::vector<Value> ends =
-            color.with_keys({"between"}).at("between").list("two colors");
+        const Value given = value.at("color");
+        if (!given.is_object()) return color(given, shares);
+        const Value between = given.with_keys({"between"}).at("between");
+        const std::vector<Value> ends = between.list("two colors");
         if (ends.size() != 2)
-            color.at("between").fail("must be a list of two colors, not of " +
-                                     std::to_string(ends.size()));
-        material.between = {ends[0].color(shares), ends[1].color(shares)};
+            between.fail("must be a list of two colors, not of " + std::to_string(ends.size()));
+        material.between = {color(ends[0], shares), color(ends[1], shares)};
         return material.between->first;
     }
 
@@ -288,7 +288,7 @@ class Reader {
     void read_velocity(const Value& of, const Material& material, Vec3& velocity) const {
         const auto given = of.find("velocity");
         if (!given) return;
-        velocity = given->vec3();
+        velocity = vec3(*given);
         if (velocity != Vec3{} && std::holds_alternative<Emitter>(material.description))
             given->fail("must be [0, 0, 0] or absent: a light does not move");
     }
@@ -297,9 +297,9 @@ class Reader {
     static Mat4 read_stretched(const Value& sphere, const Sphere& plain) {
         Vec3 scale{1, 1, 1}, turn;
         if (const auto given = sphere.find("scale"))
-            scale = given->vec3_within("three numbers [x, y, z]", stretches);
+            scale = vec3_within(*given, "three numbers [x, y, z]", stretches);
         if (const auto given = sphere.find("rotate_deg"))
-            turn = given->vec3_within("three angles [x, y, z]", turns);
+            turn = vec3_within(*given, "three angles [x, y, z]", turns);
         const Mat4 turned =
             multiply(rotation_z(radians(turn.z)),
                      multiply(rotation_y(radians(turn.y)), rotation_x(radians(turn.x))));
@@ -319,7 +319,7 @@ class Reader {
                 given.fail("must be a list of four numbers, not of " +
                            std::to_string(numbers.size()));
             for (int column = 0; column < 4; ++column)
-                map(row, column) = numbers[static_cast<std::size_t>(column)].number(coordinates);
+                map(row, column) = number(numbers[static_cast<std::size_t>(column)], coordinates);
         }
         return map;
     }
@@ -354,7 +354,7 @@ class Reader {
             add_map(*matrix, read_matrix(*matrix), to);
             return;
         }
-        to.shape = {sphere.at("center").vec3(), sphere.at("radius").number(lengths)};
+        to.shape = {vec3(sphere.at("center")), number(sphere.at("radius"), lengths)};
         if (sphere.find("scale") || sphere.find("rotate_deg"))
             add_map(sphere, read_stretched(sphere, to.shape), to);
     }
@@ -403,8 +403,8 @@ class Reader {
             wanted.fail("is " + std::to_string(count) + ", but a scene may have only " +
                         std::to_string(limits_.spheres) + " spheres, and " +
                         std::to_string(room()) + " are left");
-        const Vec3 center = group.vec3("center", {});
-        const placing::Ball space = placing::ball_of({center, group.at("extent").number(lengths)});
+        const Vec3 center = vec3(group, "center", {});
+        const placing::Ball space = placing::ball_of({center, number(group.at("extent"), lengths)});
         const auto [low, high] = radii(group.at("radius"));
 
         std::vector<placing::Ball> balls;
@@ -436,22 +436,22 @@ class Reader {
         if (rule == "ball") return placing::in_ball(space);
         const auto arms = group.find("arms");
         return placing::galaxy(space, arms ? static_cast<int>(arms->whole(1, 100)) : 2,
-                               static_cast<double>(group.number("turns", {-100, 100}, 1)),
-                               static_cast<double>(group.number("width", shares, Real(0.25))));
+                               static_cast<double>(number(group, "turns", {-100, 100}, 1)),
+                               static_cast<double>(number(group, "width", shares, Real(0.25))));
     }
 
     // One radius for all, or [smallest, largest].
     static std::pair<double, double> radii(const Value& value) {
         if (!value.is_list()) {
-            const auto radius = static_cast<double>(value.number(lengths));
+            const auto radius = static_cast<double>(number(value, lengths));
             return {radius, radius};
         }
         const std::vector<Value> ends = value.list("two radii");
         if (ends.size() != 2)
             value.fail("must be a radius or a list of two, not a list of " +
                        std::to_string(ends.size()));
-        return {static_cast<double>(ends[0].number(lengths)),
-                static_cast<double>(ends[1].number(lengths))};
+        return {static_cast<double>(number(ends[0], lengths)),
+                static_cast<double>(number(ends[1], lengths))};
     }
 
     void add(const std::vector<placing::Ball>& balls, const Value& group) {
@@ -505,7 +505,7 @@ class Reader {
 
 SceneDescription parse_scene(const std::string& text, const std::string& name,
                              const fs::path& folder, const Limits& limits) {
-    return Reader{name, folder, limits}.read(app::parse_json(text, name));
+    return Reader{name, folder, limits}.read(Value::parse(text, name, "the scene"));
 }
 
 SceneDescription read_scene(const fs::path& file) {

@@ -7,6 +7,8 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <memory>
 #include <random>
 #include <system_error>
 
@@ -84,6 +86,35 @@ void replace_file(const fs::path& path, const std::string& bytes) {
         fs::remove(temporary, ignored);
         throw;
     }
+}
+
+std::string read_input_file(const fs::path& path, const std::string& name, std::size_t most) {
+    const auto refuse = [&](const std::string& why) { throw UsageError(name + ' ' + why); };
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) {
+        if (error && error != std::errc::no_such_file_or_directory)
+            refuse("cannot be read (" + error.message() + "); name a readable file");
+        refuse("does not exist; name an existing file");
+    }
+    if (fs::is_directory(status)) refuse("is a folder; name a file in it");
+    if (!fs::is_regular_file(status)) refuse("is a device or a pipe; name a regular file");
+
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    const std::unique_ptr<std::FILE, Close> file{std::fopen(path.c_str(), "rb")};
+    if (!file)
+        refuse(std::string{"cannot be read ("} + std::strerror(errno) + "); name a readable file");
+    std::string bytes;
+    char buffer[1 << 14];
+    for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {
+        bytes.append(buffer, got);
+        if (bytes.size() > most)
+            refuse("is too large; " + std::to_string(most >> 20) + " MiB are allowed");
+    }
+    if (std::ferror(file.get())) refuse("cannot be read; name a readable file");
+    return bytes;
 }
 
 void make_folder(const fs::path& folder) {

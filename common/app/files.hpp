@@ -1,5 +1,6 @@
 #pragma once
-// Writing files and making folders, so that nothing half-written is left.
+// Reading files that people name, and writing files and folders so that nothing half-written is
+// left.
 
 #include <filesystem>
 #include <string>
@@ -15,6 +16,11 @@ void replace_file(const std::filesystem::path& path, const std::string& bytes);
 // The file that a path means: links are followed to the file that they point to, whether it exists
 // or not. Throws std::system_error if they form a circle.
 std::filesystem::path behind_links(std::filesystem::path path);
+
+// The contents of a regular file of at most `most` bytes. Throws UsageError, with `name` in front,
+// if the file is missing, a folder, a device, too large, or cannot be read.
+std::string read_input_file(const std::filesystem::path& path, const std::string& name,
+                            std::size_t most);
 
 // Creates a folder if it is missing. Throws Failure if that fails.
 void make_folder(const std::filesystem::path& folder);

@@ -2,20 +2,14 @@
 #include <app/errors.hpp>
 #include <app/json.hpp>
 #include <cctype>
-#include <cerrno>
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <utility>
 
 namespace app {
 namespace {
 
-namespace fs = std::filesystem;
+using nlohmann::json;
 
 std::string line_and_column(std::string_view text, std::size_t offset) {
     const std::string_view before = text.substr(0, std::min(offset, text.size()));
@@ -122,49 +116,37 @@ std::string words(const Slip& slip) {
     return found + "; " + (name.empty() ? "expected " + std::string{slip.expected} : name);
 }
 
-// Puts the values together as the parser meets them.
-class Builder : public nlohmann::json_sax<nlohmann::json> {
+// Puts the values together as the parser meets them, which knows where it is in the text.
+class Builder : public nlohmann::json_sax<json> {
   public:
-    Builder(const std::string& text, const std::string& name) : text_{text}, name_{name} {}
+    Builder(const std::string& text, const std::string& file) : text_{text}, file_{file} {}
 
-    Json result;
+    json result;
 
-    bool null() override { return add({}); }
-    bool boolean(bool value) override { return add({Json::Kind::boolean, value ? 1.0 : 0.0}); }
-    bool number_integer(std::int64_t value) override {
-        return add({Json::Kind::number, static_cast<double>(value)});
-    }
-    bool number_unsigned(std::uint64_t value) override {
-        return add({Json::Kind::number, static_cast<double>(value)});
-    }
-    bool number_float(double value, const std::string&) override {
-        return add({Json::Kind::number, value});
-    }
-    bool string(std::string& value) override {
-        return add({Json::Kind::text, 0, std::move(value)});
-    }
-    bool binary(nlohmann::json::binary_t&) override { return false; }  // never in a text
+    bool null() override { return add(nullptr); }
+    bool boolean(bool value) override { return add(value); }
+    bool number_integer(std::int64_t value) override { return add(value); }
+    bool number_unsigned(std::uint64_t value) override { return add(value); }
+    bool number_float(double value, const std::string&) override { return add(value); }
+    bool string(std::string& value) override { return add(std::move(value)); }
+    bool binary(json::binary_t&) override { return false; }  // never in a text
 
-    bool start_object(std::size_t) override { return open(Json::Kind::object); }
-    bool start_array(std::size_t) override { return open(Json::Kind::list); }
+    bool start_object(std::size_t) override { return open(json::object()); }
+    bool start_array(std::size_t) override { return open(json::array()); }
     bool end_array() override { return close(); }
-    bool end_object() override {
-        const std::vector<std::string>& keys = open_.back().keys;
-        std::vector<std::string_view> sorted(keys.begin(), keys.end());
-        std::sort(sorted.begin(), sorted.end());
-        const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-        if (twice != sorted.end())
-            throw UsageError(name_ + ": " + path_of_member(path(), std::string{*twice}) +
+    bool end_object() override { return close(); }
+    bool key(std::string& key) override {
+        Open& inner = open_.back();
+        if (inner.value.contains(key))
+            throw UsageError(file_ + ": " + path_of_member(path(), key) +
                              " appears twice; each key may appear only once in its object");
-        return close();
-    }
-    bool key(std::string& value) override {
-        open_.back().keys.push_back(std::move(value));
+        inner.key = std::move(key);
+        inner.wants_value = true;
         return true;
     }
     bool parse_error(std::size_t position, const std::string& token,
-                     const nlohmann::json::exception& error) override {
-        const std::string place = name_ + ':' + line_and_column(text_, position) + ": ";
+                     const json::exception& error) override {
+        const std::string place = file_ + ':' + line_and_column(text_, position) + ": ";
         constexpr int out_of_range = 406;  // a number, as the library counts its errors
         if (error.id == out_of_range)
             throw UsageError(place + "the number " + token.substr(0, 40) +
@@ -173,12 +155,19 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     }
 
   private:
+    // An object or a list that is not closed yet.
+    struct Open {
+        json value;
+        std::string key{};  // of the member that is read
+        bool wants_value = false;
+    };
+
     // Of the innermost open object.
     std::string path() const {
         std::string path;
         for (std::size_t i = 0; i + 1 < open_.size(); ++i)
-            path = open_[i].kind == Json::Kind::object ? path_of_member(path, open_[i].keys.back())
-                                                       : path_of_item(path, open_[i].items.size());
+            path = open_[i].value.is_object() ? path_of_member(path, open_[i].key)
+                                              : path_of_item(path, open_[i].value.size());
         return path;
     }
     // The parser stopped after this many bytes.
@@ -196,106 +185,58 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     }
     std::string_view expected(char last) const {
         if (open_.empty()) return is_read_ ? the_end : a_value;
-        const Json& inner = open_.back();
-        const bool first = inner.items.empty();
-        if (inner.kind == Json::Kind::list)
-            return last == ',' ? a_value : first ? first_item : next_item;
-        if (inner.keys.size() > inner.items.size()) return last == '"' ? a_colon : a_value;
+        const Open& inner = open_.back();
+        const bool first = inner.value.empty();
+        if (inner.value.is_array()) return last == ',' ? a_value : first ? first_item : next_item;
+        if (inner.wants_value) return last == '"' ? a_colon : a_value;
         return last == ',' ? a_key : first ? first_key : next_member;
     }
-    bool add(Json value) {
+    bool add(json value) {
         is_read_ = open_.empty();
-        (open_.empty() ? result : open_.back().items.emplace_back()) = std::move(value);
+        if (open_.empty()) {
+            result = std::move(value);
+            return true;
+        }
+        Open& inner = open_.back();
+        if (inner.value.is_array())
+            inner.value.push_back(std::move(value));
+        else
+            inner.value[inner.key] = std::move(value);
+        inner.wants_value = false;
         return true;
     }
-    bool open(Json::Kind kind) {
-        open_.push_back({kind});
+    bool open(json value) {
+        open_.push_back({std::move(value)});
         if (open_.size() > max_json_depth)
-            throw UsageError(name_ + ": " + path() +
+            throw UsageError(file_ + ": " + path() +
                              " is nested too deeply; objects and lists may be nested " +
                              std::to_string(max_json_depth) + " deep");
         return true;
     }
     bool close() {
-        Json done = std::move(open_.back());
+        json done = std::move(open_.back().value);
         open_.pop_back();
         return add(std::move(done));
     }
 
     const std::string& text_;
-    const std::string& name_;
-    std::vector<Json> open_;  // objects and lists, from the outermost one
+    const std::string& file_;
+    std::vector<Open> open_;  // from the outermost one
     bool is_read_ = false;    // the whole text
 };
 
-nlohmann::json scalar(const Json& json) {
-    if (json.kind == Json::Kind::text) return json.text;
-    if (json.kind == Json::Kind::boolean) return json.number != 0;
-    if (json.kind != Json::Kind::number) return nullptr;
-    const bool is_whole = std::abs(json.number) < 1e15 && json.number == std::floor(json.number);
-    if (is_whole) return static_cast<std::int64_t>(json.number);
-    return json.number;
-}
-
 }  // namespace
 
-std::string read_input_file(const fs::path& path, const std::string& name, std::size_t most) {
-    const auto refuse = [&](const std::string& why) { throw UsageError(name + ' ' + why); };
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) {
-        if (error && error != std::errc::no_such_file_or_directory)
-            refuse("cannot be read (" + error.message() + "); name a readable file");
-        refuse("does not exist; name an existing file");
-    }
-    if (fs::is_directory(status)) refuse("is a folder; name a file in it");
-    if (!fs::is_regular_file(status)) refuse("is a device or a pipe; name a regular file");
-
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    const std::unique_ptr<std::FILE, Close> file{std::fopen(path.c_str(), "rb")};
-    if (!file)
-        refuse(std::string{"cannot be read ("} + std::strerror(errno) + "); name a readable file");
-    std::string bytes;
-    char buffer[1 << 14];
-    for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {
-        bytes.append(buffer, got);
-        if (bytes.size() > most)
-            refuse("is too large; " + std::to_string(most >> 20) + " MiB are allowed");
-    }
-    if (std::ferror(file.get())) refuse("cannot be read; name a readable file");
-    return bytes;
-}
-
-Json parse_json(const std::string& text, const std::string& name) {
+json parse_json(const std::string& text, const std::string& file) {
     if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-        throw UsageError(name + " is empty; expected a JSON object { ... }");
+        throw UsageError(file + " is empty; expected a JSON object { ... }");
     // The parser would take it for the end.
     if (const auto zero = text.find('\0'); zero != std::string::npos)
-        throw UsageError(name + ':' + line_and_column(text, zero + 1) +
+        throw UsageError(file + ':' + line_and_column(text, zero + 1) +
                          ": a zero byte; a JSON text has none");
-    Builder builder{text, name};
-    nlohmann::json::sax_parse(text, &builder);
+    Builder builder{text, file};
+    json::sax_parse(text, &builder);
     return std::move(builder.result);
-}
-
-const Json* find(const Json& object, const std::string& key, Json::Kind kind) {
-    for (std::size_t i = 0; i < object.keys.size(); ++i)
-        if (object.keys[i] == key && object.items[i].kind == kind) return &object.items[i];
-    return nullptr;
-}
-
-std::string to_text(const Json& json) {
-    const bool is_object = json.kind == Json::Kind::object;
-    if (!is_object && json.kind != Json::Kind::list) return scalar(json).dump();
-    std::string text;
-    for (std::size_t i = 0; i < json.items.size(); ++i) {
-        text += i == 0 ? "" : ", ";
-        if (is_object) text += nlohmann::json(json.keys[i]).dump() + ": ";
-        text += to_text(json.items[i]);
-    }
-    return is_object ? '{' + text + '}' : '[' + text + ']';
 }
 
 std::string path_of_member(const std::string& parent, const std::string& key) {

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <app/files.hpp>
-#include <app/json.hpp>
 #include <app/limits.hpp>
 #include <app/nearest_word.hpp>
 #include <app/run.hpp>
@@ -15,7 +14,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <locale>
+#include <nlohmann/json.hpp>
 #include <rt/image_file.hpp>
 #include <sstream>
 #include <study/report.hpp>
@@ -240,7 +241,7 @@ void run_study(const Program& program, const Request& request) {
     study::Report report{program.name};
     program.study(report);
     try {
-        report.write_csv(folder);
+        write_study(report, folder);
     } catch (const std::system_error& full) {
         fail(full.code());
     }
@@ -433,12 +434,15 @@ std::string describe(const Program& program) {
     Request request = default_request(program);
     CLI::App options;
     add_options(options, request, program);
-    Json defaults{Json::Kind::object};
-    for (const CLI::Option* const option : options.get_options()) {
-        defaults.keys.push_back(option->get_single_name());
-        defaults.items.push_back({Json::Kind::text, 0, option->get_default_str()});
-    }
-    return to_text(defaults);
+    nlohmann::json defaults;
+    for (const CLI::Option* const option : options.get_options())
+        defaults[option->get_single_name()] = option->get_default_str();
+    return defaults.dump();
+}
+
+void write_study(const study::Report& report, const std::filesystem::path& folder) {
+    std::ifstream earlier{folder / report.file()};
+    replace_file(folder / report.file(), report.csv(earlier));
 }
 
 int run(int argc, const char* const* argv, const Program& program) {

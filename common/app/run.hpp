@@ -117,6 +117,10 @@ struct Program {
 // Runs the program as main() should. Every error is one line on stderr.
 int run(int argc, const char* const* argv, const Program& program);
 
+// Writes measurements to folder/CHAPTER.csv, beside those that it holds of the other precision.
+// Throws std::system_error on failure.
+void write_study(const study::Report& report, const std::filesystem::path& folder);
+
 // What the hidden option --describe prints, for programs that run this one: its options, each with
 // its default, as a JSON object of texts.
 std::string describe(const Program& program);

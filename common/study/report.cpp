@@ -1,5 +1,3 @@
-#include <app/files.hpp>
-#include <fstream>
 #include <rt/real.hpp>
 #include <stdexcept>
 #include <study/csv.hpp>
@@ -59,17 +57,14 @@ const std::vector<Row>& Report::rows() const {
     return rows_;
 }
 
-void Report::write_csv(const std::filesystem::path& folder) const {
-    const auto path = folder / (chapter_ + ".csv");
+std::string Report::csv(std::istream& earlier) const {
     std::string text = header;
-    // Keeps the rows of an earlier run of the program that was built with the other precision.
     const std::string other = precision() == "float" ? "double" : "float";
-    std::ifstream in{path};
-    for (const Line& line : read_csv(in))
+    for (const Line& line : read_csv(earlier))
         if (line.size() > precision_column && line[precision_column] == other)
             text += to_text(line);
     for (const Row& row : rows()) text += to_text(to_line(row));
-    app::replace_file(path, text);
+    return text;
 }
 
 void Report::print_table(std::FILE* out) const {

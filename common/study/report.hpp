@@ -2,7 +2,7 @@
 // Measuring what accuracy costs: rows of (error, cost), a table for the terminal, CSV for plots.
 
 #include <cstdio>
-#include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <study/timing.hpp>
 #include <vector>
@@ -39,10 +39,11 @@ class Report {
     // time.
     const std::vector<Row>& rows() const;
 
-    // Writes folder/CHAPTER.csv. Keeps the rows of the other precision that it already holds, so
-    // that running the double and the float program one after the other gives one file with both.
-    // Throws std::system_error on failure.
-    void write_csv(const std::filesystem::path& folder) const;
+    // The name of the file that keeps it, CHAPTER.csv, and its contents: the rows of the other
+    // precision in an earlier one, so that running the double and the float program one after the
+    // other gives one file with both, and its own.
+    std::string file() const { return chapter_ + ".csv"; }
+    std::string csv(std::istream& earlier) const;
 
     void print_table(std::FILE* out) const;
 

@@ -16,8 +16,9 @@ bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-// A path as the learner knows it: relative to the course.
-std::string relative(const Course& course, std::string line) {
+}  // namespace
+
+std::string with_relative_paths(const Course& course, std::string line) {
     for (const fs::path& folder : {course.root, fs::weakly_canonical(course.root)}) {
         const std::string prefix = folder.string() + '/';
         for (auto at = line.find(prefix); at != std::string::npos; at = line.find(prefix))
@@ -28,19 +29,24 @@ std::string relative(const Course& course, std::string line) {
     return line;
 }
 
-}  // namespace
-
 BuildResult build(const Course& course, const std::vector<std::string>& targets) {
     const FileLock lock{private_folder(course) / "build.lock"};
-    std::vector<std::string> command{"cmake", "--build", course.build.string(), "--target"};
+    const std::vector<std::string> cmake{"cmake", "--build", course.build.string(), "--target"};
+    std::vector<std::string> command = cmake;
     command.insert(command.end(), targets.begin(), targets.end());
     command.push_back("--");
-    if (fs::exists(course.build / "build.ninja"))
+    if (fs::exists(course.build / "build.ninja")) {
         command.insert(command.end(), {"-k", "0"});
-    else  // make builds one target at a time unless told otherwise
+    } else {
+        // make builds one target at a time unless told otherwise, and does not configure again for
+        // a target that it does not know yet.
         command.insert(
             command.end(),
             {"-k", "-j" + std::to_string(std::max(1u, std::thread::hardware_concurrency()))});
+        std::vector<std::string> configure = cmake;
+        configure.push_back("cmake_check_build_system");
+        run_process({.command = configure});
+    }
     remove_stale(course);
     const Result result = run_process({.command = command});
     note_built(course);
@@ -79,7 +85,7 @@ std::string first_error(const Course& course, const std::string& output,
     };
     std::istringstream in{output};
     for (std::string line; std::getline(in, line);) {
-        line = relative(course, line);
+        line = with_relative_paths(course, line);
         const std::string place = place_in(line);
         const bool is_in_files = !place.empty(), is_within = is_in_files && line.find(place) == 0;
         // "file:line:column: error: what"
@@ -121,7 +127,7 @@ std::string first_warning(const Course& course, const std::string& output,
     std::string first, elsewhere;
     std::istringstream in{output};
     for (std::string line; std::getline(in, line);) {
-        line = relative(course, line);
+        line = with_relative_paths(course, line);
         const auto at = line.find(mark);
         const auto file = std::find_if(files.begin(), files.end(), [&](const fs::path& one) {
             return line.rfind(one.string() + ':', 0) == 0;

@@ -19,6 +19,9 @@ BuildResult build(const Course& course, const std::vector<std::string>& targets)
 // The same for a target that must exist afterward. Throws app::Failure with the first error.
 void must_build(const Course& course, const std::string& target);
 
+// The line with its paths as the learner knows them: relative to the course.
+std::string with_relative_paths(const Course& course, std::string line);
+
 // The most helpful error of a compiler or linker in a build's output: the first within these
 // files, else the first that came from them, else the first of all. "file:line:column: error:
 // what", and in further lines the source that the compiler shows. Paths inside the course are

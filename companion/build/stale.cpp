@@ -4,11 +4,12 @@
 #include <companion/system/files.hpp>
 #include <limits>
 #include <map>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 namespace companion {
 namespace {
 
+using nlohmann::json;
 using Time = long long;  // as the file system stores it
 
 Time written(const fs::path& file) {
@@ -23,6 +24,7 @@ struct Source {
 
     bool operator==(const Source&) const = default;
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Source, hash, time)
 
 // The sources that a learner changes, and their copies in build/yours: by group, "03_sphere" or
 // "yours", and by path.
@@ -32,9 +34,8 @@ Sources sources_of(const Course& course) {
     Sources all;
     const auto add = [&](const std::string& group, const fs::path& folder) {
         for (const fs::path& file : source_files(folder)) {
-            const std::string name = file.lexically_relative(folder).string();
-            if (name.find('\n') != std::string::npos) continue;
-            all[group][name] = {hash_of(read_file(file)), written(file)};
+            all[group][file.lexically_relative(folder).string()] = {hash_of(read_file(file)),
+                                                                    written(file)};
         }
     };
     for (const Chapter& chapter : chapters(course)) {
@@ -52,38 +53,26 @@ struct Known {
     Time latest = std::numeric_limits<Time>::min();  // nothing that was built is newer
     Sources sources;
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Known, finished, latest, sources)
 
 fs::path file_of(const Course& course) {
-    return course.build / "built-from.txt";
+    return course.build / "built-from.json";
 }
 
 Known read_known(const Course& course) {
     const fs::path file = file_of(course);
     if (!fs::exists(file)) return {};
-    std::istringstream in{read_file(file)};
-    Known known;
-    std::string line, word, hash, group;
-    in >> word >> known.latest;
-    known.finished = word == "finished";
+    const json text = json::parse(read_file(file), nullptr, false);
+    if (!text.is_object()) return {};
+    Known known = text;
     // Everything that was built existed when this was written, whatever the clock did before.
     known.latest = std::max(known.latest, written(file));
-    for (Time time = 0; in >> hash >> time >> group && std::getline(in, line);)
-        if (hash == "group")
-            known.sources[group];
-        else
-            known.sources[group][line.substr(1)] = {hash, time};
     return known;
 }
 
 void write_known(const Course& course, const Known& known) {
-    std::ostringstream text;
-    text << (known.finished ? "finished " : "begun ") << known.latest << '\n';
-    for (const auto& [group, files] : known.sources) {
-        text << "group 0 " << group << '\n';
-        for (const auto& [name, source] : files)
-            text << source.hash << ' ' << source.time << ' ' << group << ' ' << name << '\n';
-    }
-    app::replace_file(file_of(course), text.str());
+    app::replace_file(file_of(course),
+                      json(known).dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 // Whether a group's files have changed in a way that the build would not notice by itself.

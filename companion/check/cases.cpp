@@ -27,8 +27,8 @@ std::string cause_of(const Result& result, const TestCase* test) {
         case SIGFPE:
             return "it divided an integer by 0";
         case SIGABRT:
-            return "it was aborted: it freed memory twice, or wrote past the end of a block of "
-                   "memory, or an exception left a function that must not throw";
+            return "it was aborted: an index is out of range, an empty std::optional has no value, "
+                   "memory was freed twice, or an exception left a function that must not throw";
         case SIGILL:
             return "it executed invalid code: is a return missing?";
         default:
@@ -86,7 +86,7 @@ Tested run_cases(const Course& course, const Cases& cases) {
     Tested tested{run_process({.command = command_of(course, cases),
                                .folder = course.build,
                                .output = Output::errors_hidden,
-                               .timeout = cases.timeout,
+                               .timeout = cases.timeout > 0 ? cases.timeout : course.patience,
                                .most_memory = is_sanitized ? 0 : most_memory,
                                .most_output = most_bytes}),
                   {}};

@@ -7,9 +7,6 @@
 
 namespace companion {
 
-// Seconds after which an exercise's checkpoints are stopped.
-inline constexpr double most_seconds = 20;
-
 // One run of an exercise's program of test cases.
 struct Tested {
     Result result;
@@ -29,7 +26,7 @@ struct Cases {
     bool in_float = false;
     fs::path answer = {};    // the folder of the answer; empty: the learner's
     std::string which = {};  // in Catch2's notation, "[hard]~[x]"; empty: all
-    double timeout = most_seconds;
+    double timeout = 0;      // in seconds; 0: the course's patience
 };
 Tested run_cases(const Course& course, const Cases& cases);
 

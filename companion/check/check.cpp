@@ -4,7 +4,6 @@
 #include <companion/check/check.hpp>
 #include <companion/model/state.hpp>
 #include <ctime>
-#include <map>
 #include <set>
 
 namespace companion {
@@ -17,10 +16,9 @@ std::vector<std::string> targets_of(const Checked& checked) {
 }
 
 // Builds the targets of these exercises in their precision, and stores the compiler's warnings in
-// them. Returns the exercises that cannot be built, with the first error of each.
-std::map<std::string, std::string> build_all(const Course& course, std::vector<Checked*> some) {
-    std::map<std::string, std::string> errors;
-    if (some.empty()) return errors;
+// them, and its errors as the verdict.
+void build_all(const Course& course, const std::vector<Checked*>& some) {
+    if (some.empty()) return;
     std::vector<std::string> targets;
     for (const Checked* checked : some)
         for (std::string& target : targets_of(*checked)) targets.push_back(std::move(target));
@@ -33,13 +31,12 @@ std::map<std::string, std::string> build_all(const Course& course, std::vector<C
         // What was built stays; an exercise that was built alone need not be built again.
         const BuildResult alone = some.size() == 1 ? together : build(course, targets_of(*checked));
         if (alone.ok) continue;
-        std::string& error = errors[exercise.id];
-        error = first_error(course, alone.output, exercise.files);
+        const std::string error = first_error(course, alone.output, exercise.files);
         if (error.empty())
             throw app::Failure("the build failed: " +
                                alone.output.substr(0, alone.output.find('\n')));
+        checked->verdict = NotCompiled{error};
     }
-    return errors;
 }
 
 // The message that all test cases show besides the rt::todo that ended them.
@@ -64,101 +61,117 @@ Tested run_cases(const Course& course, const Checked& checked, const std::string
 }
 
 // The verdict on a run, which speaks of the core alone.
-void judge(const Course& course, Checked& checked, const Tested& tested) {
-    const auto& tests = tested.tests;
-    checked.tests = tests;
+Verdict judge(const Course& course, const Checked& checked, const Tested& tested) {
+    const std::vector<TestCase>& tests = tested.tests;
     const auto fails = [&](bool hard) {
         return std::any_of(tests.begin(), tests.end(), [&](const TestCase& test) {
             return test.hard == hard && is_failing(test);
         });
     };
-    const auto find_missing = [&] {
-        for (const TestCase& test : tests)
-            if (!missing_exercise(test).empty()) return missing_exercise(test);
-        return std::string{};
-    };
-    if (tested.was_stopped() || tested.crashed()) {
-        checked.verdict = tested.was_stopped() ? Verdict::endless : Verdict::crashed;
-        checked.trouble = tested.trouble();
-    } else if (fails(false)) {
-        checked.verdict = Verdict::failing;
-    } else if (const std::string missing = find_missing(); !missing.empty()) {
-        const bool is_own = missing == checked.exercise.id;
-        checked.verdict = is_own ? Verdict::to_write : Verdict::waiting;
-        if (!is_own) checked.missing = missing;
+    if (tested.was_stopped()) return Endless{tests, tested.trouble()};
+    if (tested.crashed()) return Crashed{tests, tested.trouble()};
+    if (fails(false)) return Failing{tests};
+    std::string missing;
+    for (const TestCase& test : tests)
+        if (missing.empty()) missing = missing_exercise(test);
+    if (missing == checked.exercise.id) {
         const int todos = todos_left(course, checked.exercise);
-        if (is_own && (todos == 0 || todos == checked.exercise.shipped_todos))
-            checked.trouble = said_by_all(tests);
-        if (is_own && todos == 0) {
-            checked.verdict = Verdict::failing;
-            if (checked.trouble.empty())
-                checked.trouble =
-                    "No rt::todo is left in it, but the checkpoints do not call your function. "
-                    "Compare its name, namespace and parameters with the declaration, down to "
-                    "each const and &.";
-        }
-    } else if (tests.empty()) {
+        const bool has_all = todos == checked.exercise.shipped_todos;
+        const std::string said = todos == 0 || has_all ? said_by_all(tests) : "";
+        if (todos > 0) return Begun{tests, functions_left(course, checked.exercise), said};
+        return Failing{tests, !said.empty() ? said
+                                            : "No rt::todo is left in it, but the checkpoints do "
+                                              "not call your function. Compare its name, namespace "
+                                              "and parameters with the declaration, down to each "
+                                              "const and &."};
+    }
+    if (!missing.empty()) return Waiting{missing};
+    if (tests.empty())
         throw app::Failure("check." + checked.exercise.id +
                            " ran no test case: " + how_it_ended(tested.result));
-    } else {
-        checked.verdict = tested.result.ok() || fails(true) ? Verdict::passed : Verdict::crashed;
-        if (checked.verdict != Verdict::passed) checked.trouble = how_it_ended(tested.result);
-    }
+    if (tested.result.ok() || fails(true)) return Passed{tests};
+    return Crashed{tests, how_it_ended(tested.result)};
 }
 
 // Notes the stars of a run.
-void note_stars(Checked& checked, const Tested& tested) {
+void note_stars(Passed& passed, const Tested& tested) {
     for (const TestCase& test : tested.tests) {
         if (!test.hard) continue;
-        ++checked.stars;
+        ++passed.stars;
         if (test.passed) continue;
-        checked.open_stars.push_back({test});
-        if (&test == tested.ended_in()) checked.open_stars.back().trouble = tested.trouble();
+        passed.open_stars.push_back({test});
+        if (&test == tested.ended_in()) passed.open_stars.back().trouble = tested.trouble();
     }
 }
 
-void run_tests(const Course& course, Checked& checked) {
+Verdict run_tests(const Course& course, const Checked& checked) {
     Tested tested = run_cases(course, checked);
-    judge(course, checked, tested);
-    if (const TestCase* const last = tested.ended_in(); last && last->hard) {
-        // The core alone; then each hard case runs, even if an earlier one ends the program.
-        Checked core = checked;
-        core.trouble.clear();
-        judge(course, core, run_cases(course, checked, "~[hard]"));
-        if (core.verdict != Verdict::passed) {
-            if (core.verdict == Verdict::to_write || core.verdict == Verdict::waiting)
-                checked = core;
-            return;
-        }
-        core.tests = checked.tests;
-        checked = core;
-        std::string others = "[hard]";
-        for (; !tested.tests.empty(); tested = run_cases(course, checked, others)) {
-            note_stars(checked, tested);
-            if (tested.was_stopped()) break;  // waiting for one timeout is enough
-            for (const TestCase& test : tested.tests)
-                if (test.hard) others += "~\"" + test.name + '"';
-        }
-    } else if (checked.verdict == Verdict::passed) {
-        note_stars(checked, tested);
+    Verdict whole = judge(course, checked, tested);
+    const TestCase* const last = tested.ended_in();
+    if (!last || !last->hard) {
+        if (auto* const passed = std::get_if<Passed>(&whole)) note_stars(*passed, tested);
+        return whole;
     }
+    // The core alone; then each hard case runs, even if an earlier one ends the program.
+    Verdict core = judge(course, checked, run_cases(course, checked, "~[hard]"));
+    if (std::holds_alternative<Begun>(core) || std::holds_alternative<Waiting>(core)) return core;
+    auto* const passed = std::get_if<Passed>(&core);
+    if (!passed) return whole;
+    passed->tests = tested.tests;
+    std::string others = "[hard]";
+    for (; !tested.tests.empty(); tested = run_cases(course, checked, others)) {
+        note_stars(*passed, tested);
+        if (tested.was_stopped()) break;  // waiting for one timeout is enough
+        for (const TestCase& test : tested.tests)
+            if (test.hard) others += "~\"" + test.name + '"';
+    }
+    return core;
 }
 
 // Notes when answers passed first. Where one check finds right ones in several chapters, they were
 // written some time before it, as after the remembered progress was lost.
 void note_first_passes(State& state, std::vector<Checked>& all) {
     std::set<std::string> chapters;
-    for (Checked& checked : all) {
-        checked.first_pass =
-            checked.verdict == Verdict::passed && state[checked.exercise.id].first_passed == 0;
-        if (checked.first_pass) chapters.insert(checked.exercise.chapter.name);
-    }
+    for (Checked& checked : all)
+        if (auto* const passed = std::get_if<Passed>(&checked.verdict)) {
+            passed->for_the_first_time = state.exercises[checked.exercise.id].first_passed == 0;
+            if (passed->for_the_first_time) chapters.insert(checked.exercise.chapter.name);
+        }
     const std::int64_t time = chapters.size() > 1 ? unknown_time : std::time(nullptr);
     for (const Checked& checked : all)
-        if (checked.first_pass) state[checked.exercise.id].first_passed = time;
+        if (checked.passed() && checked.passed()->for_the_first_time)
+            state.exercises[checked.exercise.id].first_passed = time;
+}
+
+// Adds the stars that are open in float alone.
+void add_float_stars(Passed& in_double, const Passed& in_float) {
+    auto& open = in_double.open_stars;
+    for (OpenStar star : in_float.open_stars) {
+        star.in_float = true;
+        if (std::none_of(open.begin(), open.end(),
+                         [&](const OpenStar& other) { return other.test.name == star.test.name; }))
+            open.push_back(std::move(star));
+    }
 }
 
 }  // namespace
+
+const std::vector<TestCase>& Checked::tests() const {
+    return std::visit(
+        [](const auto& kind) -> const std::vector<TestCase>& {
+            static const std::vector<TestCase> none;
+            if constexpr (requires { kind.tests; })
+                return kind.tests;
+            else
+                return none;
+        },
+        verdict);
+}
+
+int Checked::passed_cases() const {
+    return static_cast<int>(std::count_if(tests().begin(), tests().end(),
+                                          [](const TestCase& test) { return test.passed; }));
+}
 
 std::vector<Checked> check_exercises(const Course& course, const std::vector<Exercise>& exercises) {
     std::vector<Checked> all;
@@ -166,106 +179,78 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
     std::vector<std::string> hashes;
     std::vector<Checked*> begun;
     for (const Exercise& exercise : exercises) {
-        all.emplace_back().exercise = exercise;
+        Checked& checked = all.emplace_back(Checked{exercise});
         // Before the build: a file saved during the build may or may not be part of what is judged.
         hashes.push_back(hash_of(course, exercise));
-        if (all.back().trouble = trouble_with_files(course, exercise); !all.back().trouble.empty())
-            all.back().verdict = Verdict::no_file;
+        if (const std::string trouble = trouble_with_files(course, exercise); !trouble.empty())
+            checked.verdict = NoFile{trouble};
         else if (is_begun(course, exercise))
-            begun.push_back(&all.back());
+            begun.push_back(&checked);
     }
-    const auto errors = build_all(course, begun);
+    build_all(course, begun);
     State before = read_state(course);
     for (Checked* one : begun) {
         Checked& checked = *one;
         // The compiler does not repeat warnings on code that was compiled before.
-        const Record& known = before[checked.exercise.id];
+        const Record& known = before.exercises[checked.exercise.id];
         if (checked.warning.empty() &&
             known.hash == hashes[static_cast<std::size_t>(one - all.data())])
             checked.warning = known.warning;
-        const auto error = errors.find(checked.exercise.id);
-        if (error != errors.end()) {
-            checked.verdict = Verdict::not_compiled;
-            checked.trouble = error->second;
-            continue;
-        }
-        run_tests(course, checked);
-        if (checked.verdict == Verdict::to_write)
-            checked.left = functions_left(course, checked.exercise);
+        if (!checked.is<NotCompiled>()) checked.verdict = run_tests(course, checked);
     }
     change_state(course, [&](State& state) {
         for (std::size_t i = 0; i < all.size(); ++i) {
-            const Verdict verdict = all[i].verdict;
-            Record& record = state[all[i].exercise.id];
-            record.passed = verdict == Verdict::passed;
+            const Passed* const passed = all[i].passed();
+            Record& record = state.exercises[all[i].exercise.id];
+            record.passed = passed;
             // If it waits for another exercise, nothing is known yet of its own answer.
             const bool is_known =
-                verdict != Verdict::waiting && hash_of(course, all[i].exercise) == hashes[i];
+                !all[i].is<Waiting>() && hash_of(course, all[i].exercise) == hashes[i];
             record.hash = is_known ? hashes[i] : "";
             record.warning = all[i].warning;
-            record.stars = all[i].stars;
-            record.open_stars = static_cast<int>(all[i].open_stars.size());
+            record.stars = passed ? passed->stars : 0;
+            record.open_stars = passed ? static_cast<int>(passed->open_stars.size()) : 0;
         }
         note_first_passes(state, all);
     });
     return all;
 }
 
-int check_in_float(const Course& course, std::vector<Checked>& all) {
+void check_in_float(const Course& course, std::vector<Checked>& all) {
     struct Try {
         Checked* in_double;
         Checked in_float;
     };
     std::vector<Try> tries;
     for (Checked& checked : all)
-        if (checked.verdict == Verdict::passed && checked.exercise.chapter.uses_real) {
-            Checked& in_float = tries.emplace_back(Try{&checked, {}}).in_float;
-            in_float.exercise = checked.exercise;
-            in_float.warning = checked.warning;
-            in_float.first_pass = checked.first_pass;
-            in_float.in_float = true;
-        }
+        if (checked.passed() && checked.exercise.chapter.uses_real)
+            tries.push_back({&checked, {checked.exercise, {}, true, checked.warning}});
+    if (tries.empty()) return;
     std::vector<Checked*> targets;
     for (Try& one : tries) targets.push_back(&one.in_float);
-    const auto errors = build_all(course, targets);
+    build_all(course, targets);
+    std::set<std::string> no_first_pass;
     for (auto& [in_double, in_float] : tries) {
-        const auto error = errors.find(in_float.exercise.id);
-        if (error == errors.end()) {
-            run_tests(course, in_float);
-        } else {
-            in_float.verdict = Verdict::not_compiled;
-            in_float.trouble = error->second;
-        }
-        if (in_float.verdict != Verdict::passed) {
-            *in_double = std::move(in_float);
+        if (!in_float.is<NotCompiled>()) in_float.verdict = run_tests(course, in_float);
+        auto& passed = std::get<Passed>(in_double->verdict);
+        if (in_float.passed()) {
+            add_float_stars(passed, *in_float.passed());
             continue;
         }
-        auto& open = in_double->open_stars;
-        for (OpenStar& star : in_float.open_stars) {
-            star.in_float = true;
-            if (std::none_of(open.begin(), open.end(), [&](const OpenStar& other) {
-                    return other.test.name == star.test.name;
-                }))
-                open.push_back(std::move(star));
-        }
+        if (passed.for_the_first_time) no_first_pass.insert(in_float.exercise.id);
+        *in_double = std::move(in_float);
     }
     change_state(course, [&](State& state) {
         for (const Try& one : tries) {
-            Record& record = state[one.in_double->exercise.id];
-            if (record.hash != hash_of(course, one.in_double->exercise)) record.hash.clear();
-            if (one.in_double->in_float) {
-                record.passed = false;
-                if (one.in_double->first_pass) record.first_passed = 0;
-            }
-            record.open_stars = static_cast<int>(one.in_double->open_stars.size());
+            const Checked& checked = *one.in_double;
+            const Passed* const passed = checked.passed();
+            Record& record = state.exercises[checked.exercise.id];
+            if (record.hash != hash_of(course, checked.exercise)) record.hash.clear();
+            record.passed = record.passed && passed;
+            record.open_stars = passed ? static_cast<int>(passed->open_stars.size()) : 0;
+            if (no_first_pass.count(checked.exercise.id)) record.first_passed = 0;
         }
     });
-    return static_cast<int>(tries.size());
-}
-
-int passed_cases(const Checked& checked) {
-    return static_cast<int>(std::count_if(checked.tests.begin(), checked.tests.end(),
-                                          [](const TestCase& test) { return test.passed; }));
 }
 
 }  // namespace companion

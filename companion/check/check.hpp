@@ -3,19 +3,9 @@
 
 #include <companion/check/cases.hpp>
 #include <companion/model/exercise.hpp>
+#include <variant>
 
 namespace companion {
-
-enum class Verdict {
-    passed,        // the core; stars may be open
-    failing,       // an assertion of the core does not hold, or an exception was thrown
-    no_file,       // trouble says what is missing
-    to_write,      // its own rt::todo is still there; trouble says what may cause that
-    waiting,       // an exercise that it needs is still to be written
-    not_compiled,  // trouble is the first error
-    crashed,       // trouble says why
-    endless        // it was stopped
-};
 
 // A hard test case that fails in an answer whose core passes.
 struct OpenStar {
@@ -24,18 +14,70 @@ struct OpenStar {
     std::string trouble{};  // what the program died of in it, or that it was stopped
 };
 
+// The verdicts on an answer, each with what is known of it. `tests` are those that were begun. What
+// a verdict says goes after the exercise's number, "01.3 fails".
+
+struct Passed {  // the core; stars may be open
+    static constexpr const char* says = "passes";
+    std::vector<TestCase> tests{};
+    int stars = 0;  // how many hard test cases there are
+    std::vector<OpenStar> open_stars{};
+    bool for_the_first_time = false;
+};
+struct Failing {  // an assertion of the core does not hold, or an exception was thrown
+    static constexpr const char* says = "fails";
+    std::vector<TestCase> tests{};
+    std::string reason{};  // why the test cases do not call what was written; usually empty
+};
+struct Crashed {
+    static constexpr const char* says = "crashes";
+    std::vector<TestCase> tests{};
+    std::string cause{};
+};
+struct Endless {  // it was stopped
+    static constexpr const char* says = "does not end";
+    std::vector<TestCase> tests{};
+    std::string cause{};
+};
+struct NotCompiled {
+    static constexpr const char* says = "does not compile";
+    std::string error{};  // the first
+};
+struct NotBegun {  // as it was shipped
+    static constexpr const char* says = "is still to be written";
+};
+struct Begun {  // some of its own rt::todo are still there
+    static constexpr const char* says = NotBegun::says;
+    std::vector<TestCase> tests{};
+    std::vector<std::string> left{};  // the functions still to write
+    std::string hint{};
+};
+struct Waiting {
+    static constexpr const char* says = "needs another exercise first";
+    std::string missing{};  // that exercise
+};
+struct NoFile {
+    static constexpr const char* says = "has a missing file";
+    std::string trouble{};  // what is missing
+};
+using Verdict =
+    std::variant<NotBegun, Begun, Waiting, NoFile, NotCompiled, Crashed, Endless, Failing, Passed>;
+
 struct Checked {
     Exercise exercise;
-    Verdict verdict = Verdict::to_write;
-    std::vector<TestCase> tests;       // as far as they were run
-    bool in_float = false;             // the verdict is on its float build, after double passed
-    std::string trouble;               // what kept it from running to the end
-    std::string warning;               // of the compiler, on its files
-    std::string missing;               // waiting: the exercise that it needs
-    std::vector<std::string> left;     // to_write: the functions still to write
-    bool first_pass = false;           // passed: and never did before
-    int stars = 0;                     // passed: how many there are
-    std::vector<OpenStar> open_stars;  // passed: those that are open
+    Verdict verdict{};
+    bool in_float = false;  // the verdict is on its float build, after double passed
+    std::string warning{};  // of the compiler, on its files
+
+    // What is known if it passed; null otherwise.
+    const Passed* passed() const { return std::get_if<Passed>(&verdict); }
+    template <class Kind>
+    bool is() const {
+        return std::holds_alternative<Kind>(verdict);
+    }
+    // Its test cases that were begun, and how many of them pass.
+    const std::vector<TestCase>& tests() const;
+    int passed_cases() const;
 };
 
 // Checks these exercises, each in a program of its own, and remembers the verdicts. An exercise
@@ -44,10 +86,6 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
 
 // Tries those that pass, and that compute with rt::Real, once more with Real as float. If the core
 // fails there, the verdict changes; a hard case that fails is an open star. Both are remembered.
-// Returns how many were tried.
-int check_in_float(const Course& course, std::vector<Checked>& all);
-
-// How many of its test cases pass.
-int passed_cases(const Checked& checked);
+void check_in_float(const Course& course, std::vector<Checked>& all);
 
 }  // namespace companion

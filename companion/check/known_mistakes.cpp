@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/build/remake.hpp>
@@ -32,6 +33,11 @@ std::string version_of(const Course& course, const Exercise& exercise) {
     return hash_of(bytes + std::to_string(checkpoint.time_since_epoch().count()));
 }
 
+Cases cases_of(const MistakenAnswer& answer) {
+    return {.exercise = answer.mistake.name.substr(0, answer.mistake.name.find('_')),
+            .answer = answer.folder};
+}
+
 void keep_common(std::set<std::string>& kept, const std::set<std::string>& other) {
     std::erase_if(kept, [&](const std::string& hash) { return !other.count(hash); });
 }
@@ -60,9 +66,23 @@ std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& 
     return answers;
 }
 
+bool is_caught(const Course& course, const MistakenAnswer& answer) {
+    Cases cases = cases_of(answer);
+    const auto is_caught_in = [&](const std::vector<TestCase>& tests) {
+        return std::any_of(tests.begin(), tests.end(), [&](const TestCase& test) {
+            return test.name == answer.mistake.caught_by && test.ended && test.crash.empty() &&
+                   !test.failures.empty();
+        });
+    };
+    if (is_caught_in(run_cases(course, cases).tests)) return true;
+    // It may end the program before the test case that catches it had its turn.
+    cases.which = answer.mistake.caught_by;
+    cases.timeout = 60;
+    return is_caught_in(run_cases(course, cases).tests);
+}
+
 Signature what_always_fails(const Course& course, const MistakenAnswer& answer) {
-    const Cases cases{.exercise = answer.mistake.name.substr(0, answer.mistake.name.find('_')),
-                      .answer = answer.folder};
+    const Cases cases = cases_of(answer);
     const auto once = [&] { return signature_of(run_cases(course, cases).tests); };
     Signature always = once();
     const Signature second = once();
@@ -95,6 +115,20 @@ Signatures signatures_of(const Course& course, const Exercise& exercise) {
     app::replace_file(file,
                       nlohmann::json{{"version", version}, {"mistakes", signatures}}.dump() + '\n');
     return signatures;
+}
+
+LooksLike what_it_looks_like(const Course& course, const Exercise& exercise,
+                             const std::vector<TestCase>& tests) {
+    const Signature signature = signature_of(tests);
+    if (signature.where.empty()) return {};
+    LooksLike all;
+    for (const LookAlikes& names :
+         recognize(signatures_of(course, exercise), exercise.id, signature)) {
+        all.emplace_back();
+        for (const std::string& name : names)
+            all.back().push_back(read_mistake(course, exercise.chapter, name));
+    }
+    return all;
 }
 
 }  // namespace companion

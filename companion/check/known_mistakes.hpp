@@ -21,6 +21,9 @@ struct MistakenAnswer {
 std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& exercise,
                                           const fs::path& below);
 
+// Whether the test case that should catch a mistake fails by an assertion, and runs to its end.
+bool is_caught(const Course& course, const MistakenAnswer& answer);
+
 // What fails in a mistake: every time, since with threads it may be something else from run to run.
 Signature what_always_fails(const Course& course, const MistakenAnswer& answer);
 
@@ -28,5 +31,13 @@ Signature what_always_fails(const Course& course, const MistakenAnswer& answer);
 // which takes a few seconds, and kept in the folder of the build until mistakes, checkpoint or
 // solution change.
 Signatures signatures_of(const Course& course, const Exercise& exercise);
+
+// The known mistake that an answer looks like, with those that look the same; or the two that were
+// made at once; or none.
+using LooksLike = std::vector<std::vector<Mistake>>;
+
+// What an answer looks like whose test cases ended so.
+LooksLike what_it_looks_like(const Course& course, const Exercise& exercise,
+                             const std::vector<TestCase>& tests);
 
 }  // namespace companion

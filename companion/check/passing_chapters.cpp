@@ -2,36 +2,9 @@
 #include <companion/check/passing_chapters.hpp>
 
 namespace companion {
-namespace {
-
-const char* reason(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::passed:
-            return "passes";
-        case Verdict::failing:
-            return "fails";
-        case Verdict::no_file:
-            return "has a missing file";
-        case Verdict::to_write:
-            return "is still to be written";
-        case Verdict::waiting:
-            return "needs another exercise first";
-        case Verdict::not_compiled:
-            return "does not compile";
-        case Verdict::crashed:
-            return "crashes";
-        case Verdict::endless:
-            return "does not end";
-    }
-    return "";
-}
-
-}  // namespace
-
 bool CheckedChapter::passes() const {
-    return !exercises.empty() &&
-           std::all_of(exercises.begin(), exercises.end(),
-                       [](const Checked& one) { return one.verdict == Verdict::passed; });
+    return !exercises.empty() && std::all_of(exercises.begin(), exercises.end(),
+                                             [](const Checked& one) { return one.passed(); });
 }
 
 std::string CheckedChapter::why() const {
@@ -40,12 +13,13 @@ std::string CheckedChapter::why() const {
     if (passes()) return "all " + count + " exercises pass";
     const auto unwritten =
         std::count_if(exercises.begin(), exercises.end(),
-                      [](const Checked& one) { return one.verdict == Verdict::to_write; });
+                      [](const Checked& one) { return one.is<NotBegun>() || one.is<Begun>(); });
     if (unwritten == static_cast<long>(exercises.size())) return "still to be written";
     std::string text;
     for (const Checked& one : exercises)
-        if (one.verdict != Verdict::passed)
-            text += (text.empty() ? "" : ", ") + one.exercise.id + ' ' + reason(one.verdict);
+        if (!one.passed())
+            text += (text.empty() ? "" : ", ") + one.exercise.id + ' ' +
+                    std::visit([](const auto& kind) { return kind.says; }, one.verdict);
     return text;
 }
 

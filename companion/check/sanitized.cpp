@@ -58,7 +58,7 @@ SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool 
     command.insert(command.end(), {"env", "UBSAN_OPTIONS=print_stacktrace=1"});
     for (std::string& word : command_of(side, {.exercise = exercise.id}, false))
         command.push_back(std::move(word));
-    const Result result = run_process({.command = command, .timeout = 10 * most_seconds});
+    const Result result = run_process({.command = command, .timeout = 10 * course.patience});
     const fs::path log = side.build / (exercise.id + ".txt");
     app::replace_file(log, result.output);
     const SanitizerReport report = read_sanitizer_report(result.output, exercise.files);

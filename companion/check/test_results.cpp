@@ -1,12 +1,11 @@
-#include <app/errors.hpp>
-#include <app/json.hpp>
 #include <companion/check/test_results.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace companion {
 namespace {
 
-using app::Json;
+using nlohmann::json;
 
 std::string trimmed(const std::string& text) {
     const char* const blank = " \t\r\n";
@@ -25,36 +24,29 @@ std::string one_line(const std::string& text) {
 }
 
 // The text of an event under this key; empty if it has none.
-std::string text_of(const Json& event, const std::string& key) {
-    const Json* const found = app::find(event, key, Json::Kind::text);
-    return found ? found->text : "";
+std::string text_of(const json& event, const char* key) {
+    return event.value(key, "");
 }
 
-bool is_true(const Json& event, const std::string& key) {
-    const Json* const found = app::find(event, key, Json::Kind::boolean);
-    return found && found->number != 0;
-}
-
-FailedAssertion read_failure(const Json& event) {
+FailedAssertion read_failure(const json& event) {
     FailedAssertion failure;
     failure.exception = trimmed(text_of(event, "exception"));
     if (const std::string expression = one_line(text_of(event, "expression")); !expression.empty())
         failure.expression = text_of(event, "macro") + "( " + expression + " )";
-    else if (!app::find(event, "exception", Json::Kind::text))
+    else if (!event.contains("exception"))
         failure.expression = "FAIL";
     failure.expanded = one_line(text_of(event, "expanded"));
     failure.missing = text_of(event, "missing");
-    if (const Json* const messages = app::find(event, "messages", Json::Kind::list))
-        for (const Json& message : messages->items)
-            failure.messages.push_back(trimmed(message.text));
+    for (const std::string& message : event.value("messages", std::vector<std::string>{}))
+        failure.messages.push_back(trimmed(message));
     return failure;
 }
 
-void read_event(const Json& event, std::vector<TestCase>& tests) {
+void read_event(const json& event, std::vector<TestCase>& tests) {
     const std::string what = text_of(event, "event");
     if (what == "begins") {
         tests.emplace_back().name = text_of(event, "name");
-        tests.back().hard = is_true(event, "hard");
+        tests.back().hard = event.value("hard", false);
     }
     if (tests.empty()) return;
     TestCase& test = tests.back();
@@ -65,7 +57,7 @@ void read_event(const Json& event, std::vector<TestCase>& tests) {
         test.memory = text_of(event, "memory");
     } else if (what == "ends") {
         test.ended = true;
-        test.passed = is_true(event, "passed");
+        test.passed = event.value("passed", false);
         test.output = trimmed(text_of(event, "output"));
     }
 }
@@ -78,8 +70,8 @@ std::vector<TestCase> read_report(const std::string& lines) {
     for (std::string line; std::getline(in, line);) {
         if (line.rfind('{', 0) != 0) continue;  // the tested code printed this
         try {
-            read_event(app::parse_json(line, "report"), tests);
-        } catch (const app::UsageError&) {  // and this
+            read_event(json::parse(line), tests);
+        } catch (const json::exception&) {  // and this
         }
     }
     return tests;

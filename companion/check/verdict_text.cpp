@@ -1,9 +1,6 @@
 #include <algorithm>
 #include <companion/check/compiler_words.hpp>
-#include <companion/check/known_mistakes.hpp>
 #include <companion/check/verdict_text.hpp>
-#include <companion/model/progress.hpp>
-#include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
 #include <sstream>
 
@@ -20,69 +17,70 @@ std::string cases(int count) {
     return std::to_string(count) + (count == 1 ? " test case" : " test cases");
 }
 
-std::string files_of(const Exercise& exercise) {
-    std::string files;
-    for (const fs::path& file : exercise.files)
-        files += (files.empty() ? "" : ", ") + file.string();
-    return files;
-}
-
 // "; 2 of 3 functions are written, next: normalize".
-std::string functions_done(const Checked& checked) {
-    const int all = checked.exercise.functions, left = static_cast<int>(checked.left.size());
+std::string functions_done(int all, const std::vector<std::string>& names_left) {
+    const int left = static_cast<int>(names_left.size());
     if (left == 0 || all < 2 || left >= all) return "";
     return "; " + std::to_string(all - left) + " of " + std::to_string(all) +
-           " functions are written, next: " + bold(checked.left.front());
+           " functions are written, next: " + bold(names_left.front());
+}
+
+constexpr const char* to_write = "It is still to be written: replace the lines with rt::todo.\n";
+
+// What is done with each kind of verdict.
+template <class... Cases>
+struct Kinds : Cases... {
+    using Cases::operator()...;
+};
+template <class... Cases>
+Kinds(Cases...) -> Kinds<Cases...>;
+
+std::string failing_text(const Failing& failing, bool in_float) {
+    const auto count = [&](bool is_missing) {
+        return static_cast<int>(
+            std::count_if(failing.tests.begin(), failing.tests.end(), [&](const TestCase& test) {
+                return !test.passed && missing_exercise(test).empty() != is_missing;
+            }));
+    };
+    const int wrong = count(false), missing = count(true);
+    if (wrong == 0) return red("failing: no test case reaches your code");
+    return red((in_float ? "failing in float: " : "failing: ") + std::to_string(wrong) + " of " +
+               cases(static_cast<int>(failing.tests.size()))) +
+           (missing == 0 ? "" : yellow(", " + std::to_string(missing) + " still to be written"));
+}
+
+std::string begun_text(const Checked& checked, const Begun& begun) {
+    const int all = static_cast<int>(begun.tests.size()), passed = checked.passed_cases();
+    return yellow(passed == 0 ? "begun: all " + cases(all) + " hit an rt::todo"
+                              : "begun: " + std::to_string(passed) + " of " + cases(all) +
+                                    " pass, the rest is still to be written") +
+           functions_done(checked.exercise.functions, begun.left);
+}
+
+std::string passed_text(const Passed& passed) {
+    if (passed.open_stars.empty()) return green("done");
+    return green("core passes") + ", " +
+           yellow(stars_open(static_cast<int>(passed.open_stars.size())));
 }
 
 std::string verdict_text(const Checked& checked) {
-    const int all = static_cast<int>(checked.tests.size()), passed = passed_cases(checked);
-    const auto missing = static_cast<int>(std::count_if(
-        checked.tests.begin(), checked.tests.end(),
-        [](const TestCase& test) { return !test.passed && !missing_exercise(test).empty(); }));
-    const int failing = all - passed - missing;
-    switch (checked.verdict) {
-        case Verdict::passed:
-            if (checked.open_stars.empty()) return green("done");
-            return green("core passes") + ", " +
-                   yellow(stars_open(static_cast<int>(checked.open_stars.size())));
-        case Verdict::failing:
-            if (failing == 0) return red("failing: no test case reaches your code");
-            return red((checked.in_float ? "failing in float: " : "failing: ") +
-                       std::to_string(failing) + " of " + cases(all)) +
-                   (missing == 0 ? ""
-                                 : yellow(", " + std::to_string(missing) + " still to be written"));
-        case Verdict::no_file:
-            return red("a file is missing");
-        case Verdict::to_write:
-            if (all == 0) return dim("to be written");
-            return yellow(passed == 0 ? "begun: all " + cases(all) + " hit an rt::todo"
-                                      : "begun: " + std::to_string(passed) + " of " + cases(all) +
-                                            " pass, the rest is still to be written") +
-                   functions_done(checked);
-        case Verdict::waiting:
-            return yellow("needs " + checked.missing + " first");
-        case Verdict::not_compiled:
-            return red("does not compile");
-        case Verdict::crashed:
-            return red("crashes");
-        case Verdict::endless:
-            return red("does not end");
-    }
-    return "";
+    return std::visit(
+        Kinds{[](const Passed& passed) { return passed_text(passed); },
+              [&](const Failing& failing) { return failing_text(failing, checked.in_float); },
+              [](const NotBegun&) { return dim("to be written"); },
+              [&](const Begun& begun) { return begun_text(checked, begun); },
+              [](const Waiting& waiting) { return yellow("needs " + waiting.missing + " first"); },
+              [](const NoFile&) { return red("a file is missing"); },
+              [](const auto& other) { return red(other.says); }},
+        checked.verdict);
 }
 
-std::string symbol_of(const Checked& checked) {
-    switch (checked.verdict) {
-        case Verdict::passed:
-            return green(checked.open_stars.empty() ? "+" : "*");
-        case Verdict::to_write:
-            return dim(".");
-        case Verdict::waiting:
-            return yellow("-");
-        default:
-            return red("x");
-    }
+std::string symbol_of(const Verdict& verdict) {
+    return std::visit(
+        Kinds{[](const Passed& passed) { return green(passed.open_stars.empty() ? "+" : "*"); },
+              [](const NotBegun&) { return dim("."); }, [](const Begun&) { return dim("."); },
+              [](const Waiting&) { return yellow("-"); }, [](const auto&) { return red("x"); }},
+        verdict);
 }
 
 // At most this many lines of a text.
@@ -201,9 +199,8 @@ std::string before_that(const std::string& failing) {
 
 // The test cases that fail, those of the core before the stars: the first one with everything that
 // is known, the others by name.
-std::string failing_cases(const Checked& checked) {
+std::string failing_cases(std::vector<TestCase> tests) {
     std::string text, others;
-    std::vector<TestCase> tests = checked.tests;
     std::stable_partition(tests.begin(), tests.end(),
                           [](const TestCase& test) { return !test.hard; });
     for (const TestCase& test : tests) {
@@ -236,16 +233,12 @@ std::string warned(const Checked& checked) {
                      in_plain_words(checked.warning);
 }
 
-std::string what_it_looks_like(const Course& course, const Checked& checked) {
+std::string looks_like_text(const LooksLike& looks_like) {
     std::string text;
-    const Signature signature = signature_of(checked.tests);
-    if (signature.where.empty()) return "";
-    for (const LookAlikes& alike :
-         recognize(signatures_of(course, checked.exercise), checked.exercise.id, signature))
-        for (const std::string& name : alike) {
-            const Mistake mistake = read_mistake(course, checked.exercise.chapter, name);
+    for (const std::vector<Mistake>& alike : looks_like)
+        for (const Mistake& mistake : alike) {
             const char* const start = text.empty()            ? "This looks like: "
-                                      : name == alike.front() ? "and like: "
+                                      : &mistake == &alike[0] ? "and like: "
                                                               : "or like: ";
             text += "\n  " + yellow(start + mistake.title) + '\n' +
                     wrapped(mistake.explanation, "    ");
@@ -253,18 +246,69 @@ std::string what_it_looks_like(const Course& course, const Checked& checked) {
     return text;
 }
 
+// What ended the program, and in which test case.
+std::string where(const std::vector<TestCase>& tests) {
+    std::string name;
+    for (const TestCase& test : tests)
+        if (!test.ended || !test.crash.empty()) name = test.name;
+    return name.empty() ? "" : " in the test case\n  " + bold(name);
+}
+
+std::string what_is_wrong(const Checked& checked) {
+    return std::visit(
+        Kinds{[](const Passed&) { return std::string{}; },
+              [](const NoFile& no_file) { return red(no_file.trouble) + '\n'; },
+              [&](const NotCompiled& refused) {
+                  return "It does not compile" + std::string{checked.in_float ? " in float" : ""} +
+                         ". The first error:\n\n" + refused.error + '\n' +
+                         in_plain_words(refused.error);
+              },
+              [&](const Crashed& crashed) {
+                  return "It crashes" + where(crashed.tests) + '\n' +
+                         wrapped(crashed.cause + '.', "  ") + warned(checked) +
+                         "\n  To find the line:  ./course check " + checked.exercise.id +
+                         " --sanitize\n" + before_that(failing_cases(crashed.tests));
+              },
+              [&](const Endless& endless) {
+                  return "It was stopped: " + endless.cause + where(endless.tests) +
+                         "\n  Which loop or recursion never ends?\n" + warned(checked) +
+                         before_that(failing_cases(endless.tests));
+              },
+              [](const Waiting& waiting) {
+                  return "It calls your code of exercise " + waiting.missing +
+                         ": write that first.\n";
+              },
+              [](const NotBegun&) { return std::string{to_write}; },
+              [](const Begun& begun) {
+                  return to_write + (begun.hint.empty() ? "" : '\n' + wrapped(begun.hint, "  "));
+              },
+              [&](const Failing& failing) {
+                  const bool fits_double_only = checked.in_float && checked.warning.empty();
+                  return std::string{fits_double_only
+                                         ? "\nIt passes in double and fails in float (rt::Real is "
+                                           "float): does a constant or a tolerance\nfit double "
+                                           "only?\n"
+                                         : ""} +
+                         '\n' +
+                         (failing.reason.empty() ? failing_cases(failing.tests)
+                                                 : wrapped(failing.reason, "  ")) +
+                         warned(checked);
+              }},
+        checked.verdict);
+}
+
 }  // namespace
 
 std::string summary_line(const Checked& checked) {
-    return "  " + symbol_of(checked) + ' ' + checked.exercise.id + "  " +
+    return "  " + symbol_of(checked.verdict) + ' ' + checked.exercise.id + "  " +
            padded(checked.exercise.title, 36) + ' ' + verdict_text(checked) + '\n';
 }
 
-std::string float_lines(const Course& course, std::vector<Checked>& all) {
-    if (check_in_float(course, all) == 0) return "";
+std::string float_lines(const std::vector<Checked>& all) {
     std::string lines;
     for (const Checked& checked : all) {
-        const auto& open = checked.open_stars;
+        const auto& open =
+            checked.passed() ? checked.passed()->open_stars : std::vector<OpenStar>{};
         if (checked.in_float || std::any_of(open.begin(), open.end(),
                                             [](const OpenStar& star) { return star.in_float; }))
             lines += summary_line(checked);
@@ -272,72 +316,30 @@ std::string float_lines(const Course& course, std::vector<Checked>& all) {
     return lines;
 }
 
-std::string details(const Course& course, const Checked& checked) {
+std::string details(const Checked& checked, const LooksLike& looks_like) {
     const Exercise& exercise = checked.exercise;
-    if (checked.verdict == Verdict::no_file) return red(checked.trouble) + '\n';
-    std::string text = bold(exercise.id + ' ' + exercise.title) + ", " + files_of(exercise) + "\n";
-    // The test case in which it crashed or did not end.
-    std::string where;
-    for (const TestCase& test : checked.tests)
-        if (!test.ended || !test.crash.empty()) where = test.name;
-    if (!where.empty()) where = " in the test case\n  " + bold(where);
-    switch (checked.verdict) {
-        case Verdict::not_compiled:
-            text += "It does not compile" + std::string{checked.in_float ? " in float" : ""} +
-                    ". The first error:\n\n" + checked.trouble + '\n' +
-                    in_plain_words(checked.trouble);
-            break;
-        case Verdict::crashed:
-            text += "It crashes" + where + '\n' + wrapped(checked.trouble + '.', "  ") +
-                    warned(checked) + "\n  To find the line:  ./course check " + exercise.id +
-                    " --sanitize\n" + before_that(failing_cases(checked));
-            break;
-        case Verdict::endless:
-            text += "It was stopped: " + checked.trouble + where +
-                    "\n  Which loop or recursion never ends?\n" + warned(checked) +
-                    before_that(failing_cases(checked));
-            break;
-        case Verdict::waiting:
-            text += "It calls your code of exercise " + checked.missing + ": write that first.\n";
-            break;
-        case Verdict::to_write:
-            text += "It is still to be written: replace the lines with rt::todo.\n" +
-                    (checked.trouble.empty() ? "" : '\n' + wrapped(checked.trouble, "  "));
-            break;
-        case Verdict::failing:
-            if (checked.in_float && checked.warning.empty())
-                text +=
-                    "\nIt passes in double and fails in float (rt::Real is float): does a constant "
-                    "or a tolerance\nfit double only?\n";
-            text += '\n' +
-                    (checked.trouble.empty() ? failing_cases(checked)
-                                             : wrapped(checked.trouble, "  ")) +
-                    warned(checked);
-            break;
-        case Verdict::no_file:
-        case Verdict::passed:
-            break;
-    }
-    if (checked.verdict != Verdict::passed) {
-        text += what_it_looks_like(course, checked);
-        text += "\n  Read " + exercise.section() + ". Stuck? ./course hint " + exercise.id + '\n';
-    }
-    return text;
+    if (checked.is<NoFile>()) return what_is_wrong(checked);
+    const std::string head =
+        bold(exercise.id + ' ' + exercise.title) + ", " + exercise.file_list() + "\n";
+    if (checked.passed()) return head;
+    return head + what_is_wrong(checked) + looks_like_text(looks_like) + "\n  Read " +
+           exercise.section() + ". Stuck? ./course hint " + exercise.id + '\n';
 }
 
-std::string open_stars(const Course& course, const Checked& checked, bool all) {
+std::string open_stars(const Checked& checked, const LooksLike& looks_like, bool all) {
+    const Passed* const passed = checked.passed();
+    if (!passed || passed->open_stars.empty()) return "";
     std::string text;
-    for (const OpenStar& star : checked.open_stars) {
+    for (const OpenStar& star : passed->open_stars) {
         text += (text.empty() ? "" : "\n") + yellow("Star: ") + bold(star.test.name) +
                 (star.in_float ? ", in float" : "") + '\n';
         if (!star.trouble.empty()) text += wrapped(star.trouble + '.', "    ");
         text += describe_all(star.test);
         if (!all) break;
     }
-    if (text.empty()) return "";
-    text += what_it_looks_like(course, checked);
+    text += looks_like_text(looks_like);
     const std::string& id = checked.exercise.id;
-    const auto left = static_cast<int>(checked.open_stars.size()) - 1;
+    const auto left = static_cast<int>(passed->open_stars.size()) - 1;
     if (!all && left > 0)
         text += "\n  " + std::to_string(left) + " more: ./course check " + id + " --stars\n";
     return text + "\n  Read " + checked.exercise.section() +
@@ -346,58 +348,6 @@ std::string open_stars(const Course& course, const Checked& checked, bool all) {
 
 std::string stars_open(int count) {
     return std::to_string(count) + (count == 1 ? " star open" : " stars open");
-}
-
-// The electives that are not finished, one line each.
-std::string electives_left(const Course& course) {
-    const State state = read_state(course);
-    std::string text;
-    for (const Chapter& chapter : chapters(course)) {
-        if (chapter.core || !first_open(course, state, exercises(course, chapter))) continue;
-        text += "Beyond the course, an elective: " + bold(chapter.number() + ' ' + chapter.title) +
-                ", about " + std::to_string(chapter.minutes) + " minutes\n  read   " +
-                chapter.text.string() + "\n  check  ./course watch " + chapter.number() + '\n';
-    }
-    return text;
-}
-
-// The next step when every exercise passes: the chapter of rungs, then the certificate.
-std::string step_after_the_exercises(const Course& course) {
-    const auto rungs = chapter_of_rungs(course);
-    const OwnRecord own = read_state(course).own;
-    if (!rungs || own_passes(own))
-        return "The last step: ./course certify\n" + electives_left(course);
-    const std::string folder = own.folder.empty() ? "FOLDER" : own.folder;
-    return "Next: " + bold(rungs->number() + ' ' + rungs->title) + ", about " +
-           std::to_string(rungs->minutes) + " minutes\n  read   " + rungs->text.string() + '\n' +
-           (own.folder.empty() ? "  begin  ./course own new FOLDER\n" : "") +
-           "  check  ./course own judge " + folder + '\n';
-}
-
-std::string next_step(const Course& course, const Exercise* next) {
-    if (!next)
-        return (electives_left(course).empty() ? "Every exercise passes. "
-                                               : "Every exercise of the core passes. ") +
-               step_after_the_exercises(course);
-    if (const std::string trouble = trouble_with_files(course, *next); !trouble.empty())
-        return red(trouble) + '\n';
-    return "Next: " + bold(next->id + ' ' + next->title) + ", about " +
-           std::to_string(next->minutes) + " minutes" +
-           (next->star_minutes > 0 ? " (its stars: " + std::to_string(next->star_minutes) + " more)"
-                                   : "") +
-           "\n  read   " + next->section() + "\n  write  " + files_of(*next) +
-           "\n  check  ./course check " + next->id + '\n';
-}
-
-std::string chapter_done(const Chapter& chapter, int open_stars) {
-    const std::string number = chapter.number();
-    return (open_stars == 0
-                ? green("Chapter " + number + " is done: every checkpoint passes.")
-                : green("Chapter " + number + " is done: its core passes.") + ' ' +
-                      yellow(stars_open(open_stars) + ": ./course check " + number + " --stars")) +
-           "\n  Look at your picture:          ./course run " + number +
-           "\n  Compare it with the solution:  ./course compare " + number +
-           "\n  Answer its questions:          ./course ask " + number + '\n';
 }
 
 }  // namespace companion

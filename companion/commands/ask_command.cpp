@@ -124,16 +124,17 @@ bool ask_until_told(const Course& course, const Open& open) {
 
 }  // namespace
 
-int ask(const Course& course, const Named& name, const Named& answer) {
+int ask(const Course& course, const Given& given) {
     std::vector<Chapter> chosen = chapters(course);
-    if (name) chosen = {find_chapter(course, *name)};
+    if (given.named) chosen = {find_chapter(course, *given.named)};
     const std::vector<Open> open = open_questions(course, chosen);
     if (open.empty()) {
-        print("All questions" + (name ? " of chapter " + chosen[0].number() : "") +
+        print("All questions" + (given.named ? " of chapter " + chosen[0].number() : "") +
               " are answered.\n");
         return app::done;
     }
-    if (answer) return answer_one(course, open.front(), *answer);
+    if (given.has("--answer"))
+        return answer_one(course, open.front(), given.options.at("--answer"));
     print(dim("Press Enter alone to skip a question, Ctrl-D to stop.\n"));
     for (const Open& one : open)
         if (!ask_until_told(course, one)) {

@@ -28,7 +28,9 @@ void put_headers_in_place(const Course& course, const Yours& yours) {
 
 }  // namespace
 
-int book_mine(const Course& course) {
+// The learner's part of it: the page to share, and the headers for the book's figures.
+int book(const Course& course, const Given& given) {
+    if (!given.has("--mine")) throw app::UsageError("book: ./course makes the book by itself");
     const Yours yours = put_yours_in_place(course, core_chapters(course).back());
     put_headers_in_place(course, yours);
     std::printf("%s\n", yours.words().c_str());

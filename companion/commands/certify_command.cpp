@@ -10,6 +10,7 @@
 #include <companion/check/sanitized.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/commands/next_step.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/pages/certificate.hpp>
@@ -49,11 +50,11 @@ std::string compiler(const Course& course) {
 
 // "core passes, 2 stars open".
 std::string stand_of(const Checked& checked) {
-    if (checked.tests.empty()) return "not written";
-    const auto open = static_cast<int>(checked.open_stars.size());
-    if (checked.verdict == Verdict::passed && open > 0) return "core passes, " + stars_open(open);
-    return std::to_string(passed_cases(checked)) + " of " + std::to_string(checked.tests.size()) +
-           " test cases pass";
+    if (checked.tests().empty()) return "not written";
+    if (const Passed* const passed = checked.passed(); passed && !passed->open_stars.empty())
+        return "core passes, " + stars_open(static_cast<int>(passed->open_stars.size()));
+    return std::to_string(checked.passed_cases()) + " of " +
+           std::to_string(checked.tests().size()) + " test cases pass";
 }
 
 // Fills the certificate and shows each line as soon as it is known.
@@ -83,12 +84,11 @@ class Examination {
         bool written = true;
         for (const CheckedChapter& one : all) {
             for (const Checked& checked : one.exercises)
-                written = written && checked.verdict != Verdict::to_write &&
-                          checked.verdict != Verdict::waiting;
+                written = written && !checked.is<NotBegun>() && !checked.is<Begun>() &&
+                          !checked.is<Waiting>();
             std::string first;
             for (const Checked& checked : one.exercises)
-                if (first.empty() && checked.verdict != Verdict::passed)
-                    first = checked.exercise.id;
+                if (first.empty() && !checked.passed()) first = checked.exercise.id;
             note(one.passes(), first, "checkpoints of " + one.chapter.name, one.why(), "all pass");
             note_stars(one);
         }
@@ -107,9 +107,8 @@ class Examination {
             });
             if (begun.empty()) continue;
             const std::vector<Checked> checked = check_exercises(course_, begun);
-            const auto passed =
-                std::count_if(checked.begin(), checked.end(),
-                              [](const Checked& one) { return one.verdict == Verdict::passed; });
+            const auto passed = std::count_if(checked.begin(), checked.end(),
+                                              [](const Checked& one) { return one.passed(); });
             note({Held::shows, "", "checkpoints of " + chapter.name + ", an elective",
                   std::to_string(passed) + " of " + std::to_string(all) + " exercises pass", ""});
         }
@@ -131,9 +130,9 @@ class Examination {
             for (const CheckedChapter& chapter : all)
                 for (const Checked& checked : chapter.exercises)
                     if (is_in(checked.exercise.id, ability.exercises))
-                        proof.lines.push_back(
-                            {checked.verdict == Verdict::passed ? Held::holds : Held::fails,
-                             checked.exercise.id, checked.exercise.title, stand_of(checked), ""});
+                        proof.lines.push_back({checked.passed() ? Held::holds : Held::fails,
+                                               checked.exercise.id, checked.exercise.title,
+                                               stand_of(checked), ""});
             for (const CertifiedFigure& line : certificate_.measurements)
                 if (is_in(line.exercise, ability.exercises) &&
                     line.what.rfind("checkpoints of ", 0) != 0)
@@ -233,8 +232,10 @@ class Examination {
     void note_stars(const CheckedChapter& one) {
         std::size_t stars = 0, open = 0;
         for (const Checked& checked : one.exercises) {
-            stars += static_cast<std::size_t>(checked.stars);
-            open += checked.open_stars.size();
+            if (const Passed* const passed = checked.passed()) {
+                stars += static_cast<std::size_t>(passed->stars);
+                open += passed->open_stars.size();
+            }
         }
         if (one.passes())
             note(open == 0, "", "stars of " + one.chapter.name,
@@ -261,7 +262,7 @@ class Examination {
 
 }  // namespace
 
-int certify(const Course& course) {
+int certify(const Course& course, const Given&) {
     app::make_folder(course.out());
     const std::vector<Chapter> all = core_chapters(course);
     Examination examination{course};

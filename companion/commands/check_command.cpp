@@ -4,6 +4,7 @@
 #include <companion/check/sanitized.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/commands/next_step.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
@@ -12,7 +13,7 @@ namespace companion {
 namespace {
 
 // The exercises that are meant by "03.2", by "3" or "sphere", or by no name: all that are begun.
-std::vector<Exercise> chosen(const Course& course, const Named& name) {
+std::vector<Exercise> chosen(const Course& course, const std::optional<std::string>& name) {
     if (name && name->find('.') != std::string::npos) return {find_exercise(course, *name)};
     if (name) return exercises(course, find_chapter(course, *name));
     const State state = read_state(course);
@@ -23,9 +24,15 @@ std::vector<Exercise> chosen(const Course& course, const Named& name) {
     return written;
 }
 
+bool is_to_write(const Checked& checked) {
+    return checked.is<NotBegun>() || checked.is<Begun>() || checked.is<Waiting>();
+}
 bool is_wrong(const Checked& checked) {
-    return checked.verdict != Verdict::passed && checked.verdict != Verdict::to_write &&
-           checked.verdict != Verdict::waiting;
+    return !checked.passed() && !is_to_write(checked);
+}
+
+LooksLike what_it_looks_like(const Course& course, const Checked& checked) {
+    return what_it_looks_like(course, checked.exercise, checked.tests());
 }
 
 // The exercises to do after these: the later ones in the chapter of the last of these, else the
@@ -80,14 +87,18 @@ void print_chapters_done(const Course& course, const std::vector<Chapter>& done)
 // them if --stars asks for them.
 void print_stars(const Course& course, const std::vector<Checked>& all, bool every_star) {
     for (const Checked& checked : all)
-        if (checked.verdict == Verdict::passed && (every_star || all.size() == 1))
-            if (const std::string text = open_stars(course, checked, every_star); !text.empty())
+        if (checked.passed() && (every_star || all.size() == 1))
+            if (const std::string text =
+                    open_stars(checked, what_it_looks_like(course, checked), every_star);
+                !text.empty())
                 print('\n' + text);
 }
 
-}  // namespace
-
-int check_sanitized(const Course& course, const std::string& name, const std::string& sanitizer) {
+// Runs the checkpoints of one exercise under the thread sanitizer, or the others.
+int check_sanitized(const Course& course, const Given& given) {
+    std::string name = given.named.value_or(""), sanitizer = given.options.at("--sanitize");
+    if (name.empty()) std::swap(name, sanitizer);  // check --sanitize 01.3
+    if (name.empty()) throw app::UsageError("check --sanitize: needs an exercise, such as 01.3");
     if (!sanitizer.empty() && sanitizer != "thread" && sanitizer != "address")
         throw app::UsageError("--sanitize: takes nothing, address or thread, not '" + sanitizer +
                               '\'');
@@ -99,8 +110,11 @@ int check_sanitized(const Course& course, const std::string& name, const std::st
     return run.passed ? app::done : app::could_not;
 }
 
-int check(const Course& course, const Named& name, bool every_star) {
-    const std::vector<Exercise> some = chosen(course, name);
+}  // namespace
+
+int check(const Course& course, const Given& given) {
+    if (given.has("--sanitize")) return check_sanitized(course, given);
+    const std::vector<Exercise> some = chosen(course, given.named);
     std::vector<Checked> all = check_exercises(course, some);
     std::string chapter;
     for (const Checked& checked : all) {
@@ -111,21 +125,25 @@ int check(const Course& course, const Named& name, bool every_star) {
         print(summary_line(checked));
     }
     if (all.empty()) print("Nothing is written yet.\n");
-    print(float_lines(course, all));
+    check_in_float(course, all);
+    print(float_lines(all));
 
     // Shown in detail is the one that helps most: the first exercise that is wrong, else the first
     // that waits for another or is to be written.
     auto shown = std::find_if(all.begin(), all.end(), is_wrong);
     const bool wrong = shown != all.end();
     if (!wrong)
-        shown = std::find_if(all.begin(), all.end(),
-                             [](const Checked& one) { return one.verdict != Verdict::passed; });
-    if (shown != all.end() &&
-        (wrong || shown->verdict == Verdict::waiting || !shown->trouble.empty())) {
-        print('\n' + details(course, *shown));
+        shown =
+            std::find_if(all.begin(), all.end(), [](const Checked& one) { return !one.passed(); });
+    const auto says_why = [](const Checked& one) {
+        const Begun* const begun = std::get_if<Begun>(&one.verdict);
+        return one.is<Waiting>() || (begun && !begun->hint.empty());
+    };
+    if (shown != all.end() && (wrong || says_why(*shown))) {
+        print('\n' + details(*shown, what_it_looks_like(course, *shown)));
         return wrong ? app::could_not : app::still_to_write;
     }
-    print_stars(course, all, every_star);
+    print_stars(course, all, given.has("--stars"));
     print_chapters_done(course, chapters_done(course, all));
     if (shown != all.end()) {
         print('\n' + next_step(course, &shown->exercise));

@@ -1,43 +1,34 @@
 #pragma once
-// The commands of the companion, each in a file of its own.
+// The commands of the companion, as commands.inc declares them, each in a file of its own.
 
 #include <companion/model/course.hpp>
-#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace companion {
 
-// What is named after the command: a chapter, an exercise; nothing means all.
-using Named = std::optional<std::string>;
+// What was typed after a command's name.
+struct Given {
+    std::optional<std::string> named = {};            // such as a chapter or an exercise
+    std::map<std::string, std::string> options = {};  // by name, "--seed"; a flag's value is empty
+    std::vector<std::string> rest = {};               // for the program that the command runs
+
+    bool has(const std::string& option) const { return options.count(option) > 0; }
+    // The value of an option that takes a whole number; 0 if it was not given.
+    std::uint64_t number(const std::string& option) const {
+        return has(option) ? std::stoull(options.at(option)) : 0;
+    }
+};
 
 // Each returns the exit code.
-
-// answer: to the first open question; without it, answers are read from the standard input.
-int ask(const Course& course, const Named& chapter, const Named& answer);
-// The learner's part of `book --mine`: the page to share, and the headers for the book's figures.
-int book_mine(const Course& course);
-// every_star: shows all open stars; otherwise only the first, if a single exercise is checked.
-int check(const Course& course, const Named& chapter_or_exercise, bool every_star);
-// Runs the checkpoints of one exercise under the sanitizer that is named:
-// "thread", or else the others.
-int check_sanitized(const Course& course, const std::string& exercise,
-                    const std::string& sanitizer);
-int certify(const Course& course);
-int compare(const Course& course, const std::string& chapter);
-int demo(const Course& course);
-int hint(const Course& course, const std::string& exercise);
-int list(const Course& course);
-int mine(const Course& course);
-int own_new(const Course& course, const std::string& folder);
-// rung: 0, with no part named, means everything. seed: 0 means any.
-int own_judge(const Course& course, const std::string& folder, int rung, const Named& part,
-              std::uint64_t seed);
-int reset(const Course& course, const std::string& exercise);
-int run(const Course& course, const std::string& chapter, const std::vector<std::string>& options);
-// mine: measures the learner's code where it passes, next to the solution's.
-int study(const Course& course, const Named& chapter, bool mine);
-int watch(const Course& course, const Named& chapter);
+#define TEXT(words)
+#define SCRIPT(name, takes, about)
+#define OPTION(name, takes, about)
+#define COMMAND(name, takes, about) int name(const Course& course, const Given& given);
+#include <companion/commands/commands.inc>
+#undef COMMAND
+#undef OPTION
 
 }  // namespace companion

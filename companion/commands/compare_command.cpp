@@ -10,8 +10,8 @@
 
 namespace companion {
 
-int compare(const Course& course, const std::string& name) {
-    const Chapter chapter = find_chapter(course, name);
+int compare(const Course& course, const Given& given) {
+    const Chapter chapter = find_chapter(course, *given.named);
     const Yours yours = put_yours_in_place(course, chapter);
     must_build(course, chapter.name + "_mine");
     must_build(course, chapter.name + "_solution");

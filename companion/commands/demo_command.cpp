@@ -17,7 +17,7 @@ namespace {
 std::string render_scene(const Course& course, const Chapter& chapter) {
     const fs::path ppm = course.out() / (chapter.name + ".ppm");
     const Result result = run_process(
-        {.command = {course.program(chapter.name + "_solution"), course.root / chapter.scene, ppm},
+        {.command = {course.program(chapter.name + "_solution"), course.build / chapter.scene, ppm},
          .output = Output::errors_shown});
     if (!result.ok()) throw app::Failure(how_it_ended(result));
     const Picture picture = parse_ppm(read_file(ppm));
@@ -58,7 +58,7 @@ std::vector<Chapter> in_order(const Course& course) {
 
 }  // namespace
 
-int demo(const Course& course) {
+int demo(const Course& course, const Given&) {
     app::make_folder(course.out());
     bool ok = true;
     std::vector<Exhibit> exhibits;

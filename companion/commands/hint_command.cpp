@@ -19,15 +19,15 @@ std::string solution_of(const Exercise& exercise) {
 
 }  // namespace
 
-int hint(const Course& course, const std::string& id) {
-    const Exercise exercise = find_exercise(course, id);
+int hint(const Course& course, const Given& given) {
+    const Exercise exercise = find_exercise(course, *given.named);
     std::vector<std::string> all = hints(course, exercise);
     if (all.empty())
         throw app::Failure("there are no hints for " + exercise.id + "; read " +
                            exercise.section());
     int number = 0;
     change_state(course, [&](State& state) {
-        int& shown = state[exercise.id].hints;
+        int& shown = state.exercises[exercise.id].hints;
         number = shown;
         if (shown < static_cast<int>(all.size())) ++shown;
     });

@@ -2,6 +2,7 @@
 #include <app/errors.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/commands/next_step.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
@@ -63,8 +64,8 @@ Work work_of(const Course& course, const State& state, const Chapter& chapter,
         const bool done = passes(progress_of(course, state, exercise));
         result.done += done;
         if (done) {
-            result.stars += state.at(exercise.id).stars;
-            result.open_stars += state.at(exercise.id).open_stars;
+            result.stars += state.exercises.at(exercise.id).stars;
+            result.open_stars += state.exercises.at(exercise.id).open_stars;
         }
         ++result.exercises;
         of_exercises += exercise.minutes;
@@ -78,7 +79,7 @@ Work work_of(const Course& course, const State& state, const Chapter& chapter,
 
 }  // namespace
 
-int list(const Course& course) {
+int list(const Course& course, const Given&) {
     const State state = read_state(course);
     Work total, electives;
     std::vector<Exercise> every;
@@ -99,11 +100,12 @@ int list(const Course& course) {
                     stars_of(part).c_str());
         for (const Exercise& exercise : all) {
             const Progress now = progress_of(course, state, exercise);
-            std::printf("  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
-                        exercise.title.c_str(), text(now),
-                        now == Progress::core
-                            ? (", " + stars_open(state.at(exercise.id).open_stars)).c_str()
-                            : "");
+            std::printf(
+                "  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
+                exercise.title.c_str(), text(now),
+                now == Progress::core
+                    ? (", " + stars_open(state.exercises.at(exercise.id).open_stars)).c_str()
+                    : "");
             if (chapter.core) every.push_back(exercise);
         }
         if (!chapter.core) {

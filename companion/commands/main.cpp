@@ -2,115 +2,107 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <app/errors.hpp>
-#include <app/json.hpp>
 #include <app/nearest_word.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/model/stubs.hpp>
-#include <companion/system/files.hpp>
-#include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <sstream>
-#include <utility>
 
 namespace {
 
+using companion::Course;
+using companion::Given;
 using Words = std::vector<std::string>;
 
-// The help on all commands; the script ./course shows the same file.
-std::string help() {
-    return companion::read_file(companion::fs::path{COURSE_ROOT} / "companion/help.txt");
+// A line of commands.inc: a command, or an option of the one before it.
+struct Declared {
+    std::string name, takes;
+    int (*run)(const Course&, const Given&) = nullptr;  // null: an option
+};
+
+const Declared declared[] = {
+#define COMMAND(name, takes, about) {#name, takes, companion::name},
+#define OPTION(name, takes, about) {name, takes},
+#include <companion/commands/commands.inc>
+};
+
+// The words of a command: "own_judge" is typed as two.
+Words words_of(const Declared& command) {
+    Words words;
+    std::istringstream in{command.name};
+    for (std::string word; std::getline(in, word, '_');) words.push_back(word);
+    return words;
 }
 
-// The help's line on one command, "check   [NN | NN.k]  build and try ...".
-std::string help(const std::string& command) {
-    std::istringstream text{help()};
-    for (std::string line; std::getline(text, line);)
-        if (line.rfind("  " + command + ' ', 0) == 0) return line.substr(2) + '\n';
-    return "";
-}
-
-bool is_help(const std::string& word) {
-    return word == "--help" || word == "-h";
-}
-
-// The commands, what each of them takes, and what was named.
-struct CommandLine {
-    CLI::App parser{"", "course"};
-    Words names;
-    companion::Named named;
-    companion::Named sanitizer;  // of check --sanitize
-    companion::Named answer;     // of ask --answer
-    bool every_star = false;     // of check --stars
-    bool is_mine = false;        // of study --mine
-    std::string folder;          // of own judge
-    int rung = 0;                // likewise; 0: all
-    companion::Named part;       // likewise
-    std::uint64_t seed = 0;      // likewise; 0: any
-    int exit_code = app::done;
-
-    CLI::App* add(const char* name, std::function<int()> run) {
-        names.emplace_back(name);
-        CLI::App* const command = parser.add_subcommand(name);
-        command->callback([this, run = std::move(run)] { exit_code = run(); });
-        return command;
-    }
-    CLI::Option* add(const char* name, const char* argument, std::function<int()> run) {
-        return add(name, std::move(run))
-            ->add_option_function<std::string>(argument,
-                                               [this](const std::string& word) { named = word; });
-    }
-
-    explicit CommandLine(const companion::Course& course) {
-        parser.require_subcommand(1);
-        parser.set_help_flag();  // it may belong to the program that `run` runs
-        using namespace companion;
-        add("list", [&] { return list(course); });
-        add("check", "chapter-or-exercise", [&] {
-            if (!sanitizer) return check(course, named, every_star);
-            if (!named && !sanitizer->empty()) named = std::exchange(*sanitizer, "");
-            if (!named) throw app::UsageError("check --sanitize: needs an exercise, such as 01.3");
-            return check_sanitized(course, *named, *sanitizer);
-        });
-        parser.get_subcommand("check")
-            ->add_option_function<std::string>(
-                "--sanitize", [this](const std::string& name) { sanitizer = name; })
-            ->expected(0, 1)
-            ->trigger_on_parse();
-        parser.get_subcommand("check")->add_flag("--stars", every_star);
-        add("watch", "chapter", [&] { return watch(course, named); });
-        add("hint", "exercise", [&] { return hint(course, *named); })->required();
-        add("run", "chapter", [&] {
-            return run(course, *named, parser.get_subcommand("run")->remaining());
-        })->required();
-        parser.get_subcommand("run")->prefix_command();
-        add("compare", "chapter", [&] { return compare(course, *named); })->required();
-        add("mine", [&] { return mine(course); });
-        add("certify", [&] { return certify(course); });
-        CLI::App* const own = add("own", [&] { return exit_code; });
-        own->require_subcommand(1);
-        CLI::App* const created = own->add_subcommand("new");
-        created->add_option("folder", folder)->required();
-        created->callback([&] { exit_code = own_new(course, folder); });
-        CLI::App* const judged = own->add_subcommand("judge");
-        judged->add_option("folder", folder)->required();
-        judged->add_option("--rung", rung);
-        judged->add_option_function<std::string>("--part",
-                                                 [this](const std::string& name) { part = name; });
-        judged->add_option("--seed", seed);
-        judged->callback([&] { exit_code = own_judge(course, folder, rung, part, seed); });
-        add("reset", "exercise", [&] { return reset(course, *named); })->required();
-        add("ask", "chapter", [&] { return ask(course, named, answer); });
-        parser.get_subcommand("ask")->add_option_function<std::string>(
-            "--answer", [this](const std::string& words) { answer = words; });
-        add("demo", [&] { return demo(course); });
-        add("book", [&] { return book_mine(course); });  // the texts' pages are the script's part
-        parser.get_subcommand("book")->add_flag("--mine")->required();
-        add("study", "chapter", [&] { return study(course, named, is_mine); });
-        parser.get_subcommand("study")->add_flag("--mine", is_mine);
+// The parser that the declarations make.
+class CommandLine {
+  public:
+    explicit CommandLine(const Course& course) {
+        parser_.set_help_flag();  // the script's, or that of the program that `run` runs
+        CLI::App* command = nullptr;
+        for (const Declared& one : declared)
+            if (one.run)
+                command = add_command(course, one);
+            else
+                add_option(*command, one);
     }
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;
+
+    // Runs what these words ask for. Throws CLI::ParseError if they do not fit the declarations.
+    int obey(Words words) {
+        std::reverse(words.begin(), words.end());  // as the parser wants them
+        parser_.parse(words);
+        return exit_code_;
+    }
+
+  private:
+    CLI::App* add_command(const Course& course, const Declared& one) {
+        CLI::App* command = &parser_;
+        for (const std::string& word : words_of(one)) {
+            command->require_subcommand(1);
+            const auto known = command->get_subcommands(
+                [&](const CLI::App* other) { return other->get_name() == word; });
+            command = known.empty() ? command->add_subcommand(word) : known.front();
+        }
+        if (!one.takes.empty()) {
+            const bool is_optional = one.takes.front() == '[';
+            const auto start = one.takes.find_first_not_of('[');
+            command
+                ->add_option_function<std::string>(
+                    one.takes.substr(start, one.takes.find_first_of(" ]") - start),
+                    [this](const std::string& word) { given_.named = word; })
+                ->required(!is_optional);
+        }
+        if (one.takes.find("OPTIONS") != std::string::npos) command->prefix_command();
+        command->callback([this, &course, command, run = one.run] {
+            given_.rest = command->remaining();
+            exit_code_ = run(course, given_);
+        });
+        return command;
+    }
+
+    void add_option(CLI::App& command, const Declared& one) {
+        const auto take = [this, name = one.name](const std::string& value) {
+            given_.options[name] = value;
+        };
+        if (one.takes.empty()) {
+            command.add_flag_callback(one.name, [take] { take(""); });
+            return;
+        }
+        CLI::Option* const option = command.add_option_function<std::string>(one.name, take);
+        if (one.takes.front() == '[') option->expected(0, 1)->trigger_on_parse();
+        if (one.takes == "N")
+            option->check([](const std::string& text) {
+                const bool fits = !text.empty() && text.size() < 19 &&
+                                  text.find_first_not_of("0123456789") == std::string::npos;
+                return fits ? "" : '\'' + text + "' is not a whole number";
+            });
+    }
+
+    CLI::App parser_{"", "course"};
+    Given given_;
+    int exit_code_ = app::done;
 };
 
 [[noreturn]] void refuse(const std::string& word, const Words& known) {
@@ -123,30 +115,21 @@ struct CommandLine {
         (guess.empty() ? "the commands are " + all + "help" : "did you mean " + guess + '?'));
 }
 
-int obey(Words words) {
-    if (words.empty()) words = {"list"};
-    if (words[0] == "help" || is_help(words[0])) {
-        std::fputs(help().c_str(), stdout);
-        return app::done;
-    }
-    const companion::Course course = companion::this_course();
+int obey(const Words& words) {
+    Words known;
+    for (const Declared& one : declared)
+        if (one.run && (known.empty() || known.back() != words_of(one)[0]))
+            known.push_back(words_of(one)[0]);
+    if (std::count(known.begin(), known.end(), words[0]) == 0) refuse(words[0], known);
+    const Course course = companion::this_course();
     companion::keep_stubs(course);
-    CommandLine commands{course};
-    const std::string name = words[0];
-    if (std::count(commands.names.begin(), commands.names.end(), name) == 0)
-        refuse(name, commands.names);
-    if (words.size() > 1 && is_help(words[1])) {
-        std::fputs(("usage: course " + help(name)).c_str(), stdout);
-        return app::done;
-    }
+    CommandLine line{course};
     try {
-        std::reverse(words.begin(), words.end());  // as the parser wants them
-        commands.parser.parse(words);
+        return line.obey(words);
     } catch (const CLI::ParseError& error) {
-        throw app::UsageError(name + ": " + error.what() + "; ./course " + name +
+        throw app::UsageError(words[0] + ": " + error.what() + "; ./course " + words[0] +
                               " --help shows what it takes");
     }
-    return commands.exit_code;
 }
 
 }  // namespace
@@ -154,5 +137,7 @@ int obey(Words words) {
 int main(int argc, char** argv) {
     // In English, because the companion reads the messages of compilers and CMake.
     ::setenv("LC_ALL", "C", true);
-    return app::run_or_explain("course", [&] { return obey({argv + 1, argv + argc}); });
+    Words words{argv + 1, argv + argc};
+    if (words.empty()) words = {"list"};
+    return app::run_or_explain("course", [&] { return obey(words); });
 }

@@ -15,11 +15,14 @@ namespace companion {
 namespace {
 
 // Which part --rung or --part asks for; empty: everything.
-std::string asked_part(int rung, const Named& part) {
+std::string asked_part(const Given& given) {
+    const bool is_rung = given.has("--rung");
+    if (!is_rung && !given.has("--part")) return "";
     const std::vector<std::string> parts = judge_parts();
-    const std::string name = part ? *part : rung != 0 ? "rung" + std::to_string(rung) : "";
-    if (name.empty() || std::count(parts.begin(), parts.end(), name) > 0) return name;
-    if (!part) throw app::UsageError("--rung: the rungs are 1 to 9");
+    const std::string name =
+        is_rung ? "rung" + given.options.at("--rung") : given.options.at("--part");
+    if (std::count(parts.begin(), parts.end(), name) > 0) return name;
+    if (is_rung) throw app::UsageError("--rung: the rungs are 1 to 9");
     std::string known;
     for (const std::string& one : parts) known += (known.empty() ? "" : ", ") + one;
     throw app::UsageError("--part: there is no part '" + name + "'; the parts are " + known);
@@ -35,12 +38,14 @@ void print_line(const JudgedLine& line) {
 
 }  // namespace
 
-int own_new(const Course& course, const std::string& folder) {
+int own_new(const Course& course, const Given& given) {
+    const std::string& folder = *given.named;
     const fs::path to = fs::absolute(folder);
     if (fs::exists(to) && (!fs::is_directory(to) || !fs::is_empty(to)))
         throw app::UsageError(folder + " exists and is not empty; name a new folder");
+    must_build(course, "own_start");
     fs::create_directories(to);
-    fs::copy(course.root / "chapters/09_own/start", to, fs::copy_options::recursive);
+    fs::copy(course.build / "own_start", to, fs::copy_options::recursive);
     change_state(course, [&](State& state) {
         if (!own_passes(state.own)) state.own = {.folder = to.string()};
     });
@@ -49,11 +54,11 @@ int own_new(const Course& course, const std::string& folder) {
     return app::done;
 }
 
-int own_judge(const Course& course, const std::string& folder, int rung, const Named& named_part,
-              std::uint64_t seed) {
-    const std::string part = asked_part(rung, named_part);
+int own_judge(const Course& course, const Given& given) {
+    const std::string &folder = *given.named, part = asked_part(given);
     must_build(course, "09_own_solution");
-    if (seed == 0) seed = 1 + std::random_device{}() % 9999;
+    const std::uint64_t wanted = given.number("--seed"),
+                        seed = wanted ? wanted : 1 + std::random_device{}() % 9999;
     print("Scenes of seed " + std::to_string(seed) +
           (part.empty() ? "; this takes a few minutes" : "") + ".\n");
 
@@ -81,7 +86,7 @@ int own_judge(const Course& course, const std::string& folder, int rung, const N
           " lines pass. To repeat the same scenes: --seed " + std::to_string(seed) + "\n");
     if (passed < lines) return app::could_not;
     if (part.empty()) print(bold("You are the author of a ray tracer.") + " ./course certify\n");
-    if (rung > 0)
+    if (const auto rung = given.number("--rung"); rung > 0)
         print("Next: ./course own judge " + folder +
               (rung < 9 ? " --rung " + std::to_string(rung + 1) : "") + '\n');
     return app::done;

@@ -28,8 +28,8 @@ fs::path new_folder(const Course& course, const Exercise& exercise) {
 
 }  // namespace
 
-int reset(const Course& course, const std::string& id) {
-    const Exercise exercise = find_exercise(course, id);
+int reset(const Course& course, const Given& given) {
+    const Exercise exercise = find_exercise(course, *given.named);
     std::vector<fs::path> changed;
     for (const fs::path& file : exercise.files)
         if (fs::exists(fs::symlink_status(course.root / file)) &&

@@ -37,8 +37,9 @@ std::string picture_name(const Chapter& chapter, const std::vector<std::string>&
 
 }  // namespace
 
-int run(const Course& course, const std::string& name, const std::vector<std::string>& options) {
-    const Chapter chapter = find_chapter(course, name);
+int run(const Course& course, const Given& given) {
+    const std::vector<std::string>& options = given.rest;
+    const Chapter chapter = find_chapter(course, *given.named);
     const Chapter last = draws_by_elective(options) ? chapters(course).back() : chapter;
     const Yours yours = put_yours_in_place(course, last);
     must_build(course, chapter.name + "_mine");

@@ -4,7 +4,6 @@
 #include <companion/commands/commands.hpp>
 #include <companion/pages/studies.hpp>
 #include <companion/pages/study_comparison.hpp>
-#include <companion/system/process.hpp>
 #include <cstdio>
 
 namespace companion {
@@ -14,11 +13,22 @@ std::vector<Measurement> measured(const Course& course, const Chapter& chapter, 
     return read_measurements(study_folder(course, whose) / chapter.table());
 }
 
+// Draws docs/plots from docs/studies.
+int study_of_texts(const Course& course, const Given& given) {
+    if (given.named || given.options.size() > 1)
+        throw app::UsageError("study --docs: takes nothing else");
+    draw_plots_of_texts(course);
+    std::puts("docs/plots shows what is in docs/studies.");
+    return app::done;
+}
+
 }  // namespace
 
-int study(const Course& course, const Named& name, bool mine) {
+int study(const Course& course, const Given& given) {
+    if (given.has("--docs")) return study_of_texts(course, given);
+    const bool mine = given.has("--mine");
     std::vector<Chapter> chosen = chapters(course);
-    if (name) chosen = {find_chapter(course, *name)};
+    if (given.named) chosen = {find_chapter(course, *given.named)};
     std::string words = "The solution's code was measured.";
     const Whose shown = mine ? Whose::mine : Whose::solution;
     if (mine) {
@@ -28,8 +38,9 @@ int study(const Course& course, const Named& name, bool mine) {
                 for (const std::string& program : study_programs(chapter, whose))
                     must_build(course, program);
     }
-    const bool with_plots = is_installed("gnuplot");
-    int drawn = 0;
+    const auto draw = [&](const Chapter& chapter, Whose whose) {
+        draw_plots(study_folder(course, whose) / chapter.table(), study_folder(course, whose));
+    };
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Chapter& chapter = chosen[i];
         // Yours is measured between two runs of the solution: a difference no larger
@@ -43,17 +54,16 @@ int study(const Course& course, const Named& name, bool mine) {
             solution = measured(course, chapter, Whose::solution);
         }
         measure(course, chapter, true, shown);
-        if (with_plots) drawn += draw_plots(course, chapter, shown);
+        draw(chapter, shown);
         if (!mine) continue;
         measure(course, chapter, false);
-        if (with_plots) drawn += draw_plots(course, chapter);
+        draw(chapter, Whose::solution);
         std::printf("\n%s\n", study_comparison(measured(course, chapter, Whose::mine), solution,
                                                measured(course, chapter, Whose::solution))
                                   .c_str());
     }
-    std::printf("\n%s Tables%s are in %s\n", words.c_str(), drawn ? " and plots" : "",
+    std::printf("\n%s Tables and plots are in %s\n", words.c_str(),
                 study_folder(course, shown).string().c_str());
-    if (!with_plots) std::puts("No plots: gnuplot is not installed.");
     return app::done;
 }
 

@@ -6,6 +6,7 @@
 #include <companion/check/check.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/commands/next_step.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/system/keyboard.hpp>
 #include <companion/system/process.hpp>
@@ -129,14 +130,17 @@ class Watch {
             return false;
         }
         print(summary_line(checked[0]));
-        print(float_lines(course_, checked));
-        if (checked[0].verdict == Verdict::passed) {
-            if (const std::string star = open_stars(course_, checked[0], false); !star.empty())
+        check_in_float(course_, checked);
+        print(float_lines(checked));
+        const LooksLike looks_like =
+            what_it_looks_like(course_, all_[current_], checked[0].tests());
+        if (checked[0].passed()) {
+            if (const std::string star = open_stars(checked[0], looks_like, false); !star.empty())
                 print('\n' + star);
             print_chapter_end();
             return true;
         }
-        print('\n' + details(course_, checked[0]));
+        print('\n' + details(checked[0], looks_like));
         print_keys();
         return false;
     }
@@ -216,10 +220,10 @@ class Watch {
 
 }  // namespace
 
-int watch(const Course& course, const Named& name) {
+int watch(const Course& course, const Given& given) {
     std::vector<Chapter> watched = core_chapters(course);
     std::optional<Chapter> chapter;
-    if (name) chapter = find_chapter(course, *name);
+    if (given.named) chapter = find_chapter(course, *given.named);
     // It does not go on to an elective by itself.
     if (chapter && !chapter->core) watched.push_back(*chapter);
     std::vector<Exercise> all = exercises(course, watched);

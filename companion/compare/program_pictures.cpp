@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
 
 namespace companion {
 namespace {
@@ -47,18 +49,13 @@ Result run_for(const std::vector<std::string>& command) {
 }  // namespace
 
 DrawingOptions options_from(const std::string& description) {
-    const app::Json defaults = app::parse_json(description, "--describe");
-    const auto default_of = [&](const std::string& name) -> const app::Json* {
-        for (std::size_t i = 0; i < defaults.keys.size(); ++i)
-            if (defaults.keys[i] == name) return &defaults.items[i];
-        return nullptr;
-    };
+    const auto defaults =
+        app::parse_json(description, "--describe").get<std::map<std::string, std::string>>();
     const auto number = [&](const char* name) {
-        const app::Json* const value = default_of(name);
-        return value ? std::atoi(value->text.c_str()) : 0;
+        return defaults.count(name) ? std::atoi(defaults.at(name).c_str()) : 0;
     };
     return {number("width"), number("height"), number("spp"), number("depth"),
-            default_of("seed") != nullptr};
+            defaults.count("seed") == 1};
 }
 
 DrawingOptions for_comparison(DrawingOptions options) {

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 struct Course {
     fs::path root;
     fs::path build;
+    double patience = 20;  // seconds after which an exercise's checkpoints are stopped
 
     fs::path program(const std::string& name) const { return build / "bin" / name; }
     fs::path out() const { return root / "out"; }
@@ -36,7 +37,7 @@ struct Chapter {
     fs::path text = {}, hints = {};
     std::string caption = {};  // what its picture shows
     bool uses_real = true;     // it uses rt::Real, so its exercises are checked in float, too
-    fs::path scene = {};       // the scene that its picture shows
+    fs::path scene = {};       // the scene that its picture shows, in the build folder
 
     bool has_exercises() const { return scene.empty(); }
 

@@ -1,48 +1,60 @@
+#include <app/value.hpp>
 #include <companion/model/course_file.hpp>
-#include <companion/model/fact.hpp>
 #include <companion/system/files.hpp>
 
 namespace companion {
 namespace {
 
-Exercise read_exercise(const Fact& fact, const Chapter& chapter) {
+using app::Value;
+
+int minutes(const Value& value, std::uint64_t least = 1) {
+    return static_cast<int>(value.whole(least, 1000));
+}
+
+// A text that is not empty.
+std::string text(const Value& value) {
+    if (value.is_text() && value.text().empty()) value.refuse("a text in quotes");
+    return value.text();
+}
+
+Exercise read_exercise(const Value& value, const Chapter& chapter) {
     Exercise exercise;
-    exercise.id = fact["id"].text();
+    exercise.id = text(value.at("id"));
     if (exercise.id.rfind(chapter.number() + '.', 0) != 0)
-        fact["id"].fail("should begin with " + chapter.number() + '.');
-    exercise.title = fact["title"].text();
-    exercise.minutes = fact["minutes"].count();
-    if (fact.has("star_minutes")) exercise.star_minutes = fact["star_minutes"].count(0);
-    exercise.chapter = chapter;
-    for (const Fact& file : fact["files"].list())
-        exercise.files.push_back(fs::path{"exercises"} / chapter.name / file.text());
+        value.at("id").fail("must begin with " + chapter.number() + '.');
+    exercise.title = text(value.at("title"));
+    exercise.minutes = minutes(value.at("minutes"));
+    if (const auto more = value.find("star_minutes")) exercise.star_minutes = minutes(*more, 0);
+    for (const Value& file : value.at("files").list("files", 1))
+        exercise.files.push_back(fs::path{"exercises"} / chapter.name / text(file));
     return exercise;
 }
 
 }  // namespace
 
 CourseFile read_course_file(const Course& course) {
-    const app::Json json = app::parse_json(read_file(course.root / "course.json"), "course.json");
+    const Value whole = Value::parse(read_file(course.root / "course.json"), "course.json");
     CourseFile file;
-    for (const Fact& fact : Fact{json, "course.json"}["chapters"].list()) {
-        Chapter chapter{.name = fact["name"].text(),
-                        .title = fact["title"].text(),
-                        .core = fact["core"].yes(),
-                        .reading = fact["reading"].count(),
-                        .text = fact["text"].text(),
-                        .caption = fact["caption"].text()};
-        if (fact.has("scene")) {
-            chapter.scene = fact["scene"].text();
-            chapter.minutes = fact["minutes"].count();
+    for (const Value& value : whole.at("chapters").list("chapters", 1)) {
+        Chapter chapter{.name = text(value.at("name")),
+                        .title = text(value.at("title")),
+                        .core = value.at("core").yes(),
+                        .reading = minutes(value.at("reading")),
+                        .text = text(value.at("text")),
+                        .caption = text(value.at("caption"))};
+        if (const auto scene = value.find("scene")) {
+            chapter.scene = text(*scene);
+            chapter.minutes = minutes(value.at("minutes"));
             file.chapters.push_back(chapter);
             continue;
         }
-        chapter.hints = fact["hints"].text();
-        chapter.uses_real = fact["uses_real"].yes();
-        if (fact.has("study_seconds")) chapter.study_seconds = fact["study_seconds"].count();
+        chapter.hints = text(value.at("hints"));
+        chapter.uses_real = value.at("uses_real").yes();
+        if (const auto seconds = value.find("study_seconds"))
+            chapter.study_seconds = minutes(*seconds);
         std::vector<Exercise> exercises;
-        for (const Fact& exercise : fact["exercises"].list())
-            exercises.push_back(read_exercise(exercise, chapter));
+        for (const Value& one : value.at("exercises").list("exercises", 1))
+            exercises.push_back(read_exercise(one, chapter));
         chapter.minutes = chapter.reading;
         for (const Exercise& exercise : exercises) {
             chapter.minutes += exercise.minutes;

@@ -43,6 +43,12 @@ void add_shipped(const Course& course, std::vector<Exercise>& exercises) {
 
 }  // namespace
 
+std::string Exercise::file_list() const {
+    std::string list;
+    for (const fs::path& file : files) list += (list.empty() ? "" : ", ") + file.string();
+    return list;
+}
+
 std::vector<Exercise> exercises(const Course& course, const Chapter& chapter) {
     std::vector<Exercise> found;
     for (Exercise& exercise : read_course_file(course).exercises)

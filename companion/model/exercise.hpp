@@ -22,6 +22,8 @@ struct Exercise {
     std::string shipped_hash{};
     std::vector<fs::path> chapter_files{};  // of all exercises of its chapter
 
+    // "exercises/00_toolchain/rt/a.hpp, exercises/..."
+    std::string file_list() const;
     // "docs/01-vectors.md, section 01.3"
     std::string section() const { return chapter.text.string() + ", section " + id; }
 };

@@ -184,7 +184,7 @@ std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs
         if (found.empty())
             throw app::Failure(
                 edit.place + ": these lines are not in " + path.string() +
-                "; copy them from there exactly, as they are after the earlier edits");
+                "; copy whole lines from there exactly, as they are after the earlier edits");
         if (found.size() > 1)
             throw app::Failure(edit.place + ": these lines appear " + std::to_string(found.size()) +
                                " times in " + path.string() +

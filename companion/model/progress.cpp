@@ -5,8 +5,9 @@ namespace companion {
 Progress progress_of(const Course& course, const State& state, const Exercise& exercise) {
     if (!trouble_with_files(course, exercise).empty()) return Progress::no_file;
     if (!is_begun(course, exercise)) return Progress::to_write;
-    const auto found = state.find(exercise.id);
-    const bool known = found != state.end() && found->second.hash == hash_of(course, exercise);
+    const auto found = state.exercises.find(exercise.id);
+    const bool known =
+        found != state.exercises.end() && found->second.hash == hash_of(course, exercise);
     if (known && found->second.passed)
         return found->second.open_stars > 0 ? Progress::core : Progress::done;
     if (todos_left(course, exercise) > 0) return Progress::begun;
@@ -69,7 +70,7 @@ int open_stars_of(const Course& course, const Chapter& chapter) {
     int open = 0;
     for (const Exercise& exercise : exercises(course, chapter))
         if (progress_of(course, state, exercise) == Progress::core)
-            open += state.at(exercise.id).open_stars;
+            open += state.exercises.at(exercise.id).open_stars;
     return open;
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <app/value.hpp>
 #include <cctype>
 #include <cmath>
-#include <companion/model/fact.hpp>
 #include <companion/model/questions.hpp>
 #include <companion/system/files.hpp>
 #include <cstdlib>
@@ -9,24 +9,26 @@
 namespace companion {
 namespace {
 
-Question read_question(const Fact& fact) {
-    Question question{.kind = fact["kind"].text(),
-                      .ask = fact["ask"].text(),
-                      .nudge = fact["nudge"].text(),
-                      .because = fact["because"].text()};
-    if (question.kind != "predict" && question.kind != "find the fault")
-        fact["kind"].fail("should be \"predict\" or \"find the fault\"");
-    if (fact.has("picture")) question.picture = fact["picture"].text();
-    if (!fact.has("choices")) {
-        question.number = fact["answer"].number();
-        question.tolerance = fact["tolerance"].number();
-        return question;
+using app::Value;
+
+Question read_question(const Value& value) {
+    Question question{.kind = value.at("kind").word({"predict", "find the fault"}),
+                      .ask = value.at("ask").text(),
+                      .nudge = value.at("nudge").text(),
+                      .because = value.at("because").text()};
+    if (const auto picture = value.find("picture")) question.picture = picture->text();
+    const Value answer = value.at("answer");
+    if (const auto choices = value.find("choices")) {
+        for (const Value& choice : choices->list("choices", 2))
+            question.choices.push_back(choice.text());
+        const std::string& right = answer.word(question.choices);
+        question.right_choice = static_cast<std::size_t>(
+            std::find(question.choices.begin(), question.choices.end(), right) -
+            question.choices.begin());
+    } else {
+        question.number = answer.number();
+        question.tolerance = value.at("tolerance").number();
     }
-    for (const Fact& choice : fact["choices"].list()) question.choices.push_back(choice.text());
-    const auto right =
-        std::find(question.choices.begin(), question.choices.end(), fact["answer"].text());
-    if (right == question.choices.end()) fact["answer"].fail("should be one of the choices");
-    question.right_choice = static_cast<std::size_t>(right - question.choices.begin());
     return question;
 }
 
@@ -53,10 +55,10 @@ std::string Question::key() const {
 std::vector<Question> questions(const Course& course, const Chapter& chapter) {
     const fs::path file = fs::path{"chapters"} / chapter.name / "questions.json";
     if (!fs::exists(course.root / file)) return {};
-    const app::Json json = app::parse_json(read_file(course.root / file), file.string());
+    const Value whole = Value::parse(read_file(course.root / file), file.string());
     std::vector<Question> all;
-    for (const Fact& fact : Fact{json, file.string()}["questions"].list())
-        all.push_back(read_question(fact));
+    for (const Value& value : whole.at("questions").list("questions", 1))
+        all.push_back(read_question(value));
     return all;
 }
 

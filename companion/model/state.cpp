@@ -1,15 +1,25 @@
 #include <app/errors.hpp>
 #include <app/files.hpp>
-#include <app/json.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/file_lock.hpp>
 #include <companion/system/files.hpp>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace companion {
+
+// What an older state does not have keeps its default.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Record, passed, hash, hints, warning, stars,
+                                                open_stars, first_passed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Answered, right, tries, answer)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(OwnRecord, folder, hash, lines, passed,
+                                                first_passed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(DrawnRecord, hash, yours)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(State, exercises, answers, own, drawn)
+
 namespace {
 
-using app::Json;
+using nlohmann::json;
 
 constexpr int version = 1;
 
@@ -17,118 +27,29 @@ fs::path folder_of(const Course& course) {
     return course.root / ".course";
 }
 
-// A member of an object. Throws app::Failure if it is missing or of another kind.
-const Json& member(const Json& object, const std::string& key, Json::Kind kind) {
-    if (const Json* const found = find(object, key, kind)) return *found;
+// Older states do not say when something first passed.
+void add_time(json& record, bool passed) {
+    if (!record.contains("first_passed")) record["first_passed"] = passed ? unknown_time : 0;
+}
+
+State parse(const std::string& text) try {
+    json all = json::parse(text);
+    if (const int written_as = all.at("version"); written_as != version)
+        throw app::Failure("it has version " + std::to_string(written_as) + ", not " +
+                           std::to_string(version));
+    for (json& record : all.at("exercises")) add_time(record, record.at("passed"));
+    if (all.contains("own"))
+        add_time(all["own"],
+                 all["own"].at("lines") > 0 && all["own"]["passed"] == all["own"]["lines"]);
+    return all;
+} catch (const json::exception&) {
     throw app::Failure("it does not hold the progress of the course");
 }
 
-// A number that older states do not have.
-int count(const Json& record, const std::string& key) {
-    const Json* const found = find(record, key, Json::Kind::number);
-    return found ? static_cast<int>(found->number) : 0;
-}
-
-// Older states do not say when an exercise first passed.
-std::int64_t time_of(const Json& record, bool passed) {
-    const Json* const found = find(record, "first_passed", Json::Kind::number);
-    return found ? static_cast<std::int64_t>(found->number) : passed ? unknown_time : 0;
-}
-
-State parse(const std::string& text) {
-    const Json json = app::parse_json(text, "state.json");
-    const double written_as = member(json, "version", Json::Kind::number).number;
-    if (written_as != version)
-        throw app::Failure("it has version " + app::to_text({Json::Kind::number, written_as}) +
-                           ", not " + std::to_string(version));
-    const Json& records = member(json, "exercises", Json::Kind::object);
-    State state;
-    for (std::size_t i = 0; i < records.keys.size(); ++i) {
-        const Json& record = records.items[i];
-        const Json* const warning = find(record, "warning", Json::Kind::text);
-        const bool passed = member(record, "passed", Json::Kind::boolean).number != 0;
-        state[records.keys[i]] = {
-            passed,
-            member(record, "hash", Json::Kind::text).text,
-            static_cast<int>(member(record, "hints", Json::Kind::number).number),
-            warning ? warning->text : "",
-            count(record, "stars"),
-            count(record, "open_stars"),
-            time_of(record, passed)};
-    }
-    if (const Json* const answers = find(json, "answers", Json::Kind::object))
-        for (std::size_t i = 0; i < answers->keys.size(); ++i) {
-            const Json& answer = answers->items[i];
-            state.answers[answers->keys[i]] = {
-                member(answer, "right", Json::Kind::boolean).number != 0, count(answer, "tries"),
-                member(answer, "answer", Json::Kind::text).text};
-        }
-    if (const Json* const own = find(json, "own", Json::Kind::object)) {
-        const int lines = count(*own, "lines"), passed = count(*own, "passed");
-        state.own = {member(*own, "folder", Json::Kind::text).text,
-                     member(*own, "hash", Json::Kind::text).text, lines, passed,
-                     time_of(*own, lines > 0 && passed == lines)};
-    }
-    if (const Json* const drawn = find(json, "drawn", Json::Kind::object)) {
-        state.drawn.hash = member(*drawn, "hash", Json::Kind::text).text;
-        for (const Json& id : member(*drawn, "yours", Json::Kind::list).items)
-            state.drawn.yours.push_back(id.text);
-    }
-    return state;
-}
-
 std::string to_text(const State& state) {
-    Json records{Json::Kind::object};
-    for (const auto& [id, record] : state) {
-        records.keys.push_back(id);
-        records.items.push_back(
-            {Json::Kind::object,
-             0,
-             {},
-             {{Json::Kind::boolean, record.passed ? 1.0 : 0.0},
-              {Json::Kind::text, 0, record.hash},
-              {Json::Kind::number, static_cast<double>(record.hints)},
-              {Json::Kind::text, 0, record.warning},
-              {Json::Kind::number, static_cast<double>(record.stars)},
-              {Json::Kind::number, static_cast<double>(record.open_stars)},
-              {Json::Kind::number, static_cast<double>(record.first_passed)}},
-             {"passed", "hash", "hints", "warning", "stars", "open_stars", "first_passed"}});
-    }
-    Json answers{Json::Kind::object};
-    for (const auto& [key, answered] : state.answers) {
-        answers.keys.push_back(key);
-        answers.items.push_back({Json::Kind::object,
-                                 0,
-                                 {},
-                                 {{Json::Kind::boolean, answered.right ? 1.0 : 0.0},
-                                  {Json::Kind::number, static_cast<double>(answered.tries)},
-                                  {Json::Kind::text, 0, answered.answer}},
-                                 {"right", "tries", "answer"}});
-    }
-    const Json own{Json::Kind::object,
-                   0,
-                   {},
-                   {{Json::Kind::text, 0, state.own.folder},
-                    {Json::Kind::text, 0, state.own.hash},
-                    {Json::Kind::number, static_cast<double>(state.own.lines)},
-                    {Json::Kind::number, static_cast<double>(state.own.passed)},
-                    {Json::Kind::number, static_cast<double>(state.own.first_passed)}},
-                   {"folder", "hash", "lines", "passed", "first_passed"}};
-    Json yours{Json::Kind::list};
-    for (const std::string& id : state.drawn.yours)
-        yours.items.push_back({Json::Kind::text, 0, id});
-    const Json drawn{Json::Kind::object,
-                     0,
-                     {},
-                     {{Json::Kind::text, 0, state.drawn.hash}, std::move(yours)},
-                     {"hash", "yours"}};
-    const Json all{
-        Json::Kind::object,
-        0,
-        {},
-        {{Json::Kind::number, version}, std::move(records), std::move(answers), own, drawn},
-        {"version", "exercises", "answers", "own", "drawn"}};
-    return app::to_text(all) + '\n';
+    json all = state;
+    all["version"] = version;
+    return all.dump(-1, ' ', false, json::error_handler_t::replace) + '\n';
 }
 
 void set_aside(const Course& course, const fs::path& file, const char* why) {

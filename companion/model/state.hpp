@@ -45,7 +45,8 @@ struct DrawnRecord {
     std::vector<std::string> yours{};  // the exercises that ran the learner's code
 };
 
-struct State : std::map<std::string, Record> {  // by exercise
+struct State {
+    std::map<std::string, Record> exercises{};
     std::map<std::string, Answered> answers{};  // by the question's key
     OwnRecord own{};
     DrawnRecord drawn{};

@@ -2,6 +2,7 @@
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/model/course_file.hpp>
+#include <companion/model/source.hpp>
 #include <companion/model/stubs.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/process.hpp>
@@ -26,33 +27,6 @@ bool is_as_committed(const Course& course, const fs::path& file) {
                         .folder = course.root})
         .ok();
 }
-
-// The source without comments. Quoted text stays.
-std::string code_of(const std::string& source) {
-    std::string code;
-    for (std::size_t i = 0; i < source.size(); ++i) {
-        if (source.compare(i, 2, "//") == 0) {
-            i = std::min(source.find('\n', i), source.size());
-            code += '\n';
-        } else if (source.compare(i, 2, "/*") == 0) {
-            const auto end = source.find("*/", i + 2);
-            i = end == std::string::npos ? source.size() : end + 1;
-            code += ' ';
-        } else if (source[i] == '"') {
-            const std::size_t start = i;
-            for (++i; i < source.size() && source[i] != '"' && source[i] != '\n'; ++i)
-                i += source[i] == '\\';
-            code += source.substr(start, i - start + 1);
-        } else {
-            code += source[i];
-        }
-    }
-    return code;
-}
-
-}  // namespace
-
-namespace {
 
 // Where the code calls todo("NN.k" for this exercise, or for any if its name is empty.
 std::vector<std::size_t> todos(const std::string& code, const std::string& exercise) {
@@ -103,7 +77,7 @@ std::string function_around(const std::string& code, std::size_t place) {
 }  // namespace
 
 int count_todos(const std::string& source, const std::string& exercise) {
-    return static_cast<int>(todos(code_of(source), exercise).size());
+    return static_cast<int>(todos(code_of(source, true), exercise).size());
 }
 
 int count_todos(const std::string& source) {
@@ -134,7 +108,7 @@ std::string shipped_stub(const Course& course, const fs::path& file) {
 
 std::vector<std::string> functions_to_write(const std::string& source,
                                             const std::string& exercise) {
-    const std::string code = code_of(source);
+    const std::string code = code_of(source, true);
     std::vector<std::string> names;
     for (const std::size_t place : todos(code, exercise))
         if (const std::string name = function_around(code, place);

@@ -38,8 +38,8 @@ constexpr const char* gallery_head = R"(<!doctype html>
   .missing { color: var(--soft); font-style: italic; }
   details { border-top: 1px solid var(--line); padding: 14px 26px; }
   summary { cursor: pointer; color: var(--soft); }
-  details img { display: block; width: 100%; max-width: 960px; height: auto; margin: 16px auto 4px;
-                border-radius: 6px; background: #fff; }
+  details img { display: block; width: 100%; max-width: 760px; height: auto; margin: 16px auto 4px;
+                border-radius: 6px; }
   footer { color: var(--soft); font-size: .88rem; padding-bottom: 48px; }
   @media (max-width: 600px) { .text, details { padding-left: 16px; padding-right: 16px; } }
 </style>

@@ -20,10 +20,10 @@ double to_number(const std::string& text, const std::filesystem::path& table) {
 
 }  // namespace
 
-std::vector<Measurement> read_measurements(const std::filesystem::path& table) {
+Measurements read_measurements(const std::filesystem::path& table) {
     std::ifstream in{table};
     if (!in) throw app::Failure(table.string() + " cannot be read");
-    std::vector<Measurement> rows;
+    Measurements rows;
     bool is_heading = true;
     for (const auto& line : study::read_csv(in)) {
         if (line.size() != 9)
@@ -38,8 +38,8 @@ std::vector<Measurement> read_measurements(const std::filesystem::path& table) {
     return rows;
 }
 
-std::vector<std::vector<Measurement>> by_study(const std::vector<Measurement>& rows) {
-    std::vector<std::vector<Measurement>> studies;
+std::vector<Measurements> by_study(const Measurements& rows) {
+    std::vector<Measurements> studies;
     for (const Measurement& row : rows) {
         const auto same = [&](const auto& study) { return study.front().study == row.study; };
         const auto found = std::find_if(studies.begin(), studies.end(), same);

@@ -1,117 +1,33 @@
 #include <algorithm>
 #include <cmath>
+#include <companion/pages/axis.hpp>
+#include <companion/pages/html.hpp>
 #include <companion/pages/plot.hpp>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace companion {
 namespace {
 
-using Quantity = double study::Row::*;
+constexpr double width = 760;
 
-// Colors that people with any color vision tell apart. Source: Okabe and Ito, "Color universal
-// design", 2008.
-constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                  "#e69f00", "#56b4e9", "#555555"};
+// Colors that people with any color vision tell apart, the first and sixth lighter on dark. Source:
+// Okabe and Ito, "Color universal design", 2008. A page that holds the picture may set other ones.
+constexpr const char* style = R"(<style>
+.plot{--paper:#fff;--ink:#1c2026;--muted:#57606a;--line:#dfe2e7;--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#e69f00;--c5:#56b4e9;--c6:#666;font:12px system-ui,sans-serif}
+@media(prefers-color-scheme:dark){.plot{--paper:#16181d;--ink:#dfe2e7;--muted:#a2abb6;--line:#353a43;--c0:#3d8fd9;--c5:#96d3f7;--c6:#aaa}}
+.plot .paper{fill:var(--paper)}.plot text{fill:var(--muted)}.plot .name{fill:var(--ink);font-size:13px}.plot .head{fill:var(--ink);font-size:16px;font-weight:600}
+.plot .grid{stroke:var(--line);stroke-width:1}.plot .apart{stroke:var(--muted);stroke-dasharray:1 4}.plot .line{fill:none}.plot .frontier{fill:none;stroke:var(--muted);stroke-width:9;stroke-linejoin:round;opacity:.25}
+.plot .c0{stroke:var(--c0);fill:var(--c0)}.plot .c1{stroke:var(--c1);fill:var(--c1)}.plot .c2{stroke:var(--c2);fill:var(--c2)}.plot .c3{stroke:var(--c3);fill:var(--c3)}.plot .c4{stroke:var(--c4);fill:var(--c4)}.plot .c5{stroke:var(--c5);fill:var(--c5)}.plot .c6{stroke:var(--c6);fill:var(--c6)}
+.plot .float{fill:var(--paper)}.plot .float .line{stroke-dasharray:6 4}.plot g{stroke-width:1.5}
+</style>
+)";
+constexpr std::size_t color_count = 7;
 
-// A text in gnuplot's double quotes.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\' || c == '`') result += '\\';
-        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-    return result + '"';
-}
-
-// Whether this row measured the quantity: an error or a cost without a name was not measured.
-bool measured(const Measurement& row, Quantity quantity) {
-    if (quantity == &study::Row::error) return !row.error_name.empty();
-    return quantity != &study::Row::cost || !row.cost_name.empty();
-}
-
-// How gnuplot shows one quantity: by its logarithm if it spans more than a factor of 16. Values
-// that do not fit such an axis get a row of their own at the edge: 0 on a logarithmic axis;
-// infinity and NaN on any axis.
-class Axis {
-  public:
-    Axis(const std::vector<Measurement>& rows, Quantity quantity) {
-        std::vector<double> ordinary;
-        for (const Measurement& row : rows) {
-            if (!measured(row, quantity)) continue;
-            const double value = row.*quantity;
-            has_infinite_ |= !std::isfinite(value);
-            has_zero_ |= value == 0;
-            if (std::isfinite(value) && value != 0) ordinary.push_back(value);
-        }
-        if (ordinary.empty()) ordinary.push_back(1);
-        const auto [least, most] = std::minmax_element(ordinary.begin(), ordinary.end());
-        is_logarithmic_ = *least > 0 && *most / 16 > *least;
-        if (is_logarithmic_)
-            set_logarithmic(std::log10(*least), std::log10(*most));
-        else
-            set_linear(std::min(*least, 0.0), std::max(*most, 0.0));
-    }
-
-    double at(double value) const {
-        return !std::isfinite(value) ? infinite_ : value == 0 ? zero_ : value;
-    }
-
-    double low() const { return low_; }
-
-    // The settings of the axis "x" or "y".
-    std::string settings(const std::string& name) const {
-        std::ostringstream out;
-        out.precision(9);
-        out << (is_logarithmic_ ? "set logscale " : "unset logscale ") << name << "\nset format "
-            << name << ' ' << quoted(format_) << "\nset " << name << "range [" << low_ << ':'
-            << high_ << "]\nset " << name << "tics autofreq\n";
-        const std::string add = "set " + name + "tics add (";
-        if (is_logarithmic_ && has_zero_) out << add << "\"0\" " << zero_ << ")\n";
-        if (has_infinite_) out << add << "\"∞\" " << infinite_ << ")\n";
-        if (!more_marks_.empty()) out << add << more_marks_ << ")\n";
-        return out.str();
-    }
-
-  private:
-    // From the logarithms of the least and the largest value. The rows at the edges lie where
-    // gnuplot has marks, so that their names replace numbers.
-    void set_logarithmic(double least, double most) {
-        const double span = most - least, margin = 0.06 * span,
-                     step = span > 20  ? 10
-                            : span > 8 ? 2
-                                       : 1;
-        const double zero = step * std::floor((least - margin) / step),
-                     infinite = step * std::ceil((most + margin) / step);
-        const auto power = [](double exponent) {
-            return std::pow(10, std::clamp(exponent, -307.0, 307.0));
-        };
-        zero_ = power(zero);
-        infinite_ = power(infinite);
-        low_ = power((has_zero_ ? zero : least) - margin);
-        high_ = power((has_infinite_ ? infinite : most) + margin);
-        const bool is_short = -3 <= least && most <= 4;
-        format_ = is_short ? "%g" : "10^{%T}";
-        if (is_short && span < 2.5)
-            more_marks_ = "0.002,0.005,0.02,0.05,0.2,0.5,2,5,20,50,200,500,2000,5000";
-    }
-
-    void set_linear(double least, double most) {
-        const double step = std::pow(10, std::floor(std::log10((most - least) / 2)));
-        infinite_ = step * (std::ceil(most / step) + 1);
-        const double end = has_infinite_ ? infinite_ : most, margin = 0.06 * (end - least);
-        low_ = least < 0 ? least - margin : 0;
-        high_ = end + margin;
-    }
-
-    bool is_logarithmic_, has_zero_ = false, has_infinite_ = false;
-    double zero_ = 0, infinite_ = 0, low_ = 0, high_ = 1;
-    std::string format_ = "%g", more_marks_;
-};
+// ---- What is drawn ---------------------------------------------------------------------------
 
 // Whether a quantity changes with x: for any variant, by more than times fluctuate.
-bool depends_on_x(const std::vector<Measurement>& rows, Quantity quantity) {
+bool depends_on_x(const Measurements& rows, Quantity quantity) {
     std::map<std::pair<std::string, std::string>, std::pair<double, double>> spans;
     for (const Measurement& row : rows) {
         const double value = row.*quantity;
@@ -125,174 +41,363 @@ bool depends_on_x(const std::vector<Measurement>& rows, Quantity quantity) {
     });
 }
 
-bool has(const std::vector<Measurement>& rows, const std::string& precision) {
-    return std::any_of(rows.begin(), rows.end(),
-                       [&](const Measurement& row) { return row.precision == precision; });
-}
-
-// What is drawn in a color of its own: a variant, or each x of it if x has no axis.
-std::string name_of(const Measurement& row, bool with_x) {
-    std::ostringstream name;
-    name << row.variant;
-    if (with_x) name << ", " << row.x_name << ' ' << row.x;
-    return name.str();
-}
-
 struct Panel {
     Quantity x, y;
-    std::string x_name, y_name;
 };
 
-std::vector<Panel> all_panels(const std::vector<Measurement>& rows, bool over_x) {
+std::vector<Panel> all_panels(const Measurements& rows, bool over_x) {
     using study::Row;
-    const auto with_error = std::find_if(rows.begin(), rows.end(), [](const Measurement& row) {
+    const bool has_error = std::any_of(rows.begin(), rows.end(), [](const Measurement& row) {
         return measured(row, &Row::error);
     });
-    const Measurement& any = rows.front();
-    const Panel cost{&Row::x, &Row::cost, any.x_name, any.cost_name};
-    if (with_error == rows.end()) return {cost};
-    if (!over_x) return {{&Row::cost, &Row::error, any.cost_name, with_error->error_name}};
-    const Panel error{&Row::x, &Row::error, any.x_name, with_error->error_name};
-    // Level lines tell no more than a table does. If the cost is level, the
-    // error gets all the room.
+    const Panel error{&Row::x, &Row::error}, cost{&Row::x, &Row::cost};
+    if (!has_error) return {cost};
+    if (!over_x) return {{&Row::cost, &Row::error}};
+    // Level lines tell no more than a table does. If the cost is level, the error gets all the
+    // room.
     if (!depends_on_x(rows, &Row::cost) && depends_on_x(rows, &Row::error)) return {error};
     return {error, cost};
 }
 
-// Plots a panel's curves: double solid, float dashed. The first curves are the widest, so that no
-// curve hides another that runs along it.
-void plot(std::ostream& out, const std::vector<Measurement>& rows, const Panel& panel,
-          const std::vector<std::string>& names, bool with_x) {
-    const Axis x{rows, panel.x}, y{rows, panel.y};
-    out << x.settings("x") << y.settings("y") << "set xlabel " << quoted(panel.x_name)
-        << " noenhanced\nset label 1 " << quoted(panel.y_name)
-        << " at graph 0, graph 1.06 offset -6,0 noenhanced\n";
-    std::ostringstream curves;
-    int count = 0;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        std::string title = quoted(names[i]);
-        const double rank = static_cast<double>(names.size() - 1 - i), width = 1.6 + 0.6 * rank,
-                     point = (panel.x == &study::Row::x ? 0.5 : 1.2) + 0.15 * rank;
-        for (const std::string precision : {"double", "float"}) {
-            const bool is_float = precision == "float";
-            std::set<std::pair<double, double>> points;
-            for (const Measurement& row : rows)
-                if (name_of(row, with_x) == names[i] && row.precision == precision &&
-                    measured(row, panel.y))
-                    points.emplace(x.at(row.*panel.x), y.at(row.*panel.y));
-            if (points.empty()) continue;
-            out << "$curve" << count << " << END\n";
-            for (const auto& [px, py] : points) out << px << ' ' << py << '\n';
-            out << "END\n";
-            curves << (count ? ", " : "plot ") << "$curve" << count << " with linespoints lw "
-                   << width << " lc rgb '" << colors[i % std::size(colors)] << "' pt "
-                   << (is_float ? 6 : 7) << " ps " << point << " dt " << (is_float ? 2 : 1)
-                   << " title " << title;
-            title = "\"\"";  // each name appears once
-            ++count;
+std::string name_of(const Measurements& rows, Quantity quantity) {
+    for (const Measurement& row : rows)
+        if (measured(row, quantity))
+            return quantity == &study::Row::x       ? row.x_name
+                   : quantity == &study::Row::error ? row.error_name
+                                                    : row.cost_name;
+    return "";
+}
+
+// The precisions that occur, double first.
+std::vector<std::string> precisions(const Measurements& rows) {
+    std::vector<std::string> found;
+    for (const std::string precision : {"double", "float"})
+        if (std::any_of(rows.begin(), rows.end(),
+                        [&](const Measurement& row) { return row.precision == precision; }))
+            found.push_back(precision);
+    return found;
+}
+
+// A row's variant and x.
+std::string with_x(const Measurement& row) {
+    return row.variant + ", " + row.x_name + ' ' + shown(row.x);
+}
+
+struct Look {
+    std::size_t color, shape;
+    double line, dot;  // their sizes
+};
+
+// How each variant looks, or each x of a variant if x has no axis. The first has the widest line,
+// so that none hides another that runs along it. If there are more names than colors, those that
+// begin with the same word share one, and differ in shape.
+class Looks {
+  public:
+    Looks(const Measurements& rows, bool is_with_x) : is_with_x_{is_with_x} {
+        for (const Measurement& row : rows)
+            if (std::find(names_.begin(), names_.end(), of(row)) == names_.end())
+                names_.push_back(of(row));
+        const bool are_many = names_.size() > color_count;
+        std::vector<std::string> families;
+        std::vector<std::size_t> shapes(color_count);
+        for (const std::string& name : names_) {
+            const std::string family = are_many ? name.substr(0, name.find_first_of(" ,")) : name;
+            auto known = std::find(families.begin(), families.end(), family);
+            if (known == families.end()) known = families.insert(known, family);
+            const auto color = static_cast<std::size_t>(known - families.begin()) % color_count;
+            const double later = static_cast<double>(color) / static_cast<double>(names_.size());
+            looks_[name] = are_many ? Look{color, shapes[color]++, 0.8, 3}
+                                    : Look{color, 0, 3.6 - 2.2 * later, 4.2 - 1.8 * later};
         }
     }
-    if (has(rows, "double") && has(rows, "float"))
-        for (const char* const words : {"pt 7 dt 1 title 'double'", "pt 6 dt 2 title 'float'"})
-            curves << ", NaN with linespoints lw 2 ps 1 lc rgb '#555555' " << words;
-    out << curves.str() << '\n';
+
+    std::string of(const Measurement& row) const { return is_with_x_ ? with_x(row) : row.variant; }
+    const std::vector<std::string>& names() const { return names_; }
+    const Look& operator[](const std::string& name) const { return looks_.at(name); }
+
+  private:
+    bool is_with_x_;
+    std::vector<std::string> names_;
+    std::map<std::string, Look> looks_;
+};
+
+// ---- Parts of a picture ----------------------------------------------------------------------
+
+std::string point(double x, double y) {
+    return px(x) + ' ' + px(y);
 }
 
-void begin(std::ostream& out, const std::string& svg_file, double height) {
-    out.precision(9);
-    out << "set terminal svg size 960," << height
-        << " enhanced font 'Helvetica,Arial,sans-serif,14' background '#ffffff'\nset output "
-        << quoted(svg_file) << "\nset border 3 lc rgb '#9a9a9a'\nset grid lc rgb '#e4e4e4' lt 1\n"
-        << "set tics nomirror scale 0.5 font ',11' textcolor rgb '#444444'\n";
+std::string text(double x, double y, const std::string& words, const std::string& attributes = "") {
+    return "<text x='" + px(x) + "' y='" + px(y) + '\'' + attributes + '>' + escape_html(words) +
+           "</text>";
+}
+const std::string in_the_middle = " text-anchor='middle'", to_the_left = " text-anchor='end'";
+
+// What is said when the pointer is on a part.
+std::string title(const std::string& says) {
+    return says.empty() ? "" : "<title>" + escape_html(says) + "</title>";
 }
 
-// The errors alone as bars, one per variant: the largest on top, double above float.
-std::string bar_script(const std::vector<Measurement>& rows, const std::string& svg_file) {
-    using study::Row;
-    const Axis axis{rows, &Row::error};
-    std::map<std::string, double> longest;
-    std::size_t letters = 0;
-    for (const Measurement& row : rows) {
-        double& bar = longest.try_emplace(row.variant, axis.at(row.error)).first->second;
-        bar = std::max(bar, axis.at(row.error));
-        letters = std::max(letters, row.variant.size());
-    }
-    std::vector<std::pair<double, std::string>> order;
-    for (const auto& [variant, bar] : longest) order.emplace_back(bar, variant);
-    std::sort(order.begin(), order.end());
+// A dot of one of five shapes.
+std::string dot(const Look& look, double x, double y, const std::string& says = "") {
+    using Corners = std::vector<std::pair<double, double>>;
+    static const std::vector<Corners> shapes{{},
+                                             {{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}},
+                                             {{0, -1.3}, {1.3, 0}, {0, 1.3}, {-1.3, 0}},
+                                             {{0, -1.2}, {1.2, 0.9}, {-1.2, 0.9}},
+                                             {{0, 1.2}, {1.2, -0.9}, {-1.2, -0.9}}};
+    std::string corners;
+    for (const auto& [right, down] : shapes[look.shape % shapes.size()])
+        corners += (corners.empty() ? "M" : " ") + point(x + look.dot * right, y + look.dot * down);
+    if (!corners.empty()) return "<path d='" + corners + "z'>" + title(says) + "</path>";
+    return "<circle cx='" + px(x) + "' cy='" + px(y) + "' r='" + px(look.dot) + "'>" + title(says) +
+           "</circle>";
+}
 
-    std::ostringstream out;
-    const double count = static_cast<double>(order.size()), height = 120 + 30 * count;
-    begin(out, svg_file, height);
-    out << axis.settings("x") << "set title " << quoted(rows.front().study)
-        << " font ',17' noenhanced\nset xlabel " << quoted(rows.front().error_name)
-        << " noenhanced\nset grid noytics\nset lmargin at screen "
-        << std::min(0.6, (8.0 * static_cast<double>(letters) + 20) / 960)
-        << "\nset rmargin at screen 0.97\nset yrange [0.4:" << count + 0.6
-        << "]\nset style fill solid 0.85 noborder\nset key bottom right Left reverse\n"
-           "set ytics scale 0 font ',13' (";
-    int place = 0;
-    for (const auto& [bar, variant] : order) {
-        out << (place ? ", " : "") << quoted(variant) << ' ' << place + 1;
-        ++place;
+// A curve's line and dots.
+std::string curve(const Look& look, const std::string& precision, const std::string& line,
+                  const std::string& dots) {
+    return "<g class='c" + std::to_string(look.color) + ' ' + precision +
+           "'><path class='line' stroke-width='" + px(look.line) + "' d='" + line + "'/>" + dots +
+           "</g>";
+}
+
+// A bar, with its value to the right of it.
+std::string bar(double left, double right, double top, const Measurement& row) {
+    return "<rect class='bar c" + std::to_string(row.precision == "float") + "' x='" + px(left) +
+           "' y='" + px(top) + "' width='" + px(right - left) + "' height='13'>" +
+           title(row.variant + ", " + row.precision + ": " + shown(row.error)) + "</rect>" +
+           text(right + 6, top + 11, shown(row.error));
+}
+
+// A value with its unit, if the quantity's name ends with one: "5.1 ns" of "time / ns".
+std::string with_unit(double value, const std::string& name) {
+    const auto slash = name.rfind(" / ");
+    if (slash == std::string::npos || name.size() - slash > 6) return shown(value);
+    return shown(value) + ' ' + name.substr(slash + 3);
+}
+
+// The lines, values and name of an axis along the bottom, with room above it up to `top`.
+std::string axis_below(const Axis& x, double bottom, double top, const std::string& name) {
+    std::string lines[2], words;
+    for (const Axis::Mark& mark : x.marks()) {
+        lines[mark.is_apart] += 'M' + point(mark.at, bottom) + 'V' + px(top);
+        words += text(mark.at, bottom + 18, mark.name, in_the_middle);
     }
-    out << ") noenhanced\n";
-    std::ostringstream bars;
-    for (const std::string precision : {"double", "float"}) {
-        if (!has(rows, precision)) continue;
-        const bool is_float = precision == "float";
-        out << '$' << precision << " << END\n";
-        for (std::size_t i = 0; i < order.size(); ++i)
+    return "<path class='grid' d='" + lines[0] + "'/><path class='grid apart' d='" + lines[1] +
+           "'/>\n" + words +
+           text((x.from() + x.to()) / 2, bottom + 38, name, " class='name'" + in_the_middle) + '\n';
+}
+
+// The same on the left. Its name is above it, so that it is read as other text.
+std::string axis_beside(const Axis& y, double left, double right, const std::string& name) {
+    std::string lines[2], words;
+    for (const Axis::Mark& mark : y.marks()) {
+        lines[mark.is_apart] += 'M' + point(left, mark.at) + 'H' + px(right);
+        words += text(left - 8, mark.at + 4, mark.name, to_the_left);
+    }
+    return "<path class='grid' d='" + lines[0] + "'/><path class='grid apart' d='" + lines[1] +
+           "'/>\n" + words + text(left - 50, y.to() - 14, name, " class='name'") + '\n';
+}
+
+std::string curves(const Measurements& rows, const Panel& panel, const Axis& x, const Axis& y,
+                   const Looks& looks) {
+    const std::string x_name = name_of(rows, panel.x), y_name = name_of(rows, panel.y);
+    std::string result;
+    for (const std::string& name : looks.names()) {
+        for (const std::string& precision : precisions(rows)) {
+            Measurements own;
             for (const Measurement& row : rows)
-                if (row.variant == order[i].second && row.precision == precision)
-                    out << axis.at(row.error) << ' ' << static_cast<double>(i + 1) << '\n';
-        out << "END\n";
-        bars << (bars.str().empty() ? "plot " : ", ") << '$' << precision << " using ("
-             << axis.low() << "):2:(" << axis.low()
-             << "):1:" << (is_float ? "($2-0.36):2" : "2:($2+0.36)") << " with boxxyerror lc rgb '"
-             << colors[is_float] << "' title '" << precision << '\'';
+                if (looks.of(row) == name && row.precision == precision) own.push_back(row);
+            std::stable_sort(own.begin(), own.end(), [&](const auto& a, const auto& b) {
+                return x.at(a.*panel.x) < x.at(b.*panel.x);
+            });
+            std::string line, dots;
+            for (const Measurement& row : own) {
+                const double right = x.at(row.*panel.x), down = y.at(row.*panel.y);
+                line += (line.empty() ? "M" : " ") + point(right, down);
+                dots += dot(looks[name], right, down,
+                            (panel.x == &study::Row::x ? name : with_x(row)) + ", " + precision +
+                                ": " + with_unit(row.*panel.y, y_name) + " at " +
+                                with_unit(row.*panel.x, x_name));
+            }
+            if (!own.empty()) result += curve(looks[name], precision, line, dots);
+        }
+        if (!result.empty() && result.back() != '\n') result += '\n';
     }
-    out << bars.str() << "\nset output\n";
-    return out.str();
+    return result;
+}
+
+// Names below the panels, side by side as far as they fit. Moves `y` to their end.
+std::string key(const Looks& looks, const Measurements& rows, double& y) {
+    struct Name {
+        Look look;
+        std::string precision, name;
+        double length;
+    };
+    std::vector<Name> names;
+    const auto add = [&](const Look& look, const std::string& precision, const std::string& name) {
+        names.push_back({look, precision, name, 48 + 6.7 * static_cast<double>(letters(name))});
+    };
+    for (const std::string& name : looks.names()) add(looks[name], "double", name);
+    if (precisions(rows).size() > 1)
+        for (const std::string& precision : precisions(rows))
+            add({color_count - 1, 0, 2, 3}, precision, precision);
+    std::string result;
+    double x = 8;
+    for (const Name& name : names) {
+        const bool is_pair = name.name == "double" && &name != &names.back();
+        if (x > 8 && x + name.length + (is_pair ? names.back().length : 0) > width) {
+            x = 8;
+            y += 20;
+        }
+        result +=
+            curve(name.look, name.precision, 'M' + point(x, y) + "h30", dot(name.look, x + 15, y)) +
+            text(x + 37, y + 4, name.name) + '\n';
+        x += name.length;
+    }
+    y += 16;
+    return result;
+}
+
+std::string heading(double y, const std::string& words) {
+    return text(8, y, words, " class='head'") + '\n';
+}
+
+std::string picture(const std::string& name, const std::string& parts, double height) {
+    const std::string size = px(width) + "' height='" + px(height) + '\'';
+    return "<svg xmlns='http://www.w3.org/2000/svg' class='plot' role='img' aria-label=\"" +
+           escape_html(name) + "\" viewBox='0 0 " + point(width, height) + "' width='" + size +
+           ">\n" + style + "<rect class='paper' width='" + size + "/>\n" + parts + "</svg>\n";
+}
+
+// The variants with their largest errors, the largest first.
+std::vector<std::string> by_error(const Measurements& rows) {
+    std::map<std::string, double> largest;
+    for (const Measurement& row : rows) {
+        const double error = std::isfinite(row.error) ? row.error : INFINITY;
+        double& so_far = largest.try_emplace(row.variant, error).first->second;
+        so_far = std::max(so_far, error);
+    }
+    std::vector<std::string> order;
+    for (const auto& [variant, error] : largest) order.push_back(variant);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const auto& a, const auto& b) { return largest.at(a) > largest.at(b); });
+    return order;
+}
+
+// The errors alone as bars: the largest on top, double above float.
+std::string bars(const Measurements& rows) {
+    const std::vector<std::string> order = by_error(rows), both = precisions(rows);
+    std::size_t longest = 0;
+    for (const std::string& variant : order) longest = std::max(longest, letters(variant));
+    constexpr double top = 48, thick = 16, gap = 8;
+    const double bottom =
+        top + thick * static_cast<double>(rows.size()) + gap * static_cast<double>(order.size());
+    const double left = std::min(0.5 * width, 24 + 6.6 * static_cast<double>(longest));
+    const Axis axis{rows, &study::Row::error, left, width - 70};
+    std::string parts = heading(22, rows.front().study) +
+                        axis_below(axis, bottom, top - 8, rows.front().error_name);
+    double y = top;
+    for (const std::string& variant : order) {
+        const double begin = y;
+        for (const std::string& precision : both)
+            for (const Measurement& row : rows)
+                if (row.variant == variant && row.precision == precision) {
+                    parts += bar(left, std::max(axis.at(row.error), left + 1), y, row);
+                    y += thick;
+                }
+        parts += text(left - 8, (begin + y) / 2 + 3, variant, to_the_left) + '\n';
+        y += gap;
+    }
+    double x = 8;
+    for (const std::string& precision : both) {
+        parts += "<rect class='c" + std::to_string(precision == "float") + "' x='" + px(x) +
+                 "' y='" + px(bottom + 27) + "' width='12' height='12'/>" +
+                 text(x + 18, bottom + 38, precision) + '\n';
+        x += 80;
+    }
+    return picture(rows.front().study, parts, bottom + 54);
+}
+
+// The rows that no other beats in both error and cost. A gain of less than 3 % is chance.
+std::string frontier(Measurements rows, const Axis& x, const Axis& y) {
+    std::sort(rows.begin(), rows.end(), [](const Measurement& a, const Measurement& b) {
+        return std::pair{a.cost, a.error} < std::pair{b.cost, b.error};
+    });
+    std::string line, names = "frontier:";
+    double least = INFINITY;
+    for (const Measurement& row : rows) {
+        if (row.error >= 0.97 * least) continue;
+        least = row.error;
+        line += (line.empty() ? "M" : " ") + point(x.at(row.cost), y.at(row.error));
+        names += '\n' + with_x(row) + ", " + row.precision;
+    }
+    return "<path class='frontier' d='" + line + "'>" + title(names) + "</path>\n";
 }
 
 }  // namespace
 
-std::string plot_script(const std::vector<Measurement>& rows, const std::string& svg_file) {
+std::string plot_svg(const Measurements& rows) {
     if (std::all_of(rows.begin(), rows.end(), [](const Measurement& row) {
             return measured(row, &study::Row::error) && !measured(row, &study::Row::cost);
         }))
-        return bar_script(rows, svg_file);
+        return bars(rows);
     std::set<double> xs;
     for (const Measurement& row : rows) xs.insert(row.x);
     const std::vector<Panel> panels = all_panels(rows, xs.size() >= 3);
-    const bool with_x = xs.size() > 1 && panels.front().x != &study::Row::x;
-    std::vector<std::string> names;
-    std::size_t longest = 6;
-    for (const Measurement& row : rows) {
-        const std::string name = name_of(row, with_x);
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-        longest = std::max(longest, name.size());
-    }
-    // The names are below, in columns.
-    const std::size_t columns = std::max<std::size_t>(1, 900 / (9 * longest + 60)),
-                      key_rows = (names.size() + 2 + columns - 1) / columns;
-    const double key_height = 22 * static_cast<double>(key_rows) + 10, height = 420 + key_height;
-
-    std::ostringstream out;
-    begin(out, svg_file, height);
-    out << "set multiplot layout 1," << panels.size() << " margins 0.09,0.98,"
-        << (70 + key_height) / height << ',' << 1 - 60 / height << " spacing 0.11 title "
-        << quoted(rows.front().study) << " font ',17' noenhanced\n";
+    const Looks looks{rows, xs.size() > 1 && panels.front().x != &study::Row::x};
+    const double each = width / static_cast<double>(panels.size()), top = 66, bottom = 330;
+    std::string parts = heading(22, rows.front().study);
+    double left = 58;
     for (const Panel& panel : panels) {
-        out << "set key " << (&panel == &panels.back() ? "on" : "off")
-            << " at screen 0.5, screen 0.01 center bottom Left reverse samplen 2.5 spacing 1.1 "
-               "noenhanced "
-            << "maxrows " << key_rows << '\n';
-        plot(out, rows, panel, names, with_x);
+        Measurements drawn;  // without what was not measured
+        for (const Measurement& row : rows)
+            if (measured(row, panel.y)) drawn.push_back(row);
+        const Axis x{drawn, panel.x, left, left + each - 72}, y{drawn, panel.y, bottom, top};
+        parts += axis_below(x, bottom, top, name_of(drawn, panel.x)) +
+                 axis_beside(y, x.from(), x.to(), name_of(drawn, panel.y)) +
+                 curves(drawn, panel, x, y, looks);
+        left += each;
     }
-    out << "unset multiplot\nset output\n";
-    return out.str();
+    double end = bottom + 66;
+    parts += key(looks, rows, end);
+    return picture(rows.front().study, parts, end);
+}
+
+std::string trade_svg(const std::vector<Measurements>& studies) {
+    using study::Row;
+    Measurements all;
+    for (const Measurements& rows : studies) all.insert(all.end(), rows.begin(), rows.end());
+    const Looks looks{all, false};
+    std::string parts;
+    double top = 66;
+    for (const Measurements& rows : studies) {
+        // The same axes for all, so that the panels can be compared.
+        const double bottom = top + 364;
+        const Axis x{all, &Row::cost, 58, width - 14}, y{all, &Row::error, bottom, top};
+        parts += heading(top - 44, rows.front().study) +
+                 axis_below(x, bottom, top, rows.front().cost_name) +
+                 axis_beside(y, x.from(), x.to(), rows.front().error_name) + frontier(rows, x, y) +
+                 curves(rows, {&Row::cost, &Row::error}, x, y, looks);
+        top += 500;
+    }
+    double end = top - 66;
+    parts += key(looks, all, end);
+    return picture("Error over time", parts, end);
+}
+
+std::string plot_file(const std::filesystem::path& table, const std::string& study) {
+    return table.stem().string() + '-' + slug(study) + ".svg";
+}
+
+std::map<std::string, std::string> plots_of(const std::filesystem::path& table) {
+    const std::vector<Measurements> studies = by_study(read_measurements(table));
+    if (table.filename() == "accuracy.csv") return {{"accuracy.svg", trade_svg(studies)}};
+    std::map<std::string, std::string> plots;
+    for (const Measurements& rows : studies)
+        plots[plot_file(table, rows.front().study)] = plot_svg(rows);
+    return plots;
 }
 
 }  // namespace companion

@@ -232,7 +232,7 @@ SharedPage collect_shared_page(const Course& course) {
         for (const Exercise& exercise : exercises(course, chapter)) {
             ++standing.exercises;
             if (!passes(progress_of(course, state, exercise))) continue;
-            const Record& record = state.at(exercise.id);
+            const Record& record = state.exercises.at(exercise.id);
             ++standing.done;
             standing.stars += record.stars;
             standing.open_stars += record.open_stars;

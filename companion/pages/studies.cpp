@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/pages/measurements.hpp>
@@ -8,13 +7,6 @@
 #include <system_error>
 
 namespace companion {
-namespace {
-
-std::string plot_file(const Chapter& chapter, const std::string& study) {
-    return chapter.name + '-' + slug(study) + ".svg";
-}
-
-}  // namespace
 
 fs::path study_folder(const Course& course, Whose whose) {
     return course.out() / (whose == Whose::mine ? "study-mine" : "study");
@@ -39,40 +31,27 @@ void measure(const Course& course, const Chapter& chapter, bool show_tables, Who
     }
 }
 
-int draw_plots(const Course& course, const Chapter& chapter, Whose whose) {
-    const fs::path folder = study_folder(course, whose);
-    int count = 0;
-    for (const auto& rows : by_study(read_measurements(folder / chapter.table()))) {
-        const std::string file = plot_file(chapter, rows.front().study);
-        const fs::path script = folder / (file + ".gnuplot");
-        app::replace_file(script, plot_script(rows, file));
-        const Result result = run_process(
-            {.command = {"gnuplot", script.filename().string()}, .folder = folder, .timeout = 60});
-        if (!result.ok())
-            throw app::Failure("gnuplot could not draw " + file + ": " + how_it_ended(result) +
-                               ' ' + result.output);
-        fs::remove(script);
-        ++count;
-    }
-    return count;
+void draw_plots(const fs::path& table, const fs::path& folder) {
+    for (const auto& [file, plot] : plots_of(table)) app::replace_file(folder / file, plot);
+}
+
+void draw_plots_of_texts(const Course& course) {
+    const fs::path folder = course.root / "docs/plots";
+    fs::remove_all(folder);  // a study may be there no longer
+    app::make_folder(folder);
+    for (const auto& entry : fs::directory_iterator(course.root / "docs/studies"))
+        if (entry.path().extension() == ".csv") draw_plots(entry, folder);
 }
 
 std::vector<std::string> plots(const Course& course, const Chapter& chapter) {
+    const bool here = fs::exists(study_folder(course) / chapter.table());
+    const fs::path folder = here ? study_folder(course) : course.root / "docs/plots";
+    const fs::path table = (here ? folder : course.root / "docs/studies") / chapter.table();
     std::vector<std::string> files;
-    const auto add = [&](const fs::path& file) {
-        files.push_back(fs::relative(file, course.out()).generic_string());
-    };
-    if (const fs::path table = study_folder(course) / chapter.table(); fs::exists(table)) {
-        for (const auto& rows : by_study(read_measurements(table)))
-            if (const fs::path file = study_folder(course) / plot_file(chapter, rows.front().study);
-                fs::exists(file))
-                add(file);
-    } else if (const fs::path shipped = course.root / "docs/plots"; fs::exists(shipped)) {
-        for (const auto& entry : fs::directory_iterator(shipped))
-            if (entry.path().filename().string().rfind(chapter.name + '-', 0) == 0)
-                add(entry.path());
-        std::sort(files.begin(), files.end());
-    }
+    if (!fs::exists(table)) return files;
+    for (const auto& rows : by_study(read_measurements(table)))
+        if (const fs::path file = folder / plot_file(table, rows.front().study); fs::exists(file))
+            files.push_back(fs::relative(file, course.out()).generic_string());
     return files;
 }
 

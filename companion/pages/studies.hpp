@@ -16,9 +16,11 @@ std::vector<std::string> study_programs(const Chapter& chapter, Whose whose);
 void measure(const Course& course, const Chapter& chapter, bool show_tables,
              Whose whose = Whose::solution);
 
-// Draws NN_topic-STUDY.svg for each study of the chapter's table; returns how many. Throws
-// app::Failure if gnuplot fails.
-int draw_plots(const Course& course, const Chapter& chapter, Whose whose = Whose::solution);
+// Draws the plots of a table into a folder.
+void draw_plots(const fs::path& table, const fs::path& folder);
+
+// Draws docs/plots, the plots of the texts, again from the tables in docs/studies.
+void draw_plots_of_texts(const Course& course);
 
 // The plots of a chapter, as paths from out/: those that were drawn here, in the order of its
 // table; or those of docs/plots if it was never measured here.

@@ -1,3 +1,4 @@
+#include <app/run.hpp>
 #include <sstream>
 #include <study/csv.hpp>
 #include <study/report.hpp>
@@ -37,7 +38,7 @@ std::string table_of(const study::Report& report) {
 
 TEST_CASE("a report names its columns and its precision", "[report]") {
     const TemporaryFolder folder;
-    one_row(0.25).write_csv(folder.path());
+    app::write_study(one_row(0.25), folder.path());
     CHECK(read_file(folder / "99_test.csv") ==
           heading + "\"far, \"\"very\"\" far\",\"a,b\"," + mine +
               ",1e+06,distance / radius,0.25,ulp,2.5,time / ns\n");
@@ -50,8 +51,8 @@ TEST_CASE("a report replaces its own rows and keeps those of the other precision
     const std::string theirs = "s,\"," + mine + ",\"," + other + ",1,n,2,e,3,c\n";
     const std::string old = "s,\"," + other + ",\"," + mine + ",1,n,2,e,3,c\n";
     write_file(folder / "99_test.csv", heading + theirs + old);
-    one_row(1).write_csv(folder.path());
-    one_row(2).write_csv(folder.path());
+    app::write_study(one_row(1), folder.path());
+    app::write_study(one_row(2), folder.path());
     const std::string text = read_file(folder / "99_test.csv");
     std::istringstream in{text};
     const auto lines = study::read_csv(in);
@@ -62,7 +63,7 @@ TEST_CASE("a report replaces its own rows and keeps those of the other precision
 
 TEST_CASE("a report says when it cannot be written", "[report]") {
     const TemporaryFolder folder;
-    CHECK_THROWS_AS(one_row(1).write_csv(folder / "missing"), std::system_error);
+    CHECK_THROWS_AS(app::write_study(one_row(1), folder / "missing"), std::system_error);
 }
 
 TEST_CASE("a report prints a dash for an error that was not measured", "[report]") {

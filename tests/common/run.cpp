@@ -1,10 +1,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <app/json.hpp>
 #include <app/run.hpp>
 #include <csignal>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <study/report.hpp>
 
 #include "checkpoint.hpp"
@@ -111,11 +111,7 @@ TEST_CASE("a program describes its options and their defaults", "[run]") {
     app::Program with_more = program();
     with_more.choices = {{"ending", "How a path ends", {"sky", "black"}}};
     const auto described = [](const app::Program& one) {
-        std::map<std::string, std::string> defaults;
-        const app::Json json = app::parse_json(app::describe(one), "--describe");
-        for (std::size_t i = 0; i < json.keys.size(); ++i)
-            defaults[json.keys[i]] = json.items[i].text;
-        return defaults;
+        return nlohmann::json::parse(app::describe(one)).get<std::map<std::string, std::string>>();
     };
     auto defaults = described(with_more);
     CHECK(defaults["out"] == "99_test.png");

@@ -71,23 +71,29 @@ TEST_CASE("the chapters and exercises are those of course.json", "[course]") {
 TEST_CASE("a wrong course.json is refused with the place and what would be right", "[course]") {
     CHECK(refusal("") == "course.json is empty; expected a JSON object { ... }");
     CHECK(refusal("{\n 1}").rfind("course.json:2:2: ", 0) == 0);
-    CHECK(refusal("{}") == "course.json: chapters is missing");
-    CHECK(refusal("[]") == "course.json: the top level should be an object, { ... }");
+    CHECK(refusal("{}") == "course.json: the top level needs \"chapters\"");
+    CHECK(
+        refusal("[]") ==
+        "course.json: the top level must be an object { ... } with \"chapters\", not a list of 0");
     CHECK(refusal(chapter_with("[]")) ==
-          "course.json: chapters[0].exercises should be a list, [ ... ], of one or more");
+          "course.json: chapters[0].exercises must be a list [ ... ] of 1 or more exercises, not a "
+          "list of 0");
     const auto with = [](const std::string& was, const std::string& is) {
         std::string wrong = exercise;
         wrong.replace(wrong.find(was), was.size(), is);
         return refusal(chapter_with('[' + wrong + ']'));
     };
-    const std::string place = "course.json: chapters[0].exercises[0].";
-    CHECK(with("\"id\"", "\"ID\"") == place + "id is missing");
-    CHECK(with("01.1", "02.1") == place + "id should begin with 01.");
-    CHECK(with("10", "0") == place + "minutes should be a whole number from 1 to 1000");
-    CHECK(with("10", "1.5") == place + "minutes should be a whole number from 1 to 1000");
-    CHECK(with(": 3", ": -1") == place + "star_minutes should be a whole number from 0 to 1000");
-    CHECK(with("\"Dot\"", "7") == place + "title should be a text in quotes");
-    CHECK(with("\"rt/b.cpp\"", "1") == place + "files[1] should be a text in quotes");
+    const std::string exercise_0 = "course.json: chapters[0].exercises[0]",
+                      place = exercise_0 + '.';
+    CHECK(with("\"id\"", "\"ID\"") == exercise_0 + " needs \"id\"");
+    CHECK(with("01.1", "02.1") == place + "id must begin with 01.");
+    CHECK(with("10", "0") == place + "minutes must be a whole number from 1 to 1000, not 0");
+    CHECK(with("10", "1.5") == place + "minutes must be a whole number from 1 to 1000, not 1.5");
+    CHECK(with(": 3", ": -1") ==
+          place + "star_minutes must be a whole number from 0 to 1000, not -1");
+    CHECK(with("\"Dot\"", "7") == place + "title must be a text in quotes, not 7");
+    CHECK(with("\"Dot\"", "\"\"") == place + "title must be a text in quotes, not \"\"");
+    CHECK(with("\"rt/b.cpp\"", "1") == place + "files[1] must be a text in quotes, not 1");
 }
 
 TEST_CASE("a chapter is found by whatever a person calls it", "[course]") {
@@ -115,7 +121,7 @@ TEST_CASE("a chapter of rungs has minutes and a scene in place of exercises", "[
     REQUIRE(rungs);
     CHECK(rungs->name == "09_own");
     CHECK(rungs->minutes == 240);
-    CHECK(companion::fs::exists(here.root / rungs->scene));
+    CHECK(companion::fs::exists(here.build / rungs->scene));
     CHECK(companion::every_chapter(here).size() == companion::chapters(here).size() + 1);
     for (const Chapter& chapter : companion::chapters(here)) CHECK(chapter.has_exercises());
 }

@@ -87,7 +87,7 @@ TEST_CASE("an edit that does not match exactly once is an error", "[mistakes]") 
         "01.1.md:10: these lines appear 2 times in rt/f.hpp; add a line before or after that tells "
         "them apart");
     const std::string never =
-        "01.1.md:10: these lines are not in rt/f.hpp; copy them from there exactly, as "
+        "01.1.md:10: these lines are not in rt/f.hpp; copy whole lines from there exactly, as "
         "they are after the earlier edits";
     CHECK(error_of_edit("    return 2;\n") == never);
     CHECK(error_of_edit("f() {\n") == never);  // not a whole line

@@ -45,13 +45,17 @@ TEST_CASE("questions are read, and a wrong file is refused with the place", "[qu
         }
         return std::string{};
     };
-    const std::string place = "chapters/01_x/questions.json: questions[0].";
-    CHECK(with(predict, "\"predict\"", "\"guess\"") ==
-          place + "kind should be \"predict\" or \"find the fault\"");
-    CHECK(with(predict, "\"tolerance\"", "\"about\"") == place + "tolerance is missing");
-    CHECK(with(predict, "0.75", "\"much\"") == place + "answer should be a number");
-    CHECK(with(fault, "\"two\",", "\"three\",") == place + "answer should be one of the choices");
-    CHECK(with(fault, "\"nudge\"", "\"hint\"") == place + "nudge is missing");
+    const std::string question = "chapters/01_x/questions.json: questions[0]",
+                      place = question + '.';
+    CHECK(
+        with(predict, "\"predict\"", "\"guess\"") ==
+        place +
+            "kind is \"guess\", which is not known; known are \"predict\" and \"find the fault\"");
+    CHECK(with(predict, "\"tolerance\"", "\"about\"") == question + " needs \"tolerance\"");
+    CHECK(with(predict, "0.75", "\"much\"") == place + "answer must be a number, not \"much\"");
+    CHECK(with(fault, "\"two\",", "\"three\",") ==
+          place + "answer is \"three\", which is not known; known are \"one\" and \"two\"");
+    CHECK(with(fault, "\"nudge\"", "\"hint\"") == question + " needs \"nudge\"");
 }
 
 TEST_CASE("an answer is a number or a choice, however a person writes it", "[questions]") {
@@ -73,11 +77,11 @@ TEST_CASE("answers are remembered beside the exercises", "[questions]") {
     const TemporaryFolder folder;
     const Course course{folder.path(), folder / "build"};
     change_state(course, [](State& state) {
-        state["01.1"].hints = 2;
+        state.exercises["01.1"].hints = 2;
         state.answers["abc"] = {true, 2, "3/4"};
     });
     const State state = read_state(course);
-    CHECK(state.at("01.1").hints == 2);
+    CHECK(state.exercises.at("01.1").hints == 2);
     CHECK(state.answers.at("abc").right);
     CHECK(state.answers.at("abc").tries == 2);
     CHECK(state.answers.at("abc").answer == "3/4");

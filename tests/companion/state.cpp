@@ -15,14 +15,14 @@ using checkpoint::write_file;
 TEST_CASE("what is remembered comes back", "[state]") {
     const TemporaryFolder folder;
     const Course course{folder.path(), folder / "build"};
-    CHECK(read_state(course).empty());
+    CHECK(read_state(course).exercises.empty());
     CHECK(folder.count() == 0);  // reading makes nothing
-    change_state(course, [](State& state) { state["01.1"] = {true, "abc", 2}; });
+    change_state(course, [](State& state) { state.exercises["01.1"] = {true, "abc", 2}; });
     const State state = read_state(course);
-    REQUIRE(state.size() == 1);
-    CHECK(state.at("01.1").passed);
-    CHECK(state.at("01.1").hash == "abc");
-    CHECK(state.at("01.1").hints == 2);
+    REQUIRE(state.exercises.size() == 1);
+    CHECK(state.exercises.at("01.1").passed);
+    CHECK(state.exercises.at("01.1").hash == "abc");
+    CHECK(state.exercises.at("01.1").hints == 2);
 }
 
 TEST_CASE("a state without stars is read, and stars come back", "[state]") {
@@ -31,14 +31,14 @@ TEST_CASE("a state without stars is read, and stars come back", "[state]") {
     write_file(
         folder / ".course/state.json",
         R"({"version": 1, "exercises": {"01.1": {"passed": true, "hash": "a", "hints": 1}}})");
-    CHECK(read_state(course).at("01.1").passed);
-    CHECK(read_state(course).at("01.1").open_stars == 0);
+    CHECK(read_state(course).exercises.at("01.1").passed);
+    CHECK(read_state(course).exercises.at("01.1").open_stars == 0);
     change_state(course, [](State& state) {
-        state["01.1"].stars = 3;
-        state["01.1"].open_stars = 2;
+        state.exercises["01.1"].stars = 3;
+        state.exercises["01.1"].open_stars = 2;
     });
-    CHECK(read_state(course).at("01.1").stars == 3);
-    CHECK(read_state(course).at("01.1").open_stars == 2);
+    CHECK(read_state(course).exercises.at("01.1").stars == 3);
+    CHECK(read_state(course).exercises.at("01.1").open_stars == 2);
 }
 
 TEST_CASE("when an answer passed first comes back, and older states do not know it", "[state]") {
@@ -48,16 +48,16 @@ TEST_CASE("when an answer passed first comes back, and older states do not know 
                R"({"version": 1, "exercises": {"01.1": {"passed": true, "hash": "a", "hints": 1},
             "01.2": {"passed": false, "hash": "b", "hints": 0}},
             "own": {"folder": "x", "hash": "c", "lines": 3, "passed": 3}})");
-    CHECK(read_state(course).at("01.1").first_passed == unknown_time);
-    CHECK(read_state(course).at("01.2").first_passed == 0);
+    CHECK(read_state(course).exercises.at("01.1").first_passed == unknown_time);
+    CHECK(read_state(course).exercises.at("01.2").first_passed == 0);
     CHECK(read_state(course).own.first_passed == unknown_time);
     change_state(course, [](State& state) {
-        state["01.2"].first_passed = 5'000'000'000;
+        state.exercises["01.2"].first_passed = 5'000'000'000;
         state.drawn = {"d", {"01.1", "01.2"}};
     });
     const State state = read_state(course);
-    CHECK(state.at("01.1").first_passed == unknown_time);
-    CHECK(state.at("01.2").first_passed == 5'000'000'000);
+    CHECK(state.exercises.at("01.1").first_passed == unknown_time);
+    CHECK(state.exercises.at("01.2").first_passed == 5'000'000'000);
     CHECK(state.drawn.hash == "d");
     CHECK(state.drawn.yours == std::vector<std::string>{"01.1", "01.2"});
 }
@@ -71,14 +71,14 @@ TEST_CASE("a state that is broken or of another version is set aside", "[state]"
         const TemporaryFolder folder;
         const Course course{folder.path(), folder / "build"};
         write_file(folder / ".course/state.json", text);
-        CHECK(read_state(course).empty());
+        CHECK(read_state(course).exercises.empty());
         CHECK_FALSE(fs::exists(folder / ".course/state.json"));
         CHECK(read_file(folder / ".course/state.broken-1.json") == text);
-        change_state(course, [](State& state) { state["01.1"].hints = 1; });
-        CHECK(read_state(course).at("01.1").hints == 1);
+        change_state(course, [](State& state) { state.exercises["01.1"].hints = 1; });
+        CHECK(read_state(course).exercises.at("01.1").hints == 1);
         // The next one does not overwrite the first.
         write_file(folder / ".course/state.json", text);
-        CHECK(read_state(course).empty());
+        CHECK(read_state(course).exercises.empty());
         CHECK(fs::exists(folder / ".course/state.broken-2.json"));
     }
 }
@@ -90,17 +90,17 @@ TEST_CASE("no change is lost when several are made at once", "[state]") {
     for (int i = 0; i < 8; ++i)
         threads.emplace_back([&] {
             for (int k = 0; k < 20; ++k)
-                change_state(course, [](State& state) { ++state["01.1"].hints; });
+                change_state(course, [](State& state) { ++state.exercises["01.1"].hints; });
         });
     for (std::thread& thread : threads) thread.join();
-    CHECK(read_state(course).at("01.1").hints == 160);
+    CHECK(read_state(course).exercises.at("01.1").hints == 160);
 }
 
 TEST_CASE("a state that cannot be kept is said in one line", "[state]") {
     const TemporaryFolder folder;
     write_file(folder / ".course", "a file");
     const Course course{folder.path(), folder / "build"};
-    CHECK(read_state(course).empty());
+    CHECK(read_state(course).exercises.empty());
     CHECK_THROWS_AS(change_state(course, [](State&) {}), app::Failure);
 }
 

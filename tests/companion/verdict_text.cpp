@@ -6,13 +6,12 @@ using namespace companion;
 
 namespace {
 
-// What the learner reads of an answer that failed like this.
-std::string told(Verdict verdict, const std::vector<TestCase>& tests) {
+// What the learner reads of an answer with this verdict.
+std::string told(const Verdict& verdict) {
     Checked checked;
     checked.exercise = {.id = "01.1", .title = "One", .chapter = {"01_x"}, .files = {"a.hpp"}};
     checked.verdict = verdict;
-    checked.tests = tests;
-    return details({"/c", "/c/build"}, checked);
+    return details(checked, {});
 }
 
 TestCase failing(const std::string& name, const std::string& expanded) {
@@ -30,32 +29,28 @@ bool has(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("numbers are shown as a person writes them", "[verdict_text]") {
-    CHECK(has(told(Verdict::failing, {failing("x", "1000 (0x3e8) == 1 (0x1)")}), "1000 == 1\n"));
-    const std::string addresses = told(
-        Verdict::failing,
-        {failing("x",
-                 "0x000055d0c0ffee00 == 0x000055d0c0ffee40 || 0x000055d0c0ffee00 == nullptr")});
+    CHECK(has(told(Failing{{failing("x", "1000 (0x3e8) == 1 (0x1)")}}), "1000 == 1\n"));
+    const std::string addresses = told(Failing{{failing(
+        "x", "0x000055d0c0ffee00 == 0x000055d0c0ffee40 || 0x000055d0c0ffee00 == nullptr")}});
     CHECK(has(addresses, "address A == address B || address A == nullptr"));
-    CHECK(has(told(Verdict::failing, {failing("x", '-' + std::string(304, '5') + ".0 == 12.5")}),
+    CHECK(has(told(Failing{{failing("x", '-' + std::string(304, '5') + ".0 == 12.5")}}),
               "-5.55e+303 == 12.5"));
     // Hexadecimal fractions and short numbers stay.
-    CHECK(has(told(Verdict::failing, {failing("x", "0x1.8000000p+1 == 0xff")}),
-              "0x1.8000000p+1 == 0xff"));
+    CHECK(has(told(Failing{{failing("x", "0x1.8000000p+1 == 0xff")}}), "0x1.8000000p+1 == 0xff"));
 }
 
 TEST_CASE("values that do not differ as they are shown are left out", "[verdict_text]") {
     for (const char* const values : {"0.0 == 0.0", "1.0 <= 1.0", "{?} == {?}", "false"})
-        CHECK_FALSE(has(told(Verdict::failing, {failing("x", values)}), "actual:"));
+        CHECK_FALSE(has(told(Failing{{failing("x", values)}}), "actual:"));
     for (const char* const values : {"0.0 == 0.1", "{ 1, 2 } == { 1, 3 }", "!true", "2.0 <= 1.0"})
-        CHECK(
-            has(told(Verdict::failing, {failing("x", values)}), std::string{"actual: "} + values));
+        CHECK(has(told(Failing{{failing("x", values)}}), std::string{"actual: "} + values));
 }
 
 TEST_CASE("what an earlier assertion expected is left out", "[verdict_text]") {
     TestCase test = failing("x", "1 == 2");
     test.failures.front().messages = {"pixel 3", "expected 4, but yours gives 4", "row 2",
                                       "expected 2, but yours gives 1"};
-    const std::string text = told(Verdict::failing, {test});
+    const std::string text = told(Failing{{test}});
     CHECK(has(text, "pixel 3"));
     CHECK(has(text, "row 2"));
     CHECK(has(text, "expected 2,"));
@@ -65,10 +60,9 @@ TEST_CASE("what an earlier assertion expected is left out", "[verdict_text]") {
 TEST_CASE("an exercise that is begun says what comes next", "[verdict_text]") {
     Checked checked;
     checked.exercise.functions = 3;
-    checked.left = {"normalize"};
-    checked.tests.resize(4);
+    checked.verdict = Begun{std::vector<TestCase>(4), {"normalize"}};
     CHECK(has(summary_line(checked), "2 of 3 functions are written, next: normalize"));
-    checked.left = {"a", "b", "c"};
+    checked.verdict = Begun{std::vector<TestCase>(4), {"a", "b", "c"}};
     CHECK_FALSE(has(summary_line(checked), "functions"));
 }
 
@@ -76,12 +70,12 @@ TEST_CASE("a crash does not hide what failed before it", "[verdict_text]") {
     TestCase crashed = failing("second", "");
     crashed.failures.front().expression = "CHECK( {Unknown expression after the reported line} )";
     crashed.crash = "SIGSEGV";
-    const std::string both = told(Verdict::crashed, {failing("first", "1 == 2"), crashed});
+    const std::string both = told(Crashed{{failing("first", "1 == 2"), crashed}});
     CHECK(has(both, "second"));
     CHECK(has(both, "Before that, this failed:\n  first\n"));
     CHECK(has(both, "1 == 2"));
     CHECK_FALSE(has(both, "Unknown expression"));
-    CHECK_FALSE(has(told(Verdict::crashed, {crashed}), "Before that"));
+    CHECK_FALSE(has(told(Crashed{{crashed}}), "Before that"));
 }
 
 TEST_CASE("what is still to be written does not count as failing", "[verdict_text]") {
@@ -90,8 +84,7 @@ TEST_CASE("what is still to be written does not count as failing", "[verdict_tex
     missing.failures.front().missing = "01.1";
     const auto line = [](const std::vector<TestCase>& tests) {
         Checked checked;
-        checked.verdict = Verdict::failing;
-        checked.tests = tests;
+        checked.verdict = Failing{tests};
         return summary_line(checked);
     };
     const TestCase wrong = failing("wrong", "1 == 2");
@@ -104,24 +97,26 @@ TEST_CASE("what is still to be written does not count as failing", "[verdict_tex
 TEST_CASE("the core is told before the stars", "[verdict_text]") {
     TestCase star = failing("the star", "8 == 7"), core = failing("the core", "3 == 2");
     star.hard = true;
-    const std::string text = told(Verdict::failing, {star, core});
+    const std::string text = told(Failing{{star, core}});
     CHECK(text.find("the core") < text.find("Also failing:\n    the star"));
 
     Checked checked;
     checked.exercise.id = "01.1";
     checked.exercise.title = "One";
     checked.exercise.chapter.name = "01_x";
-    checked.verdict = Verdict::passed;
-    CHECK(open_stars({"/c", "/c/build"}, checked, true).empty());
-    checked.open_stars = {{star}, {failing("another", "1 == 2"), true}, {failing("third", "")}};
-    checked.open_stars.back().trouble = "it divided by 0";
+    checked.verdict = Passed{};
+    CHECK(open_stars(checked, {}, true).empty());
+    checked.verdict = Passed{.stars = 4,
+                             .open_stars = {{star},
+                                            {failing("another", "1 == 2"), true},
+                                            {failing("third", ""), false, "it divided by 0"}}};
     CHECK(has(summary_line(checked), "* 01.1"));
     CHECK(has(summary_line(checked), "core passes, 3 stars open"));
-    const std::string first = open_stars({"/c", "/c/build"}, checked, false);
+    const std::string first = open_stars(checked, {}, false);
     CHECK(has(first, "the star\n"));
     CHECK_FALSE(has(first, "another"));
     CHECK(has(first, "2 more: ./course check 01.1 --stars"));
-    const std::string all = open_stars({"/c", "/c/build"}, checked, true);
+    const std::string all = open_stars(checked, {}, true);
     CHECK(has(all, "another, in float\n"));
     CHECK(has(all, "it divided by 0.\n"));
     CHECK_FALSE(has(all, "more:"));

@@ -477,7 +477,7 @@ class Answer:
             del words[at:at + 2]
         first = 2 if "ccache" in words[0] else 1
         every_error = "-ferror-limit=0" if "clang" in words[first - 1] else "-fmax-errors=0"
-        words[first:first] = [f"-I{edited}", f"-I{edited}/rt", "-w", every_error, "-fno-diagnostics-show-caret"]
+        words[first:first] = [f"-I{edited}", f"-I{edited}/rt", f"-I{ROOT}/common", "-w", every_error, "-fno-diagnostics-show-caret"]
         return words
 
     def compile(self, edited, only_errors=False):
@@ -543,9 +543,10 @@ def blame(errors):
         row = int(row) - 1
         marks = re.findall(r"/\*@(\d*)\*/", lines[row]) if row < len(lines) else []
         if not marks:  # a mutant's text may span lines
-            while row > 0 and not re.search(r"/\*@\d*\*/", lines[row]):
-                row -= 1
-            marks = re.findall(r"/\*@(\d*)\*/", lines[row])
+            above = row
+            while above > 0 and not re.search(r"/\*@\d*\*/", lines[above]):
+                above -= 1
+            marks = re.findall(r"/\*@(\d*)\*/", lines[above])
         if marks and marks[0]:
             numbers.add(int(marks[0]))
         else:  # said of what stands around it

@@ -75,9 +75,9 @@ configure() {
         # The system's TBB is built for libstdc++.
         flags+=(-DCMAKE_CXX_FLAGS=-stdlib=libc++ -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON) ;;
     *-aarch64)
-        # Linked into each program: the emulator needs none of the other system's libraries.
+        # The emulator finds the other system's libraries where the cross compiler has them.
         flags+=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64
-                -DCMAKE_EXE_LINKER_FLAGS=-static -DCOURSE_STATIC_ANSWERS=ON "-DCMAKE_CROSSCOMPILING_EMULATOR=$(command -v "$emulator")"
+                "-DCMAKE_CROSSCOMPILING_EMULATOR=$(command -v "$emulator");-L;/usr/aarch64-linux-gnu"
                 -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenMP=ON)
         if [ "$compiler" = g++ ]; then
             compiler=aarch64-linux-gnu-g++

@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <rt/real.hpp>
@@ -16,7 +17,8 @@ class AnyRandom {
     static constexpr result_type max() { return ~result_type{0}; }
 
     template <class Random>
-    explicit AnyRandom(Random& random) : source_{std::make_unique<Of<Random>>(random)} {}
+    requires(!std::same_as<Random, AnyRandom>) explicit AnyRandom(Random& random)
+        : source_{std::make_unique<Of<Random>>(random)} {}
     AnyRandom(const AnyRandom& other) : source_{other.source_->copy()} {}
     AnyRandom& operator=(const AnyRandom& other) {
         source_ = other.source_->copy();

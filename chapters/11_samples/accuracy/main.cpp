@@ -5,6 +5,7 @@
 // write DIR/accuracy.csv. The first one also leaves the converged pictures there; the second one
 // compares its own pictures with them.
 
+#include <app/run.hpp>
 #include <filesystem>
 #include <fstream>
 #include <rt/batch_renderer.hpp>
@@ -224,7 +225,7 @@ void run(const std::filesystem::path& folder) {
     Subject<lamp_effects>{"lamps", lamp_scene(), report, folder}.measure_all();
     Subject<glass_effects>{"glass", glass_scene(), report, folder}.measure_all();
     report.print_table(stdout);
-    report.write_csv(folder);
+    app::write_study(report, folder);
 }
 
 }  // namespace

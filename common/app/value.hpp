@@ -1,0 +1,67 @@
+#pragma once
+// The values of JSON files that people write, each with its position there.
+
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace app {
+
+struct Range {
+    double low, high;
+};
+
+// A value of a JSON file and its position there. What asks for a value of another kind than it is
+// throws UsageError: the file, the position, what is allowed, and what the value is.
+class Value {
+  public:
+    // What parse_json makes of a text. `whole` is what messages call it: "the scene".
+    static Value parse(const std::string& text, const std::string& file,
+                       const std::string& whole = "the top level");
+
+    // "FILE: POSITION WHY"
+    [[noreturn]] void fail(const std::string& why) const;
+    // "FILE: POSITION must be WANTED, not ..."
+    [[noreturn]] void refuse(const std::string& wanted) const;
+
+    bool is_list() const;
+    bool is_object() const;
+    bool is_text() const;
+
+    double number() const;
+    double number(Range range) const;
+    std::uint64_t whole(std::uint64_t low, std::uint64_t high) const;  // high: at most 2^53
+    bool yes() const;
+    const std::string& text(const std::string& what = "a text") const;
+    const std::string& word(const std::vector<std::string>& words) const;  // one of these
+    std::vector<Value> list(const std::string& of_what, std::size_t least = 0) const;
+
+    // The members of an object whose keys are names that people chose.
+    std::vector<std::pair<std::string, Value>> members(const std::string& of_what) const;
+    // The same object, which may have these keys and no others.
+    const Value& with_keys(const std::vector<std::string>& known) const;
+    std::optional<Value> find(const std::string& key) const;  // none: it is not there
+    Value at(const std::string& key) const;
+
+  private:
+    struct File;
+    Value(std::shared_ptr<const File> file, const nlohmann::json& json, std::string path);
+
+    std::shared_ptr<const File> file_;
+    const nlohmann::json* json_;
+    std::string path_;
+};
+
+// A number as a person writes it.
+std::string number_text(double number);
+
+// What to say after "is not known": the word that was probably meant, or `otherwise` and all of
+// them.
+std::string meant(const std::string& wrong, const std::vector<std::string>& words,
+                  const std::string& otherwise);
+
+}  // namespace app

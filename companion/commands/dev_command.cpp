@@ -1,0 +1,30 @@
+#include <app/errors.hpp>
+#include <companion/commands/commands.hpp>
+#include <companion/dev/new_exercise.hpp>
+#include <companion/dev/parts.hpp>
+#include <companion/system/terminal.hpp>
+
+namespace companion {
+
+int dev_new(const Course& course, const Given& given) {
+    const std::string id = *given.named;
+    if (!given.has("--name")) throw app::UsageError("dev new: needs --name, that of its function");
+    for (const fs::path& file : begin_exercise(course, id, given.options.at("--name")))
+        print(file.string() + '\n');
+    print("What a person must write is marked " + std::string{unwritten} + ". ./course dev check " +
+          id + " says what is missing.\n");
+    return app::done;
+}
+
+int dev_check(const Course& course, const Given& given) {
+    const Exercise exercise = find_exercise(course, *given.named);
+    std::vector<std::string> wrong = wrong_parts(course, exercise);
+    if (missing_files(course, exercise).empty())  // or else nothing can be built
+        for (std::string& line : wrong_when_run(course, exercise)) wrong.push_back(std::move(line));
+    for (const std::string& line : wrong) print(line + '\n');
+    if (!wrong.empty()) return app::could_not;
+    print(exercise.id + " has all of its parts, and they are right.\n");
+    return app::done;
+}
+
+}  // namespace companion

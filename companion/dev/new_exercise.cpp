@@ -1,0 +1,116 @@
+#include <app/errors.hpp>
+#include <app/files.hpp>
+#include <companion/dev/new_exercise.hpp>
+#include <companion/model/course_file.hpp>
+#include <companion/system/files.hpp>
+#include <map>
+#include <regex>
+#include <sstream>
+
+namespace companion {
+namespace {
+
+void replace_all(std::string& text, const std::string& what, const std::string& with) {
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+        text.replace(at, what.size(), with);
+}
+
+// The text with a section after that of an exercise: before the next heading that is not code.
+std::string with_section(const std::string& text, const std::string& last,
+                         const std::string& section) {
+    const std::regex its_heading{"#+ " + last + "\\b.*"};
+    std::istringstream in{text};
+    std::string result;
+    bool is_after = false, is_code = false, is_added = false;
+    for (std::string line; std::getline(in, line);) {
+        if (line.rfind("```", 0) == 0) is_code = !is_code;
+        const bool is_heading = !is_code && line.rfind('#', 0) == 0;
+        if (is_heading && is_after && !is_added) {
+            result += section + '\n';
+            is_added = true;
+        }
+        is_after = is_after || (is_heading && std::regex_match(line, its_heading));
+        result += line + '\n';
+    }
+    if (!is_after) throw app::Failure("there is no heading '" + last + "' to come after");
+    return is_added ? result : result + '\n' + section;
+}
+
+// course.json with a line after that of an exercise, indented alike.
+std::string with_line(const std::string& text, const std::string& last, std::string line) {
+    const auto start = text.find("{\"id\": \"" + last + '"');
+    const auto end = std::min(text.find('\n', start), text.size());
+    if (start == std::string::npos)
+        throw app::Failure("course.json: no line begins with {\"id\": \"" + last + '"');
+    const auto indent = start - (text.rfind('\n', start) + 1);
+    line.pop_back();  // the line break
+    const bool has_comma = text[end - 1] == ',';
+    return text.substr(0, end) + (has_comma ? "" : ",") + '\n' + std::string(indent, ' ') + line +
+           (has_comma ? "," : "") + text.substr(end);
+}
+
+// Throws app::UsageError if this is not the number of a chapter's next exercise. Returns the last
+// one.
+Exercise last_before(const CourseFile& file, const std::string& id) {
+    Exercise last;
+    for (const Exercise& exercise : file.exercises)
+        if (exercise.chapter.number() == id.substr(0, id.find('.'))) last = exercise;
+    if (last.id.empty())
+        throw app::UsageError("'" + id +
+                              "' names no chapter of exercises; write NN.k, such as 05.7");
+    const int number = std::stoi(last.id.substr(last.id.find('.') + 1)) + 1;
+    if (number > 9)
+        throw app::UsageError("chapter " + last.chapter.number() + " has nine exercises, the most");
+    const std::string next = last.chapter.number() + '.' + std::to_string(number);
+    if (id != next) throw app::UsageError("the next exercise of this chapter is " + next);
+    return last;
+}
+
+}  // namespace
+
+std::vector<fs::path> begin_exercise(const Course& course, const std::string& id,
+                                     const std::string& name) {
+    if (!std::regex_match(name, std::regex{"[a-z][a-z0-9_]*"}))
+        throw app::UsageError("--name: '" + name +
+                              "' is not the name of a function: small letters, digits and _");
+    const Exercise last = last_before(read_course_file(course), id);
+    for (const char* const kind : {"common", "chapters", "solutions"})
+        for (const fs::path& file : source_files(course.root / kind))
+            if (file.filename() == name + ".hpp")
+                throw app::UsageError("--name: " + file.lexically_relative(course.root).string() +
+                                      " has this name; each header needs one of its own");
+
+    std::string all = read_text(course.root / "companion/dev/exercise.txt");
+    replace_all(all, "NN.k", id);
+    replace_all(all, "NN_topic", last.chapter.name);
+    replace_all(all, "NAME", name);
+    std::map<fs::path, std::string> files;
+    for (auto at = all.find("\n== "); at != std::string::npos;) {
+        const auto start = all.find('\n', at + 1) + 1, next = all.find("\n== ", start);
+        const std::string where = all.substr(at + 4, start - at - 5);
+        const std::string part =
+            all.substr(start, next == std::string::npos ? next : next + 1 - start);
+        at = next;
+        if (where == "course.json, after the last exercise")
+            files["course.json"] = with_line(read_text(course.root / "course.json"), last.id, part);
+        else if (where == "the text, after the last exercise")
+            files[last.chapter.text] =
+                with_section(read_text(course.root / last.chapter.text), last.id, part);
+        else if (where == "the hints, after the last exercise")
+            files[last.chapter.hints] =
+                with_section(read_text(course.root / last.chapter.hints), last.id, part);
+        else if (fs::exists(course.root / where))
+            throw app::UsageError(where + " exists; move it away");
+        else
+            files[where] = part;
+    }
+    std::vector<fs::path> made;
+    for (const auto& [file, text] : files) {
+        app::make_folder((course.root / file).parent_path());
+        app::replace_file(course.root / file, text);
+        made.push_back(file);
+    }
+    return made;
+}
+
+}  // namespace companion

@@ -1,0 +1,20 @@
+#pragma once
+// Whether an exercise has all of its parts, and whether they are right.
+
+#include <companion/model/exercise.hpp>
+#include <string>
+#include <vector>
+
+namespace companion {
+
+// The files that it needs and has not, a line each.
+std::vector<std::string> missing_files(const Course& course, const Exercise& exercise);
+
+// What is missing or wrong in the files of an exercise as they are written, a line each, with what
+// would be right. Builds nothing.
+std::vector<std::string> wrong_parts(const Course& course, const Exercise& exercise);
+
+// The same of what is built from them: solution, stub, checkpoint, mistakes. Takes a few seconds.
+std::vector<std::string> wrong_when_run(const Course& course, const Exercise& exercise);
+
+}  // namespace companion
