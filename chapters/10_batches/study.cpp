@@ -154,7 +154,7 @@ void study_search(study::Report& report, const WideTree& tree, const Recorded& r
 WideTree without_leaves(WideTree tree) {
     for (WideNode<float>& node : tree.nodes)
         for (std::size_t child = 0; child < lanes; ++child)
-            if (node.child[child] < 0)
+            if (node.child[child].is_leaf())
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     node.planes[0][axis][child] = std::numeric_limits<float>::infinity();
                     node.planes[1][axis][child] = -std::numeric_limits<float>::infinity();

@@ -35,10 +35,10 @@ auto with_wide_leaves(const Split& split) {
     };
 }
 
-// Adds the wide leaf of a binary one; ~ distinguishes its number from a node's.
+// Adds the wide leaf of a binary one.
 template <class Shape, class Number>
-std::int32_t add_wide_leaf(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tree,
-                           const TreeNode& leaf) {
+WideChild add_wide_leaf(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tree,
+                        const TreeNode& leaf) {
     WideLeaf<Shape> shapes;
     for (int i = 0; i < leaf.count; ++i) {
         const int number = tree.order[static_cast<std::size_t>(leaf.first + i)];
@@ -46,13 +46,13 @@ std::int32_t add_wide_leaf(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>&
                    number);
     }
     wide.leaves.push_back(shapes);
-    return ~static_cast<std::int32_t>(wide.leaves.size() - 1);
+    return WideChild::leaf(static_cast<std::int32_t>(wide.leaves.size() - 1));
 }
 
-// Adds the wide node of a binary node, and all below it; returns its number.
+// Adds the wide node of a binary node, and all below it.
 template <class Shape, class Number>
-std::int32_t add_wide_node(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tree,
-                           const TreeNode& top) {
+WideChild add_wide_node(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tree,
+                        const TreeNode& top) {
     // Of the nodes in the list, the inner one with the largest box is met most often. Its two
     // children replace it, until there are eight nodes or all are leaves.
     std::vector<const TreeNode*> parts{&top};
@@ -73,13 +73,13 @@ std::int32_t add_wide_node(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>&
     WideNode<Number> node;  // not a reference: the list moves as it grows
     // Only a ray that is not finite meets the empty box of an unused lane. It then comes to the
     // first leaf, which always exists, and the search ends.
-    for (std::size_t i = 0; i < lanes; ++i) node.set(i, Box{}, ~0);
+    for (std::size_t i = 0; i < lanes; ++i) node.set(i, Box{}, WideChild::leaf(0));
     for (std::size_t i = 0; i < parts.size(); ++i)
         node.set(i, parts[i]->box,
                  parts[i]->is_leaf() ? add_wide_leaf(wide, tree, *parts[i])
                                      : add_wide_node(wide, tree, *parts[i]));
     wide.nodes[place] = node;
-    return static_cast<std::int32_t>(place);
+    return WideChild::node(static_cast<std::int32_t>(place));
 }
 
 // The tree that build_node makes with this split, eight wide.

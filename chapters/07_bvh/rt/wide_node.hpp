@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
-#include <cstdint>
 #include <rt/box.hpp>
 #include <rt/vector_registers.hpp>
 #include <rt/wide.hpp>
+#include <rt/wide_child.hpp>
 #include <rt/wide_ray.hpp>
 
 namespace rt {
@@ -14,9 +14,9 @@ template <class Number>
 struct alignas(64) WideNode {
     // The low planes of all children along x, y and z, then the high ones.
     std::array<std::array<Lanes<Number>, 3>, 2> planes;
-    Lanes<std::int32_t> child;  // a node, or ~leaf, which is negative
+    Lanes<WideChild> child;
 
-    void set(std::size_t i, const Box& box, std::int32_t of) {
+    void set(std::size_t i, const Box& box, WideChild of) {
         for (int axis = 0; axis < 3; ++axis) {
             const auto k = static_cast<std::size_t>(axis);
             planes[0][k][i] = static_cast<Number>(along(box.low, axis));

@@ -32,7 +32,7 @@ struct WideTreeOf {
 
     // The search may begin at any node or leaf, with a hit at within.max on the shape of this
     // number.
-    Found search(const Ray& ray, Interval within, std::int32_t child = 0,
+    Found search(const Ray& ray, Interval within, WideChild child = WideChild::node(0),
                  std::int32_t number = -1) const {
         Found found{{within.max, number}};
         if (nodes.empty()) return found;
@@ -44,14 +44,14 @@ struct WideTreeOf {
         // one may wait.
         struct Waiting {
             Number entry;
-            std::int32_t child;
+            WideChild child;
         };
         std::array<Waiting, (lanes - 1) * most_nodes> stack;
         std::size_t waiting = 0;
         for (;;) {
-            if (child >= 0) {
+            if (!child.is_leaf()) {
                 ++found.box_tests;
-                const WideNode<Number>& node = nodes[static_cast<std::size_t>(child)];
+                const WideNode<Number>& node = nodes[static_cast<std::size_t>(child.number())];
                 const BoxesHit<Number> hit = hit_boxes(node, wide, min, max);
                 if (hit.met != 0) {
                     const auto waiting_at = [&](unsigned met) -> Waiting {
@@ -75,7 +75,7 @@ struct WideTreeOf {
                 }
             } else {
                 ++found.shape_tests;
-                const WideLeaf<Shape>& leaf = leaves[static_cast<std::size_t>(~child)];
+                const WideLeaf<Shape>& leaf = leaves[static_cast<std::size_t>(child.number())];
                 if (hit_leaf(leaf, ray, within.min, found.best)) {
                     found.leaf = &leaf;
                     max = scaled(with_origin({within.min, found.best.t}).max);
@@ -108,16 +108,16 @@ struct WideTreeOf {
         const WideRay<Number> wide{ray};
         const auto min = static_cast<Number>(with_origin(within).min * wide.scale);
         const auto max = static_cast<Number>(with_origin(within).max * wide.scale);
-        std::array<std::int32_t, (lanes - 1) * most_nodes + 1> stack;
-        stack[0] = 0;
+        std::array<WideChild, (lanes - 1) * most_nodes + 1> stack;
+        stack[0] = WideChild::node(0);
         for (std::size_t waiting = 1; waiting > 0;) {
-            const std::int32_t child = stack[--waiting];
-            if (child < 0) {
-                if (any_in_leaf(leaves[static_cast<std::size_t>(~child)], ray, within.min, end))
-                    return true;
+            const WideChild child = stack[--waiting];
+            const auto index = static_cast<std::size_t>(child.number());
+            if (child.is_leaf()) {
+                if (any_in_leaf(leaves[index], ray, within.min, end)) return true;
                 continue;
             }
-            const WideNode<Number>& node = nodes[static_cast<std::size_t>(child)];
+            const WideNode<Number>& node = nodes[index];
             for (unsigned met = hit_boxes(node, wide, min, max).met; met; met &= met - 1)
                 stack[waiting++] = node.child[static_cast<std::size_t>(std::countr_zero(met))];
         }

@@ -111,8 +111,9 @@ TEST_CASE("an 8-wide tree holds every sphere once and its boxes contain it", "[g
         for (const auto& node : tree.nodes) {
             const auto &low = node.planes[0], &high = node.planes[1];
             for (std::size_t i = 0; i < rt::lanes; ++i) {
-                if (!(low[0][i] <= high[0][i]) || node.child[i] >= 0) continue;
-                const rt::SphereLeaf& leaf = tree.leaves[static_cast<std::size_t>(~node.child[i])];
+                if (!(low[0][i] <= high[0][i]) || !node.child[i].is_leaf()) continue;
+                const rt::SphereLeaf& leaf =
+                    tree.leaves[static_cast<std::size_t>(node.child[i].number())];
                 for (std::size_t k = 0; k < rt::lanes; ++k) {
                     if (!leaf.is_used(k)) continue;
                     ++seen[static_cast<std::size_t>(leaf.number[k])];
