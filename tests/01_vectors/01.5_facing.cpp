@@ -15,7 +15,7 @@ Vec3 scaled(Vec3 v, int exponent) {
 // answer is right.
 void check_side(Vec3 normal, Vec3 to_viewer, int exponent, int other_exponent) {
     const ExactVec3 a = exact_vector(normal), b = exact_vector(to_viewer);
-    const double dot = exact_dot(a, b).high;
+    const double dot = dot(a, b).high;
     if (std::abs(dot) <= static_cast<double>(rt::rounding_bound(3)) * size_of_terms(a, b)) return;
     const int side = dot > 0 ? 1 : -1;
     const Vec3 n = scaled(normal, exponent), v = scaled(to_viewer, other_exponent);

@@ -43,8 +43,8 @@ struct ExactBasis {
 
 // The basis of a view along `back`, which is exact, with any up that is not parallel.
 ExactBasis exact_basis(const ExactVec3& back, Vec3 up) {
-    const ExactVec3 right = exact_cross(exact_vector(up), back);
-    return {exact_unit(right), exact_unit(exact_cross(back, right)), exact_unit(back)};
+    const ExactVec3 right = cross(exact_vector(up), back);
+    return {exact_unit(right), exact_unit(cross(back, right)), exact_unit(back)};
 }
 
 Vec3 scaled(Vec3 v, int exponent) {
@@ -131,7 +131,7 @@ TEST_CASE("02.3 any view and any up", "[02.3]") {
         const Vec3 from = any_vector(rng, -1, 1), at = any_vector(rng, -1, 1),
                    up = any_vector(rng, -2, 2);
         const ExactVec3 back = exact_vector(from) - exact_vector(at);
-        const ExactVec3 right = exact_cross(exact_vector(up), back);
+        const ExactVec3 right = cross(exact_vector(up), back);
         const double sine = exact_length(right).high / exact_length(back).high /
                             exact_length(exact_vector(up)).high;
         if (!(sine > 0.1)) continue;  // otherwise there is no view or no up
@@ -184,7 +184,7 @@ TEST_CASE("02.3 the smallest and the largest up still point up", "[02.3][hard]")
     const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
     for (int i = 0; i < 200; ++i) {
         const Vec3 up{whole(), whole(), whole()}, from = any_vector(rng, -1, 1);
-        const ExactVec3 right = exact_cross(exact_vector(up), exact_vector(from));
+        const ExactVec3 right = cross(exact_vector(up), exact_vector(from));
         if (!(exact_length(right).high > 0)) continue;
         const ExactBasis exact = exact_basis(exact_vector(from), up);
         const Vec3 upwards = scaled(up, i % 2 == 0 ? lowest : highest);
@@ -210,7 +210,7 @@ TEST_CASE("02.3 the distance from camera to target may exceed the largest number
         if (i % 2 == 0) std::swap(from, at);
         const Vec3 up{any(), any(), any()};
         const ExactVec3 back = exact_vector(from) - exact_vector(at);
-        const ExactVec3 right = exact_cross(exact_vector(up), back);
+        const ExactVec3 right = cross(exact_vector(up), back);
         const double sine = exact_length(right).high / exact_length(back).high /
                             exact_length(exact_vector(up)).high;
         if (!(sine > 0.5)) continue;
@@ -298,7 +298,7 @@ TEST_CASE("02.3 the smallest angle between view and up counts", "[02.3][hard]") 
         const auto step = [&] { return std::floor(rng.uniform(-1, 2) * (i % 3 == 0 ? 1 : 1000)); };
         const Vec3 up{whole(), whole(), whole()}, back = up + Vec3{step(), step(), step()};
         const Vec3 from = i % 2 == 0 ? back : -back;
-        const ExactVec3 right = exact_cross(exact_vector(up), exact_vector(from));
+        const ExactVec3 right = cross(exact_vector(up), exact_vector(from));
         if (right.x.high == 0 && right.y.high == 0 && right.z.high == 0) continue;
         const ExactBasis exact = exact_basis(exact_vector(from), up);
         const Vec3 eye = scaled(from, any_power()), upwards = scaled(up, any_power());

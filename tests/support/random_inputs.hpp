@@ -30,14 +30,8 @@ inline ExactVec3 exact_vector(Vec3 v) {
     return {Exact(v.x), Exact(v.y), Exact(v.z)};
 }
 
-inline Exact exact_dot(const ExactVec3& a, const ExactVec3& b) {
-    return dot(a, b);
-}
-inline ExactVec3 exact_cross(const ExactVec3& a, const ExactVec3& b) {
-    return cross(a, b);
-}
 inline Exact exact_length(const ExactVec3& v) {
-    return study::sqrt(exact_dot(v, v));
+    return study::sqrt(dot(v, v));
 }
 inline ExactVec3 exact_unit(const ExactVec3& v) {
     return Exact(1) / exact_length(v) * v;
