@@ -98,8 +98,8 @@ void drag(LensControls& c, const Drag& to) {
 namespace {
 
 // The lights of a scene for paths that find them only by chance: none is ever sampled.
-struct FoundByChance : rt::SphereLights {
-    static rt::Real density(const rt::SphereLight&, rt::Vec3) { return 0; }
+struct FoundByChance : rt::SceneLights {
+    static rt::Real density(const rt::Light&, rt::Vec3) { return 0; }
     template <class Random>
     static std::optional<rt::ChosenLight> choose(rt::Vec3, Random&) {
         return {};
@@ -109,7 +109,7 @@ struct FoundByChance : rt::SphereLights {
 struct Night {
     rt::WideTree world;
     rt::MaterialSet<rt::Lambertian, rt::Metal> materials;
-    rt::SphereLights lights;
+    rt::SceneLights lights;
     rt::GradientSky sky{{0.004, 0.006, 0.016}, {0.002, 0.003, 0.01}};
 };
 
@@ -208,8 +208,9 @@ void draw(const LampsControls& c, Drawing& out) {
     out.handle_everywhere();
 
     double directions = 0;  // the share of the hemisphere that leads to a lamp
-    for (const rt::SphereLight& lamp : night->lights.lights)
-        directions += 1 / (2 * rt::pi * rt::light_density(lamp.shape, {0, 0, 1.6}));
+    for (const rt::Light& lamp : night->lights.all())
+        directions +=
+            1 / (2 * rt::pi * rt::light_density(std::get<rt::Sphere>(lamp.shape), {0, 0, 1.6}));
     out.say(
         "From the floor in front of the large ball, one direction in {.0} leads to a lamp. The "
         "lamps "

@@ -1,5 +1,5 @@
-// Chapter 08: a scene file, or the course's final scene, drawn by the narrowest renderer that has
-// all the effects that it needs.
+// Chapter 08: a scene file, or the course's final scene (final_scene.cpp), drawn by the narrowest
+// renderer that has all the effects that it needs.
 
 #include <algorithm>
 #include <app/errors.hpp>
@@ -15,6 +15,7 @@
 #include "scene_file.hpp"
 #include "study.hpp"
 #include "tile_renderer.hpp"
+#include "words.hpp"
 
 namespace {
 
@@ -37,27 +38,6 @@ SceneDescription open_scene(const app::Settings& settings) {
                               " are more than " + std::to_string(app::most_pixels) +
                               " pixels; make --width or --height smaller");
     return scene;
-}
-
-std::string explanation(const SceneDescription& scene, const std::string& file,
-                        const effects::Choice& choice, bool in_batches) {
-    const Effects needed = needed_effects(scene);
-    const std::size_t spheres = scene.spheres.size();
-    return "scene:    " + (file.empty() ? "the final scene" : file) + ", " +
-           std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
-           "\nneeds:    " + names(needed) + "\nrenderer: " + names(choice.chosen) + ", one of " +
-           std::to_string(choice.renderers) + (in_batches ? " for batches" : "") +
-           "\nunused:   " + names(without(choice.chosen, needed)) +
-           "\nleft out: " + names(choice.left_out) + '\n';
-}
-
-// What the person may have overlooked; "" if nothing.
-std::string note_on(const SceneDescription& scene) {
-    const auto moves = [](const SphereDescription& sphere) { return sphere.velocity != Vec3{}; };
-    const auto count = std::count_if(scene.spheres.begin(), scene.spheres.end(), moves);
-    if (count == 0 || scene.camera.shutter > 0) return "";
-    return "note: " + std::to_string(count) + (count == 1 ? " sphere has" : " spheres have") +
-           " a velocity and no trail, because camera.shutter is 0\n";
 }
 
 bool in_batches(const app::Settings& settings) {
@@ -85,11 +65,14 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
             "samples");
     const auto explain = [&](const effects::Choice& choice) {
         if (settings.explain)
-            settings.explain(explanation(scene, settings.file, choice, in_batches(settings)));
+            settings.explain(
+                effects::explanation(scene, settings.file, choice, in_batches(settings)));
     };
     if (!settings.numbers.empty()) {
         app::Picture picture = effects::refine(scene, settings, explain, progress);
-        picture.words = [words = picture.words, note = note_on(scene)] { return words() + note; };
+        picture.words = [words = picture.words, note = effects::note_on(scene)] {
+            return words() + note;
+        };
         return picture;
     }
     const effects::TileRenderer renderer = make_renderer(scene, settings);
@@ -113,7 +96,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         progress.step();
     });
     app::Picture picture{std::move(image), all_rays};
-    picture.words = [note = note_on(scene)] { return note; };
+    picture.words = [note = effects::note_on(scene)] { return note; };
     if (const int signal = interruption.signal()) {
         const auto all = static_cast<double>(picture.image.pixels().size());
         picture.stopped = {signal, static_cast<double>(pixels_done) / all};

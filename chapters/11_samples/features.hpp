@@ -28,7 +28,7 @@ template <Effects effects>
 Features features_along(const ReadyScene<effects>& scene, const Ray& ray, Real strength) {
     const auto hit = scene.world.hit(ray, Interval{0, infinity});
     if (!hit) return {scene.sky(ray.direction) / strength, {}};
-    if (const SphereLight* const light = scene.lights.find(*hit))
+    if (const Light* const light = scene.lights.find(*hit))
         return {light->radiance / strength, hit->normal};
     const auto& material = scene.materials.materials[static_cast<std::size_t>(hit->material)];
     return {std::visit([&](const auto& kind) { return albedo_of(kind, *hit); }, material),

@@ -22,7 +22,7 @@ using Materials = rt::MaterialSet<rt::Lambertian, rt::Mirror, rt::Metal, rt::Die
                                   rt::CheckeredMatte, rt::ImageMatte>;
 
 // Lights that nobody looks for: the path has to meet them.
-struct FoundByChance : rt::SphereLights {
+struct FoundByChance : rt::SceneLights {
     bool empty() const { return true; }
 };
 
@@ -36,7 +36,7 @@ double gray(Color color) {
 struct Lit {
     rt::SphereList world;
     Materials materials;
-    rt::SphereLights lights;
+    rt::SceneLights lights;
     rt::FogBall fog;
     rt::UniformSky sky{{0, 0, 0}};
 
@@ -83,7 +83,7 @@ const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
 
 // Lights that are chosen as a test says, with one random number. They remember the point for
 // which they were asked.
-struct OneSample : rt::SphereLights {
+struct OneSample : rt::SceneLights {
     std::optional<rt::ChosenLight> sample;
     mutable Vec3 asked_from{};
 
@@ -128,7 +128,7 @@ std::string text(Color c) {
 // What direct_light makes of a sample above the top of the floor.
 struct Direct {
     Lit lit;
-    rt::SphereLight light;
+    rt::Light light;
     OneSample lights;
     bool goes_on = true;
     int asked = 0;
@@ -240,7 +240,7 @@ TEST_CASE("08.4 light that was collected stays where a path is absorbed", "[08.4
     // A white floor under a light; whatever leaves the floor is absorbed by a wall around it.
     const rt::SphereList world{{{floor_ball, 0}, {{{0, 0, 0}, 1000}, 1}, {{{0, 40, 0}, 1}, 2}}};
     const rt::MaterialSet<rt::Lambertian, Absorbing> materials{{white, Absorbing{}, white}};
-    const rt::SphereLights lights{{{{{0, 40, 0}, 1}, {2, 2, 2}, 2}}};
+    const rt::SceneLights lights{{{rt::Sphere{{0, 40, 0}, 1}, {2, 2, 2}, 2}}};
     Mean mean;
     rt::Rng random{9, 8};
     for (int i = 0; i < 4000; ++i)

@@ -22,7 +22,7 @@ struct Place {
 
     // The light that was met; null if it is not a light.
     template <class Lights>
-    const SphereLight* light(const Lights& lights) const {
+    const Light* light(const Lights& lights) const {
         return collision ? nullptr : lights.find(*hit);
     }
     // How the path goes on from here; none if it is absorbed.

@@ -1,10 +1,9 @@
 #pragma once
 #include <rt/lambertian.hpp>
 #include <rt/lights.hpp>
-#include <rt/material_set.hpp>
-#include <rt/mirror.hpp>
 #include <rt/moving_spheres.hpp>
 #include <rt/placed_sphere.hpp>
+#include <rt/renderer_materials.hpp>
 #include <rt/scene.hpp>
 #include <rt/sphere_list.hpp>
 #include <type_traits>
@@ -18,7 +17,7 @@ struct Prepared {
     std::vector<SceneSphere> still;  // lights, too
     std::vector<MovingSphere> moving;
     std::vector<Instance> instances;
-    std::vector<SphereLight> lights;  // their materials come after those of the scene
+    std::vector<Light> lights;  // their materials come after those of the scene
 };
 
 inline Prepared prepare_shapes(const SceneDescription& scene) {
@@ -44,12 +43,7 @@ inline Prepared prepare_shapes(const SceneDescription& scene) {
     return prepared;
 }
 
-// The types of material that renderers use: metal without fuzz, which draws no random numbers, is a
-// Mirror, and an image is looked up. The renderers that have every effect have all of these types.
-using AllMaterials =
-    MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>;
-using ReadyMaterial = decltype(AllMaterials::materials)::value_type;
-
+// A material as renderers keep it.
 template <class Material>
 ReadyMaterial ready(const Material& material, const std::vector<Image>&) {
     return material;

@@ -8,6 +8,7 @@
 #include <rt/make_camera.hpp>
 #include <rt/moving_spheres.hpp>
 #include <rt/prepare.hpp>
+#include <rt/renderer_materials.hpp>
 #include <rt/scene.hpp>
 #include <rt/wide_builder.hpp>
 #include <type_traits>
@@ -39,19 +40,11 @@ struct RendererTypes {
     template <bool condition, class Yes, class No>
     using Either = std::conditional_t<condition, Yes, No>;
 
-    static constexpr bool metal = effects.mirror || effects.fuzz;
-    static constexpr bool one_material = !metal && !effects.glass && !effects.texture;
-    using GivenMaterials =
-        Either<one_material, MaterialList<Lambertian>,
-               Either<!effects.glass && !effects.texture, MaterialSet<Lambertian, Mirror, Metal>,
-                      Either<!metal && !effects.texture, MaterialSet<Lambertian, Dielectric>,
-                             MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte,
-                                         ImageMatte>>>>;
-    using Materials = Either<effects.own, AllMaterials, GivenMaterials>;
+    using Materials = typename RendererMaterials<effects>::Type;
     using StillCamera = Either<effects.lens, LensCamera, Camera>;
     using SceneCamera = Either<effects.motion, ShutterCamera<StillCamera>, StillCamera>;
     using World = decltype(make_world<effects>({}, {}));
-    using Lights = Either<effects.lights, SphereLights, NoLights>;
+    using Lights = Either<effects.lights, SceneLights, NoLights>;
     using Medium = Either<effects.fog, FogBall, NoFog>;
 };
 
@@ -76,7 +69,7 @@ struct ReadyScene {
           materials{prepare_materials<typename Types::Materials>(scene, shapes.lights.size())},
           sky{scene.sky} {
         set_camera(camera, scene.camera, width, height, !shapes.moving.empty());
-        if constexpr (effects.lights) lights = SphereLights{shapes.lights};
+        if constexpr (effects.lights) lights = SceneLights{shapes.lights};
         if constexpr (effects.fog)
             if (scene.fog) fog = {*scene.fog};
     }

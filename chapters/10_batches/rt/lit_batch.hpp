@@ -120,7 +120,7 @@ class LitBatch {
             end(path, path.throughput * scene_.sky(ray.direction));
             return false;
         }
-        if (const SphereLight* const met = place.light(scene_.lights)) {
+        if (const Light* const met = place.light(scene_.lights)) {
             const Real weight =
                 origin.drawn > 0
                     ? shared_weight(origin.drawn, scene_.lights.density(*met, origin.from))

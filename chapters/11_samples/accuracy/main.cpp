@@ -32,7 +32,7 @@ constexpr int width = 64, height = 36, usual_depth = 32;
 constexpr int truth_samples = 4096;
 
 // Lamps that are found by chance alone: they say that there are none to aim at.
-struct ChanceLights : SphereLights {
+struct ChanceLights : SceneLights {
     static constexpr bool empty() { return true; }
 };
 

@@ -42,7 +42,7 @@ Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materia
     for (int bounces = 1;; ++bounces) {
         const auto place = next_place(ray, world, materials, fog, random);
         if (place.is_sky()) return light + throughput * sky(ray.direction);
-        if (const SphereLight* const found = place.light(lights)) {
+        if (const Light* const found = place.light(lights)) {
             const Real weight =
                 drawn > 0 ? shared_weight(drawn, lights.density(*found, from)) : Real(1);
             return light + throughput * (weight * found->radiance);

@@ -43,13 +43,13 @@ struct Materials {
 
 struct Lights {
     std::function<bool()> are_none;
-    std::function<const rt::SphereLight*(const rt::Hit&)> which;
-    std::function<rt::Real(const rt::SphereLight&, rt::Vec3)> density_of;
+    std::function<const rt::Light*(const rt::Hit&)> which;
+    std::function<rt::Real(const rt::Light&, rt::Vec3)> density_of;
     std::function<std::optional<rt::ChosenLight>(rt::Vec3, rt::Rng&)> draw;
 
     bool empty() const { return are_none(); }
-    const rt::SphereLight* find(const rt::Hit& hit) const { return which(hit); }
-    rt::Real density(const rt::SphereLight& light, rt::Vec3 from) const {
+    const rt::Light* find(const rt::Hit& hit) const { return which(hit); }
+    rt::Real density(const rt::Light& light, rt::Vec3 from) const {
         return density_of(light, from);
     }
     std::optional<rt::ChosenLight> choose(rt::Vec3 from, rt::Rng& random) const {

@@ -31,7 +31,7 @@ double gray(Color color) {
 struct Lit {
     rt::SphereList world;
     Materials materials;
-    rt::SphereLights lights;
+    rt::SceneLights lights;
     rt::FogBall fog;
     rt::UniformSky sky{{0, 0, 0}};
 

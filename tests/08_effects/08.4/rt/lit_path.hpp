@@ -31,10 +31,9 @@ Materials as_materials(const Given& set) {
 }
 template <class Given>
 Lights as_lights(const Given& lights) {
-    return {
-        [&] { return lights.empty(); }, [&](const rt::Hit& hit) { return lights.find(hit); },
-        [&](const rt::SphereLight& light, rt::Vec3 from) { return lights.density(light, from); },
-        [&](rt::Vec3 from, rt::Rng& random) { return lights.choose(from, random); }};
+    return {[&] { return lights.empty(); }, [&](const rt::Hit& hit) { return lights.find(hit); },
+            [&](const rt::Light& light, rt::Vec3 from) { return lights.density(light, from); },
+            [&](rt::Vec3 from, rt::Rng& random) { return lights.choose(from, random); }};
 }
 template <class AnyRay, class Given>
 Medium<AnyRay> as_medium(const Given& fog) {
