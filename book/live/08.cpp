@@ -149,7 +149,8 @@ Night make_night(double lamp_radius) {
         const auto number = static_cast<int>(spheres.size());
         add(lamp.center, lamp_radius, material);
         const double strength = 1.7 / (lamp_radius * lamp_radius);
-        night.lights.add({{lamp.center, lamp_radius}, strength * lamp.light, material, number});
+        night.lights.add(
+            {rt::Sphere{lamp.center, lamp_radius}, strength * lamp.light, material, number});
     }
     night.world = rt::make_wide_tree(spheres);
     return night;

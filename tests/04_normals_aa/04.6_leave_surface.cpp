@@ -32,7 +32,7 @@ Place any_place(rt::Rng& rng) {
     }
 }
 
-double dot(Vec3 a, Vec3 b) {
+double exact_dot(Vec3 a, Vec3 b) {
     return (Exact(a.x) * Exact(b.x) + Exact(a.y) * Exact(b.y) + Exact(a.z) * Exact(b.z)).high;
 }
 
@@ -40,11 +40,11 @@ double dot(Vec3 a, Vec3 b) {
 Vec3 leaving(Vec3 normal, rt::Rng& rng) {
     for (;;) {
         Vec3 d = any_direction(rng);
-        const Real cosine = static_cast<Real>(dot(d, normal));
+        const Real cosine = static_cast<Real>(exact_dot(d, normal));
         if (rng() & 1) d += (any_size(rng, -16, 0) - cosine) * normal;
-        const Vec3 out = dot(d, normal) < 0 ? -d : d;
+        const Vec3 out = exact_dot(d, normal) < 0 ? -d : d;
         // Within its rounding error the dot product does not tell which side this is.
-        if (dot(out, normal) > 4 * static_cast<double>(rt::epsilon)) return out;
+        if (exact_dot(out, normal) > 4 * static_cast<double>(rt::epsilon)) return out;
     }
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("04.6 a million rays never meet the surface that they leave", "[04.6][
         t = rt::hit_sphere(place.sphere, ray, {});
         if (t) {
             UNSCOPED_INFO(describe(place, out) << " is met again at t = " << text(*t));
-            const double moved = dot(ray.origin - place.hit.point, place.hit.normal);
+            const double moved = exact_dot(ray.origin - place.hit.point, place.hit.normal);
             const double error = static_cast<double>(place.hit.point_error);
             UNSCOPED_INFO("it starts " << moved << " above the point, whose error is " << error);
             UNSCOPED_INFO(
@@ -193,11 +193,11 @@ TEST_CASE("04.6 a ray into the sphere meets its far side", "[04.6][hard]") {
         const Place place = any_place(rng);
         const Vec3 in = -leaving(place.hit.normal, rng);
         // At steep angles only: a chord as short as the error bound may be rounded to 0.
-        const double cosine = -dot(in, place.hit.normal) / std::sqrt(dot(in, in));
+        const double cosine = -exact_dot(in, place.hit.normal) / std::sqrt(exact_dot(in, in));
         if (cosine < 0.1) continue;
         const Ray ray{rt::leave_surface(place.hit, in), in};
         const auto t = rt::hit_sphere(place.sphere, ray, {});
-        const double length = std::sqrt(dot(in, in)), chord = 2 * cosine / length;
+        const double length = std::sqrt(exact_dot(in, in)), chord = 2 * cosine / length;
         const double r = static_cast<double>(place.sphere.radius);
         // The start is off by a few error bounds along the normal and along the surface.
         const double off = static_cast<double>(place.hit.point_error) / r;
@@ -236,7 +236,7 @@ TEST_CASE("04.6 a ray starts inside a sphere of a few coordinate steps", "[04.6]
             sphere,
             rt::surface_hit(sphere, {center + 2 * sphere.radius * n, -sphere.radius * n}, 1)};
         const Vec3 in = -leaving(place.hit.normal, rng);
-        const double cosine = -dot(in, place.hit.normal) / std::sqrt(dot(in, in));
+        const double cosine = -exact_dot(in, place.hit.normal) / std::sqrt(exact_dot(in, in));
         if (cosine * static_cast<double>(sphere.radius / step) < 8) continue;
         meets_far_side =
             rt::hit_sphere(sphere, {rt::leave_surface(place.hit, in), in}, {}).has_value();

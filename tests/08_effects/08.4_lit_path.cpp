@@ -258,7 +258,7 @@ TEST_CASE("08.4 a bounce draws the numbers for its light and a mirror draws none
         Lit lit;
         lit.add(floor_ball, material);
         OneSample lights;
-        lights.add({{{0, 40, 0}, 1}, {2, 2, 2}, 1});
+        lights.add({rt::Sphere{{0, 40, 0}, 1}, {2, 2, 2}, 1});
         rt::Rng random{4, 4}, expected = random;
         rt::lit_path_radiance(down, lit.world, lit.materials, lit.sky, lights, rt::NoFog{},
                               rt::SkyEnding{}, 1, random);
