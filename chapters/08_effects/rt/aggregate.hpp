@@ -16,10 +16,10 @@ struct Aggregate {
     // Of equally near hits the second world's counts.
     template <class AnyRay>
     std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
-        const std::optional<Hit> in_first = first.hit(ray, within);
-        if (in_first) within.max = in_first->t;
-        const std::optional<Hit> in_second = second.hit(ray, within);
-        return in_second ? in_second : in_first;
+        std::optional<Hit> nearest = first.hit(ray, within);
+        if (nearest) within.max = nearest->t;
+        if (const std::optional<Hit> in_second = second.hit(ray, within)) nearest = in_second;
+        return nearest;
     }
 
     // True if anything is hit within the interval. The number is one of the first world's, as in

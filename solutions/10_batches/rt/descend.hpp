@@ -20,12 +20,12 @@ void descend(Tree& tree, std::int32_t node, PathList list, Scratch scratch) {
         if (!(any >> place & 1)) continue;
         const std::size_t count = filter_list(list, scratch.masks, place, scratch.lists);
         const PathList part{scratch.lists, count};
+        const Scratch rest{scratch.lists + count, scratch.masks + list.size()};
         const WideChild child = tree.child(node, place);
         if (child.is_leaf())
             tree.leaf(child.number(), part);
         else
-            descend(tree, child.number(), part,
-                    {scratch.lists + count, scratch.masks + list.size()});
+            descend(tree, child.number(), part, rest);
     }
 }
 
