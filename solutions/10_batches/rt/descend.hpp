@@ -22,10 +22,11 @@ void descend(Tree& tree, std::int32_t node, PathList list, Scratch scratch) {
         const PathList part{scratch.lists, count};
         const Scratch rest{scratch.lists + count, scratch.masks + list.size()};
         const WideChild child = tree.child(node, place);
-        if (child.is_leaf())
+        if (child.is_leaf()) {
             tree.leaf(child.number(), part);
-        else
+        } else {
             descend(tree, child.number(), part, rest);
+        }
     }
 }
 
