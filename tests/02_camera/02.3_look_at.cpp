@@ -43,8 +43,8 @@ struct ExactBasis {
 
 // The basis of a view along `back`, which is exact, with any up that is not parallel.
 ExactBasis exact_basis(const ExactVec3& back, Vec3 up) {
-    const ExactVec3 right = exact_cross(exact_vector(up), back);
-    return {exact_unit(right), exact_unit(exact_cross(back, right)), exact_unit(back)};
+    const ExactVec3 right = cross(exact_vector(up), back);
+    return {exact_unit(right), exact_unit(cross(back, right)), exact_unit(back)};
 }
 
 Vec3 scaled(Vec3 v, int exponent) {
@@ -53,7 +53,7 @@ Vec3 scaled(Vec3 v, int exponent) {
 
 // The sine of the angle between a view along `back` and up.
 double sine_of(const ExactVec3& back, Vec3 up) {
-    return exact_length(exact_cross(exact_vector(up), back)).high / exact_length(back).high /
+    return exact_length(cross(exact_vector(up), back)).high / exact_length(back).high /
            exact_length(exact_vector(up)).high;
 }
 
@@ -233,7 +233,7 @@ TEST_CASE("02.3 the smallest and the largest up still point up", "[02.3][hard]")
     const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
     for (int i = 0; i < 200; ++i) {
         const Vec3 up{whole(), whole(), whole()}, from = any_vector(rng, -1, 1);
-        const ExactVec3 right = exact_cross(exact_vector(up), exact_vector(from));
+        const ExactVec3 right = cross(exact_vector(up), exact_vector(from));
         if (!(exact_length(right).high > 0)) continue;
         const ExactBasis exact = exact_basis(exact_vector(from), up);
         const Vec3 upwards = scaled(up, i % 2 == 0 ? lowest : highest);
@@ -343,7 +343,7 @@ TEST_CASE("02.3 the smallest angle between view and up counts", "[02.3][hard]") 
         const auto step = [&] { return std::floor(rng.uniform(-1, 2) * (i % 3 == 0 ? 1 : 1000)); };
         const Vec3 up{whole(), whole(), whole()}, back = up + Vec3{step(), step(), step()};
         const Vec3 from = i % 2 == 0 ? back : -back;
-        const ExactVec3 right = exact_cross(exact_vector(up), exact_vector(from));
+        const ExactVec3 right = cross(exact_vector(up), exact_vector(from));
         if (right.x.high == 0 && right.y.high == 0 && right.z.high == 0) continue;
         const ExactBasis exact = exact_basis(exact_vector(from), up);
         const Vec3 eye = scaled(from, any_power()), upwards = scaled(up, any_power());

@@ -29,12 +29,12 @@ Camera any_camera(rt::Rng& rng) {
     const auto component = [&] { return rng.uniform(-1, 1); };
     const Vec3 up{component(), component(), component()};
     const ExactVec3 back = exact_vector({component(), component(), component()});
-    const ExactVec3 right = exact_cross(exact_vector(up), back);
+    const ExactVec3 right = cross(exact_vector(up), back);
     const auto rounded = [](const ExactVec3& v) {
         return Vec3{real(v.x.high), real(v.y.high), real(v.z.high)};
     };
     Camera camera;
-    camera.basis = {rounded(exact_unit(right)), rounded(exact_unit(exact_cross(back, right))),
+    camera.basis = {rounded(exact_unit(right)), rounded(exact_unit(cross(back, right))),
                     rounded(exact_unit(back))};
     return camera;
 }

@@ -44,11 +44,11 @@ struct Meeting {
     Meeting(const Sphere& sphere, const Ray& ray) {
         const ExactVec3 f = exact_vector(ray.origin) - exact_vector(sphere.center);
         const ExactVec3 d = exact_vector(ray.direction);
-        const Exact a = exact_dot(d, d), r(sphere.radius);
+        const Exact a = dot(d, d), r(sphere.radius);
         if (!(a.high > 0)) return;
         moves = true;
-        const Exact one = study::sqrt(a), along = exact_dot(f, d) / one;
-        const Exact p = exact_length(exact_cross(f, d)) / one;
+        const Exact one = study::sqrt(a), along = dot(f, d) / one;
+        const Exact p = exact_length(cross(f, d)) / one;
         const double size = exact_length(f).high + r.high;
         length = one.high;
         hits = p.high < r.high;

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 #include <rt/real.hpp>
+#include <rt/vec3_of.hpp>
 #include <rt/vec3_type.hpp>
 #include <string>
 #include <study/double_double.hpp>
@@ -23,9 +24,7 @@ using rt::Vec3;
 // or underflow are scaled by a power of two first.
 using Exact = study::DoubleDouble;
 
-struct ExactVec3 {
-    Exact x, y, z;
-};
+using ExactVec3 = rt::Vec3Of<Exact>;
 
 // Picks the value for the precision that is tested.
 template <class T>
