@@ -30,10 +30,8 @@ Exercise read_exercise(const Value& value, const Chapter& chapter) {
     return exercise;
 }
 
-}  // namespace
-
-CourseFile read_course_file(const Course& course) {
-    const Value whole = Value::parse(read_file(course.root / "course.json"), "course.json");
+CourseFile parse_course(const std::string& json) {
+    const Value whole = Value::parse(json, "course.json");
     CourseFile file;
     for (const Value& value : whole.at("chapters").list("chapters", 1)) {
         Chapter chapter{.name = text(value.at("name")),
@@ -65,6 +63,20 @@ CourseFile read_course_file(const Course& course) {
             exercise.chapter = chapter;
             file.exercises.push_back(std::move(exercise));
         }
+    }
+    return file;
+}
+
+}  // namespace
+
+CourseFile read_course_file(const Course& course) {
+    // A command asks many times, and nobody should wait for that.
+    thread_local std::string known;
+    thread_local CourseFile file;
+    const std::string json = read_file(course.root / "course.json");
+    if (json != known) {
+        file = parse_course(json);
+        known = json;
     }
     return file;
 }
