@@ -20,6 +20,14 @@ list(TRANSFORM checks APPEND .float OUTPUT_VARIABLE float_checks)
 add_custom_target(solution_checkpoints_double DEPENDS ${checks})
 add_custom_target(solution_checkpoints DEPENDS ${checks} ${float_checks})
 
+# exercise.NN.k: what the tests of one exercise run.
+foreach(chapter ${course_names})
+  foreach(id ${course_ids_${chapter}})
+    add_custom_target(exercise.${id} DEPENDS check.${id} check.${id}.float answer.${id} answer.${id}.float
+                                             yours.${id} mistake_tool companion_test)
+  endforeach()
+endforeach()
+
 # All that the tests run, and nothing that a learner may have left half-written. The stubs as shipped are code of
 # the project.
 set(tested "")

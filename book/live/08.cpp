@@ -98,8 +98,8 @@ void drag(LensControls& c, const Drag& to) {
 namespace {
 
 // The lights of a scene for paths that find them only by chance: none is ever sampled.
-struct FoundByChance : rt::SphereLights {
-    static rt::Real density(const rt::SphereLight&, rt::Vec3) { return 0; }
+struct FoundByChance : rt::SceneLights {
+    static rt::Real density(const rt::Light&, rt::Vec3) { return 0; }
     template <class Random>
     static std::optional<rt::ChosenLight> choose(rt::Vec3, Random&) {
         return {};
@@ -109,7 +109,7 @@ struct FoundByChance : rt::SphereLights {
 struct Night {
     rt::WideTree world;
     rt::MaterialSet<rt::Lambertian, rt::Metal> materials;
-    rt::SphereLights lights;
+    rt::SceneLights lights;
     rt::GradientSky sky{{0.004, 0.006, 0.016}, {0.002, 0.003, 0.01}};
 };
 
@@ -120,7 +120,6 @@ Night make_night(double lamp_radius) {
     night.materials.materials = {rt::Lambertian{rt::from_hex(0xc9c4bd)},
                                  rt::Lambertian{rt::from_hex(0xf2ece2)},
                                  rt::Metal{rt::from_hex(0xe8dcc8), 0.15}};
-    const int first_light = static_cast<int>(night.materials.materials.size());
     const auto add = [&](rt::Vec3 center, double radius, int material) {
         spheres.push_back({{center, radius}, material});
     };
@@ -143,11 +142,15 @@ Night make_night(double lamp_radius) {
     const std::array lamps{Lamp{{-2.3, 1.7, 1.0}, {1.15, 0.48, 0.09}},
                            Lamp{{0.3, 2.7, -1.9}, {0.13, 0.47, 1.3}},
                            Lamp{{2.4, 1.5, 1.1}, {1.25, 0.12, 0.33}}};
-    night.lights.first_material = first_light;
     for (const Lamp& lamp : lamps) {
-        add(lamp.center, lamp_radius, first_light + static_cast<int>(night.lights.lights.size()));
+        // A light has a material of its own, which reflects nothing.
+        const auto material = static_cast<int>(night.materials.materials.size());
+        night.materials.materials.emplace_back(rt::Lambertian{});
+        const auto number = static_cast<int>(spheres.size());
+        add(lamp.center, lamp_radius, material);
         const double strength = 1.7 / (lamp_radius * lamp_radius);
-        night.lights.lights.push_back({{lamp.center, lamp_radius}, strength * lamp.light});
+        night.lights.add(
+            {rt::Sphere{lamp.center, lamp_radius}, strength * lamp.light, material, number});
     }
     night.world = rt::make_wide_tree(spheres);
     return night;
@@ -206,8 +209,9 @@ void draw(const LampsControls& c, Drawing& out) {
     out.handle_everywhere();
 
     double directions = 0;  // the share of the hemisphere that leads to a lamp
-    for (const rt::SphereLight& lamp : night->lights.lights)
-        directions += 1 / (2 * rt::pi * rt::light_density(lamp.shape, {0, 0, 1.6}));
+    for (const rt::Light& lamp : night->lights.all())
+        directions +=
+            1 / (2 * rt::pi * rt::light_density(std::get<rt::Sphere>(lamp.shape), {0, 0, 1.6}));
     out.say(
         "From the floor in front of the large ball, one direction in {.0} leads to a lamp. The "
         "lamps "

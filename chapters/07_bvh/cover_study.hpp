@@ -9,8 +9,8 @@
 #include <rt/material_set.hpp>
 #include <rt/metal.hpp>
 #include <rt/render_pixel.hpp>
+#include <rt/shape_tree.hpp>
 #include <rt/sky.hpp>
-#include <rt/sphere_tree.hpp>
 #include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
 #include <study/classic.hpp>
@@ -98,7 +98,7 @@ inline void study_parts(study::Report& report, const study::Cover& cover, const 
     double tests = 0;
     for (const auto& answer : answers) {
         const auto found = world.search(answer.ray, {});
-        tests += (found.box_tests + found.sphere_tests) / rays;
+        tests += (found.box_tests + found.shape_tests) / rays;
     }
     constexpr std::array<const char*, 4> names{"all", "search", "hit", "shading"};
     const auto ns =
@@ -137,7 +137,7 @@ inline void study_cover(study::Report& report) {
     const CoverMaterials materials = materials_of(cover);
     const auto classic = study::classic::make_world(cover);
     const SphereTree by_area = make_tree(spheres, split_by_area);
-    const WideTreeOf<Real> wide = make_wide_tree<Real>(spheres);
+    const WideTreeOf<SceneSphere, Real> wide = make_wide_tree<Real>(spheres);
     const WideTree best = make_wide_tree<float>(spheres);
 
     std::array<double, 4> greens{};

@@ -55,7 +55,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const auto tests_in = [&](const SphereTree& tree, const Ray& ray) {
         ++rays;
         const Search search = tree.search(ray, {});
-        return static_cast<Real>(search.box_tests + search.sphere_tests);
+        return static_cast<Real>(search.box_tests + search.shape_tests);
     };
     // The list tests every sphere for every ray: no ray is needed to know that.
     const auto all = static_cast<Real>(scene.spheres.size());

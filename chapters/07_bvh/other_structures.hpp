@@ -16,7 +16,7 @@ namespace bvh {
 // The linear list, testing eight spheres at once.
 struct PackedList {
     std::vector<SceneSphere> spheres;
-    std::vector<WideLeaf> leaves;
+    std::vector<SphereLeaf> leaves;
 
     explicit PackedList(std::vector<SceneSphere> all) : spheres{std::move(all)} {
         for (std::size_t i = 0; i < spheres.size(); ++i) {
@@ -28,12 +28,9 @@ struct PackedList {
     std::optional<Hit> hit(const AnyRay& any_ray, Interval within) const {
         const Ray ray{any_ray.origin, any_ray.direction};
         WideHit best{within.max};
-        for (const WideLeaf& leaf : leaves) hit_leaf(leaf, ray, within.min, best);
-        if (best.tag < 0) return {};
-        const SceneSphere& sphere = spheres[static_cast<std::size_t>(best.number())];
-        Hit hit = surface_hit(sphere.shape, ray, best.t);
-        hit.material = sphere.material;
-        return hit;
+        for (const SphereLeaf& leaf : leaves) hit_leaf(leaf, ray, within.min, best);
+        if (best.number < 0) return {};
+        return surface_hit(spheres[static_cast<std::size_t>(best.number)], ray, best.t);
     }
 };
 
@@ -89,7 +86,7 @@ inline double tests_per_ray(const SphereTree& tree) {
     for (int y = 0; y < 42; ++y)
         for (int x = 0; x < 60; ++x) {
             const Search s = tree.search(primary_ray(camera, x, y, {Real(0.5), Real(0.5)}), {});
-            sum += s.box_tests + s.sphere_tests;
+            sum += s.box_tests + s.shape_tests;
         }
     return sum / (60 * 42);
 }

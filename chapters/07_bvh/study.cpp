@@ -40,7 +40,7 @@ double wide_tests_per_ray(const WideTree& tree, const std::vector<Ray>& rays) {
     double sum = 0;
     for (const Ray& ray : rays) {
         const auto found = tree.search(ray, {});
-        sum += found.box_tests + found.sphere_tests;
+        sum += found.box_tests + found.shape_tests;
     }
     return sum / static_cast<double>(rays.size());
 }
@@ -53,7 +53,7 @@ void study_searches(study::Report& report, const Scene& scene) {
     const SphereTree sorted = make_tree(scene.spheres, split_in_half);
     const SphereTree by_area = make_tree(scene.spheres, split_by_area);
     const FlatTree flat = make_flat(by_area);
-    const WideTreeOf<Real> wide = make_wide_tree<Real>(scene.spheres);
+    const WideTreeOf<SceneSphere, Real> wide = make_wide_tree<Real>(scene.spheres);
     const WideTree wide_float = make_wide_tree<float>(scene.spheres);
     const FlatInOrder in_order{flat};
     std::vector<const char*> names;
@@ -196,7 +196,7 @@ struct BareTree {
     }
     template <class AnyRay>
     std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
-        Search search{tree.spheres, tree.order, {ray.origin, ray.direction}, within};
+        Search search{tree.shapes, tree.order, {ray.origin, ray.direction}, within};
         search.slabs.margin = 0;
         find_nearest(*tree.root, search);
         return hit_of(search);

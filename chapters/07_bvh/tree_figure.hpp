@@ -6,7 +6,7 @@
 #include <rt/make_camera.hpp>
 #include <rt/portable.hpp>
 #include <rt/primary_ray.hpp>
-#include <rt/sphere_tree.hpp>
+#include <rt/shape_tree.hpp>
 #include <string>
 
 #include "scene.hpp"

@@ -10,11 +10,10 @@ namespace effects {
 inline constexpr std::array<rt::Effects, 5> few_effects = [] {
     constexpr rt::Effects materials{
         .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
-    rt::Effects moving = materials, lit = materials, all = materials;
+    rt::Effects moving = materials, lit = materials;
     moving.motion = moving.instances = true;
     lit.lights = lit.instances = true;
-    for (const rt::NamedEffect& effect : rt::all_effects) all.*effect.member = true;
-    return std::array<rt::Effects, 5>{{{}, materials, moving, lit, all}};
+    return std::array<rt::Effects, 5>{{{}, materials, moving, lit, rt::every_effect}};
 }();
 
 }  // namespace effects

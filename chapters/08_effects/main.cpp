@@ -1,5 +1,5 @@
-// Chapter 08: a scene file, or the course's final scene, drawn by the narrowest renderer that has
-// all the effects that it needs.
+// Chapter 08: a scene file, or the course's final scene (final_scene.cpp), drawn by the narrowest
+// renderer that has all the effects that it needs.
 
 #include <algorithm>
 #include <app/errors.hpp>
@@ -7,16 +7,15 @@
 #include <app/run.hpp>
 #include <atomic>
 #include <rt/canvas.hpp>
-#include <rt/effects_of.hpp>
-#include <rt/for_each_pixel.hpp>
+#include <rt/needed_effects.hpp>
 #include <rt/render_tiles.hpp>
 #include <thread>
 
 #include "final_scene.hpp"
-#include "narrowest_renderer.hpp"
 #include "scene_file.hpp"
 #include "study.hpp"
-#include "tile_drawing.hpp"
+#include "tile_renderer.hpp"
+#include "words.hpp"
 
 namespace {
 
@@ -41,45 +40,6 @@ SceneDescription open_scene(const app::Settings& settings) {
     return scene;
 }
 
-std::string explanation(const SceneDescription& scene, const std::string& file,
-                        const effects::Choice& choice, bool in_batches) {
-    const Effects needed = effects_of(scene);
-    const std::size_t spheres = scene.spheres.size();
-    return "scene:    " + (file.empty() ? "the final scene" : file) + ", " +
-           std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
-           "\nneeds:    " + names(needed) + "\nrenderer: " + names(choice.chosen) + ", one of " +
-           std::to_string(choice.renderers) + (in_batches ? " for batches" : "") +
-           "\nunused:   " + names(without(choice.chosen, needed)) +
-           "\nleft out: " + names(choice.left_out) + '\n';
-}
-
-// What the person may have overlooked; "" if nothing.
-std::string note_on(const SceneDescription& scene) {
-    const auto moves = [](const SphereDescription& sphere) { return sphere.velocity != Vec3{}; };
-    const auto count = std::count_if(scene.spheres.begin(), scene.spheres.end(), moves);
-    if (count == 0 || scene.camera.shutter > 0) return "";
-    return "note: " + std::to_string(count) + (count == 1 ? " sphere has" : " spheres have") +
-           " a velocity and no trail, because camera.shutter is 0\n";
-}
-
-// The usual way: pixel by pixel, each path to its end.
-effects::TileDrawing one_by_one(const SceneDescription& scene, int width, int height,
-                                const Quality& quality) {
-    const Effects needed = effects_of(scene);
-    const effects::Shader shade = effects::make_narrowest(needed, scene, width, height, quality);
-    const auto draw = [shade](const Tile& tile, Image& image, std::uint64_t& rays) {
-        std::int64_t done = 0;
-        for_each_pixel(tile, [&](int x, int y) {
-            if (app::Interruption::signal() != 0) return;
-            image.at(x, y) = shade(x, y, rays);
-            assert(is_finite(image.at(x, y)));
-            ++done;
-        });
-        return done;
-    };
-    return {effects::choose(needed), [draw] { return effects::DrawTile{draw}; }};
-}
-
 bool in_batches(const app::Settings& settings) {
     return settings.given.count("batches") > 0;
 }
@@ -88,14 +48,12 @@ bool by_sobol(const app::Settings& settings) {
 }
 
 // The way to draw that the options ask for.
-effects::TileDrawing make_drawing(const SceneDescription& scene, const app::Settings& settings) {
-    const RenderSettings& chosen = scene.settings;
-    const Quality quality{chosen.samples_per_pixel, chosen.depth, chosen.seed};
-    if (!by_sobol(settings) && !in_batches(settings))
-        return one_by_one(scene, chosen.width, chosen.height, quality);
-    const auto make =
-        by_sobol(settings) ? effects::refining->make_sobol_drawing : effects::make_batch_drawing;
-    return with_seed(make(scene, chosen.width, chosen.height, quality), quality.seed);
+effects::TileRenderer make_renderer(const SceneDescription& scene, const app::Settings& settings) {
+    const auto& [width, height, samples, depth, seed] = scene.settings;
+    const Quality quality{samples, depth, seed};
+    if (by_sobol(settings)) return effects::make_sobol(scene, width, height, quality);
+    if (in_batches(settings)) return effects::make_batched(scene, width, height, quality);
+    return effects::make_narrowest(needed_effects(scene), scene, width, height, quality);
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
@@ -107,34 +65,38 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
             "samples");
     const auto explain = [&](const effects::Choice& choice) {
         if (settings.explain)
-            settings.explain(explanation(scene, settings.file, choice, in_batches(settings)));
+            settings.explain(
+                effects::explanation(scene, settings.file, choice, in_batches(settings)));
     };
     if (!settings.numbers.empty()) {
-        app::Picture picture = effects::refining->render(scene, settings, explain, progress);
-        picture.words = [words = picture.words, note = note_on(scene)] { return words() + note; };
+        app::Picture picture = effects::refine(scene, settings, explain, progress);
+        picture.words = [words = picture.words, note = effects::note_on(scene)] {
+            return words() + note;
+        };
         return picture;
     }
-    const effects::TileDrawing drawing = make_drawing(scene, settings);
-    explain(drawing.choice);
+    const effects::TileRenderer renderer = make_renderer(scene, settings);
+    explain(renderer.choice);
 
     Image image = Canvas<Color>{chosen.width, chosen.height};
     app::draw_unfinished(image);
     std::atomic<std::uint64_t> all_rays = 0;
     std::atomic<std::int64_t> pixels_done = 0;
     const app::Interruption interruption;
-    const TileGrid grid{chosen.width, chosen.height, drawing.tile_side};
+    const TileGrid grid{chosen.width, chosen.height, renderer.tile_side};
     progress.start(tile_count(grid));
     std::vector<effects::DrawTile> workers(static_cast<std::size_t>(settings.threads));
     render_tiles(grid, settings.threads, [&](const Tile& tile, int worker) {
+        if (app::Interruption::signal() != 0) return;
         effects::DrawTile& draw = workers[static_cast<std::size_t>(worker)];
-        if (!draw) draw = drawing.make_worker();
+        if (!draw) draw = renderer.make_worker();
         std::uint64_t rays = 0;
-        pixels_done += draw(tile, image, rays);
+        pixels_done += draw(tile, chosen.seed, image, rays);
         all_rays += rays;
         progress.step();
     });
     app::Picture picture{std::move(image), all_rays};
-    picture.words = [note = note_on(scene)] { return note; };
+    picture.words = [note = effects::note_on(scene)] { return note; };
     if (const int signal = interruption.signal()) {
         const auto all = static_cast<double>(picture.image.pixels().size());
         picture.stopped = {signal, static_cast<double>(pixels_done) / all};
@@ -154,20 +116,24 @@ int main(int argc, char** argv) {
     defaults.depth = usual.depth;
     defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     defaults.seed = usual.seed;
-    std::vector<app::Flag> flags;
-    if (effects::make_batch_drawing)
-        flags = {{"batches", "Draw the same picture in batches of rays, as chapter 10 does"}};
-    const effects::Refining refining = effects::refining ? *effects::refining : effects::Refining{};
-    return app::run(argc, argv,
-                    {.name = "08_effects",
-                     .about = "a scene, drawn by a renderer that has its effects and no others",
-                     .defaults = defaults,
-                     .render = render,
-                     .study = effects::run_study,
-                     .choices = refining.choices,
-                     .flags = flags,
-                     .numbers = refining.numbers,
-                     .reads = "The scene file, .json; without it the final scene is drawn",
-                     .explains = true,
-                     .can_be_stopped = true});
+    return app::run(
+        argc, argv,
+        {.name = "08_effects",
+         .about = "a scene, drawn by a renderer that has its effects and no others",
+         .defaults = defaults,
+         .render = render,
+         .study = effects::run_study,
+         .choices = {{"sampler",
+                      "Where the samples lie, and which random numbers they use",
+                      {"jittered", "sobol"}}},
+         .flags = {{"batches", "Draw the same picture in batches of rays, as chapter 10 does"}},
+         .numbers =
+             {{"target-error",
+               "Refine until the root mean square error is estimated to be below this (white is "
+               "1)"},
+              {"time-budget",
+               "Refine for this many seconds, and draw the best picture possible in that time"}},
+         .reads = "The scene file, .json; without it the final scene is drawn",
+         .explains = true,
+         .can_be_stopped = true});
 }

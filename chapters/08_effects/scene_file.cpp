@@ -108,12 +108,12 @@ class Reader {
     }
 
     void read_fog(const Value& value) {
-        value.with_keys({"center", "radius", "density", "color", "forwardness"});
+        value.with_keys({"center", "radius", "density", "color", "asymmetry"});
         Fog fog;
         fog.region = {vec3(value.at("center")), number(value.at("radius"), lengths)};
         fog.density = number(value.at("density"), {0, 1e9});
         fog.albedo = color(value, "color", {1, 1, 1}, shares);
-        fog.forwardness = number(value, "forwardness", {-0.99, 0.99}, 0);
+        fog.asymmetry = number(value, "asymmetry", {-0.99, 0.99}, 0);
         scene_.fog = fog;
     }
 
@@ -184,48 +184,77 @@ class Reader {
                                  : app::meant(wanted, known, "there are ")));
     }
 
-    Material read_material(const Value& value) {
-        if (!value.find("type"))
-            value.with_keys({"type", "color", "texture", "fuzz", "index", "strength", "amount"});
-        const std::string& type =
-            value.at("type").word({"matte", "metal", "glass", "light", "own"});
-        Material material;
-        const auto read_color = [&] {
-            const Value given = value.at("color");
-            if (!given.is_object()) return color(given, shares);
-            const Value between = given.with_keys({"between"}).at("between");
-            const std::vector<Value> ends = between.list("two colors");
-            if (ends.size() != 2)
-                between.fail("must be a list of two colors, not of " + std::to_string(ends.size()));
-            material.between = {color(ends[0], shares), color(ends[1], shares)};
-            return material.between->first;
-        };
-        if (type == "metal") {
-            value.with_keys({"type", "color", "fuzz"});
-            material.description = Metal{read_color(), number(value, "fuzz", shares, 0)};
-        } else if (type == "glass") {
-            value.with_keys({"type", "index"});
-            material.description = Dielectric{number(value, "index", {0.1, 10}, Real(1.5))};
-        } else if (type == "own") {
-            value.with_keys({"type", "color", "amount"});
-            material.description =
-                OwnMaterial{read_color(), number(value, "amount", shares, Real(0.5))};
-        } else if (type == "light") {
-            value.with_keys({"type", "color", "strength"});
-            const Real strength = number(value, "strength", light, 1);
-            material.description = Emitter{strength * color(value.at("color"), light)};
-        } else if (const auto texture =
-                       value.with_keys({"type", "color", "texture"}).find("texture")) {
-            if (value.find("color")) value.fail("has both color and texture; it may have only one");
+    // A type of material: its name in a file, its keys beside "type", and how it is read.
+    struct MaterialType {
+        std::string name;
+        std::vector<std::string> keys;
+        MaterialDescription (Reader::*read)(const Value& value, Material& material) const;
+    };
+    static const std::vector<MaterialType>& material_types() {
+        static const std::vector<MaterialType> types{
+            {"matte", {"color", "texture"}, &Reader::read_matte},
+            {"metal", {"color", "fuzz"}, &Reader::read_metal},
+            {"glass", {"index"}, &Reader::read_glass},
+            {"light", {"color", "strength"}, &Reader::read_light},
+            {"own", {"color", "amount"}, &Reader::read_own}};
+        return types;
+    }
+
+    MaterialDescription read_matte(const Value& value, Material& material) const {
+        const auto texture = value.find("texture");
+        if (texture && value.find("color"))
+            value.fail("has both color and texture; it may have only one");
+        if (texture) {
             const Texture& chosen = named(textures_, *texture, "texture");
-            if (chosen.checker)
-                material.description = *chosen.checker;
-            else
-                material.description = chosen.picture;
-        } else {
-            if (!value.find("color")) value.fail("needs \"color\" or \"texture\"");
-            material.description = Lambertian{read_color()};
+            if (chosen.checker) return *chosen.checker;
+            return chosen.picture;
         }
+        if (!value.find("color")) value.fail("needs \"color\" or \"texture\"");
+        return Lambertian{read_color(value, material)};
+    }
+    MaterialDescription read_metal(const Value& value, Material& material) const {
+        return Metal{read_color(value, material), number(value, "fuzz", shares, 0)};
+    }
+    MaterialDescription read_glass(const Value& value, Material&) const {
+        return Dielectric{number(value, "index", {0.1, 10}, Real(1.5))};
+    }
+    MaterialDescription read_light(const Value& value, Material&) const {
+        const Real strength = number(value, "strength", light, 1);
+        return Emitter{strength * color(value.at("color"), light)};
+    }
+    MaterialDescription read_own(const Value& value, Material& material) const {
+        return OwnMaterial{read_color(value, material), number(value, "amount", shares, Real(0.5))};
+    }
+
+    // The color of a material, or the first of the two that it lies between.
+    static Color read_color(const Value& value, Material& material) {
+        const Value given = value.at("color");
+        if (!given.is_object()) return color(given, shares);
+        const Value between = given.with_keys({"between"}).at("between");
+        const std::vector<Value> ends = between.list("two colors");
+        if (ends.size() != 2)
+            between.fail("must be a list of two colors, not of " + std::to_string(ends.size()));
+        material.between = {color(ends[0], shares), color(ends[1], shares)};
+        return material.between->first;
+    }
+
+    Material read_material(const Value& value) const {
+        std::vector<std::string> names, all_keys{"type"};
+        for (const MaterialType& type : material_types()) {
+            names.push_back(type.name);
+            for (const std::string& key : type.keys)
+                if (std::find(all_keys.begin(), all_keys.end(), key) == all_keys.end())
+                    all_keys.push_back(key);
+        }
+        if (!value.find("type")) value.with_keys(all_keys);
+        const std::string& name = value.at("type").word(names);
+        const auto& type = *std::find_if(material_types().begin(), material_types().end(),
+                                         [&](const auto& t) { return t.name == name; });
+        std::vector<std::string> keys{"type"};
+        keys.insert(keys.end(), type.keys.begin(), type.keys.end());
+        value.with_keys(keys);
+        Material material;
+        material.description = (this->*type.read)(value, material);
         return material;
     }
 
@@ -242,10 +271,13 @@ class Reader {
                 return low + (high - low) * static_cast<Real>(placing::uniform(random));
             };
             const Color color{lot(a.r, b.r), lot(a.g, b.g), lot(a.b, b.b)};
-            MaterialDescription& own = scene_.materials.back();
-            if (auto* const matte = std::get_if<Lambertian>(&own)) matte->albedo = color;
-            if (auto* const metal = std::get_if<Metal>(&own)) metal->albedo = color;
-            if (auto* const yours = std::get_if<OwnMaterial>(&own)) yours->color = color;
+            const auto set_color = [&](auto& material_of_its_own) {
+                if constexpr (requires { material_of_its_own.albedo; })
+                    material_of_its_own.albedo = color;
+                else if constexpr (requires { material_of_its_own.color; })
+                    material_of_its_own.color = color;
+            };
+            std::visit(set_color, scene_.materials.back());
         }
         return material.index;
     }

@@ -1,6 +1,7 @@
 #include "study.hpp"
 
 #include <array>
+#include <rt/canvas.hpp>
 #include <rt/cover_scene.hpp>
 #include <rt/effects_of.hpp>
 #include <rt/hit_sphere.hpp>
@@ -12,7 +13,7 @@
 #include <study/timing.hpp>
 #include <study/ulp.hpp>
 
-#include "narrowest_renderer.hpp"
+#include "tile_renderer.hpp"
 
 namespace effects {
 namespace {
@@ -204,19 +205,21 @@ void study_each_effect(study::Report& report) {
         Effects one;
         one.*effect.member = true;
         const Quality quality{4, 8, 1};
-        const std::array<Shader, 3> shaders{make_narrowest({}, matte, width, rows, quality),
-                                            make_narrowest(one, matte, width, rows, quality),
-                                            make_narrowest(one, scene, width, rows, quality)};
+        const std::array<DrawTile, 3> draws{
+            make_narrowest({}, matte, width, rows, quality).make_worker(),
+            make_narrowest(one, matte, width, rows, quality).make_worker(),
+            make_narrowest(one, scene, width, rows, quality).make_worker()};
         std::array<std::uint64_t, 3> rays{};
         std::vector<study::Work> works;
-        for (std::size_t i = 0; i < shaders.size(); ++i)
+        for (std::size_t i = 0; i < draws.size(); ++i)
             works.push_back([&, i] {
                 rays[i] = 0;
-                for (int y = 0; y < rows; ++y)
-                    for (int x = 0; x < width; ++x) study::keep(shaders[i](x, y, rays[i]));
+                Image image = Canvas<Color>{width, rows};
+                draws[i]({0, 0, width, rows}, quality.seed, image, rays[i]);
+                study::keep(image);
             });
         std::vector<double> per_ray = study::in_turns_ns(works, {.rounds = 9});
-        for (std::size_t i = 0; i < shaders.size(); ++i) {
+        for (std::size_t i = 0; i < draws.size(); ++i) {
             per_ray[i] /= static_cast<double>(rays[i]);
             report.add({"effects", std::string(effect.name) + ", " + names[i],
                         static_cast<double>(i), "absent, compiled in, present",
@@ -234,11 +237,14 @@ void study_cover(study::Report& report) {
     const auto ns = study::in_turns_ns(
         {[&] { study::keep(study::classic::mean_color(cover, *classic)); },
          [&] {
-             const Shader shade =
+             const DrawTile draw =
                  make_narrowest(effects_of(scene), scene, cover.width, cover.height,
-                                {cover.samples_per_pixel, cover.depth, 1});
+                                {cover.samples_per_pixel, cover.depth, 1})
+                     .make_worker();
+             Image image = Canvas<Color>{cover.width, cover.height};
              std::uint64_t rays = 0;
-             study::keep(study::mean_color(cover, [&](int x, int y) { return shade(x, y, rays); }));
+             draw({0, 0, cover.width, cover.height}, 1, image, rays);
+             study::keep(study::mean_color(cover, [&](int x, int y) { return image.at(x, y); }));
          }});
     constexpr std::array<const char*, 2> names{"classic", "narrowest renderer"};
     for (std::size_t i = 0; i < names.size(); ++i)

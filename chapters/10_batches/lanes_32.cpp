@@ -1,4 +1,4 @@
-// Compiled for narrower registers than the rest: see cmake/Chapter.cmake. All of this file is in
+// Compiled for narrower registers than the rest: see CMakeLists.txt. All of this file is in
 // namespaces of its own, so that no linker mixes up code for different widths.
 
 #include <rt/todo.hpp>

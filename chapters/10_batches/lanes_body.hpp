@@ -1,6 +1,6 @@
 #pragma once
 #include <memory>
-#include <rt/pack.hpp>
+#include <rt/load_eight.hpp>
 
 #include "lanes.hpp"
 #include "pictures.hpp"

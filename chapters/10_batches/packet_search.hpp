@@ -24,21 +24,21 @@ class Packet {
     void find_nearest(const WideTree& tree) {
         if (tree.nodes.empty()) return;
         std::array<Waiting, lanes*(most_levels + 32)> stack;
-        stack[0] = {0, (std::uint32_t{1} << size) - 1};
+        stack[0] = {WideChild::node(0), (std::uint32_t{1} << size) - 1};
         for (std::size_t waiting = 1; waiting > 0;) {
             const Waiting top = stack[--waiting];
-            if (top.child >= 0)
-                waiting = visit(tree.nodes[static_cast<std::size_t>(top.child)], top.rays,
-                                stack.data(), waiting);
+            const auto number = static_cast<std::size_t>(top.child.number());
+            if (top.child.is_leaf())
+                test(tree.leaves[number], top.rays);
             else
-                test(tree.leaves[static_cast<std::size_t>(~top.child)], top.rays);
+                waiting = visit(tree.nodes[number], top.rays, stack.data(), waiting);
         }
     }
 
   private:
     struct Waiting {
-        std::int32_t child = 0;
-        std::uint32_t rays = 0;  // one bit for each ray that has met its box
+        WideChild child;
+        std::uint32_t rays;  // one bit for each ray that has met its box
     };
 
     template <std::size_t... i>
@@ -72,7 +72,7 @@ class Packet {
         return waiting;
     }
 
-    void test(const WideLeaf& leaf, std::uint32_t rays) {
+    void test(const SphereLeaf& leaf, std::uint32_t rays) {
         for (; rays; rays &= rays - 1) {
             const auto ray = static_cast<std::size_t>(std::countr_zero(rays));
             if (hit_leaf(leaf, rays_[ray], 0, best[ray]))

@@ -33,7 +33,7 @@ Recorded record(const ReadyScene<scene_effects>& scene) {
         for (int x = 0; x < study_width; ++x)
             for (int sample = 0; sample < study_quality.samples_per_pixel; ++sample) {
                 Rng random = sample_rng(study_quality.seed, x, y, sample);
-                const Ray ray = make_ray(scene.eye, x, y, {0, 0}, random);
+                const Ray ray = make_ray(scene.camera, x, y, {0, 0}, random);
                 path_radiance(ray, Recorder{scene.world, paths.emplace_back()}, scene.materials,
                               scene.sky, SkyEnding{}, study_quality.depth, random);
             }
@@ -140,7 +140,7 @@ void study_search(study::Report& report, const WideTree& tree, const Recorded& r
             int differ = 0;
             for (std::size_t ray = 0; ray < found[0].size(); ++ray)
                 differ += found[i][ray].t != found[0][ray].t ||
-                          found[i][ray].number() != found[0][ray].number();
+                          found[i][ray].number != found[0][ray].number;
             report.add({"search", variant, together[i], "rays together",
                         static_cast<double>(differ), "rays that find another hit",
                         ns[i] / static_cast<double>(count(rays)), "time per ray / ns"});
@@ -154,7 +154,7 @@ void study_search(study::Report& report, const WideTree& tree, const Recorded& r
 WideTree without_leaves(WideTree tree) {
     for (WideNode<float>& node : tree.nodes)
         for (std::size_t child = 0; child < lanes; ++child)
-            if (node.child[child] < 0)
+            if (node.child[child].is_leaf())
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     node.planes[0][axis][child] = std::numeric_limits<float>::infinity();
                     node.planes[1][axis][child] = -std::numeric_limits<float>::infinity();

@@ -28,7 +28,7 @@ template <Effects effects>
 Features features_along(const ReadyScene<effects>& scene, const Ray& ray, Real strength) {
     const auto hit = scene.world.hit(ray, Interval{0, infinity});
     if (!hit) return {scene.sky(ray.direction) / strength, {}};
-    if (const SphereLight* const light = scene.lights.find(*hit))
+    if (const Light* const light = scene.lights.find(*hit))
         return {light->radiance / strength, hit->normal};
     const auto& material = scene.materials.materials[static_cast<std::size_t>(hit->material)];
     return {std::visit([&](const auto& kind) { return albedo_of(kind, *hit); }, material),
@@ -41,7 +41,7 @@ Features features_at(const ReadyScene<effects>& scene, const SobolSamples& sampl
                      int row, Real strength) {
     Vec3 normal;
     const Color albedo =
-        samples.average(scene.eye, column, row, [&](const Ray& ray, SobolRandom& /*random*/) {
+        samples.average(scene.camera, column, row, [&](const Ray& ray, SobolRandom& /*random*/) {
             const Features one = features_along(scene, ray, strength);
             normal += one.normal;
             return one.albedo;

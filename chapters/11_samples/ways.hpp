@@ -14,11 +14,11 @@ struct IndependentSamples {
     std::uint64_t seed = 1;
     int count = 1;
 
-    template <class Eye, class Path>
-    Color average(const Eye& eye, int column, int row, const Path& path) const {
+    template <class AnyCamera, class Path>
+    Color average(const AnyCamera& camera, int column, int row, const Path& path) const {
         return average_samples(seed, column, row, count, [&](int, Rng& random) {
             const Vec2 offset = random_place(random);
-            return path(make_ray(eye, column, row, offset, random), random);
+            return path(make_ray(camera, column, row, offset, random), random);
         });
     }
 };
@@ -29,9 +29,9 @@ struct WatchedSamples {
     Samples samples;
     std::array<RunningVariance, 3>& known;
 
-    template <class Eye, class Path>
-    Color average(const Eye& eye, int column, int row, const Path& path) const {
-        return samples.average(eye, column, row, [&](const auto& ray, auto& random) {
+    template <class AnyCamera, class Path>
+    Color average(const AnyCamera& camera, int column, int row, const Path& path) const {
+        return samples.average(camera, column, row, [&](const auto& ray, auto& random) {
             const Color light = path(ray, random);
             add(known[0], light.r);
             add(known[1], light.g);

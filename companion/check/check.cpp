@@ -3,6 +3,7 @@
 #include <companion/build/build.hpp>
 #include <companion/check/check.hpp>
 #include <companion/model/state.hpp>
+#include <companion/system/parallel.hpp>
 #include <ctime>
 #include <set>
 
@@ -10,23 +11,31 @@ namespace companion {
 namespace {
 
 // The checkpoint, and the learner's answer behind it.
-std::vector<std::string> targets_of(const Checked& checked) {
-    const std::string id = checked.exercise.id + (checked.in_float ? ".float" : "");
+std::vector<std::string> targets_of(const Exercise& exercise, bool in_float) {
+    const std::string id = exercise.id + (in_float ? ".float" : "");
     return {"check." + id, "yours." + id};
 }
+std::vector<std::string> targets_of(const Checked& checked) {
+    return targets_of(checked.exercise, checked.in_float);
+}
 
-// Builds the targets of these exercises in their precision, and stores the compiler's warnings in
-// them, and its errors as the verdict.
+// Builds the targets of these exercises, and stores the compiler's warnings in them, and its errors
+// as the verdict in their precision. Another core compiles for float meanwhile.
 void build_all(const Course& course, const std::vector<Checked*>& some) {
     if (some.empty()) return;
     std::vector<std::string> targets;
-    for (const Checked* checked : some)
+    for (const Checked* checked : some) {
         for (std::string& target : targets_of(*checked)) targets.push_back(std::move(target));
+        if (!checked->in_float && checked->exercise.chapter.uses_real)
+            for (std::string& target : targets_of(checked->exercise, true))
+                targets.push_back(std::move(target));
+    }
     const BuildResult together = build(course, targets);
     for (Checked* checked : some) {
         const Exercise& exercise = checked->exercise;
         if (!checked->in_float)
             checked->warning = first_warning(course, together.output, exercise.files);
+        checked->is_built = together.ok;
         if (together.ok) continue;
         // What was built stays; an exercise that was built alone need not be built again.
         const BuildResult alone = some.size() == 1 ? together : build(course, targets_of(*checked));
@@ -188,16 +197,16 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
             begun.push_back(&checked);
     }
     build_all(course, begun);
-    State before = read_state(course);
-    for (Checked* one : begun) {
-        Checked& checked = *one;
+    const State before = read_state(course);
+    in_parallel(begun.size(), [&](std::size_t i) {
+        Checked& checked = *begun[i];
         // The compiler does not repeat warnings on code that was compiled before.
-        const Record& known = before.exercises[checked.exercise.id];
-        if (checked.warning.empty() &&
-            known.hash == hashes[static_cast<std::size_t>(one - all.data())])
-            checked.warning = known.warning;
+        const auto known = before.exercises.find(checked.exercise.id);
+        if (checked.warning.empty() && known != before.exercises.end() &&
+            known->second.hash == hashes[static_cast<std::size_t>(&checked - all.data())])
+            checked.warning = known->second.warning;
         if (!checked.is<NotCompiled>()) checked.verdict = run_tests(course, checked);
-    }
+    });
     change_state(course, [&](State& state) {
         for (std::size_t i = 0; i < all.size(); ++i) {
             const Passed* const passed = all[i].passed();
@@ -230,14 +239,19 @@ void check_in_float(const Course& course, std::vector<Checked>& all) {
     std::vector<Try> tries;
     for (Checked& checked : all)
         if (checked.passed() && checked.exercise.chapter.uses_real)
-            tries.push_back({&checked, {checked.exercise, {}, true, checked.warning}});
+            tries.push_back(
+                {&checked, {checked.exercise, {}, true, checked.is_built, checked.warning}});
     if (tries.empty()) return;
-    std::vector<Checked*> targets;
-    for (Try& one : tries) targets.push_back(&one.in_float);
-    build_all(course, targets);
+    std::vector<Checked*> unbuilt;
+    for (Try& one : tries)
+        if (!one.in_float.is_built) unbuilt.push_back(&one.in_float);
+    build_all(course, unbuilt);
+    in_parallel(tries.size(), [&](std::size_t i) {
+        Checked& in_float = tries[i].in_float;
+        if (!in_float.is<NotCompiled>()) in_float.verdict = run_tests(course, in_float);
+    });
     std::set<std::string> no_first_pass;
     for (auto& [in_double, in_float] : tries) {
-        if (!in_float.is<NotCompiled>()) in_float.verdict = run_tests(course, in_float);
         auto& passed = std::get<Passed>(in_double->verdict);
         if (in_float.passed()) {
             add_float_stars(passed, *in_float.passed());

@@ -67,6 +67,7 @@ struct Checked {
     Exercise exercise;
     Verdict verdict{};
     bool in_float = false;  // the verdict is on its float build, after double passed
+    bool is_built = false;  // in every precision in which it is checked
     std::string warning{};  // of the compiler, on its files
 
     // What is known if it passed; null otherwise.

@@ -60,10 +60,8 @@ void read_route(const Value& value, CourseFile& file) {
     if (!wanted.empty()) value.fail("lacks " + wanted.front());
 }
 
-}  // namespace
-
-CourseFile read_course_file(const Course& course) {
-    const Value whole = Value::parse(read_file(course.root / "course.json"), "course.json");
+CourseFile parse_course(const std::string& json) {
+    const Value whole = Value::parse(json, "course.json");
     CourseFile file;
     for (const Value& value : whole.at("chapters").list("chapters", 1)) {
         Chapter chapter{.name = text(value.at("name")),
@@ -101,6 +99,20 @@ CourseFile read_course_file(const Course& course) {
         }
     }
     read_route(whole.at("route"), file);
+    return file;
+}
+
+}  // namespace
+
+CourseFile read_course_file(const Course& course) {
+    // A command asks many times, and nobody should wait for that.
+    thread_local std::string known;
+    thread_local CourseFile file;
+    const std::string json = read_file(course.root / "course.json");
+    if (json != known) {
+        file = parse_course(json);
+        known = json;
+    }
     return file;
 }
 

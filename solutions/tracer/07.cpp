@@ -9,9 +9,9 @@
 #include <rt/ppm.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/render_tiles.hpp>
+#include <rt/shape_tree.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
-#include <rt/sphere_tree.hpp>
 #include <rt/split_by_area.hpp>
 #include <rt/tracer_call.hpp>
 

@@ -1,7 +1,7 @@
 #include <fstream>
 #include <iostream>
+#include <rt/cameras.hpp>
 #include <rt/dielectric.hpp>
-#include <rt/eyes.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/make_camera.hpp>
@@ -10,9 +10,9 @@
 #include <rt/ppm.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/render_tiles.hpp>
+#include <rt/shape_tree.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
-#include <rt/sphere_tree.hpp>
 #include <rt/split_by_area.hpp>
 #include <rt/tracer_call.hpp>
 

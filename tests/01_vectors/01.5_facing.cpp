@@ -15,17 +15,19 @@ Vec3 scaled(Vec3 v, int exponent) {
 // answer is right.
 void check_side(Vec3 normal, Vec3 to_viewer, int exponent, int other_exponent) {
     const ExactVec3 a = exact_vector(normal), b = exact_vector(to_viewer);
-    const double dot = exact_dot(a, b).high;
-    if (std::abs(dot) <= static_cast<double>(rt::rounding_bound(3)) * size_of_terms(a, b)) return;
-    const int side = dot > 0 ? 1 : -1;
+    const double product = dot(a, b).high;
+    if (std::abs(product) <= static_cast<double>(rt::rounding_bound(3)) * size_of_terms(a, b))
+        return;
+    const int side = product > 0 ? 1 : -1;
     const Vec3 n = scaled(normal, exponent), v = scaled(to_viewer, other_exponent);
-    INFO("facing("
-         << text(n) << ", " << text(v) << "), which are "
-         << std::acos(std::clamp(dot / exact_length(a).high / exact_length(b).high, -1.0, 1.0)) *
-                180 / 3.14159265358979
-         << " degrees apart.\nHint: no angle is so near 90 degrees, and no vector so short or "
-            "long, that it counts as edge-on: only the sign decides, once split_scale has scaled "
-            "the vectors");
+    INFO(
+        "facing("
+        << text(n) << ", " << text(v) << "), which are "
+        << std::acos(std::clamp(product / exact_length(a).high / exact_length(b).high, -1.0, 1.0)) *
+               180 / 3.14159265358979
+        << " degrees apart.\nHint: no angle is so near 90 degrees, and no vector so short or "
+           "long, that it counts as edge-on: only the sign decides, once split_scale has scaled "
+           "the vectors");
     const int computed = rt::facing(n, v), from_behind = rt::facing(-n, v);
     REQUIRE(computed == side);
     REQUIRE(from_behind == -side);

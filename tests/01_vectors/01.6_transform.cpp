@@ -14,7 +14,7 @@ const Mat4 map{{{{2, 0, 0, 10}, {0, 0, -1, 20}, {0, 1, 0, 30}, {0, 0, 0, 1}}}};
 const Mat4 inverse_of_map{{{{real(0.5), 0, 0, -5}, {0, 0, 1, -30}, {0, -1, 0, 20}, {0, 0, 0, 1}}}};
 
 Exact dot(const Vec3& a, const Vec3& b) {
-    return exact_dot(exact_vector(a), exact_vector(b));
+    return dot(exact_vector(a), exact_vector(b));
 }
 
 Vec3 row_of(const Mat4& m, int row) {

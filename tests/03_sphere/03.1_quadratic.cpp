@@ -1,9 +1,8 @@
 #include <optional>
 #include <rt/quadratic.hpp>
-#include <string_view>
+#include <string>
 
 #include "checkpoint.hpp"
-#include "exact_quadratics.hpp"
 #include "random_inputs.hpp"
 
 using namespace checkpoint;
@@ -37,6 +36,10 @@ void check_exactly(Real a, Real b, Real c, Real low, Real high, const char* hint
 // The same for any numbers, by both functions. The discriminant that roots_from_discriminant gets
 // is rounded, but keeps its digits. The equation is solved with a 2^i, b 2^j and c 2^(2 j - i): its
 // solutions are those of a, b and c times 2^(j - i).
+//
+// With u = epsilon / 2, the discriminant is off by at most 2 u of its value, and its root by half
+// of that. Rounding the root, the sum and the quotient adds u each: 4 u in all, which is at most 4
+// units in the last place.
 void check_solutions(Real a, Real b, Real c, const char* hint, int i = 0, int j = 0) {
     const Exact ea(a), eb(b), ec(c);
     const Exact discriminant = eb * eb - Exact(4) * ea * ec;
@@ -74,33 +77,6 @@ void check_none(const std::optional<Roots>& roots, const char* what) {
     INFO(what << ", which has no solution: expected none, actual " << text(roots)
               << ".\nHint: return {} before you divide anything");
     CHECK(text(roots) == "no solution");
-}
-
-// Checks both functions with the equations of one kind. With u = epsilon / 2, the discriminant is
-// off by at most 2 u of its value, and its root by half of that. Rounding the root, the sum and the
-// quotient adds u each: 4 u in all, which is at most 4 units in the last place.
-void check_table(std::string_view kind, const char* hint) {
-    for (const auto& row : exact::quadratics()) {
-        if (row.kind != kind) continue;
-        const Real a = real(row.a), b = real(row.b), c = real(row.c);
-        const auto check = [&](const char* name, const std::optional<Roots>& roots) {
-            INFO(name << " for " << equation(a, b, c) << "\nHint: " << hint);
-            if (row.discriminant.high < 0) {
-                INFO("the discriminant is " << checkpoint::text(row.discriminant)
-                                            << ": expected no solution, actual " << text(roots));
-                REQUIRE(text(roots) == "no solution");
-                return;
-            }
-            INFO("expected (" << checkpoint::text(row.low) << ", " << checkpoint::text(row.high)
-                              << "), actual " << text(roots));
-            REQUIRE(roots.has_value());
-            REQUIRE(error_in_ulp(roots->low, row.low) <= 4);
-            REQUIRE(error_in_ulp(roots->high, row.high) <= 4);
-        };
-        check("roots_from_discriminant",
-              rt::roots_from_discriminant(a, b, c, real(row.discriminant.high)));
-        check("solve_quadratic", rt::solve_quadratic(a, b, c));
-    }
 }
 
 }  // namespace
@@ -211,31 +187,55 @@ TEST_CASE("03.1 a discriminant of NaN means no solution", "[03.1][hard]") {
 }
 
 TEST_CASE("03.1 any equation is solved to four units in the last place", "[03.1][hard]") {
-    check_table("random",
-                "of the two solutions, compute the one that does not cancel by q, and get the "
-                "other as c / q; then each step rounds once");
+    rt::Rng rng{31, 5};
+    const auto any = [&] { return any_number(rng, -2, 2); };
+    for (int i = 0; i < 300; ++i)
+        check_solutions(any(), any(), any(),
+                        "of the two solutions, compute the one that does not cancel by q, and get "
+                        "the other as c / q; then each step rounds once");
 }
 
 TEST_CASE("03.1 the small solution survives beside a large one", "[03.1][hard]") {
-    check_table(
-        "small root",
-        "-b and the root nearly cancel in one of the two solutions. Compute the other one, q, and "
-        "get this one from the product of both: c / q");
+    // b^2 is much larger than 4 a c.
+    constexpr Real most = for_this_precision<Real>(8, 60);
+    rt::Rng rng{31, 6};
+    for (int i = 0; i < 300; ++i)
+        check_solutions(any_number(rng, -1, 1), any_number(rng, most / 4, most / 2),
+                        any_number(rng, -most / 4, 1),
+                        "-b and the root nearly cancel in one of the two solutions. Compute the "
+                        "other one, q, and get this one from the product of both: c / q");
 }
 
 TEST_CASE("03.1 nearly equal solutions are told apart", "[03.1][hard]") {
-    check_table(
-        "nearly equal",
+    const char* const hint =
         "b b and 4 a c agree in most digits: rt::difference_of_products(b, b, 4 * a, c) keeps "
-        "them, as 4 * a is exact and a * c is not. (b / 2 is exact, too.)");
-    check_table("exactly equal", "the discriminant is exactly 0");
+        "them, as 4 * a is exact and a * c is not. (b / 2 is exact, too.)";
+    constexpr int digits = std::numeric_limits<Real>::digits;
+    rt::Rng rng{31, 7};
+    const auto whole = [&](int bits) {
+        return std::floor(rng.uniform() * std::scalbn(Real(1), bits));
+    };
+    for (int i = 0; i < 200; ++i) {
+        // (p t - q)^2 with the coefficients rounded: two solutions, one or none.
+        const Real p = rng.uniform(1, 2), q = rng.uniform(1, 2);
+        check_solutions(p * p, -2 * p * q, q * q, hint);
+        // The discriminant is 4: b^2 and 4 a c share all digits but the last.
+        const Real n = std::scalbn(Real(1), digits - 2) + 2 * whole(digits - 4);
+        check_solutions(n, 2 * (n + 1), n + 2, hint);
+        // p and q short enough for exact coefficients: exactly one solution.
+        const Real r = 2 * whole(digits / 2 - 2) + 1, s = 2 * whole(digits / 2 - 2) + 1;
+        check_solutions(r * r, -2 * r * s, s * s, "the discriminant is exactly 0");
+    }
 }
 
 TEST_CASE("03.1 a huge discriminant is no trouble", "[03.1][hard]") {
-    check_table(
-        "huge discriminant",
-        "get one solution as c / q; and b b - 4 a c is within range here, so none of your other "
-        "products may leave it");
+    constexpr Real far = for_this_precision<Real>(17, 150);
+    rt::Rng rng{31, 8};
+    const auto huge = [&] { return any_number(rng, far - 2, far); };
+    for (int i = 0; i < 200; ++i)
+        check_solutions(huge(), huge(), huge(),
+                        "get one solution as c / q; and b b - 4 a c is within range here, so none "
+                        "of your other products may leave it");
 }
 
 TEST_CASE("03.1 a and c may be as large as any number", "[03.1][hard]") {

@@ -195,11 +195,11 @@ Color radiance(const Story& story, rt::Rng& rng) {
         random();
         const std::size_t bounce = story.incoming.size();  // how many have been made
         if (bounce >= story.bounces.size() && story.end == Story::End::ended_in_sky)
-            return rt::Fate::ends_in_sky;
+            return rt::PathEnd::in_sky;
         if (bounce >= story.bounces.size() && story.end == Story::End::ended_in_black)
-            return rt::Fate::ends_in_black;
+            return rt::PathEnd::in_black;
         throughput *= story.factors[std::min(bounce, story.factors.size()) - 1];
-        return rt::Fate::goes_on;
+        return rt::PathEnd::none;
     };
     return rt::path_radiance(story.first, World{story}, materials, sky_of, ending, story.depth,
                              rng);
@@ -333,8 +333,8 @@ TEST_CASE("04.7 any path returns the light that its bounces determine", "[04.7]"
                           << (story.end == Story::End::sky        ? "then it meets the sky"
                               : story.end == Story::End::absorbed ? "the last one absorbs it"
                               : story.end == Story::End::ended_in_sky
-                                  ? "then the ending says ends_in_sky"
-                                  : "then the ending says ends_in_black"));
+                                  ? "then the ending says PathEnd::in_sky"
+                                  : "then the ending says PathEnd::in_black"));
         for (std::size_t k = 0; k < story.rays.size(); ++k) {
             INFO("ray number " << k + 1
                                << ".\nHint: every t from 0 to infinity counts; leave_surface takes "
@@ -570,7 +570,7 @@ TEST_CASE("04.7 roulette follows bright paths and lets dark ones go", "[04.7][ha
         const auto goes_on = [&](Real drawn) {
             Fixed random{drawn};
             Color c = before;
-            const bool goes = rt::play_roulette(c, most_likely, random) == rt::Fate::goes_on;
+            const bool goes = rt::play_roulette(c, most_likely, random) == rt::PathEnd::none;
             draws = std::max(draws, random.draws);
             if (goes && !is_near(c, before / p)) wrongly_divided = c;
             return goes;
@@ -610,14 +610,14 @@ TEST_CASE("04.7 a black path ends whatever roulette draws", "[04.7][hard]") {
     for (const Real drawn : {Real(0), real(0.5), 1 - rt::epsilon / 2}) {
         Color throughput;
         Always random{drawn};
-        const rt::Fate fate = rt::play_roulette(throughput, real(0.95), random);
+        const rt::PathEnd end = rt::play_roulette(throughput, real(0.95), random);
         INFO("throughput (0, 0, 0), drawn "
              << text(drawn)
              << ".\nHint: p is 0, and 0 / 0 is NaN. Go on only if the number drawn is less than p");
-        const std::string name = fate == rt::Fate::ends_in_black ? "ends_in_black"
-                                 : fate == rt::Fate::goes_on     ? "goes_on"
-                                                                 : "ends_in_sky";
-        CHECK(name == "ends_in_black");
+        const std::string name = end == rt::PathEnd::in_black ? "in_black"
+                                 : end == rt::PathEnd::none   ? "none"
+                                                              : "in_sky";
+        CHECK(name == "in_black");
     }
 }
 

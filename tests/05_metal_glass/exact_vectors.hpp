@@ -14,21 +14,6 @@ inline ExactVec3 exact(Vec3 v) {
 inline Exact exact(Real x) {
     return static_cast<double>(x);
 }
-inline ExactVec3 operator+(ExactVec3 a, ExactVec3 b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline ExactVec3 operator-(ExactVec3 a, ExactVec3 b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline ExactVec3 operator*(Exact s, ExactVec3 v) {
-    return {s * v.x, s * v.y, s * v.z};
-}
-inline Exact dot(ExactVec3 a, ExactVec3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline ExactVec3 cross(ExactVec3 a, ExactVec3 b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 inline Exact length(ExactVec3 v) {
     return sqrt(dot(v, v));
 }

@@ -3,7 +3,7 @@
 #include <new>
 #include <numeric>
 #include <rt/compiler.hpp>
-#include <rt/sphere_tree.hpp>
+#include <rt/shape_tree.hpp>
 
 #include "scenes.hpp"
 #include "tree_checks.hpp"

@@ -2,7 +2,7 @@
 #include <functional>
 #include <future>
 #include <numeric>
-#include <rt/sphere_tree.hpp>
+#include <rt/shape_tree.hpp>
 #include <thread>
 
 #include "scenes.hpp"
@@ -99,7 +99,7 @@ void expect_of(const rt::TreeNode& root, rt::Search& search) {
         }
         for (int place = node.first; place < node.first + node.count; ++place) {
             const int number = search.order[static_cast<std::size_t>(place)];
-            const auto t = search.meets_sphere(number);
+            const auto t = search.meets_shape(number);
             if (!t || (*t == search.within.max && search.nearest > number)) continue;
             search.within.max = *t;
             search.nearest = number;
@@ -110,7 +110,7 @@ void expect_of(const rt::TreeNode& root, rt::Search& search) {
 std::string state(const rt::Search& search) {
     return (search.nearest < 0 ? "no hit" : "sphere " + std::to_string(search.nearest)) +
            ", t from " + text(search.within.min) + " to " + text(search.within.max) + ", " +
-           std::to_string(search.box_tests) + " box tests, " + std::to_string(search.sphere_tests) +
+           std::to_string(search.box_tests) + " box tests, " + std::to_string(search.shape_tests) +
            " sphere tests";
 }
 
@@ -167,7 +167,7 @@ TEST_CASE("07.4 of equally near spheres the last in the list counts", "[07.4]") 
     check_winner(same.search(ray), {1, 4}, hint);
     // An interval that ends right at the only hit has no sphere to compare with.
     rt::Search search{same.spheres, same.order, ray, {0, 4}};
-    rt::try_sphere(0, search);
+    rt::try_shape(0, search);
     check_winner(search, {0, 4}, "nothing was found before: the first hit counts");
 }
 
@@ -196,12 +196,12 @@ TEST_CASE("07.4 near ties are decided by t and ties by number", "[07.4][hard]") 
             if (const auto t = rt::hit_sphere(there[0].shape, ray, {})) within.max = *t;
         const Winner expected = linear(there, ray, within);
         MovedSearch search{{spheres, {}, ray, within}, motions};
-        for (const int number : shuffled(count, rng)) rt::try_sphere(number, search);
+        for (const int number : shuffled(count, rng)) rt::try_shape(number, search);
         rt::Search after = search;
         after.nearest = expected.sphere;
         after.within = {within.min, expected.sphere < 0 ? within.max : expected.t};
         after.box_tests = 0;
-        after.sphere_tests = count;
+        after.shape_tests = count;
         if (const bool same = state(search) == state(after); same) {
             CHECK(same);
             continue;
@@ -211,7 +211,7 @@ TEST_CASE("07.4 near ties are decided by t and ties by number", "[07.4][hard]") 
                   << text(rt::hit_sphere(there[0].shape, ray, {}).value_or(-1)));
         INFO(
             "Hint: compare t with == and <, and the numbers only at the same t. Test each sphere "
-            "once, by search.meets_sphere");
+            "once, by search.meets_shape");
         REQUIRE(state(search) == state(after));
     }
 }
@@ -222,7 +222,7 @@ TEST_CASE("07.4 a search of another type is asked its own questions", "[07.4]") 
     MovedSearch search{{two.spheres, two.order, {{0, 0, 0}, {0, 0, -1}}, {}}, motions};
     rt::find_nearest(two.root, search);
     check_winner(search, {0, 5},
-                 "chapter 08 searches with types of its own, whose meets_sphere finds spheres that "
+                 "chapter 08 searches with other types, whose meets_shape finds spheres that "
                  "move: leave \"template <class AnySearch>\" as it is, and hand the search on as "
                  "AnySearch&");
 }
@@ -242,7 +242,7 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
         const Vec3 from = 2 * any_direction(rng);
         const rt::Search search = tree.search(Ray{from, in_cube(rng) - from}, {});
         boxes += search.box_tests;
-        tests += search.sphere_tests;
+        tests += search.shape_tests;
     }
     boxes /= rays;
     tests /= rays;
@@ -250,7 +250,7 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
     if (boxes == 0)
         hint = "call search.meets(node.box): it counts, and knows the interval that boxes need";
     else if (tests == 0)
-        hint = "call search.meets_sphere(number): it counts";
+        hint = "call search.meets_shape(number): it counts";
     else if (boxes >= 1000)
         hint = "return at once if search.meets(node.box) is false";
     else if (tests > boxes / 2)
@@ -275,12 +275,12 @@ TEST_CASE("07.4 hits move the end of the search", "[07.4]") {
     const rt::SphereTree tree = rt::make_tree(spheres, rt::split_in_half);
     const rt::Search search = tree.search(Ray{{-5, 0, 0}, {1, 0, 0}}, {});
     INFO("a ray along a row of 1024 spheres; yours tests " << search.box_tests << " boxes and "
-                                                           << search.sphere_tests << " spheres.");
+                                                           << search.shape_tests << " spheres.");
     INFO(
         "Hint: the left child comes before the right one, and nothing behind a hit is met anymore "
         "once search.within.max is the hit's t");
     check_winner(search, {0, Real(4.75)}, "the first in the row");
-    CHECK(search.sphere_tests <= 8);
+    CHECK(search.shape_tests <= 8);
     CHECK(search.box_tests <= 30);
 }
 

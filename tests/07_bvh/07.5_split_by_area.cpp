@@ -2,7 +2,7 @@
 #include <ctime>
 #include <numeric>
 #include <rt/build.hpp>
-#include <rt/sphere_tree.hpp>
+#include <rt/shape_tree.hpp>
 #include <rt/split_by_area.hpp>
 
 #include "scenes.hpp"
@@ -307,8 +307,8 @@ TEST_CASE("07.5 rays test less in its tree", "[07.5]") {
         const Vec3 from{0, 2, 12};
         const Ray ray{from, 4 * in_cube(rng) - from};
         const rt::Search a = half.search(ray, {}), b = by_area.search(ray, {});
-        tests_half += a.box_tests + a.sphere_tests;
-        tests_area += b.box_tests + b.sphere_tests;
+        tests_half += a.box_tests + a.shape_tests;
+        tests_area += b.box_tests + b.shape_tests;
     }
     INFO("tests per ray: " << tests_half / 300 << " in the sorted tree, " << tests_area / 300
                            << " in yours by area");

@@ -22,7 +22,7 @@ using Materials = rt::MaterialSet<rt::Lambertian, rt::Mirror, rt::Metal, rt::Die
                                   rt::CheckeredMatte, rt::ImageMatte>;
 
 // Lights that nobody looks for: the path has to meet them.
-struct FoundByChance : rt::SphereLights {
+struct FoundByChance : rt::SceneLights {
     bool empty() const { return true; }
 };
 
@@ -36,7 +36,7 @@ double gray(Color color) {
 struct Lit {
     rt::SphereList world;
     Materials materials;
-    rt::SphereLights lights;
+    rt::SceneLights lights;
     rt::FogBall fog;
     rt::UniformSky sky{{0, 0, 0}};
 
@@ -44,12 +44,10 @@ struct Lit {
         world.spheres.push_back({sphere, static_cast<int>(materials.materials.size())});
         materials.materials.push_back(material);
     }
-    // To be called after all materials are added.
     void add_light(const rt::Sphere& sphere, Color radiance) {
-        lights.first_material = static_cast<int>(materials.materials.size());
-        world.spheres.push_back(
-            {sphere, lights.first_material + static_cast<int>(lights.lights.size())});
-        lights.lights.push_back({sphere, radiance});
+        const int material = static_cast<int>(materials.materials.size());
+        add(sphere, rt::Lambertian{});
+        lights.add({sphere, radiance, material});
     }
     template <class Lights, class Ending>
     Mean mean(const Ray& ray, const Lights& found, const Ending& ending, int depth, int count,
@@ -85,7 +83,7 @@ const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
 
 // Lights that are chosen as a test says, with one random number. They remember the point for
 // which they were asked.
-struct OneSample : rt::SphereLights {
+struct OneSample : rt::SceneLights {
     std::optional<rt::ChosenLight> sample;
     mutable Vec3 asked_from{};
 
@@ -130,6 +128,7 @@ std::string text(Color c) {
 // What direct_light makes of a sample above the top of the floor.
 struct Direct {
     Lit lit;
+    rt::Light light;
     OneSample lights;
     bool goes_on = true;
     int asked = 0;
@@ -137,11 +136,12 @@ struct Direct {
     // In this direction, of this density; the light is the sphere of material 7.
     Direct(Vec3 direction, Real distance, Real density) {
         lit.add(floor_ball, white);
-        lights.lights = {{{{0, 3, 0}, 1}, {2, 3, 4}}};
-        lights.first_material = 7;
+        const rt::Sphere bulb{distance * rt::normalize(direction), Real(0.01)};
+        light = {bulb, {2, 3, 4}, 7};
+        lights.add(light);
         lights.sample =
-            rt::ChosenLight{{rt::normalize(direction), distance, density}, {2, 3, 4}, 7};
-        lit.world.spheres.push_back({{distance * rt::normalize(direction), Real(0.01)}, 7});
+            rt::ChosenLight{{rt::normalize(direction), distance, density}, {2, 3, 4}, &light};
+        lit.world.spheres.push_back({bulb, 7});
     }
     Color operator()() {
         const AtThatTime world{lit.world};
@@ -233,16 +233,14 @@ TEST_CASE("08.4 light that was collected is never lost", "[08.4]") {
     check(rt::SkyEnding{}, 3, "in the sky");
     // A second surface that absorbs everything: what was collected on the way to it stays.
     lit.add({{0, 0, 0}, 1000}, rt::Lambertian{{0, 0, 0}});
-    lit.lights.first_material = 2;
-    lit.world.spheres[1].material = 2;
     check(rt::BlackEnding{}, 4, "in black, and most of them meet a black wall before,");
 }
 
 TEST_CASE("08.4 light that was collected stays where a path is absorbed", "[08.4]") {
     // A white floor under a light; whatever leaves the floor is absorbed by a wall around it.
     const rt::SphereList world{{{floor_ball, 0}, {{{0, 0, 0}, 1000}, 1}, {{{0, 40, 0}, 1}, 2}}};
-    const rt::MaterialSet<rt::Lambertian, Absorbing> materials{{white, Absorbing{}}};
-    const rt::SphereLights lights{{{{{0, 40, 0}, 1}, {2, 2, 2}}}, 2};
+    const rt::MaterialSet<rt::Lambertian, Absorbing> materials{{white, Absorbing{}, white}};
+    const rt::SceneLights lights{{{rt::Sphere{{0, 40, 0}, 1}, {2, 2, 2}, 2}}};
     Mean mean;
     rt::Rng random{9, 8};
     for (int i = 0; i < 4000; ++i)
@@ -260,8 +258,7 @@ TEST_CASE("08.4 a bounce draws the numbers for its light and a mirror draws none
         Lit lit;
         lit.add(floor_ball, material);
         OneSample lights;
-        lights.lights = {{{{0, 40, 0}, 1}, {2, 2, 2}}};
-        lights.first_material = 1;
+        lights.add({rt::Sphere{{0, 40, 0}, 1}, {2, 2, 2}, 1});
         rt::Rng random{4, 4}, expected = random;
         rt::lit_path_radiance(down, lit.world, lit.materials, lit.sky, lights, rt::NoFog{},
                               rt::SkyEnding{}, 1, random);
@@ -283,7 +280,6 @@ TEST_CASE("08.4 without lights and fog it is the loop of 04.7 bit for bit", "[08
     lit.add({{0, 1, 0}, 1}, rt::Metal{{1, Real(0.9), Real(0.8)}, Real(0.2)});
     lit.add({{2, 1, 0}, 1}, rt::Dielectric{});
     lit.add({{-2, 1, 0}, 1}, white);
-    lit.lights.first_material = 4;
     const rt::GradientSky sky{{Real(0.2), Real(0.3), 0}, {1, 1, 1}};
     const auto check = [&](const auto& ending) {
         rt::Rng directions{1, 2};

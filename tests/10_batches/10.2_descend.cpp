@@ -67,7 +67,7 @@ void check_log(const Log& actual, const Log& expected) {
 // A tree of made-up answers, which writes down what it is asked.
 struct LoggedTree {
     struct Node {
-        std::array<std::int32_t, 8> child{};
+        std::array<rt::WideChild, 8> child{};
         std::array<std::uint8_t, 8> order{};
         std::uint8_t always = 0;  // children that every ray meets
     };
@@ -89,9 +89,9 @@ struct LoggedTree {
         return any;
     }
     const std::array<std::uint8_t, 8>& order(std::int32_t node) const { return at(node).order; }
-    std::int32_t child(std::int32_t node, unsigned place) const { return at(node).child[place]; }
-    void leaf(std::int32_t child, rt::PathList list) {
-        log.push_back({true, child, {list.begin(), list.end()}});
+    rt::WideChild child(std::int32_t node, unsigned place) const { return at(node).child[place]; }
+    void leaf(std::int32_t number, rt::PathList list) {
+        log.push_back({true, number, {list.begin(), list.end()}});
     }
 
     // What should be asked, and in which order.
@@ -102,11 +102,11 @@ struct LoggedTree {
             for (const std::uint32_t ray : rays)
                 if (mask(node, ray) >> place & 1) part.push_back(ray);
             if (part.empty()) continue;
-            const std::int32_t below = child(node, place);
-            if (below < 0)
-                questions.push_back({true, below, part});
+            const rt::WideChild below = child(node, place);
+            if (below.is_leaf())
+                questions.push_back({true, below.number(), part});
             else
-                expect(questions, below, part);
+                expect(questions, below.number(), part);
         }
     }
 };
@@ -117,7 +117,7 @@ struct Shape {
     bool root_last = false;  // children have lower numbers than their parent; one of them is node 0
 };
 
-// The number of a node of this shape; the numbers of leaves are ~0, ~1, ~2 ...
+// The number of a node of this shape; the numbers of leaves are 0, 1, 2 ...
 std::int32_t grow(LoggedTree& tree, rt::Rng& rng, Shape shape, std::int32_t& leaves) {
     std::size_t number = tree.nodes.size();
     if (!shape.root_last) tree.nodes.emplace_back();
@@ -130,7 +130,8 @@ std::int32_t grow(LoggedTree& tree, rt::Rng& rng, Shape shape, std::int32_t& lea
     --below.levels;
     for (std::size_t i = 0; i < 8; ++i) {
         const bool is_node = shape.levels > 0 && (shape.is_chain ? i == next : rng() % 3 == 0);
-        node.child[i] = is_node ? grow(tree, rng, below, leaves) : ~leaves++;
+        node.child[i] = is_node ? rt::WideChild::node(grow(tree, rng, below, leaves))
+                                : rt::WideChild::leaf(leaves++);
     }
     if (shape.root_last) {
         number = tree.nodes.size();
@@ -209,8 +210,9 @@ TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come late
             return any;
         }
         const std::array<std::uint8_t, 8>& order(std::int32_t) const { return places; }
-        std::int32_t child(std::int32_t node, unsigned place) const {
-            return place == 0 ? ~0 : node + 1 < 4 ? node + 1 : ~1;
+        rt::WideChild child(std::int32_t node, unsigned place) const {
+            if (place == 0) return rt::WideChild::leaf(0);
+            return node + 1 < 4 ? rt::WideChild::node(node + 1) : rt::WideChild::leaf(1);
         }
         void leaf(std::int32_t, rt::PathList list) {
             for (const std::uint32_t ray : list) done[ray] = 1;

@@ -1,7 +1,7 @@
 // The tree: the hits of the linear list among 10,000 spheres, and work that grows like a logarithm.
 #include <chrono>
+#include <rt/shape_tree.hpp>
 #include <rt/sphere_list.hpp>
-#include <rt/sphere_tree.hpp>
 #include <rt/split_by_area.hpp>
 
 #include "certificate.hpp"
@@ -41,7 +41,7 @@ void count(const rt::SphereTree& tree, const rt::TreeNode& node, std::vector<int
 
 void every_sphere_once(Certificate& certificate) {
     const rt::SphereTree tree = rt::make_tree(spheres(10'000), rt::split_in_half);
-    std::vector<int> seen(tree.spheres.size());
+    std::vector<int> seen(tree.shapes.size());
     if (tree.root) count(tree, *tree.root, seen);
     const auto wrong = std::count_if(seen.begin(), seen.end(), [](int n) { return n != 1; });
     certificate.at_most("07.3", "10,000 spheres: those that are not in exactly one leaf",
@@ -98,7 +98,7 @@ Work work(int count) {
         const auto start = std::chrono::steady_clock::now();
         for (const rt::Ray& ray : rays) {
             const rt::Search search = tree.search(ray, {});
-            tests += search.box_tests + search.sphere_tests;
+            tests += search.box_tests + search.shape_tests;
         }
         const std::chrono::duration<double, std::nano> time =
             std::chrono::steady_clock::now() - start;

@@ -107,7 +107,8 @@ def run(root, program):
             print(exercise, "runs after all: take it off tests/dead_ends/unused.json")
         else:
             print(f"{exercise}: as its stub, expected exit code 3 and its name, actual: exit code "
-                  f"{done.returncode}, {done.stderr.strip() or 'no word'}")
+                  f"{done.returncode}, {done.stderr.strip() or 'no word'}; if no picture needs it, "
+                  "tests/dead_ends/unused.json says why it is there")
     known = {exercise for _, exercise, _ in exercises(root)}
     for exercise in unused.keys() - known:
         wrong += 1

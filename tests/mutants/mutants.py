@@ -60,6 +60,7 @@ SWAPPED_FUNCTIONS = {
     "stable_partition": "partition", "min_element": "max_element", "max_element": "min_element",
     "push_back": "emplace_back", "cross": "dot", "dot": "cross",
 }
+CASTS = {Kind.UNEXPOSED_EXPR, Kind.CXX_FUNCTIONAL_CAST_EXPR, Kind.PAREN_EXPR}
 REALS = {"double", "float", "long double"}
 WIDE_INTEGERS = {"unsigned long", "long", "unsigned long long", "long long"}
 
@@ -162,7 +163,11 @@ class Maker:
 
     # A value: rounded to float, cut to 32 bits, or 2 % too large.
     def value(self, cursor):
-        if cursor.kind in (Kind.INTEGER_LITERAL, Kind.FLOATING_LITERAL):
+        inner = cursor
+        while inner.kind in CASTS and len(list(inner.get_children())) == 1:
+            inner = next(inner.get_children())
+        if inner.kind in (Kind.INTEGER_LITERAL, Kind.FLOATING_LITERAL) and (
+                inner is cursor or self.text(inner).isdigit()):
             return
         text, type_name = self.text(cursor), self.type(cursor)
         if type_name in REALS:
@@ -665,6 +670,9 @@ def run_exercise(exercise, build, float_too, log):
         f"survived {len(surviving):3}   {time.time() - started:4.0f} s")
     for mutant in surviving:
         log(f"    {mutant.file}:{mutant.row}\n{mutant.key}")
+    if surviving:
+        log(f"    A better test case stops it. If none should: tests/mutants/{exercise.id}.txt lists it, with the reason\n"
+            "    in the next line, indented.")
     for key in stale:
         log(f"    no such mutant any more: {key}")
     for key in needless:

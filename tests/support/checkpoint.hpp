@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 #include <rt/real.hpp>
+#include <rt/vec3_of.hpp>
 #include <rt/vec3_type.hpp>
 #include <string>
 #include <study/double_double.hpp>
@@ -19,12 +20,11 @@ namespace checkpoint {
 using rt::Real;
 using rt::Vec3;
 
-// An exact value, as the tables of tests/oracle have it: correct to about 100 bits.
+// An exact value, correct to about 98 bits. Numbers so large or small that their products overflow
+// or underflow are scaled by a power of two first.
 using Exact = study::DoubleDouble;
 
-struct ExactVec3 {
-    Exact x, y, z;
-};
+using ExactVec3 = rt::Vec3Of<Exact>;
 
 // Picks the value for the precision that is tested.
 template <class T>
@@ -32,13 +32,9 @@ constexpr T for_this_precision(T in_float, T in_double) {
     return std::is_same_v<Real, float> ? in_float : in_double;
 }
 
-// A number of a table, which is exact in the precision that is tested.
+// A number in the precision that is tested.
 constexpr Real real(double value) {
     return static_cast<Real>(value);
-}
-
-inline Vec3 vec3(const double (&v)[3]) {
-    return {real(v[0]), real(v[1]), real(v[2])};
 }
 
 // The largest error of a computed vector's components, in units in the last place.

@@ -18,14 +18,14 @@ using checkpoint::TemporaryFolder;
 
 namespace {
 
-// The lines that fail for a program.
+// The lines that fail for a program. On a busy machine, some may.
 std::set<std::string> failing(const Course& course, const Chapter& chapter,
-                              const fs::path& program) {
+                              const fs::path& program, bool may = false) {
     std::set<std::string> lines;
     const fs::path answer = course.program("tracer." + chapter.number());
     judge_graft(course, {chapter, program, answer, chapter.graft->headers, 1},
                 [&](const JudgedLine& line) {
-                    if (line.passed || line.busy_machine) return;
+                    if (line.busy_machine ? !may : line.passed) return;
                     lines.insert(line.what);
                     std::printf("    x %s: %s\n", line.what.c_str(), line.actual.c_str());
                 });

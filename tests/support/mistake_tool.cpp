@@ -7,6 +7,10 @@
 //   mistake_tool pictures NN_topic   `course compare` sees another picture ("changes picture").
 //   mistake_tool memory NN_topic     The address sanitizer says so ("address sanitizer reports").
 //   mistake_tool races NN_topic      The thread sanitizer reports a data race ("data race in").
+//   mistake_tool program NAMES TARGET FILE   Builds a program of the build with mistakes, with +
+//   between
+//                                    their names, for tests/pictures.py. For a name, there may be a
+//                                    folder with changed headers.
 
 #include <algorithm>
 #include <app/errors.hpp>
@@ -18,6 +22,7 @@
 #include <cstdio>
 #include <functional>
 #include <regex>
+#include <sstream>
 
 using namespace companion;
 
@@ -173,7 +178,32 @@ int races(const std::string& chapter) {
     return report(chapter + ", " + remark, answers, outcomes);
 }
 
+int program(const std::string& names, const std::string& target, const fs::path& file) {
+    const fs::path folder = below / ("program " + names);
+    fs::remove_all(folder);
+    std::istringstream list{names};
+    for (std::string name; std::getline(list, name, '+');) {
+        if (fs::is_directory(name)) {
+            fs::copy(name, folder, fs::copy_options::recursive);
+            continue;
+        }
+        const Chapter chapter = find_chapter(course, name.substr(0, 2));
+        const Mistake mistake = read_mistake(course, chapter, name);
+        for (const auto& [header, text] :
+             edited_files(mistake, course.root / "solutions" / chapter.name)) {
+            app::make_folder((folder / header).parent_path());
+            app::replace_file(folder / header, text);
+        }
+    }
+    const BuildResult built = Remake{course, target}(folder, folder / "program");
+    if (!built.ok) throw app::Failure(names + " does not compile:\n" + built.output);
+    fs::copy_file(folder / "program", file, fs::copy_options::overwrite_existing);
+    fs::remove_all(folder);
+    return app::done;
+}
+
 int run(const std::vector<std::string>& words) {
+    if (words.size() == 4 && words[0] == "program") return program(words[1], words[2], words[3]);
     if (words.size() == 2) {
         if (words[0] == "check") return check(words[1]);
         if (words[0] == "certify") return certify(words[1]);
@@ -182,7 +212,9 @@ int run(const std::vector<std::string>& words) {
         if (words[0] == "races") return races(words[1]);
     }
     throw app::UsageError(
-        "usage: mistake_tool check NN.k, or certify, pictures, memory or races NN_topic");
+        "usage: mistake_tool check NN.k, or certify, pictures, memory or races NN_topic, or "
+        "program "
+        "NAMES TARGET FILE");
 }
 
 }  // namespace

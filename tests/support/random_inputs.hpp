@@ -30,24 +30,11 @@ inline ExactVec3 exact_vector(Vec3 v) {
     return {Exact(v.x), Exact(v.y), Exact(v.z)};
 }
 
-inline ExactVec3 operator-(const ExactVec3& a, const ExactVec3& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline ExactVec3 operator*(const ExactVec3& v, Exact s) {
-    return {v.x * s, v.y * s, v.z * s};
-}
-
-inline Exact exact_dot(const ExactVec3& a, const ExactVec3& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline ExactVec3 exact_cross(const ExactVec3& a, const ExactVec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 inline Exact exact_length(const ExactVec3& v) {
-    return study::sqrt(exact_dot(v, v));
+    return study::sqrt(dot(v, v));
 }
 inline ExactVec3 exact_unit(const ExactVec3& v) {
-    return v * (Exact(1) / exact_length(v));
+    return Exact(1) / exact_length(v) * v;
 }
 
 // |ax bx| + |ay by| + |az bz|: the rounding error of a sum of products is measured

@@ -64,12 +64,12 @@ TEST_CASE("fog and motion and a lens and stretched spheres") {
             multiply(translation({-1, 1, 2}),
                      multiply(rotation_x(Real(0.3)), scaling({1, 1, Real(1e-5)}))),
             matte);
-    for (const Real forwardness : {Real(-0.99), Real(0), Real(0.99)})
+    for (const Real asymmetry : {Real(-0.99), Real(0), Real(0.99)})
         // Thin fog around all, and fog in which nearly every step ends at a droplet.
-        for (const Fog& fog : {Fog{{{0, 0, 0}, 1000}, Real(1e-3), {1, Real(0.9), 1}, forwardness},
-                               Fog{{{0, 1, 3}, 2}, 50, {1, Real(0.9), 1}, forwardness}}) {
-            INFO("fog of density " << checkpoint::text(fog.density) << " and forwardness "
-                                   << checkpoint::text(forwardness));
+        for (const Fog& fog : {Fog{{{0, 0, 0}, 1000}, Real(1e-3), {1, Real(0.9), 1}, asymmetry},
+                               Fog{{{0, 1, 3}, 2}, 50, {1, Real(0.9), 1}, asymmetry}}) {
+            INFO("fog of density " << checkpoint::text(fog.density) << " and asymmetry "
+                                   << checkpoint::text(asymmetry));
             scene.fog = fog;
             check_scene(scene, {12, 8, 2, 60});
         }

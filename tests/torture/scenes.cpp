@@ -185,7 +185,7 @@ TEST_CASE("a radius of a million beside one of a thousandth") {
     // In float the ground's surface is known to 0.06, so that it may hide the small spheres. In
     // double each of them is seen, and the ground beside it sees it, too.
     if (std::is_same_v<Real, float>) return;
-    const WideTree world = make_wide_tree(prepare_spheres(scene).still);
+    const WideTree world = make_wide_tree(prepare_shapes(scene).still);
     const Vec3 eye = scene.camera.view.from;
     for (std::size_t i = 1; i < scene.spheres.size(); ++i) {
         const Sphere& ball = scene.spheres[i].shape;

@@ -10,7 +10,6 @@ namespace torture {
 namespace {
 
 constexpr Effects materials{.mirror = true, .fuzz = true, .glass = true, .texture = true};
-constexpr Effects everything{true, true, true, true, true, true, true, true, true, true};
 constexpr std::uint64_t seed = 17;
 
 // A part of a world, used without copying it.
@@ -24,15 +23,28 @@ struct Borrowed {
     }
 };
 
-// A scene's world with another tree of the spheres that stand still.
+// The same, copied.
+template <class World>
+struct NearestOnly {
+    World world;
+
+    template <class AnyRay>
+    std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
+        return world.hit(ray, within);
+    }
+};
+
+// A scene's world with another tree of the spheres that stand still. It is asked for the nearest
+// hit even where any hit would do.
 template <class Tree>
 auto with_tree(const WideTree&, const Tree& tree) {
     return Borrowed<Tree>{tree};
 }
 template <class First, class Second, class Tree>
-auto with_tree(const TwoWorlds<First, Second>& world, const Tree& tree) {
+auto with_tree(const Aggregate<First, Second>& world, const Tree& tree) {
     const auto first = with_tree(world.first, tree);
-    return TwoWorlds<std::remove_const_t<decltype(first)>, Borrowed<Second>>{first, {world.second}};
+    return NearestOnly{
+        Aggregate<std::remove_const_t<decltype(first)>, Borrowed<Second>>{first, {world.second}}};
 }
 
 // Draws with this world as Renderer does with its own; check(light) is called for each sample.
@@ -43,7 +55,8 @@ Image draw(const ReadyScene<effects>& scene, const World& world, const Frame& fr
     const JitteredSamples samples{seed, frame.samples};
     render_tiles({frame.width, frame.height, 5}, threads, [&](const Tile& tile, int) {
         for_each_pixel(tile, [&](int x, int y) {
-            image.at(x, y) = samples.average(scene.eye, x, y, [&](const auto& ray, auto& random) {
+            image.at(x,
+                     y) = samples.average(scene.camera, x, y, [&](const auto& ray, auto& random) {
                 Color light;
                 if constexpr (effects.lights || effects.fog)
                     light = lit_path_radiance(ray, world, scene.materials, scene.sky, scene.lights,
@@ -85,7 +98,7 @@ struct Trees {
     FlatTree flat;
 
     explicit Trees(const SceneDescription& scene)
-        : list{prepare_spheres(scene).still},
+        : list{prepare_shapes(scene).still},
           halved{make_tree(list.spheres, split_in_half)},
           by_area{make_tree(list.spheres, split_by_area)},
           flat{make_flat(by_area)} {}
@@ -126,7 +139,7 @@ Image draw_all(const SceneDescription& description, const Frame& frame) {
 
 Image draw_in_every_way(const SceneDescription& scene, const Frame& frame) {
     return covers(materials, effects_of(scene)) ? draw_all<materials>(scene, frame)
-                                                : draw_all<everything>(scene, frame);
+                                                : draw_all<every_effect>(scene, frame);
 }
 
 SceneDescription whitened(SceneDescription scene) {
@@ -183,13 +196,13 @@ double brightness(const Image& image) {
 }
 
 std::vector<checkpoint::Mean> pixel_means(const SceneDescription& description, const Frame& frame) {
-    const ReadyScene<everything> scene{description, frame.width, frame.height};
+    const ReadyScene<every_effect> scene{description, frame.width, frame.height};
     std::vector<checkpoint::Mean> pixels;
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
             checkpoint::Mean& mean = pixels.emplace_back();
             JitteredSamples{seed, frame.samples}.average(
-                scene.eye, x, y, [&](const auto& ray, auto& random) {
+                scene.camera, x, y, [&](const auto& ray, auto& random) {
                     const Color light = lit_path_radiance(ray, scene.world, scene.materials,
                                                           scene.sky, scene.lights, scene.fog,
                                                           SkyEnding{}, frame.depth, random);
@@ -236,7 +249,7 @@ void check_hits(const SceneDescription& scene, const std::vector<Ray>& rays) {
 
 std::vector<Color> light_along(const SceneDescription& description, const std::vector<Ray>& rays,
                                int depth, PathEnd end) {
-    const auto all = prepare_materials<Parts<materials>::Materials>(description);
+    const auto all = prepare_materials<RendererTypes<materials>::Materials>(description);
     const Trees trees{description};
     const WideTree wide = make_wide_tree(trees.list.spheres);
     std::vector<Color> lights;

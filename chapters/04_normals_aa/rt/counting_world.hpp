@@ -18,6 +18,12 @@ struct CountingWorld {
         ++rays;
         return world.hit(ray, within);
     }
+    // Shadow rays, from chapter 08 on, are counted, too.
+    template <class AnyRay>
+    bool occluded(const AnyRay& ray, Interval within, int number) const {
+        ++rays;
+        return world.occluded(ray, within, number);
+    }
 };
 
 }  // namespace rt

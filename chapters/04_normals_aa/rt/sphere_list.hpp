@@ -8,6 +8,13 @@
 
 namespace rt {
 
+// Where a ray meets a sphere of a scene at t.
+inline Hit surface_hit(const SceneSphere& sphere, const Ray& ray, Real t) {
+    Hit hit = surface_hit(sphere.shape, ray, t);
+    hit.material = sphere.material;
+    return hit;
+}
+
 // A world of spheres (given): each ray tries them all.
 struct SphereList {
     std::vector<SceneSphere> spheres;
@@ -18,10 +25,7 @@ struct SphereList {
         const Ray ray{any_ray.origin, any_ray.direction};
         const auto nearest = nearest_sphere(spheres, ray, within);
         if (!nearest) return {};
-        const SceneSphere& sphere = spheres[nearest->number];
-        Hit hit = surface_hit(sphere.shape, ray, nearest->t);
-        hit.material = sphere.material;
-        return hit;
+        return surface_hit(spheres[nearest->number], ray, nearest->t);
     }
 };
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <rt/sphere_tree.hpp>
+#include <rt/shape_tree.hpp>
 
 namespace rt {
 
@@ -17,17 +17,18 @@ struct FlatNode {
         0;  // of an inner node: along it, the left child is lower than the right one
 };
 
-// The tree of SphereTree, its nodes in one array instead of scattered over the heap (given).
-struct FlatTree {
-    std::vector<SceneSphere> spheres;
+// The tree of TreeOf, its nodes in one array instead of scattered over the heap (given).
+template <class Shape>
+struct FlatTreeOf {
+    std::vector<Shape> shapes;
     std::vector<int> order;
     std::vector<FlatNode> nodes;
 
     // Visits the nodes in the order of the array. It needs no stack: a missed node is skipped with
     // all below it.
     template <class AnyRay>
-    Search search_in_order(const AnyRay& ray, Interval within) const {
-        Search search{spheres, order, {ray.origin, ray.direction}, within};
+    SearchOf<Shape, AnyRay> search_in_order(const AnyRay& ray, Interval within) const {
+        SearchOf<Shape, AnyRay> search{shapes, order, ray, within};
         for (std::size_t i = 0; i < nodes.size();) {
             const FlatNode& node = nodes[i];
             if (!search.meets(node.box)) {
@@ -44,8 +45,8 @@ struct FlatTree {
     // are found earlier, and more boxes lie behind them. Waiting children are kept on a stack of
     // a fixed size.
     template <class AnyRay>
-    Search search_nearest_first(const AnyRay& ray, Interval within) const {
-        Search search{spheres, order, {ray.origin, ray.direction}, within};
+    SearchOf<Shape, AnyRay> search_nearest_first(const AnyRay& ray, Interval within) const {
+        SearchOf<Shape, AnyRay> search{shapes, order, ray, within};
         std::array<std::size_t, most_waiting> stack;
         std::size_t waiting = 0;
         if (!nodes.empty() && search.meets(nodes[0].box)) stack[waiting++] = 0;
@@ -73,15 +74,17 @@ struct FlatTree {
 
   private:
     // At most one child waits for each inner node on the way down, and from most_levels on each
-    // step down halves the number of spheres.
+    // step down halves the number of shapes.
     static constexpr std::size_t most_waiting =
         most_levels + halvings(std::numeric_limits<int>::max(), 1);
 
-    static void try_leaf(const FlatNode& node, Search& search) {
+    template <class AnySearch>
+    static void try_leaf(const FlatNode& node, AnySearch& search) {
         for (std::int32_t place = node.first; place < node.first + node.count; ++place)
-            try_sphere(search.order[static_cast<std::size_t>(place)], search);
+            try_shape(search.order[static_cast<std::size_t>(place)], search);
     }
 };
+using FlatTree = FlatTreeOf<SceneSphere>;
 
 // Appends a node and all nodes below it to an array.
 inline void flatten(const TreeNode& node, std::vector<FlatNode>& nodes) {
@@ -98,8 +101,9 @@ inline void flatten(const TreeNode& node, std::vector<FlatNode>& nodes) {
     nodes[place].skip = static_cast<std::int32_t>(nodes.size());
 }
 
-inline FlatTree make_flat(const SphereTree& tree) {
-    FlatTree flat{tree.spheres, tree.order, {}};
+template <class Shape>
+FlatTreeOf<Shape> make_flat(const TreeOf<Shape>& tree) {
+    FlatTreeOf<Shape> flat{tree.shapes, tree.order, {}};
     if (tree.root) flatten(*tree.root, flat.nodes);
     return flat;
 }

@@ -1,22 +1,22 @@
 #pragma once
 #include <optional>
 #include <rt/hit_box.hpp>
-#include <rt/hit_sphere.hpp>
-#include <rt/sphere_list.hpp>
+#include <rt/sphere_shape.hpp>
 #include <span>
 
 namespace rt {
 
-// One ray on its way through a tree, and the nearest hit so far (given). Chapter 08 has searches of
-// other types, which meet spheres that move or are stretched.
-struct Search {
-    std::span<const SceneSphere> spheres;  // of the scene
-    std::span<const int> order;            // of the tree: its leaves hold indices into it
-    Ray ray;
+// One ray on its way through a tree of shapes, and the nearest hit so far (given). Here the shapes
+// are spheres. Chapter 08 searches for other shapes, with rays of other types.
+template <class Shape, class AnyRay = Ray>
+struct SearchOf {
+    std::span<const Shape> shapes;  // of the scene
+    std::span<const int> order;     // of the tree: its leaves hold indices into it
+    AnyRay ray;
     Interval within;    // its upper end moves down to the nearest hit
-    int nearest = -1;   // the number of the sphere that was hit there, -1 before any
+    int nearest = -1;   // the number of the shape that was hit there, -1 before any
     int box_tests = 0;  // how much work was done so far
-    int sphere_tests = 0;
+    int shape_tests = 0;
     SlabRay slabs = slab_ray(ray);
 
     // True if the ray meets a box where a hit would still count.
@@ -25,16 +25,15 @@ struct Search {
         return hit_box(box, slabs, with_origin(within));
     }
 
-    // The sphere with this number.
-    const Sphere& sphere(int number) const {
-        return spheres[static_cast<std::size_t>(number)].shape;
-    }
+    // The shape with this number.
+    const Shape& shape(int number) const { return shapes[static_cast<std::size_t>(number)]; }
 
-    // Where the ray meets the sphere with this number within the interval.
-    std::optional<Real> meets_sphere(int number) {
-        ++sphere_tests;
-        return hit_sphere(sphere(number), ray, within);
+    // Where the ray meets the shape with this number within the interval.
+    std::optional<Real> meets_shape(int number) {
+        ++shape_tests;
+        return hit_shape(shape(number), ray, within);
     }
 };
+using Search = SearchOf<SceneSphere>;
 
 }  // namespace rt

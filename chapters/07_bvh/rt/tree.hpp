@@ -9,7 +9,7 @@
 namespace rt {
 
 // A node of a tree of boxes (given). An inner node has two children; a leaf has none, and holds the
-// spheres at the indices first, first + 1, ... of the tree's order.
+// shapes at the indices first, first + 1, ... of the tree's order.
 struct TreeNode {
     Box box;  // around everything below
     std::unique_ptr<TreeNode> left, right;
@@ -26,11 +26,11 @@ struct TreeNode {
     }
 };
 
-// Below this level, nodes are split in half, whatever they hold. The tree of a million spheres then
+// Below this level, nodes are split in half, whatever they hold. The tree of a million shapes then
 // has at most 64 + 20 levels, and no recursion over it can overflow the stack.
 inline constexpr int most_levels = 64;
 
-// The most spheres in a leaf when nodes are split in half.
+// The most shapes in a leaf when nodes are split in half.
 inline constexpr int leaf_size = 4;
 
 // How many times `things` must be halved, rounding up, until `few` or fewer are left.

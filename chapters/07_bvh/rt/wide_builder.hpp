@@ -2,21 +2,21 @@
 #include <algorithm>
 #include <rt/binned_split.hpp>
 #include <rt/bounds.hpp>
-#include <rt/sphere_tree.hpp>
+#include <rt/shape_tree.hpp>
 #include <rt/split_by_area.hpp>
 #include <rt/wide_tree.hpp>
 #include <vector>
 
 namespace rt {
 
-// Makes a WideTreeOf<Number> (given) from the binary tree of 07.3: each wide node replaces up to
+// Makes a WideTreeOf (given) from the binary tree of 07.3: each wide node replaces up to
 // seven binary nodes.
 
-// A sphere's box, grown so that it still contains the sphere after the box is rounded to Number and
+// A shape's box, grown so that it still contains the shape after the box is rounded to Number and
 // the slabs are computed in Number.
-template <class Number>
-Box wide_bounds_of(const Sphere& sphere) {
-    const Box box = bounds_of(sphere);
+template <class Number, class Shape>
+Box wide_bounds_of(const Shape& shape) {
+    const Box box = bounds_of(shape);
     if (wide_margin<Number> <= hit_margin) return box;  // it already includes hit_margin
     const Real grow =
         wide_margin<Number> * std::max(max_component(box.low), max_component(box.high));
@@ -24,7 +24,7 @@ Box wide_bounds_of(const Sphere& sphere) {
     return {box.low - margin, box.high + margin};
 }
 
-// Changes a split so that it fills leaves of eight: eight spheres or fewer stay together, and if
+// Changes a split so that it fills leaves of eight: eight shapes or fewer stay together, and if
 // `split` finds nothing to gain, more than eight are halved in their present order.
 template <class Split>
 auto with_wide_leaves(const Split& split) {
@@ -35,22 +35,24 @@ auto with_wide_leaves(const Split& split) {
     };
 }
 
-// Adds the wide leaf of a binary one; ~ distinguishes its number from a node's.
-template <class Number>
-std::int32_t add_wide_leaf(WideTreeOf<Number>& wide, const SphereTree& tree, const TreeNode& leaf) {
-    WideLeaf spheres;
+// Adds the wide leaf of a binary one.
+template <class Shape, class Number>
+WideChild add_wide_leaf(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tree,
+                        const TreeNode& leaf) {
+    WideLeaf<Shape> shapes;
     for (int i = 0; i < leaf.count; ++i) {
         const int number = tree.order[static_cast<std::size_t>(leaf.first + i)];
-        spheres.set(static_cast<std::size_t>(i), tree.spheres[static_cast<std::size_t>(number)],
-                    number);
+        shapes.set(static_cast<std::size_t>(i), tree.shapes[static_cast<std::size_t>(number)],
+                   number);
     }
-    wide.leaves.push_back(spheres);
-    return ~static_cast<std::int32_t>(wide.leaves.size() - 1);
+    wide.leaves.push_back(shapes);
+    return WideChild::leaf(static_cast<std::int32_t>(wide.leaves.size() - 1));
 }
 
-// Adds the wide node of a binary node, and all below it; returns its number.
-template <class Number>
-std::int32_t add_wide_node(WideTreeOf<Number>& wide, const SphereTree& tree, const TreeNode& top) {
+// Adds the wide node of a binary node, and all below it.
+template <class Shape, class Number>
+WideChild add_wide_node(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tree,
+                        const TreeNode& top) {
     // Of the nodes in the list, the inner one with the largest box is met most often. Its two
     // children replace it, until there are eight nodes or all are leaves.
     std::vector<const TreeNode*> parts{&top};
@@ -71,41 +73,40 @@ std::int32_t add_wide_node(WideTreeOf<Number>& wide, const SphereTree& tree, con
     WideNode<Number> node;  // not a reference: the list moves as it grows
     // Only a ray that is not finite meets the empty box of an unused lane. It then comes to the
     // first leaf, which always exists, and the search ends.
-    for (std::size_t i = 0; i < lanes; ++i) node.set(i, Box{}, ~0);
+    for (std::size_t i = 0; i < lanes; ++i) node.set(i, Box{}, WideChild::leaf(0));
     for (std::size_t i = 0; i < parts.size(); ++i)
         node.set(i, parts[i]->box,
                  parts[i]->is_leaf() ? add_wide_leaf(wide, tree, *parts[i])
                                      : add_wide_node(wide, tree, *parts[i]));
     wide.nodes[place] = node;
-    return static_cast<std::int32_t>(place);
+    return WideChild::node(static_cast<std::int32_t>(place));
 }
 
 // The tree that build_node makes with this split, eight wide.
-template <class Number, class Split>
-WideTreeOf<Number> make_wide_tree(const std::vector<SceneSphere>& spheres, const Split& split) {
+template <class Number, class Shape, class Split>
+WideTreeOf<Shape, Number> make_wide_tree(const std::vector<Shape>& shapes, const Split& split) {
     std::vector<Box> boxes;
-    boxes.reserve(spheres.size());
-    for (const SceneSphere& sphere : spheres) boxes.push_back(wide_bounds_of<Number>(sphere.shape));
-    const SphereTree tree = make_tree(spheres, boxes, with_wide_leaves(split));
-    WideTreeOf<Number> wide;
+    boxes.reserve(shapes.size());
+    for (const Shape& shape : shapes) boxes.push_back(wide_bounds_of<Number>(shape));
+    const TreeOf<Shape> tree = make_tree(shapes, boxes, with_wide_leaves(split));
+    WideTreeOf<Shape, Number> wide;
     if (tree.root) add_wide_node(wide, tree, *tree.root);
     wide.leaves.shrink_to_fit();
     wide.nodes.shrink_to_fit();
     return wide;
 }
 
-// Sorting along three axes takes too long for a node with more than many_in_a_node spheres, and for
-// all nodes of a scene with very_many spheres. Bins lose hardly anything there.
+// Sorting along three axes takes too long for a node with more than many_in_a_node shapes, and for
+// all nodes of a scene with very_many shapes. Bins lose hardly anything there.
 inline constexpr std::size_t many_in_a_node = 100, very_many = 100'000;
 
 // The same with split_by_area, or with binned_split where sorting takes too long.
-template <class Number = float>
-WideTreeOf<Number> make_wide_tree(const std::vector<SceneSphere>& spheres) {
-    const std::size_t most = spheres.size() < very_many ? many_in_a_node : 0;
-    return make_wide_tree<Number>(
-        spheres, [most](std::span<int> order, std::span<const Box> boxes) {
-            return order.size() <= most ? split_by_area(order, boxes) : binned_split(order, boxes);
-        });
+template <class Number = float, class Shape>
+WideTreeOf<Shape, Number> make_wide_tree(const std::vector<Shape>& shapes) {
+    const std::size_t most = shapes.size() < very_many ? many_in_a_node : 0;
+    return make_wide_tree<Number>(shapes, [most](std::span<int> order, std::span<const Box> boxes) {
+        return order.size() <= most ? split_by_area(order, boxes) : binned_split(order, boxes);
+    });
 }
 
 }  // namespace rt

@@ -5,46 +5,68 @@
 #include <limits>
 #include <rt/interval.hpp>
 #include <rt/ray.hpp>
-#include <rt/sphere_list.hpp>
+#include <rt/sphere_shape.hpp>
 #include <rt/vector_registers.hpp>
 #include <rt/wide.hpp>
 
 namespace rt {
 
-// The most spheres that a tree may have: a tag must hold the number of each, times eight.
-inline constexpr std::int64_t most_spheres = std::numeric_limits<std::int32_t>::max() / lanes;
+// A leaf with up to eight shapes (given): everything that a hit needs. This is the plain one, for
+// any type of shape. One for spheres comes below.
+template <class Shape>
+struct WideLeaf {
+    Lanes<Shape> shapes{};
+    Lanes<std::int32_t> number{};  // of each shape in the scene
+    std::size_t count = 0;
 
-// A leaf with up to eight spheres and their materials: everything that a hit needs (given).
-struct alignas(64) WideLeaf {
+    // Shapes are added in order, from place 0 on.
+    void set(std::size_t place, const Shape& shape, std::int32_t its_number) {
+        shapes[place] = shape;
+        number[place] = its_number;
+        count = place + 1;
+    }
+
+    // Where a ray meets the shape at this place.
+    Hit hit(std::int32_t place, const Ray& ray, Real t) const {
+        return surface_hit(shapes[static_cast<std::size_t>(place)], ray, t);
+    }
+};
+
+// The same for spheres, which are tested all at once.
+template <>
+struct alignas(64) WideLeaf<SceneSphere> {
     static constexpr Real nothing = std::numeric_limits<Real>::quiet_NaN();
 
     // Unused lanes have NaN as their radius: no ray hits them.
     Lanes<Real> x{}, y{}, z{}, radius;
-    Lanes<std::int32_t> tag{};  // the sphere's number in the scene, times eight, plus its lane here
+    Lanes<std::int32_t> number{};
     Lanes<std::int32_t> material{};
 
     WideLeaf() { radius.fill(nothing); }
 
-    // The number is less than most_spheres.
-    void set(std::size_t i, const SceneSphere& sphere, int number) {
-        x[i] = sphere.shape.center.x;
-        y[i] = sphere.shape.center.y;
-        z[i] = sphere.shape.center.z;
-        radius[i] = sphere.shape.radius;
-        tag[i] = number * static_cast<int>(lanes) + static_cast<int>(i);
-        material[i] = sphere.material;
+    void set(std::size_t place, const SceneSphere& sphere, std::int32_t its_number) {
+        x[place] = sphere.shape.center.x;
+        y[place] = sphere.shape.center.y;
+        z[place] = sphere.shape.center.z;
+        radius[place] = sphere.shape.radius;
+        number[place] = its_number;
+        material[place] = sphere.material;
     }
     bool is_used(std::size_t i) const { return !std::isnan(radius[i]); }
     Sphere sphere(std::size_t i) const { return {{x[i], y[i], z[i]}, radius[i]}; }
+
+    RT_INLINED Hit hit(std::int32_t place, const Ray& ray, Real t) const {
+        const auto i = static_cast<std::size_t>(place);
+        return surface_hit(SceneSphere{sphere(i), material[i]}, ray, t);
+    }
 };
+using SphereLeaf = WideLeaf<SceneSphere>;
 
 // The nearest hit so far.
 struct WideHit {
     Real t = infinity;
-    std::int32_t tag = -1;  // of the sphere that is hit there; -1 before any hit
-
-    int number() const { return tag < 0 ? -1 : tag / static_cast<int>(lanes); }
-    std::size_t place() const { return static_cast<std::size_t>(tag) % lanes; }
+    std::int32_t number = -1;  // of the shape that is hit there; -1 before any hit
+    std::int32_t place = 0;    // in its leaf
 };
 
 // A part of a leaf's spheres, as seen from a ray (given). It computes what hit_sphere and
@@ -55,13 +77,13 @@ struct LeafPart {
     Real a;  // its squared length
     Reals fx, fy, fz, r_squared;
 
-    RT_INLINED LeafPart(const WideLeaf& leaf, std::size_t first, const Ray& ray)
+    RT_INLINED LeafPart(const SphereLeaf& leaf, std::size_t first, const Ray& ray)
         : d{ray.direction},
           a{d.x * d.x + d.y * d.y + d.z * d.z},
-          fx{ray.origin.x - load_part(leaf.x, first)},
-          fy{ray.origin.y - load_part(leaf.y, first)},
-          fz{ray.origin.z - load_part(leaf.z, first)},
-          r_squared{load_part(leaf.radius, first) * load_part(leaf.radius, first)} {}
+          fx{ray.origin.x - load<Reals>(&leaf.x[first])},
+          fy{ray.origin.y - load<Reals>(&leaf.y[first])},
+          fz{ray.origin.z - load<Reals>(&leaf.z[first])},
+          r_squared{load<Reals>(&leaf.radius[first]) * load<Reals>(&leaf.radius[first])} {}
 
     // A quarter of each discriminant: 0 or more if the ray's line meets the sphere.
     RT_INLINED Reals quarter() const {
@@ -80,7 +102,7 @@ struct LeafPart {
         if (within.min >= 0) met &= ~RT_VECTOR_BITS((half_b > 0) & (c > 0));
         if (met == 0) return 0;
 
-        const Reals q = -(b + part_copysign(part_sqrt(4 * quarter), b)) / 2;
+        const Reals q = -(b + copysign(sqrt(4 * quarter), b)) / 2;
         const auto at_origin = q == 0;  // both solutions are 0
         const Reals one = at_origin ? Reals{} : c / q, other = at_origin ? Reals{} : q / a;
         const Reals low = one < other ? one : other, high = one < other ? other : one;
@@ -92,8 +114,8 @@ struct LeafPart {
 };
 
 // Tries the spheres of a leaf between min and best.t, and returns whether best has changed. Of
-// equally near spheres the one with the highest number counts.
-RT_INLINED bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
+// equally near shapes the one with the highest number counts.
+RT_INLINED bool hit_leaf(const SphereLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
     constexpr std::size_t size = part_size<Real>;
     std::array<Reals, lanes / size> quarters;
     std::array<unsigned, lanes / size> met;
@@ -114,16 +136,37 @@ RT_INLINED bool hit_leaf(const WideLeaf& leaf, const Ray& ray, Real min, WideHit
         Reals some{};
         hits |= LeafPart{leaf, p * size, ray}.hits(quarters[p], met[p], {min, best.t}, some)
                 << p * size;
-        store_part(some, t, p * size);
+        store(some, &t[p * size]);
     }
     bool changed = false;
     for (; hits; hits &= hits - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(hits));
-        if (t[i] > best.t || (t[i] == best.t && leaf.tag[i] < best.tag)) continue;
-        best = {t[i], leaf.tag[i]};
+        if (t[i] > best.t || (t[i] == best.t && leaf.number[i] < best.number)) continue;
+        best = {t[i], leaf.number[i], static_cast<std::int32_t>(i)};
         changed = true;
     }
     return changed;
+}
+
+// The same for other shapes, one by one.
+template <class Shape>
+bool hit_leaf(const WideLeaf<Shape>& leaf, const Ray& ray, Real min, WideHit& best) {
+    bool changed = false;
+    for (std::size_t i = 0; i < leaf.count; ++i) {
+        const auto t = hit_shape(leaf.shapes[i], ray, {min, best.t});
+        if (!t || (*t == best.t && leaf.number[i] < best.number)) continue;
+        best = {*t, leaf.number[i], static_cast<std::int32_t>(i)};
+        changed = true;
+    }
+    return changed;
+}
+
+// True if a shape of a leaf wins against the hit at `end`, other than that hit's own.
+template <class Shape>
+RT_INLINED bool any_in_leaf(const WideLeaf<Shape>& leaf, const Ray& ray, Real min,
+                            const WideHit& end) {
+    WideHit best = end;
+    return hit_leaf(leaf, ray, min, best) && best.number != end.number;
 }
 
 }  // namespace rt

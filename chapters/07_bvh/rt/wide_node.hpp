@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
-#include <cstdint>
 #include <rt/box.hpp>
 #include <rt/vector_registers.hpp>
 #include <rt/wide.hpp>
+#include <rt/wide_child.hpp>
 #include <rt/wide_ray.hpp>
 
 namespace rt {
@@ -14,9 +14,9 @@ template <class Number>
 struct alignas(64) WideNode {
     // The low planes of all children along x, y and z, then the high ones.
     std::array<std::array<Lanes<Number>, 3>, 2> planes;
-    Lanes<std::int32_t> child;  // a node, or ~leaf, which is negative
+    Lanes<WideChild> child;
 
-    void set(std::size_t i, const Box& box, std::int32_t of) {
+    void set(std::size_t i, const Box& box, WideChild of) {
         for (int axis = 0; axis < 3; ++axis) {
             const auto k = static_cast<std::size_t>(axis);
             planes[0][k][i] = static_cast<Number>(along(box.low, axis));
@@ -40,15 +40,15 @@ RT_INLINED BoxesHit<Number> hit_boxes(const WideNode<Number>& node, const WideRa
     for (std::size_t first = 0; first < lanes; first += part_size<Number>) {
         Part<Number> in = Part<Number>{} + min, out = Part<Number>{} + max;
         for (std::size_t k = 0; k < 3; ++k) {
-            const Part<Number> near = load_part(node.planes[ray.near[k]][k], first),
-                               far = load_part(node.planes[1 - ray.near[k]][k], first);
+            const Part<Number> near = load<Part<Number>>(&node.planes[ray.near[k]][k][first]),
+                               far = load<Part<Number>>(&node.planes[1 - ray.near[k]][k][first]);
             const Part<Number> entry = (near - ray.near_origin[k]) * ray.inverse[k],
                                exit = (far - ray.far_origin[k]) * ray.inverse[k];
             // A t that is NaN fails the comparison, and its plane does not count.
             in = entry > in ? entry : in;
             out = exit < out ? exit : out;
         }
-        store_part(in, hit.entry, first);
+        store(in, &hit.entry[first]);
         hit.met |= RT_VECTOR_BITS(in <= out) << first;
     }
     return hit;

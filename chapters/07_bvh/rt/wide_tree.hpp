@@ -2,7 +2,6 @@
 #include <array>
 #include <bit>
 #include <optional>
-#include <rt/sphere_list.hpp>
 #include <rt/tree.hpp>
 #include <rt/wide_leaf.hpp>
 #include <rt/wide_node.hpp>
@@ -11,29 +10,31 @@
 
 namespace rt {
 
-// A world of spheres in a tree with eight children per node and up to eight spheres per leaf
-// (given). It gives the hits of SphereList, bit for bit, in scenes with coordinates and radii of
-// 1e-15 to 1e15 in size. The boxes' coordinates are of type Number: float is enough for boxes, even
-// if Real is double. make_wide_tree in wide_builder.hpp makes such a tree.
-template <class Number>
+// A world of shapes in a tree with eight children per node and up to eight shapes per leaf (given).
+// It gives the hits of a list, bit for bit, in scenes with coordinates and radii of 1e-15 to 1e15
+// in size. The boxes' coordinates are of type Number: float is enough for boxes, even if Real is
+// double. make_wide_tree in wide_builder.hpp makes such a tree.
+template <class Shape, class Number = float>
 struct WideTreeOf {
-    std::vector<WideNode<Number>> nodes;  // the first is the root; empty without spheres
-    std::vector<WideLeaf> leaves;
+    std::vector<WideNode<Number>> nodes;  // the first is the root; empty without shapes
+    std::vector<WideLeaf<Shape>> leaves;
 
     // The most nodes on the way down to a leaf: each replaces at least one split of the binary tree
     // that it was made from.
-    static constexpr std::size_t most_nodes = most_levels + halvings(most_spheres, leaf_size);
+    static constexpr std::size_t most_nodes =
+        most_levels + halvings(std::numeric_limits<std::int32_t>::max(), leaf_size);
 
     struct Found {
         WideHit best;
-        const WideLeaf* leaf = nullptr;       // the leaf of the sphere that was hit, if any
-        int box_tests = 0, sphere_tests = 0;  // eight tests at once count as one
+        const WideLeaf<Shape>* leaf = nullptr;  // the leaf of the shape that was hit, if any
+        int box_tests = 0, shape_tests = 0;     // eight tests at once count as one
     };
 
-    // The search may begin at any node or leaf, with a hit at within.max that has this tag.
-    Found search(const Ray& ray, Interval within, std::int32_t child = 0,
-                 std::int32_t tag = -1) const {
-        Found found{{within.max, tag}};
+    // The search may begin at any node or leaf, with a hit at within.max on the shape of this
+    // number.
+    Found search(const Ray& ray, Interval within, WideChild child = WideChild::node(0),
+                 std::int32_t number = -1) const {
+        Found found{{within.max, number}};
         if (nodes.empty()) return found;
         const WideRay<Number> wide{ray};
         const auto scaled = [&](Real t) { return static_cast<Number>(t * wide.scale); };
@@ -43,14 +44,14 @@ struct WideTreeOf {
         // one may wait.
         struct Waiting {
             Number entry;
-            std::int32_t child;
+            WideChild child;
         };
         std::array<Waiting, (lanes - 1) * most_nodes> stack;
         std::size_t waiting = 0;
         for (;;) {
-            if (child >= 0) {
+            if (!child.is_leaf()) {
                 ++found.box_tests;
-                const WideNode<Number>& node = nodes[static_cast<std::size_t>(child)];
+                const WideNode<Number>& node = nodes[static_cast<std::size_t>(child.number())];
                 const BoxesHit<Number> hit = hit_boxes(node, wide, min, max);
                 if (hit.met != 0) {
                     const auto waiting_at = [&](unsigned met) -> Waiting {
@@ -73,8 +74,8 @@ struct WideTreeOf {
                     continue;
                 }
             } else {
-                ++found.sphere_tests;
-                const WideLeaf& leaf = leaves[static_cast<std::size_t>(~child)];
+                ++found.shape_tests;
+                const WideLeaf<Shape>& leaf = leaves[static_cast<std::size_t>(child.number())];
                 if (hit_leaf(leaf, ray, within.min, found.best)) {
                     found.leaf = &leaf;
                     max = scaled(with_origin({within.min, found.best.t}).max);
@@ -90,16 +91,40 @@ struct WideTreeOf {
 
     template <class AnyRay>
     std::optional<Hit> hit(const AnyRay& any_ray, Interval within) const {
-        const Ray ray{any_ray.origin, any_ray.direction};
+        const Ray& ray = any_ray;  // not a copy, if it is a plain one
         const Found found = search(ray, within);
         if (!found.leaf) return {};
-        const std::size_t place = found.best.place();
-        Hit hit = surface_hit(found.leaf->sphere(place), ray, found.best.t);
-        hit.material = found.leaf->material[place];
-        return hit;
+        return found.leaf->hit(found.best.place, ray, found.best.t);
+    }
+
+    // True if anything is hit within the interval, whatever it is: the search ends at the first hit
+    // that it comes to. If the ray meets the shape of this number at within.max, the question is
+    // whether it meets another one before, by the rules of hit().
+    template <class AnyRay>
+    bool occluded(const AnyRay& any_ray, Interval within, std::int32_t number = -1) const {
+        if (nodes.empty()) return false;
+        const Ray& ray = any_ray;  // not a copy, if it is a plain one
+        const WideHit end{within.max, number};
+        const WideRay<Number> wide{ray};
+        const auto min = static_cast<Number>(with_origin(within).min * wide.scale);
+        const auto max = static_cast<Number>(with_origin(within).max * wide.scale);
+        std::array<WideChild, (lanes - 1) * most_nodes + 1> stack;
+        stack[0] = WideChild::node(0);
+        for (std::size_t waiting = 1; waiting > 0;) {
+            const WideChild child = stack[--waiting];
+            const auto index = static_cast<std::size_t>(child.number());
+            if (child.is_leaf()) {
+                if (any_in_leaf(leaves[index], ray, within.min, end)) return true;
+                continue;
+            }
+            const WideNode<Number>& node = nodes[index];
+            for (unsigned met = hit_boxes(node, wide, min, max).met; met; met &= met - 1)
+                stack[waiting++] = node.child[static_cast<std::size_t>(std::countr_zero(met))];
+        }
+        return false;
     }
 };
 
-using WideTree = WideTreeOf<float>;
+using WideTree = WideTreeOf<SceneSphere>;
 
 }  // namespace rt

@@ -26,16 +26,19 @@ struct NamedEffect {
     bool Effects::*member;
 };
 
-inline constexpr std::array<NamedEffect, 10> all_effects{{{"mirror", &Effects::mirror},
-                                                          {"fuzz", &Effects::fuzz},
-                                                          {"glass", &Effects::glass},
-                                                          {"texture", &Effects::texture},
-                                                          {"lens", &Effects::lens},
-                                                          {"motion", &Effects::motion},
-                                                          {"lights", &Effects::lights},
-                                                          {"fog", &Effects::fog},
-                                                          {"instances", &Effects::instances},
-                                                          {"own", &Effects::own}}};
+inline constexpr std::array all_effects{
+    NamedEffect{"mirror", &Effects::mirror},       NamedEffect{"fuzz", &Effects::fuzz},
+    NamedEffect{"glass", &Effects::glass},         NamedEffect{"texture", &Effects::texture},
+    NamedEffect{"lens", &Effects::lens},           NamedEffect{"motion", &Effects::motion},
+    NamedEffect{"lights", &Effects::lights},       NamedEffect{"fog", &Effects::fog},
+    NamedEffect{"instances", &Effects::instances}, NamedEffect{"own", &Effects::own}};
+
+// All of them.
+inline constexpr Effects every_effect = [] {
+    Effects every;
+    for (const NamedEffect& effect : all_effects) every.*effect.member = true;
+    return every;
+}();
 
 // The number of effects in this set.
 constexpr int count(const Effects& effects) {
@@ -49,6 +52,13 @@ constexpr bool covers(const Effects& present, const Effects& needed) {
     for (const NamedEffect& effect : all_effects)
         if (needed.*effect.member && !(present.*effect.member)) return false;
     return true;
+}
+
+// The effects in a, in b or in both.
+constexpr Effects with(Effects a, const Effects& b) {
+    for (const NamedEffect& effect : all_effects)
+        if (b.*effect.member) a.*effect.member = true;
+    return a;
 }
 
 // The effects in a that are not in b.

@@ -19,8 +19,8 @@ struct Fog {
     Sphere region;
     Real density = 0;       // how many droplets light meets per unit of length, 0 or more
     Color albedo{1, 1, 1};  // the share of light that a droplet scatters, each channel in [0, 1]
-    // The mean cosine of the turn, in (-1, 1); 0 scatters evenly. Also called anisotropy, or g.
-    Real forwardness = 0;
+    // The mean cosine of the turn, in (-1, 1); 0 scatters evenly: the asymmetry parameter, g.
+    Real asymmetry = 0;
 };
 
 // The share of light that gets through fog of this length: exp(-density * length).
@@ -38,19 +38,19 @@ inline Real free_flight(Real density, Real number) {
 // The probability density, per solid angle, of a turn with this cosine between the directions
 // before and after.
 // Source: Henyey and Greenstein, "Diffuse radiation in the galaxy", 1941.
-inline Real phase_density(Real forwardness, Real cosine) {
+inline Real phase_density(Real asymmetry, Real cosine) {
     // Favoring the way back is the same as favoring the way ahead with the sign of the cosine
     // changed. Rounding may put a computed cosine a little above 1.
-    const Real g = std::abs(forwardness);
-    const Real away = std::max(Real(0), 1 - (forwardness < 0 ? -cosine : cosine));
+    const Real g = std::abs(asymmetry);
+    const Real away = std::max(Real(0), 1 - (asymmetry < 0 ? -cosine : cosine));
     // (1 - g)^2 + 2 g (1 - cosine): nothing cancels if g and the cosine are close to 1.
     const Real squared = (1 - g) * (1 - g) + 2 * g * away;
     return (1 - g) * (1 + g) / (4 * pi * squared * std::sqrt(squared));
 }
 
 // A direction drawn with that density.
-inline Vec3 phase_direction(Real forwardness, Vec3 incoming, Vec2 place) {
-    const Real g = forwardness;
+inline Vec3 phase_direction(Real asymmetry, Vec3 incoming, Vec2 place) {
+    const Real g = asymmetry;
     // The usual cosine = (1 + g^2 - ((1 - g^2) / d)^2) / 2g with this d cancels for small g.
     // 1 - cosine as a product does not, and for g = 0 it is 2 (1 - x): evenly spread.
     const Real d = 1 - g + 2 * g * place.x;
@@ -109,10 +109,10 @@ struct FogBall {
     // How a path goes on from a droplet.
     template <class Random>
     Scatter scatter(Vec3 incoming, Random& random) const {
-        return {fog.albedo, phase_direction(fog.forwardness, incoming, random_place(random))};
+        return {fog.albedo, phase_direction(fog.asymmetry, incoming, random_place(random))};
     }
     Real density(Vec3 incoming, Vec3 outgoing) const {
-        return phase_density(fog.forwardness, dot(incoming, outgoing));
+        return phase_density(fog.asymmetry, dot(incoming, outgoing));
     }
 
     // The share of light that gets this far along a ray.

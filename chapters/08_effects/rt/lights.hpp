@@ -1,76 +1,123 @@
 #pragma once
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <rt/color.hpp>
 #include <rt/hit.hpp>
+#include <rt/hit_sphere.hpp>
 #include <rt/interval.hpp>
+#include <rt/ray.hpp>
 #include <rt/sphere_light.hpp>
+#include <variant>
 #include <vector>
 
 namespace rt {
 
-// A sphere that shines both outward and inward.
-struct SphereLight {
-    Sphere shape;
+// The shapes that lights may have. A chapter that adds one writes for it what 08.3 has for spheres,
+// light_density and sample_light, and hit_light.
+using LightShape = std::variant<Sphere>;
+
+// Where a ray meets a light.
+inline std::optional<Real> hit_light(const Sphere& shape, const Ray& ray, Interval within) {
+    return hit_sphere(shape, ray, within);
+}
+
+// A light of a scene: a shape that shines both outward and inward.
+struct Light {
+    LightShape shape;
     Color radiance;
+    int material = 0;  // nothing else has this material, so it tells which light was hit
+    int number = -1;   // of a sphere, among those that stand still
 };
 
 // A sample of one of a scene's lights.
 struct ChosenLight {
     LightSample sample;  // its density is that of choosing this light and this direction
     Color radiance;
-    int material = 0;
+    const Light* light = nullptr;
 };
 
 // A scene without lights (given): the compiler removes every call to it.
 struct NoLights {
     static constexpr bool empty() { return true; }
-    static const SphereLight* find(const Hit&) { return nullptr; }
-    static Real density(const SphereLight&, Vec3) { return 0; }
+    static const Light* find(const Hit&) { return nullptr; }
+    static Real density(const Light&, Vec3) { return 0; }
     template <class Random>
     static std::optional<ChosenLight> choose(Vec3, Random&) {
         return {};
     }
 };
 
-// The lights of a scene (given). In the world, light k is a sphere of material first_material + k;
-// no other sphere has a material with such a number.
-struct SphereLights {
-    std::vector<SphereLight> lights;
-    int first_material = 0;
+// The lights of a scene (given).
+class SceneLights {
+  public:
+    SceneLights() = default;
+    explicit SceneLights(std::vector<Light> all) {
+        for (const Light& light : all) add(light);
+    }
 
-    bool empty() const { return lights.empty(); }
+    void add(const Light& light) {
+        const auto material = static_cast<std::size_t>(light.material);
+        if (material >= light_of_.size()) light_of_.resize(material + 1, none);
+        light_of_[material] = static_cast<std::int32_t>(lights_.size());
+        lights_.push_back(light);
+    }
+
+    bool empty() const { return lights_.empty(); }
+    const std::vector<Light>& all() const { return lights_; }
 
     // The light that was hit; null if it was not a light.
-    const SphereLight* find(const Hit& hit) const {
-        if (hit.material < first_material) return nullptr;
-        return &lights[static_cast<std::size_t>(hit.material - first_material)];
+    const Light* find(const Hit& hit) const {
+        const auto material = static_cast<std::size_t>(hit.material);
+        if (material >= light_of_.size() || light_of_[material] == none) return nullptr;
+        return &lights_[static_cast<std::size_t>(light_of_[material])];
     }
 
     // The probability density with which choose() takes a direction in which this light is seen.
-    Real density(const SphereLight& light, Vec3 from) const {
-        return light_density(light.shape, from) / static_cast<Real>(lights.size());
+    Real density(const Light& light, Vec3 from) const {
+        const auto of_shape = [&](const auto& shape) { return light_density(shape, from); };
+        return std::visit(of_shape, light.shape) / static_cast<Real>(lights_.size());
     }
 
     // One of the lights, each equally likely, and a direction to it.
     template <class Random>
     std::optional<ChosenLight> choose(Vec3 from, Random& random) const {
-        const auto count = static_cast<Real>(lights.size());
+        const auto count = static_cast<Real>(lights_.size());
         const auto number =
-            std::min(static_cast<std::size_t>(random.uniform() * count), lights.size() - 1);
-        auto sample = sample_light(lights[number].shape, from, random_place(random));
+            std::min(static_cast<std::size_t>(random.uniform() * count), lights_.size() - 1);
+        const Light& light = lights_[number];
+        const Vec2 place = random_place(random);
+        const auto of_shape = [&](const auto& shape) { return sample_light(shape, from, place); };
+        std::optional<LightSample> sample = std::visit(of_shape, light.shape);
         if (!sample) return {};
         sample->density /= count;
-        return ChosenLight{*sample, lights[number].radiance,
-                           first_material + static_cast<int>(number)};
+        return ChosenLight{*sample, light.radiance, &light};
     }
+
+  private:
+    static constexpr std::int32_t none = -1;
+    std::vector<Light> lights_;
+    std::vector<std::int32_t> light_of_;  // of each material, or none
 };
 
-// True if nothing is between a ray's origin and the light along it. What the ray meets first may be
-// the light itself, so no distance must be compared with one that was rounded in another way.
+// True if nothing is between a ray's origin and the light along it. A world that can say whether
+// anything is in the way is asked no more than that; others are asked for the nearest hit.
 template <class World, class AnyRay>
-bool sees_light(const World& world, const AnyRay& ray, const ChosenLight& light) {
-    const auto hit = world.hit(ray, Interval{0, light.sample.distance});
+bool sees_light(const World& world, const AnyRay& ray, const ChosenLight& chosen) {
+    const Light& light = *chosen.light;
+    const Interval way{0, chosen.sample.distance};
+    if constexpr (requires { world.occluded(ray, way, light.number); })
+        if (light.number >= 0) {
+            // The light itself is not in its own way. So the ray ends where it meets the light by
+            // the same formula as any other shape, and not at a distance that was rounded in
+            // another way.
+            const Ray plain{ray.origin, ray.direction};
+            const auto of_shape = [&](const auto& shape) { return hit_light(shape, plain, way); };
+            const std::optional<Real> t = std::visit(of_shape, light.shape);
+            return t ? !world.occluded(ray, {0, *t}, light.number) : !world.occluded(ray, way, -1);
+        }
+    const std::optional<Hit> hit = world.hit(ray, way);
     return !hit || hit->material == light.material;
 }
 

@@ -1,12 +1,8 @@
 #pragma once
 #include <optional>
 #include <rt/bounds.hpp>
-#include <rt/sphere_tree.hpp>
-#include <rt/split_by_area.hpp>
-#include <rt/two_worlds.hpp>
-#include <rt/wide_tree.hpp>
-#include <span>
-#include <vector>
+#include <rt/shape_tree.hpp>
+#include <rt/timed_ray.hpp>
 
 namespace rt {
 
@@ -33,51 +29,13 @@ inline Box bounds_of(const MovingSphere& sphere) {
                 bounds_of(Sphere{end.center, end.radius + larger}));
 }
 
-// A search among spheres, each where it is at the ray's time.
-struct MovingSearch : Search {
-    std::span<const Vec3> motions;
-    Real time = 0;
-
-    Sphere sphere(int number) const {
-        const auto i = static_cast<std::size_t>(number);
-        return moved(spheres[i].shape, time * motions[i]);
-    }
-    std::optional<Real> meets_sphere(int number) {
-        ++sphere_tests;
-        return hit_sphere(sphere(number), ray, within);
-    }
-};
-
-// A tree of moving spheres: each is in the box around all its positions.
-struct MovingTree {
-    SphereTree tree;
-    std::vector<Vec3> motions;
-
-    // The nearest hit at the ray's time.
-    template <class TimedRay>
-    std::optional<Hit> hit(const TimedRay& timed, Interval within) const {
-        if (!tree.root) return {};
-        MovingSearch search{{tree.spheres, tree.order, {timed.origin, timed.direction}, within},
-                            motions,
-                            timed.time};
-        find_nearest(*tree.root, search);
-        return hit_of(search);
-    }
-};
-
-inline MovingTree make_moving_tree(const std::vector<MovingSphere>& spheres) {
-    std::vector<SceneSphere> at_start;
-    std::vector<Box> boxes;
-    std::vector<Vec3> motions;
-    for (const MovingSphere& sphere : spheres) {
-        at_start.push_back({sphere.shape, sphere.material});
-        boxes.push_back(bounds_of(sphere));
-        motions.push_back(sphere.motion);
-    }
-    return {make_tree(std::move(at_start), boxes, split_by_area), std::move(motions)};
+// It is hit where it is at the ray's time.
+inline std::optional<Real> hit_shape(const MovingSphere& sphere, const TimedRay& ray,
+                                     Interval within) {
+    return hit_sphere(sphere_at(sphere, ray.time), ray, within);
 }
-
-// A world in which some spheres move and most stand still.
-using MovingWorld = TwoWorlds<WideTree, MovingTree>;
+inline Hit surface_hit(const MovingSphere& sphere, const TimedRay& ray, Real t) {
+    return surface_hit(SceneSphere{sphere_at(sphere, ray.time), sphere.material}, ray, t);
+}
 
 }  // namespace rt

@@ -15,30 +15,30 @@ struct Place {
     const Materials& materials;
     const Medium& fog;
     std::optional<Hit> hit;
-    std::optional<Real> droplet;  // its t, if there is one before the hit
-    Vec3 point, incoming;         // the point, and the direction of the ray that led there
+    std::optional<Real> collision;  // its t, if there is one before the hit
+    Vec3 point, incoming;           // the point, and the direction of the ray that led there
 
-    bool is_sky() const { return !hit && !droplet; }
+    bool is_sky() const { return !hit && !collision; }
 
     // The light that was met; null if it is not a light.
     template <class Lights>
-    const SphereLight* light(const Lights& lights) const {
-        return droplet ? nullptr : lights.find(*hit);
+    const Light* light(const Lights& lights) const {
+        return collision ? nullptr : lights.find(*hit);
     }
     // How the path goes on from here; none if it is absorbed.
     template <class Random>
     std::optional<Scatter> scatter(Random& random) const {
-        if (droplet) return fog.scatter(incoming, random);
+        if (collision) return fog.scatter(incoming, random);
         return materials(incoming, *hit, random);
     }
     // The probability density, per solid angle, with which scatter() takes a direction; 0 for
     // mirrors, glass and rough metal, for which light cannot be sampled.
     Real density(Vec3 direction) const {
-        return droplet ? fog.density(incoming, direction)
-                       : scatter_density(materials, *hit, direction);
+        return collision ? fog.density(incoming, direction)
+                         : scatter_density(materials, *hit, direction);
     }
     // Where a ray that leaves in this direction begins.
-    Vec3 origin(Vec3 direction) const { return droplet ? point : leave_surface(*hit, direction); }
+    Vec3 origin(Vec3 direction) const { return collision ? point : leave_surface(*hit, direction); }
 };
 
 // Follows a ray to its end. Within glass there is no fog.
@@ -48,9 +48,9 @@ Place<Materials, Medium> next_place(const AnyRay& ray, const World& world,
     Place<Materials, Medium> place{materials, fog, world.hit(ray, Interval{0, infinity}),
                                    {},        {},  ray.direction};
     if (!(place.hit && came_through_glass(materials, *place.hit)))
-        place.droplet = fog.meets(ray, place.hit ? place.hit->t : infinity, random);
-    if (place.droplet)
-        place.point = ray.origin + *place.droplet * ray.direction;
+        place.collision = fog.meets(ray, place.hit ? place.hit->t : infinity, random);
+    if (place.collision)
+        place.point = ray.origin + *place.collision * ray.direction;
     else if (place.hit)
         place.point = place.hit->point;
     return place;

@@ -1,10 +1,9 @@
 #pragma once
 #include <rt/lambertian.hpp>
 #include <rt/lights.hpp>
-#include <rt/material_set.hpp>
-#include <rt/mirror.hpp>
 #include <rt/moving_spheres.hpp>
 #include <rt/placed_sphere.hpp>
+#include <rt/renderer_materials.hpp>
 #include <rt/scene.hpp>
 #include <rt/sphere_list.hpp>
 #include <type_traits>
@@ -13,15 +12,15 @@
 
 namespace rt {
 
-// The spheres of a scene, sorted for the renderers (given).
+// The shapes of a scene, sorted by type for the renderers (given).
 struct Prepared {
     std::vector<SceneSphere> still;  // lights, too
     std::vector<MovingSphere> moving;
     std::vector<Instance> instances;
-    std::vector<SphereLight> lights;  // light k is the sphere of material materials.size() + k
+    std::vector<Light> lights;  // their materials come after those of the scene
 };
 
-inline Prepared prepare_spheres(const SceneDescription& scene) {
+inline Prepared prepare_shapes(const SceneDescription& scene) {
     Prepared prepared;
     const Real shutter = scene.camera.shutter;
     for (const SphereDescription& sphere : scene.spheres) {
@@ -31,9 +30,10 @@ inline Prepared prepare_spheres(const SceneDescription& scene) {
             const Mat4& map = scene.maps[static_cast<std::size_t>(sphere.map)];
             prepared.instances.push_back(make_instance(map, sphere.material));
         } else if (emitter && emitter->radiance != Color{}) {
-            const auto number = scene.materials.size() + prepared.lights.size();
-            prepared.still.push_back({sphere.shape, static_cast<int>(number)});
-            prepared.lights.push_back({sphere.shape, emitter->radiance});
+            const auto own = static_cast<int>(scene.materials.size() + prepared.lights.size());
+            const auto number = static_cast<int>(prepared.still.size());
+            prepared.still.push_back({sphere.shape, own});
+            prepared.lights.push_back({sphere.shape, emitter->radiance, own, number});
         } else if (shutter > 0 && sphere.velocity != Vec3{}) {
             prepared.moving.push_back({sphere.shape, shutter * sphere.velocity, sphere.material});
         } else {
@@ -43,46 +43,39 @@ inline Prepared prepare_spheres(const SceneDescription& scene) {
     return prepared;
 }
 
-// A material as a renderer uses it: metal without fuzz, which draws no random numbers, is a Mirror,
-// and an image is looked up.
-using ReadyMaterial =
-    std::variant<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>;
-
-inline ReadyMaterial ready(const MaterialDescription& material, const std::vector<Image>& images) {
-    struct Sort {
-        const std::vector<Image>& images;
-        ReadyMaterial operator()(const Metal& metal) const {
-            if (metal.fuzz == 0) return Mirror{metal.albedo};
-            return metal;
-        }
-        ReadyMaterial operator()(const PictureMatte& picture) const {
-            return ImageMatte{&images[static_cast<std::size_t>(picture.image)]};
-        }
-        // Only an emitter without light is ever asked what it reflects, which is nothing.
-        ReadyMaterial operator()(const Emitter&) const { return Lambertian{}; }
-        ReadyMaterial operator()(const Lambertian& matte) const { return matte; }
-        ReadyMaterial operator()(const Dielectric& glass) const { return glass; }
-        ReadyMaterial operator()(const CheckeredMatte& checker) const { return checker; }
-        ReadyMaterial operator()(const OwnMaterial& own) const { return own; }
-    };
-    return std::visit(Sort{images}, material);
+// A material as renderers keep it.
+template <class Material>
+ReadyMaterial ready(const Material& material, const std::vector<Image>&) {
+    return material;
+}
+inline ReadyMaterial ready(const Metal& metal, const std::vector<Image>&) {
+    if (metal.fuzz == 0) return Mirror{metal.albedo};
+    return metal;
+}
+inline ReadyMaterial ready(const PictureMatte& picture, const std::vector<Image>& images) {
+    return ImageMatte{&images[static_cast<std::size_t>(picture.image)]};
+}
+// It reflects nothing.
+inline ReadyMaterial ready(const Emitter&, const std::vector<Image>&) {
+    return Lambertian{};
 }
 
 // The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet. If the
-// renderer does not have a material's type, no sphere is made of it.
+// renderer does not have a material's type, nothing is made of it. Each light has one of its own.
 template <class Materials>
-Materials prepare_materials(const SceneDescription& scene) {
+Materials prepare_materials(const SceneDescription& scene, std::size_t lights = 0) {
     using Element = typename decltype(Materials::materials)::value_type;
     Materials prepared;
-    for (const MaterialDescription& material : scene.materials)
-        std::visit(
-            [&](const auto& kind) {
-                if constexpr (std::is_constructible_v<Element, decltype(kind)>)
-                    prepared.materials.emplace_back(kind);
-                else
-                    prepared.materials.emplace_back(Lambertian{});
-            },
-            ready(material, scene.images));
+    const auto add = [&](const auto& material) {
+        if constexpr (std::is_constructible_v<Element, decltype(material)>)
+            prepared.materials.emplace_back(material);
+        else
+            prepared.materials.emplace_back(Lambertian{});
+    };
+    for (const MaterialDescription& description : scene.materials)
+        std::visit([&](const auto& material) { std::visit(add, ready(material, scene.images)); },
+                   description);
+    for (std::size_t i = 0; i < lights; ++i) prepared.materials.emplace_back(Lambertian{});
     return prepared;
 }
 

@@ -15,13 +15,13 @@ struct JitteredSamples {
     int count = 1;
 
     // The average of path(ray, random) over the samples.
-    template <class Eye, class Path>
-    Color average(const Eye& eye, int column, int row, const Path& path) const {
+    template <class AnyCamera, class Path>
+    Color average(const AnyCamera& camera, int column, int row, const Path& path) const {
         Rng places = pixel_rng(seed, column, row);
         int sample = 0;
         return pixel_average(count, places, [&](Vec2 offset) {
             Rng random = sample_rng(seed, column, row, sample++);
-            return path(make_ray(eye, column, row, offset, random), random);
+            return path(make_ray(camera, column, row, offset, random), random);
         });
     }
 };
@@ -48,8 +48,8 @@ class Renderer {
     // that of JitteredSamples.
     template <class Samples>
     Color operator()(const Samples& samples, int column, int row, std::uint64_t& rays) const {
-        return pixel(CountingWorld<typename Parts<effects>::World>{scene_.world, rays}, samples,
-                     column, row);
+        return pixel(CountingWorld<typename RendererTypes<effects>::World>{scene_.world, rays},
+                     samples, column, row);
     }
 
   private:
@@ -66,7 +66,7 @@ class Renderer {
     template <class World, class Samples>
     RT_INLINES_ALL Color plain_pixel(const World& world, const Samples& samples, int column,
                                      int row) const {
-        return samples.average(scene_.eye, column, row, [&](const auto& ray, auto& random) {
+        return samples.average(scene_.camera, column, row, [&](const auto& ray, auto& random) {
             return path_radiance(ray, world, scene_.materials, scene_.sky, SkyEnding{},
                                  quality_.depth, random);
         });
@@ -75,7 +75,7 @@ class Renderer {
     // The same with the loop of this chapter.
     template <class World, class Samples>
     Color lit_pixel(const World& world, const Samples& samples, int column, int row) const {
-        return samples.average(scene_.eye, column, row, [&](const auto& ray, auto& random) {
+        return samples.average(scene_.camera, column, row, [&](const auto& ray, auto& random) {
             return lit_path_radiance(ray, world, scene_.materials, scene_.sky, scene_.lights,
                                      scene_.fog, SkyEnding{}, quality_.depth, random);
         });

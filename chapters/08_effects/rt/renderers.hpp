@@ -7,8 +7,9 @@
 
 namespace rt {
 
-// The color of a pixel; the rays that it took are added to `rays`.
-using PixelShader = std::function<Color(int column, int row, std::uint64_t& rays)>;
+// The color of a pixel with this seed; the rays that it took are added to `rays`.
+using PixelShader =
+    std::function<Color(int column, int row, std::uint64_t seed, std::uint64_t& rays)>;
 
 // The renderers that are compiled (given), each for one of these sets of effects: 28 of 1024
 // possible ones. They vary in the four choices where this pays off, and only in the combinations
@@ -18,9 +19,8 @@ using PixelShader = std::function<Color(int column, int row, std::uint64_t& rays
 //              up; an alternative that is not used costs little more than its place in a table
 //   motion, lights, fog   each there or not; all materials with them
 //   instances  alone, with lights, or with motion, lights and fog; all materials with them
-// The material of 05.6 is in the widest alone, which have everything.
-inline constexpr Effects with_all{true, true, true, true, true, true, true, true, true, true};
-
+// The material of 05.6 is in the widest alone, which have everything, and so is any effect that a
+// later chapter adds.
 inline constexpr auto renderer_effects = [] {
     const Effects all_materials{.mirror = true, .fuzz = true, .glass = true, .texture = true};
     const std::array<Effects, 4> materials{
@@ -40,16 +40,15 @@ inline constexpr auto renderer_effects = [] {
             effects.fog = beyond & 4;
             all[count++] = effects;
         }
-        for (const int beyond : {0, 2, 7}) {
+        for (const bool lights : {false, true}) {
             Effects effects = all_materials;
             effects.lens = lens;
             effects.instances = true;
-            effects.own = beyond == 7;
-            effects.motion = beyond & 1;
-            effects.lights = beyond & 2;
-            effects.fog = beyond & 4;
+            effects.lights = lights;
             all[count++] = effects;
         }
+        all[count] = every_effect;
+        all[count++].lens = lens;
     }
     return all;
 }();
@@ -62,8 +61,9 @@ template <Effects effects>
 PixelShader make_shader(const SceneDescription& scene, int width, int height,
                         const Quality& quality) {
     auto renderer = std::make_shared<const Renderer<effects>>(scene, width, height, quality);
-    return [renderer](int column, int row, std::uint64_t& rays) {
-        return (*renderer)(column, row, rays);
+    return [renderer, count = quality.samples_per_pixel](int column, int row, std::uint64_t seed,
+                                                         std::uint64_t& rays) {
+        return (*renderer)(JitteredSamples{seed, count}, column, row, rays);
     };
 }
 

@@ -4,6 +4,7 @@
 #include <rt/camera.hpp>
 #include <rt/color.hpp>
 #include <rt/dielectric.hpp>
+#include <rt/effects.hpp>
 #include <rt/fog.hpp>
 #include <rt/image.hpp>
 #include <rt/lambertian.hpp>
@@ -63,5 +64,11 @@ struct SceneDescription {
     std::vector<SphereDescription> spheres;
     RenderSettings settings;
 };
+
+// The effects that a scene calls for beyond those of 08.1. A chapter that adds a kind of shape, of
+// material or of light adds it to the lists above, and says here when a scene has it.
+inline Effects added_effects(const SceneDescription& /*scene*/) {
+    return {};
+}
 
 }  // namespace rt

@@ -65,9 +65,8 @@ bool came_through_glass(const MaterialList<Material>&, const Hit& hit) {
 template <class... Types>
 bool came_through_glass(const MaterialSet<Types...>& set, const Hit& hit) {
     if constexpr ((std::is_same_v<Types, Dielectric> || ...)) {
-        const auto number = static_cast<std::size_t>(hit.material);
-        return !hit.front && number < set.materials.size() &&
-               std::holds_alternative<Dielectric>(set.materials[number]);
+        return !hit.front && std::holds_alternative<Dielectric>(
+                                 set.materials[static_cast<std::size_t>(hit.material)]);
     } else {
         return false;
     }

@@ -1,13 +1,16 @@
 #pragma once
-#include <rt/vec3.hpp>
+#include <rt/ray.hpp>
 
 namespace rt {
 
 // A ray with a time (given): 0 as the shutter opens, 1 as it closes. The path loop passes the time
-// on from bounce to bounce without knowing about it.
+// on from bounce to bounce without knowing about it. What does not ask for the time takes it as a
+// plain ray.
 struct TimedRay {
     Vec3 origin, direction;
     Real time = 0;
+
+    operator Ray() const { return {origin, direction}; }
 };
 
 }  // namespace rt

@@ -4,17 +4,17 @@
 #include <memory>
 #include <rt/batch_renderer.hpp>
 #include <rt/choose_renderer.hpp>
-#include <rt/effects_of.hpp>
+#include <rt/needed_effects.hpp>
 #include <utility>
 
 #include "few_effects.hpp"
-#include "tile_drawing.hpp"
+#include "tile_renderer.hpp"
 
 namespace batches {
 namespace {
 
 using namespace rt;
-using effects::DrawSeededTile, effects::SeededDrawing;
+using effects::DrawTile;
 
 // A batch asks which kernel it needs once, not once per ray, so an effect that is compiled
 // in but not used costs little. What does cost time is leaving the kernels for packs,
@@ -22,8 +22,8 @@ using effects::DrawSeededTile, effects::SeededDrawing;
 using effects::few_effects;
 
 template <Effects effects>
-std::function<DrawSeededTile()> make_workers(const SceneDescription& description, int width,
-                                             int height, const Quality& quality) {
+std::function<DrawTile()> make_workers(const SceneDescription& description, int width, int height,
+                                       const Quality& quality) {
     const auto scene = std::make_shared<const ReadyScene<effects>>(description, width, height);
     return [scene, quality] {
         const auto renderer = std::make_shared<BatchRenderer<effects>>(*scene, quality);
@@ -31,6 +31,7 @@ std::function<DrawSeededTile()> make_workers(const SceneDescription& description
                                  std::uint64_t& rays) {
             renderer->set_seed(seed);
             renderer->draw(tile, image, rays);
+            return pixel_count(tile);
         };
     };
 }
@@ -49,17 +50,14 @@ int tile_side(int samples_per_pixel) {
     return side;
 }
 
-SeededDrawing make_drawing(const SceneDescription& scene, int width, int height,
-                           const Quality& quality) {
-    const std::size_t number = narrowest(effects_of(scene), few_effects);
-    const Effects chosen = few_effects[number];
-    return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
-            makers[number](scene, width, height, quality),
-            tile_side(quality.samples_per_pixel)};
-}
-
-// Set before main() begins.
-[[maybe_unused]] const bool is_known = (effects::make_batch_drawing = make_drawing, true);
-
 }  // namespace
 }  // namespace batches
+
+effects::TileRenderer effects::make_batched(const rt::SceneDescription& scene, int width,
+                                            int height, const rt::Quality& quality) {
+    const std::size_t number = rt::narrowest(rt::needed_effects(scene), few_effects);
+    const rt::Effects chosen = few_effects[number];
+    return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
+            batches::makers[number](scene, width, height, quality),
+            batches::tile_side(quality.samples_per_pixel)};
+}

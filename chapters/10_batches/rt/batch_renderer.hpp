@@ -27,7 +27,11 @@ class BatchRenderer {
     // The scene must outlive the renderer.
     BatchRenderer(const ReadyScene<effects>& scene, const Quality& quality,
                   std::size_t most_paths = batch_size)
-        : scene_{scene}, quality_{quality}, batch_{scene, most_paths}, pixels_(most_paths) {
+        : scene_{scene},
+          quality_{quality},
+          batch_{scene, most_paths},
+          points_(most_paths),
+          pixels_(most_paths) {
         while ((cells_ + 1) * (cells_ + 1) <= quality.samples_per_pixel) ++cells_;
         for (int cell = 0; cell < cells_; ++cell)
             ends_.push_back(
@@ -48,16 +52,12 @@ class BatchRenderer {
             const auto add = [&](Vec2 first, Vec2 end) {
                 if (started_ == pixels_.size()) trace(rays);
                 pixels_[started_] = sum;
+                points_[started_] = {static_cast<Real>(column), static_cast<Real>(row), first,
+                                     random_place(places), end};
                 PathRecord& path = batch_.paths[started_];
                 path.random = sample_rng(quality_.seed, column, row, sample++);
                 path.sample = static_cast<std::int32_t>(started_++);
                 path.throughput = {1, 1, 1};
-                // For now, the record holds a sample point of the picture where it will hold a ray.
-                const Vec2 place = random_place(places);
-                path.origin = {static_cast<Real>(column), static_cast<Real>(row), first.x};
-                path.direction = {first.y, place.x, place.y};
-                path.t = end.x;
-                path.sphere = std::bit_cast<PackInteger>(end.y);
             };
             for (int down = 0; down < cells_; ++down)
                 for (int right = 0; right < cells_; ++right)
@@ -73,6 +73,14 @@ class BatchRenderer {
     }
 
   private:
+    // Where a path starts in the picture: at a place in a cell of a pixel (04.5).
+    struct SamplePoint {
+        Real column, row;
+        Vec2 first;  // the cell's first corner, in cells
+        Vec2 place;  // in the unit square
+        Vec2 end;    // the largest offset in the cell
+    };
+
     Real end_of(int cell) const { return ends_[static_cast<std::size_t>(cell)]; }
 
     // jittered_offset of 04.5: within a cell, or anywhere in the pixel if the cell has no end.
@@ -85,10 +93,11 @@ class BatchRenderer {
     void start(std::size_t from, std::size_t size) {
         PathRecord* const paths = &batch_.paths[from];
         const auto record = [&](std::size_t i) { return &paths[i]; };
-        const auto [column, row, first_x, first_y, x, y, end_x, end_y] = load_eight(size, record);
+        const auto [column, row, first_x, first_y, x, y, end_x, end_y] =
+            load_eight(size, [&](std::size_t i) { return &points_[from + i]; });
         const PixelPack pixel{
             column, row, {jittered(first_x, x, end_x), jittered(first_y, y, end_y)}};
-        const auto [origin, direction] = primary_rays(scene_.eye, pixel, paths, size);
+        const auto [origin, direction] = primary_rays(scene_.camera, pixel, paths, size);
         store(
             std::array<Pack, 8>{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z,
                                 pack_of(infinity), std::bit_cast<Pack>(PackMask{} - 1)},
@@ -96,7 +105,7 @@ class BatchRenderer {
         if constexpr (effects.motion)
             for (std::size_t i = 0; i < size; ++i)
                 batch_.times[from + i] =
-                    scene_.eye.anything_moves ? paths[i].random.uniform() : Real(0);
+                    scene_.camera.anything_moves ? paths[i].random.uniform() : Real(0);
     }
 
     // Follows all paths of the batch to their ends.
@@ -117,7 +126,8 @@ class BatchRenderer {
     std::vector<Real> ends_;  // the largest offset in each cell
     std::conditional_t<effects.lights || effects.fog, LitBatch<effects>, PlainBatch<effects>>
         batch_;
-    std::vector<ColorSum> sums_;     // of the tile's pixels
+    std::vector<ColorSum> sums_;  // of the tile's pixels
+    std::vector<SamplePoint> points_;
     std::vector<ColorSum*> pixels_;  // of the batch's samples
     std::size_t started_ = 0;        // the number of samples in the batch
 };

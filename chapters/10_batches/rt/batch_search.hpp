@@ -18,7 +18,7 @@ class BatchSearch {
   public:
     // The tree must outlive the search.
     explicit BatchSearch(const WideTree& tree) : tree_{tree}, orders_(tree.nodes.size()) {
-        for (const WideLeaf& leaf : tree.leaves) {
+        for (const SphereLeaf& leaf : tree.leaves) {
             std::uint8_t size = 0;
             while (size < lanes && leaf.is_used(size)) ++size;
             leaf_sizes_.push_back(size);
@@ -51,14 +51,14 @@ class BatchSearch {
     const auto& order(std::int32_t node) const {
         return orders_[static_cast<std::size_t>(node)][octant_];
     }
-    std::int32_t child(std::int32_t node, unsigned place) const {
+    WideChild child(std::int32_t node, unsigned place) const {
         return tree_.nodes[static_cast<std::size_t>(node)].child[place];
     }
-    void leaf(std::int32_t child, PathList list) {
-        const auto leaf = static_cast<std::size_t>(~child);
-        if (list.size() <= few_rays) return search_alone(child, list);
+    void leaf(std::int32_t number, PathList list) {
+        if (list.size() <= few_rays) return search_alone(WideChild::leaf(number), list);
         for (std::size_t i = 0; i < list.size(); i += pack_size)
-            test_leaf(leaf, list.subspan(i, std::min(pack_size, list.size() - i)));
+            test_leaf(static_cast<std::size_t>(number),
+                      list.subspan(i, std::min(pack_size, list.size() - i)));
     }
 
   private:
@@ -104,7 +104,7 @@ class BatchSearch {
     }
     void make_ready(std::size_t from, std::size_t size);
     void test_leaf(std::size_t leaf, PathList list);
-    void search_alone(std::int32_t child, PathList list);
+    void search_alone(WideChild child, PathList list);
     // Sets the nearest hit of a path so far, which ends its ray.
     void set_hit(std::uint32_t path, Real t, PackInteger sphere) {
         paths_[path].t = t;
@@ -156,7 +156,7 @@ inline void BatchSearch::make_ready(std::size_t from, std::size_t size) {
 // Tests each ray of the list against eight boxes at once, like hit_boxes of chapter 07.
 inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8_t* masks) {
     if (list.size() <= few_rays) {
-        search_alone(number, list);
+        search_alone(WideChild::node(number), list);
         return 0;
     }
     const WideNode<float>& node = tree_.nodes[static_cast<std::size_t>(number)];
@@ -185,29 +185,29 @@ inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8
 }
 
 inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
-    const WideLeaf& spheres = tree_.leaves[leaf];
+    const SphereLeaf& spheres = tree_.leaves[leaf];
     const std::size_t size = leaf_sizes_[leaf];  // 1 or more
     RayPack rays = load_rays(paths_, list);
     PackMask hit{};
     std::size_t i = 0;
-    do hit |= hit_pack(spheres.sphere(i), spheres.tag[i] / static_cast<int>(lanes), rays);
+    do hit |= hit_pack(spheres.sphere(i), spheres.number[i], rays);
     while (++i < size);
     for_each_bit(bits_of(hit) & first_bits(list.size()),
                  [&](std::size_t k) { set_hit(list[k], rays.t[k], rays.sphere[k]); });
 }
 
 // The search of chapter 07, from a node or leaf on, for one ray after the other.
-inline void BatchSearch::search_alone(std::int32_t child, PathList list) {
+inline void BatchSearch::search_alone(WideChild child, PathList list) {
     for (const std::uint32_t i : list) {
         const PathRecord& path = paths_[i];
         const Ray ray{path.origin, path.direction};
-        const auto tag = static_cast<std::int32_t>(path.sphere) * static_cast<std::int32_t>(lanes);
-        WideHit best{path.t, tag};
-        if (child < 0)
-            hit_leaf(tree_.leaves[static_cast<std::size_t>(~child)], ray, 0, best);
+        const auto before = static_cast<std::int32_t>(path.sphere);
+        WideHit best{path.t, before};
+        if (child.is_leaf())
+            hit_leaf(tree_.leaves[static_cast<std::size_t>(child.number())], ray, 0, best);
         else
-            best = tree_.search(ray, {0, path.t}, child, tag).best;
-        if (best.tag != tag) set_hit(i, best.t, best.number());
+            best = tree_.search(ray, {0, path.t}, child, before).best;
+        if (best.number != before) set_hit(i, best.t, best.number);
     }
 }
 

@@ -31,7 +31,7 @@ bool sees_light(const AskedLater& world, const AnyRay& ray, const ChosenLight& l
     world.shadow_ray->origin = ray.origin;
     world.shadow_ray->direction = ray.direction;
     world.shadow_ray->t = light.sample.distance;
-    world.material = light.material;
+    world.material = light.light->material;
     return true;
 }
 
@@ -120,7 +120,7 @@ class LitBatch {
             end(path, path.throughput * scene_.sky(ray.direction));
             return false;
         }
-        if (const SphereLight* const met = place.light(scene_.lights)) {
+        if (const Light* const met = place.light(scene_.lights)) {
             const Real weight =
                 origin.drawn > 0
                     ? shared_weight(origin.drawn, scene_.lights.density(*met, origin.from))
@@ -157,7 +157,7 @@ class LitBatch {
     }
 
     const ReadyScene<effects>& scene_;
-    Surfaces<typename Parts<effects>::Materials> surfaces_;
+    Surfaces<typename RendererTypes<effects>::Materials> surfaces_;
     BatchSearch search_;
     std::vector<Origin> origins_;
     std::vector<PathRecord> shadow_rays_;

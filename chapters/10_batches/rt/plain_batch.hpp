@@ -62,8 +62,8 @@ class PlainBatch {
     }
 
   private:
-    using World = typename Parts<effects>::World;
-    using Materials = typename Parts<effects>::Materials;
+    using World = typename RendererTypes<effects>::World;
+    using Materials = typename RendererTypes<effects>::Materials;
     using Types = typename MaterialTypes<Materials>::All;
     static constexpr std::size_t types = std::tuple_size_v<Types>, sky = types, other = types + 1;
     static constexpr bool others = has_other_part<World>;

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 #include <rt/arrival.hpp>
-#include <rt/eyes.hpp>
+#include <rt/cameras.hpp>
 #include <rt/sine_cosine.hpp>
 #include <utility>
 
@@ -35,25 +35,27 @@ inline PrimaryRays primary_rays(const Camera& camera, const PixelPack& pixel, Pa
     return {pack_of(camera.eye), normalize(toward, first_bits(size))};
 }
 
-inline PrimaryRays primary_rays(const LensCamera& eye, const PixelPack& pixel, PathRecord* paths,
-                                std::size_t size) {
-    if (!(eye.lens.aperture > 0)) return primary_rays(eye.camera, pixel, paths, size);
+inline PrimaryRays primary_rays(const LensCamera& with_lens, const PixelPack& pixel,
+                                PathRecord* paths, std::size_t size) {
+    if (!(with_lens.lens.aperture > 0)) return primary_rays(with_lens.camera, pixel, paths, size);
     const auto record = [&](std::size_t i) -> PathRecord& { return paths[i]; };
-    const PlacePack p = pixel_to_viewport(eye.camera, pixel), place = random_places(size, record);
-    const Pack radius = eye.lens.aperture / 2 * sqrt(place.x);
+    const PlacePack p = pixel_to_viewport(with_lens.camera, pixel),
+                    place = random_places(size, record);
+    const Pack radius = with_lens.lens.aperture / 2 * sqrt(place.x);
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);
     const Pack right = radius * cosine, up = radius * sine;
-    const Real focus = eye.lens.focus_distance;
-    const Vec3Pack u = pack_of(eye.camera.basis.u), v = pack_of(eye.camera.basis.v),
-                   w = pack_of(eye.camera.basis.w);
+    const Real focus = with_lens.lens.focus_distance;
+    const Vec3Pack u = pack_of(with_lens.camera.basis.u), v = pack_of(with_lens.camera.basis.v),
+                   w = pack_of(with_lens.camera.basis.w);
     const Vec3Pack toward = to_world(u, v, w, {p.x - right / focus, p.y - up / focus, pack_of(-1)});
-    return {pack_of(eye.camera.eye) + right * u + up * v, normalize(toward, first_bits(size))};
+    return {pack_of(with_lens.camera.eye) + right * u + up * v,
+            normalize(toward, first_bits(size))};
 }
 
 template <class StillCamera>
-PrimaryRays primary_rays(const ShutterCamera<StillCamera>& eye, const PixelPack& pixel,
+PrimaryRays primary_rays(const ShutterCamera<StillCamera>& with_shutter, const PixelPack& pixel,
                          PathRecord* paths, std::size_t size) {
-    return primary_rays(eye.camera, pixel, paths, size);
+    return primary_rays(with_shutter.camera, pixel, paths, size);
 }
 
 }  // namespace rt

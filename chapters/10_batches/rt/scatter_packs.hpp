@@ -10,7 +10,9 @@
 namespace rt {
 
 // The materials' scatter(), for packs of paths that arrive at the same material (given): the
-// direction in which each goes on. The first argument only says which material it is.
+// direction in which each goes on. The first argument only says which material it is. The
+// arithmetic is that of chapters 04 and 05, written once more: there a ray takes one side of an
+// `if`, and here rays of one pack may take both.
 
 // All matte materials, whatever their color.
 template <class Matte>

@@ -1,9 +1,8 @@
 #pragma once
+#include <rt/aggregate.hpp>
 #include <rt/effects.hpp>
-#include <rt/moving_spheres.hpp>
 #include <rt/path_record.hpp>
 #include <rt/timed_ray.hpp>
-#include <rt/two_worlds.hpp>
 #include <rt/wide_tree.hpp>
 #include <vector>
 
@@ -15,7 +14,7 @@ inline const WideTree& still_part(const WideTree& world) {
     return world;
 }
 template <class First, class Second>
-const WideTree& still_part(const TwoWorlds<First, Second>& world) {
+const WideTree& still_part(const Aggregate<First, Second>& world) {
     return still_part(world.first);
 }
 
@@ -24,7 +23,7 @@ std::optional<Hit> hit_other_part(const WideTree&, const AnyRay&, Interval) {
     return {};
 }
 template <class First, class Second, class AnyRay>
-std::optional<Hit> hit_other_part(const TwoWorlds<First, Second>& world, const AnyRay& ray,
+std::optional<Hit> hit_other_part(const Aggregate<First, Second>& world, const AnyRay& ray,
                                   Interval within) {
     const std::optional<Hit> in_first = hit_other_part(world.first, ray, within);
     if (in_first) within.max = in_first->t;

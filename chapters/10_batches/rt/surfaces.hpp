@@ -59,9 +59,9 @@ struct Surfaces {
 
     Surfaces(const WideTree& tree, const Materials& materials) {
         resize(0);
-        for (const WideLeaf& leaf : tree.leaves)
+        for (const SphereLeaf& leaf : tree.leaves)
             for (std::size_t i = 0; i < lanes && leaf.is_used(i); ++i) {
-                const auto number = static_cast<std::size_t>(leaf.tag[i]) / lanes;
+                const auto number = static_cast<std::size_t>(leaf.number[i]);
                 if (number >= all.size()) resize(number + 1);
                 const Sphere sphere = leaf.sphere(i);
                 all[number] = {sphere.center, sphere.radius, 0, {}};
@@ -79,10 +79,7 @@ struct Surfaces {
         numbers.resize(size);
     }
     void set_material(std::size_t number, const Materials& materials) {
-        // A light has no material: its number is beyond the materials' numbers.
-        const auto material = static_cast<std::size_t>(numbers[number]);
-        if (material >= materials.materials.size()) return;
-        const auto& element = materials.materials[material];
+        const auto& element = materials.materials[static_cast<std::size_t>(numbers[number])];
         kinds[number + 1] = static_cast<std::uint8_t>(Types::index(element));
         if constexpr (std::tuple_size_v<typename Types::All> == 1)
             describe(all[number], element);

@@ -1,16 +1,15 @@
 #pragma once
 #include <rt/basis.hpp>
 #include <rt/length.hpp>
-#include <rt/pack.hpp>
+#include <rt/load_eight.hpp>
 #include <rt/vec3.hpp>
+#include <rt/vec3_of.hpp>
 
 namespace rt {
 
 // pack_size vectors (given), and the functions of chapters 01 and 05 for them: the same operations
 // in the same order, so that each result is what it would be alone, bit for bit.
-struct Vec3Pack {
-    Pack x{}, y{}, z{};
-};
+using Vec3Pack = Vec3Of<Pack>;
 
 inline Vec3Pack pack_of(Vec3 v) {
     return {pack_of(v.x), pack_of(v.y), pack_of(v.z)};
@@ -24,24 +23,6 @@ inline void set(Vec3Pack& v, std::size_t i, Vec3 to) {
     v.z[i] = to.z;
 }
 
-inline Vec3Pack operator-(Vec3Pack v) {
-    return {-v.x, -v.y, -v.z};
-}
-inline Vec3Pack operator+(Vec3Pack a, Vec3Pack b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Vec3Pack operator-(Vec3Pack a, Vec3Pack b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Vec3Pack operator*(Pack s, Vec3Pack v) {
-    return {v.x * s, v.y * s, v.z * s};
-}
-inline Vec3Pack operator/(Vec3Pack v, Pack s) {
-    return {v.x / s, v.y / s, v.z / s};
-}
-inline Pack dot(Vec3Pack a, Vec3Pack b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 inline Vec3Pack abs(Vec3Pack v) {
     return {abs(v.x), abs(v.y), abs(v.z)};
 }

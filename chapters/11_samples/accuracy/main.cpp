@@ -32,7 +32,7 @@ constexpr int width = 64, height = 36, usual_depth = 32;
 constexpr int truth_samples = 4096;
 
 // Lamps that are found by chance alone: they say that there are none to aim at.
-struct ChanceLights : SphereLights {
+struct ChanceLights : SceneLights {
     static constexpr bool empty() { return true; }
 };
 
@@ -78,7 +78,7 @@ class Subject {
     }
 
     void measure_all() {
-        const auto& [eye, world, materials, sky, lights, fog] = scene_;
+        const auto& [camera, world, materials, sky, lights, fog] = scene_;
         using World = std::decay_t<decltype(world)>;
         const auto sobol = [](std::uint64_t seed, int n) { return SobolSamples{seed, n}; };
         const auto add_singly = [&](const char* setting, const auto& in, const auto& of,
@@ -132,7 +132,7 @@ class Subject {
     RT_INLINES_ALL Color pixel(const Samples& samples, const World& world,
                                const Materials& materials, const Lights& lights,
                                const Ending& ending, int depth, int x, int y) const {
-        return samples.average(scene_.eye, x, y, [&](const auto& ray, auto& random) {
+        return samples.average(scene_.camera, x, y, [&](const auto& ray, auto& random) {
             if constexpr (effects.lights)
                 return lit_path_radiance(ray, world, materials, scene_.sky, lights, scene_.fog,
                                          ending, depth, random);
@@ -168,7 +168,7 @@ class Subject {
             .image;
     }
 
-    SphereList list() const { return {prepare_spheres(description_).still}; }
+    SphereList list() const { return {prepare_shapes(description_).still}; }
 
     // One picture for both precisions: that of double.
     Image find_truth(const std::filesystem::path& file) const {

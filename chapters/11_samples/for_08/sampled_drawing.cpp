@@ -9,11 +9,11 @@
 #include <memory>
 #include <rt/choose_renderer.hpp>
 #include <rt/draw_passes.hpp>
-#include <rt/effects_of.hpp>
+#include <rt/needed_effects.hpp>
 #include <utility>
 
 #include "few_effects.hpp"
-#include "tile_drawing.hpp"
+#include "tile_renderer.hpp"
 
 namespace samples {
 namespace {
@@ -44,29 +44,33 @@ constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>
 }
 (std::make_index_sequence<few_effects.size()>{});
 
-using PassDrawing = effects::Drawing<DrawPass>;
+// A way to draw passes, as TileRenderer is one to draw pictures.
+struct PassRenderer {
+    effects::Choice choice;
+    std::function<DrawPass()> make_worker;
+    int tile_side = 16;
+};
 
-PassDrawing make_drawing(const SceneDescription& scene, int width, int height,
+PassRenderer make_passes(const SceneDescription& scene, int width, int height,
                          const Quality& quality, bool sobol) {
-    const std::size_t number = narrowest(effects_of(scene), few_effects);
+    const std::size_t number = narrowest(needed_effects(scene), few_effects);
     const Effects chosen = few_effects[number];
     const DrawPass draw = makers[number](scene, width, height, quality, sobol);
     return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
             [draw] { return draw; }};
 }
 
-PassDrawing make_batches(const SceneDescription& scene, int width, int height,
-                         const Quality& quality) {
-    const effects::SeededDrawing seeded =
-        effects::make_batch_drawing(scene, width, height, quality);
-    return {seeded.choice,
-            [make = seeded.make_worker] {
+PassRenderer make_batched_passes(const SceneDescription& scene, int width, int height,
+                                 const Quality& quality) {
+    const effects::TileRenderer renderer = effects::make_batched(scene, width, height, quality);
+    return {renderer.choice,
+            [make = renderer.make_worker] {
                 return [draw = make()](const Tile& tile, const Pass& pass, Image& image,
                                        std::uint64_t& rays) {
                     draw(tile, seed_of(pass), image, rays);
                 };
             },
-            seeded.tile_side};
+            renderer.tile_side};
 }
 
 std::string text_of(const char* format, double number) {
@@ -104,19 +108,6 @@ void check_together(const app::Settings& settings) {
                                   "many samples it needs");
 }
 
-// All samples of a pixel from Sobol's sequence: --sampler sobol without an aim.
-effects::SeededDrawing make_sobol_drawing(const SceneDescription& scene, int width, int height,
-                                          const Quality& quality) {
-    const PassDrawing drawing = make_drawing(scene, width, height, quality, true);
-    const auto make_worker = [make = drawing.make_worker] {
-        return [draw = make()](const Tile& tile, std::uint64_t seed, Image& image,
-                               std::uint64_t& rays) {
-            draw(tile, {seed, 0}, image, rays);
-        };
-    };
-    return {drawing.choice, make_worker, drawing.tile_side};
-}
-
 // Refines within the time, in rounds. Each round takes half of the passes that there is time for,
 // so that the last one begins with a good guess.
 void refine_within(Refinement& refinement, Clock::time_point start, Clock::time_point end) {
@@ -129,17 +120,36 @@ void refine_within(Refinement& refinement, Clock::time_point start, Clock::time_
     }
 }
 
-app::Picture render(const SceneDescription& scene, const app::Settings& settings,
-                    const std::function<void(const effects::Choice&)>& explain,
-                    app::Progress& progress) {
+}  // namespace
+}  // namespace samples
+
+namespace effects {
+
+// All samples of a pixel in one pass.
+TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height,
+                        const rt::Quality& quality) {
+    const samples::PassRenderer passes = samples::make_passes(scene, width, height, quality, true);
+    const auto make_worker = [make = passes.make_worker] {
+        return [draw = make()](const rt::Tile& tile, std::uint64_t seed, rt::Image& image,
+                               std::uint64_t& rays) {
+            draw(tile, {seed, 0}, image, rays);
+            return pixel_count(tile);
+        };
+    };
+    return {passes.choice, make_worker, passes.tile_side};
+}
+
+app::Picture refine(const rt::SceneDescription& scene, const app::Settings& settings,
+                    const std::function<void(const Choice&)>& explain, app::Progress& progress) {
+    using namespace samples;
     const auto start = Clock::now();
     check_together(settings);
     const int width = scene.settings.width, height = scene.settings.height;
     const Quality quality{samples_of_pass, scene.settings.depth, scene.settings.seed};
     const bool in_batches = settings.given.count("batches") > 0;
-    const PassDrawing drawing = in_batches ? make_batches(scene, width, height, quality)
-                                           : make_drawing(scene, width, height, quality,
-                                                          settings.picked.front() == "sobol");
+    const PassRenderer drawing =
+        in_batches ? make_batched_passes(scene, width, height, quality)
+                   : make_passes(scene, width, height, quality, settings.picked.front() == "sobol");
     explain(drawing.choice);
 
     // Writing the file takes time, too.
@@ -182,19 +192,4 @@ app::Picture render(const SceneDescription& scene, const app::Settings& settings
     return picture;
 }
 
-const effects::Refining refining{
-    {{"sampler",
-      "Where the samples lie, and which random numbers they use",
-      {"jittered", "sobol"}}},
-    {{"target-error",
-      "Refine until the root mean square error is estimated to be below this (white is 1)"},
-     {"time-budget",
-      "Refine for this many seconds, and draw the best picture possible in that time"}},
-    make_sobol_drawing,
-    render};
-
-// Set before main() begins.
-[[maybe_unused]] const bool is_known = (effects::refining = &refining, true);
-
-}  // namespace
-}  // namespace samples
+}  // namespace effects

@@ -58,13 +58,13 @@ struct SobolSamples {
     int count = 1;
     std::uint32_t first = 0;
 
-    template <class Eye, class Path>
-    Color average(const Eye& eye, int column, int row, const Path& path) const {
+    template <class AnyCamera, class Path>
+    Color average(const AnyCamera& camera, int column, int row, const Path& path) const {
         ColorSum sum;
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
             SobolRandom random{seed, column, row, first + i};
             const Vec2 offset = random_place(random);
-            sum.add(path(make_ray(eye, column, row, offset, random), random));
+            sum.add(path(make_ray(camera, column, row, offset, random), random));
         }
         return sum.mean(count);
     }

@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <rt/color.hpp>
-#include <rt/fate.hpp>
+#include <rt/path_end.hpp>
 #include <rt/todo.hpp>
 
 namespace rt {
@@ -11,7 +11,7 @@ namespace rt {
 // p * (1 / p) = 1. p is the largest channel of the throughput, however small, but at most
 // most_likely. One random number decides. A black path, p = 0, always ends, even if 0 is drawn.
 template <class Random>
-Fate play_roulette(Color& throughput, Real most_likely, Random& random) {
+PathEnd play_roulette(Color& throughput, Real most_likely, Random& random) {
     return rt::todo("04.7", throughput, most_likely, random);
 }
 
@@ -20,7 +20,7 @@ struct RouletteEnding {
     Real most_likely = Real(0.95);
 
     template <class Random>
-    Fate operator()(Color& throughput, Random& random) const {
+    PathEnd operator()(Color& throughput, Random& random) const {
         return play_roulette(throughput, most_likely, random);
     }
 };

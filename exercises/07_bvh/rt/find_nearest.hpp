@@ -5,21 +5,21 @@
 
 namespace rt {
 
-// Exercise 07.4. Tests one sphere with search.meets_sphere(number), and remembers it in
-// search.nearest and search.within.max if its hit is the nearest so far. Of equally near spheres
+// Exercise 07.4. Tests one shape, here a sphere, with search.meets_shape(number), and remembers it
+// in search.nearest and search.within.max if its hit is the nearest so far. Of equally near shapes
 // the one with the highest number counts, as in SphereList, whatever order they come in. The
 // type is Search or another one with the same members, so the function is written over types,
 // like the path loop.
 template <class AnySearch>
-void try_sphere(int number, AnySearch& search) {
+void try_shape(int number, AnySearch& search) {
     rt::todo("07.4", number, search);
 }
 
-// Exercise 07.4. Tries every sphere below a node that may give a nearer hit than the nearest so
+// Exercise 07.4. Tries every shape below a node that may give a nearer hit than the nearest so
 // far. If the ray does not meet a box, by search.meets(box), everything in it is skipped; a leaf
 // has a box, too. Test each box once, before everything below it. Go to the right child only after
 // the left child and everything below it, because a hit there shortens the search on the right. A
-// leaf has no children, and holds the spheres search.order[i] for i = first, first + 1, ... count
+// leaf has no children, and holds the shapes search.order[i] for i = first, first + 1, ... count
 // of them. Trees have up to most_levels + 20 levels, and many threads search them at the same time.
 template <class AnySearch>
 void find_nearest(const TreeNode& node, AnySearch& search) {

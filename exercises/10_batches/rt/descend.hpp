@@ -3,20 +3,22 @@
 #include <rt/filter_list.hpp>
 #include <rt/path_list.hpp>
 #include <rt/todo.hpp>
+#include <rt/wide_child.hpp>
 
 namespace rt {
 
 // Exercise 10.2. Takes the list of rays that meet a node, one ray or more, down the tree. For
 // each child whose box at least one of them meets, the list of those that do, in the same
-// order, goes on: to tree.leaf(child, that list), or farther down. Visit the children in the
-// order of tree.order(node), nearest first, and finish a child, with everything below it,
-// before the next one.
+// order, goes on: to tree.leaf(the child's number, that list), or farther down. Visit the
+// children in the order of tree.order(node), nearest first, and finish a child, with everything
+// below it, before the next one.
 //   tree.test(node, list, masks)   writes a mask for each ray of the list: bit k is set if the ray
 //                                  meets the box of child number k. Returns the bits that any ray
 //                                  has. Call it once for a node, when its turn comes: hits found
 //                                  later shorten the rays, but a box too many costs little
 //   tree.order(node)               the numbers of the children, 0 to 7, each once
-//   tree.child(node, place)        child number `place`: a node, 0 or higher, or a leaf, negative
+//   tree.child(node, place)        child number `place`, a WideChild: child.is_leaf() tells whether
+//                                  it is a leaf or a node, and child.number() which one
 // A node's list and masks must still be intact when its second child's turn comes. So put a child's
 // list and masks behind them in the scratch, and pass the room behind those on. Expect chains of a
 // hundred nodes and lists of a hundred thousand rays.

@@ -1,19 +1,19 @@
 #pragma once
 #include <algorithm>
 #include <rt/color.hpp>
-#include <rt/fate.hpp>
+#include <rt/path_end.hpp>
 
 namespace rt {
 
 // Russian roulette: the path goes on with a probability p, and its throughput is divided by p, so
 // that the paths that go on stand in for those that ended. Correct on average: p * (1 / p) = 1.
 template <class Random>
-Fate play_roulette(Color& throughput, Real most_likely, Random& random) {
+PathEnd play_roulette(Color& throughput, Real most_likely, Random& random) {
     // Bright paths are worth following. A path with no light left never goes on.
     const Real p = std::min(most_likely, std::max({throughput.r, throughput.g, throughput.b}));
-    if (!(random.uniform() < p)) return Fate::ends_in_black;
+    if (!(random.uniform() < p)) return PathEnd::in_black;
     throughput /= p;
-    return Fate::goes_on;
+    return PathEnd::none;
 }
 
 struct RouletteEnding {
@@ -21,7 +21,7 @@ struct RouletteEnding {
     Real most_likely = Real(0.95);
 
     template <class Random>
-    Fate operator()(Color& throughput, Random& random) const {
+    PathEnd operator()(Color& throughput, Random& random) const {
         return play_roulette(throughput, most_likely, random);
     }
 };

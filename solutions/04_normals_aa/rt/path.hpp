@@ -16,7 +16,7 @@ namespace rt {
 //   world      world.hit(ray, interval) gives the nearest hit as std::optional<Hit>
 //   materials  materials(direction, hit, random) gives std::optional<Scatter>, none if absorbed
 //   sky        sky(direction) gives the Color of the light from there
-//   ending     ending(throughput, random) gives the Fate of a path that has made its bounces
+//   ending     ending(throughput, random) gives the PathEnd of a path that has made its bounces
 //   random     random.uniform() gives a random number in [0, 1)
 template <class AnyRay, class World, class Materials, class Sky, class Ending, class Random>
 Color path_radiance(AnyRay ray, const World& world, const Materials& materials, const Sky& sky,
@@ -33,9 +33,9 @@ Color path_radiance(AnyRay ray, const World& world, const Materials& materials, 
         ray.direction = bounce->direction;
 
         if (bounces < depth) continue;
-        const Fate fate = ending(throughput, random);
-        if (fate == Fate::ends_in_sky) return throughput * sky(ray.direction);
-        if (fate == Fate::ends_in_black) return {};
+        const PathEnd end = ending(throughput, random);
+        if (end == PathEnd::in_sky) return throughput * sky(ray.direction);
+        if (end == PathEnd::in_black) return {};
     }
 }
 

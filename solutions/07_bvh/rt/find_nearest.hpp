@@ -4,12 +4,12 @@
 
 namespace rt {
 
-// Tests one sphere, and remembers it in search.nearest and search.within.max if its hit is the
-// nearest so far. Of equally near spheres the one with the highest number counts, as in SphereList,
+// Tests one shape, and remembers it in search.nearest and search.within.max if its hit is the
+// nearest so far. Of equally near shapes the one with the highest number counts, as in SphereList,
 // whatever order they come in.
 template <class AnySearch>
-void try_sphere(int number, AnySearch& search) {
-    const auto t = search.meets_sphere(number);
+void try_shape(int number, AnySearch& search) {
+    const auto t = search.meets_shape(number);
     if (!t) return;
     // The interval ends at the nearest hit so far, so t is not larger.
     if (search.nearest >= 0 && *t == search.within.max && number < search.nearest) return;
@@ -17,14 +17,14 @@ void try_sphere(int number, AnySearch& search) {
     search.nearest = number;
 }
 
-// Tries every sphere below a node that may give a nearer hit than the nearest so far. If the ray
+// Tries every shape below a node that may give a nearer hit than the nearest so far. If the ray
 // does not meet a box, everything in it is skipped.
 template <class AnySearch>
 void find_nearest(const TreeNode& node, AnySearch& search) {
     if (!search.meets(node.box)) return;
     if (node.is_leaf()) {
         for (int place = node.first; place < node.first + node.count; ++place)
-            try_sphere(search.order[static_cast<std::size_t>(place)], search);
+            try_shape(search.order[static_cast<std::size_t>(place)], search);
         return;
     }
     find_nearest(*node.left, search);

@@ -42,7 +42,7 @@ Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materia
     for (int bounces = 1;; ++bounces) {
         const auto place = next_place(ray, world, materials, fog, random);
         if (place.is_sky()) return light + throughput * sky(ray.direction);
-        if (const SphereLight* const found = place.light(lights)) {
+        if (const Light* const found = place.light(lights)) {
             const Real weight =
                 drawn > 0 ? shared_weight(drawn, lights.density(*found, from)) : Real(1);
             return light + throughput * (weight * found->radiance);
@@ -52,18 +52,18 @@ Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materia
         if (!bounce) return light;
         throughput *= bounce->attenuation;
         const Color arriving = throughput;  // the share of light from here that reaches the eye
-        const Fate fate = bounces < depth ? Fate::goes_on : ending(throughput, random);
+        const PathEnd end = bounces < depth ? PathEnd::none : ending(throughput, random);
         if (!lights.empty()) {
             drawn = place.density(bounce->direction);
             if (drawn > 0)
                 light += arriving *
-                         direct_light(ray, world, lights, place, fate != Fate::ends_in_sky, random);
+                         direct_light(ray, world, lights, place, end != PathEnd::in_sky, random);
         }
-        if (fate == Fate::ends_in_black) return light;
+        if (end == PathEnd::in_black) return light;
         from = place.point;
         ray.origin = place.origin(bounce->direction);
         ray.direction = bounce->direction;
-        if (fate == Fate::ends_in_sky) return light + throughput * sky(ray.direction);
+        if (end == PathEnd::in_sky) return light + throughput * sky(ray.direction);
     }
 }
 

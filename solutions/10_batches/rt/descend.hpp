@@ -2,16 +2,17 @@
 #include <cstdint>
 #include <rt/filter_list.hpp>
 #include <rt/path_list.hpp>
+#include <rt/wide_child.hpp>
 
 namespace rt {
 
 // Takes the list of rays that meet a node down the tree. For each child, in the order of
 // tree.order(node), which is nearest first for these rays, the list of those that meet its box goes
-// on: to tree.leaf(child, list), or farther down.
+// on: to tree.leaf(its number, list), or farther down.
 //   tree.test(node, list, masks)   tells which children's boxes each ray meets, one bit each, and
 //                                  returns the bits that any of the rays has
 //   tree.order(node)               the children's numbers, nearest first
-//   tree.child(node, place)        child number `place`: another node, or negative for a leaf
+//   tree.child(node, place)        child number `place`: another node, or a leaf
 template <class Tree>
 void descend(Tree& tree, std::int32_t node, PathList list, Scratch scratch) {
     const unsigned any = tree.test(node, list, scratch.masks);
@@ -19,11 +20,13 @@ void descend(Tree& tree, std::int32_t node, PathList list, Scratch scratch) {
         if (!(any >> place & 1)) continue;
         const std::size_t count = filter_list(list, scratch.masks, place, scratch.lists);
         const PathList part{scratch.lists, count};
-        const std::int32_t child = tree.child(node, place);
-        if (child < 0)
-            tree.leaf(child, part);
-        else
-            descend(tree, child, part, {scratch.lists + count, scratch.masks + list.size()});
+        const Scratch rest{scratch.lists + count, scratch.masks + list.size()};
+        const WideChild child = tree.child(node, place);
+        if (child.is_leaf()) {
+            tree.leaf(child.number(), part);
+        } else {
+            descend(tree, child.number(), part, rest);
+        }
     }
 }
 

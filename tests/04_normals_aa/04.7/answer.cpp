@@ -17,11 +17,12 @@ rt::Color path_radiance(const TimedRay& ray, const World<TimedRay>& world,
     return rt::path_radiance(ray, world, materials, sky, ending, depth, random);
 }
 
-rt::Fate play_roulette(rt::Color& throughput, rt::Real most_likely, rt::Rng& random) {
+rt::PathEnd play_roulette(rt::Color& throughput, rt::Real most_likely, rt::Rng& random) {
     return rt::play_roulette(throughput, most_likely, random);
 }
 
-rt::Fate play_roulette(rt::Color& throughput, rt::Real most_likely, checkpoint::AnyRandom& random) {
+rt::PathEnd play_roulette(rt::Color& throughput, rt::Real most_likely,
+                          checkpoint::AnyRandom& random) {
     return rt::play_roulette(throughput, most_likely, random);
 }
 
@@ -29,7 +30,7 @@ rt::Real most_likely() {
     return rt::RouletteEnding{}.most_likely;
 }
 
-rt::Fate roulette_ending(rt::Real most_likely, rt::Color& throughput, rt::Rng& random) {
+rt::PathEnd roulette_ending(rt::Real most_likely, rt::Color& throughput, rt::Rng& random) {
     return rt::RouletteEnding{most_likely}(throughput, random);
 }
 

@@ -4,9 +4,9 @@
 #include <any_random.hpp>
 #include <functional>
 #include <optional>
-#include <rt/fate.hpp>
 #include <rt/hit.hpp>
 #include <rt/interval.hpp>
+#include <rt/path_end.hpp>
 #include <rt/ray.hpp>
 #include <rt/rng.hpp>
 #include <rt/scatter.hpp>
@@ -29,6 +29,6 @@ struct World {
 
 using Materials = std::function<std::optional<rt::Scatter>(rt::Vec3, const rt::Hit&, rt::Rng&)>;
 using Sky = std::function<rt::Color(rt::Vec3)>;
-using Ending = std::function<rt::Fate(rt::Color&, rt::Rng&)>;
+using Ending = std::function<rt::PathEnd(rt::Color&, rt::Rng&)>;
 
 }  // namespace answer

@@ -10,12 +10,12 @@ bool hit_box(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within) {
     return rt::hit_box(box, ray, within);
 }
 
-void try_sphere(int number, rt::Search& search) {
-    rt::try_sphere(number, search);
+void try_shape(int number, rt::Search& search) {
+    rt::try_shape(number, search);
 }
 
-void try_sphere(int number, MovedSearch& search) {
-    rt::try_sphere(number, search);
+void try_shape(int number, MovedSearch& search) {
+    rt::try_shape(number, search);
 }
 
 void find_nearest(const rt::TreeNode& node, rt::Search& search) {

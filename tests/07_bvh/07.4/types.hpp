@@ -9,10 +9,10 @@ namespace answer {
 struct MovedSearch : rt::Search {
     std::span<const rt::Vec3> motions;
 
-    std::optional<rt::Real> meets_sphere(int number) {
-        ++sphere_tests;
+    std::optional<rt::Real> meets_shape(int number) {
+        ++shape_tests;
         const auto i = static_cast<std::size_t>(number);
-        return rt::hit_sphere(rt::moved(spheres[i].shape, motions[i]), ray, within);
+        return rt::hit_sphere(rt::moved(shapes[i].shape, motions[i]), ray, within);
     }
 };
 

@@ -14,8 +14,8 @@ namespace {
 struct All {
     rt::SphereTree sorted, by_area;
     rt::FlatTree flat;
-    rt::WideTreeOf<float> wide_float;
-    rt::WideTreeOf<Real> wide;
+    rt::WideTree wide_float;
+    rt::WideTreeOf<rt::SceneSphere, Real> wide;
 
     explicit All(const Spheres& spheres)
         : sorted{rt::make_tree(spheres, rt::split_in_half)},
@@ -44,7 +44,7 @@ void check_scene(const std::string& name, const Spheres& spheres, int rays) {
         };
         const auto of = [](const rt::Search& s) { return Winner{s.nearest, s.within.max}; };
         const auto wide_of = [](const auto& found) {
-            return Winner{found.best.number(), found.best.t};
+            return Winner{found.best.number, found.best.t};
         };
         compare("sorted tree", of(all.sorted.search(ray, within)));
         compare("tree by area", of(all.by_area.search(ray, within)));
@@ -95,8 +95,8 @@ TEST_CASE("the search ends even for invalid rays, and for rays from very far awa
             CHECK(all.sorted.search(ray, {}).nearest == expected);
             CHECK(all.flat.search_in_order(ray, {}).nearest == expected);
             CHECK(all.flat.search_nearest_first(ray, {}).nearest == expected);
-            CHECK(all.wide_float.search(ray, {}).best.number() == expected);
-            CHECK(all.wide.search(ray, {}).best.number() == expected);
+            CHECK(all.wide_float.search(ray, {}).best.number == expected);
+            CHECK(all.wide.search(ray, {}).best.number == expected);
         }
     }
 }
@@ -111,12 +111,12 @@ TEST_CASE("an 8-wide tree holds every sphere once and its boxes contain it", "[g
         for (const auto& node : tree.nodes) {
             const auto &low = node.planes[0], &high = node.planes[1];
             for (std::size_t i = 0; i < rt::lanes; ++i) {
-                if (!(low[0][i] <= high[0][i]) || node.child[i] >= 0) continue;
-                const rt::WideLeaf& leaf = tree.leaves[static_cast<std::size_t>(~node.child[i])];
+                if (!(low[0][i] <= high[0][i]) || !node.child[i].is_leaf()) continue;
+                const rt::SphereLeaf& leaf =
+                    tree.leaves[static_cast<std::size_t>(node.child[i].number())];
                 for (std::size_t k = 0; k < rt::lanes; ++k) {
                     if (!leaf.is_used(k)) continue;
-                    CHECK(static_cast<std::size_t>(leaf.tag[k]) % rt::lanes == k);
-                    ++seen[static_cast<std::size_t>(leaf.tag[k]) / rt::lanes];
+                    ++seen[static_cast<std::size_t>(leaf.number[k])];
                     const Box box = rt::bounds_of(leaf.sphere(k));
                     REQUIRE(static_cast<Real>(low[0][i]) <= box.low.x);
                     REQUIRE(static_cast<Real>(low[1][i]) <= box.low.y);
@@ -145,7 +145,7 @@ TEST_CASE("a million spheres", "[given][million]") {
         const Ray ray = any_ray(spheres, rng, i);
         const rt::Search found = tree.search(ray, {});
         const auto wide_found = wide.search(ray, {});
-        REQUIRE(found.nearest == wide_found.best.number());
+        REQUIRE(found.nearest == wide_found.best.number);
         if (found.nearest >= 0) REQUIRE(same_bits(found.within.max, wide_found.best.t));
     }
 }

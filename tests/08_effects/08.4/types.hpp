@@ -4,10 +4,10 @@
 
 #include <functional>
 #include <optional>
-#include <rt/fate.hpp>
 #include <rt/hit.hpp>
 #include <rt/interval.hpp>
 #include <rt/lights.hpp>
+#include <rt/path_end.hpp>
 #include <rt/ray.hpp>
 #include <rt/rng.hpp>
 #include <rt/scatter.hpp>
@@ -43,13 +43,13 @@ struct Materials {
 
 struct Lights {
     std::function<bool()> are_none;
-    std::function<const rt::SphereLight*(const rt::Hit&)> which;
-    std::function<rt::Real(const rt::SphereLight&, rt::Vec3)> density_of;
+    std::function<const rt::Light*(const rt::Hit&)> which;
+    std::function<rt::Real(const rt::Light&, rt::Vec3)> density_of;
     std::function<std::optional<rt::ChosenLight>(rt::Vec3, rt::Rng&)> draw;
 
     bool empty() const { return are_none(); }
-    const rt::SphereLight* find(const rt::Hit& hit) const { return which(hit); }
-    rt::Real density(const rt::SphereLight& light, rt::Vec3 from) const {
+    const rt::Light* find(const rt::Hit& hit) const { return which(hit); }
+    rt::Real density(const rt::Light& light, rt::Vec3 from) const {
         return density_of(light, from);
     }
     std::optional<rt::ChosenLight> choose(rt::Vec3 from, rt::Rng& random) const {
@@ -59,13 +59,13 @@ struct Lights {
 
 template <class AnyRay>
 struct Medium {
-    std::function<std::optional<rt::Real>(const AnyRay&, rt::Real, rt::Rng&)> droplet;
+    std::function<std::optional<rt::Real>(const AnyRay&, rt::Real, rt::Rng&)> collide;
     std::function<rt::Scatter(rt::Vec3, rt::Rng&)> turn;
     std::function<rt::Real(rt::Vec3, rt::Vec3)> density_of;
     std::function<rt::Real(const AnyRay&, rt::Real)> share;
 
     std::optional<rt::Real> meets(const AnyRay& ray, rt::Real most, rt::Rng& random) const {
-        return droplet(ray, most, random);
+        return collide(ray, most, random);
     }
     rt::Scatter scatter(rt::Vec3 incoming, rt::Rng& random) const { return turn(incoming, random); }
     rt::Real density(rt::Vec3 incoming, rt::Vec3 outgoing) const {
@@ -75,6 +75,6 @@ struct Medium {
 };
 
 using Sky = std::function<rt::Color(rt::Vec3)>;
-using Ending = std::function<rt::Fate(rt::Color&, rt::Rng&)>;
+using Ending = std::function<rt::PathEnd(rt::Color&, rt::Rng&)>;
 
 }  // namespace answer

@@ -84,7 +84,7 @@ Color draw(const std::string& name, const std::string& way, int rows) {
         if (name == "glass_lens") return sum_of(rows, by_hand::GlassAndLens{scene, picture});
     }
     Effects needed = effects_of(scene);
-    if (way == "full") needed = with_all;
+    if (way == "full") needed = every_effect;
     for (const NamedEffect& effect : all_effects)
         if (way == effect.name) needed.*effect.member = true;
     return draw(narrowest(needed, renderer_effects), scene, rows,

@@ -31,10 +31,9 @@ void check(const rt::SceneDescription& scene) {
 
 // A few samples by the renderer that has everything. Many spheres would take long.
 void draw(const rt::SceneDescription& scene) {
-    constexpr rt::Effects everything{true, true, true, true, true, true, true, true, true, true};
     constexpr int side = 8;
     if (scene.spheres.size() > 50) return;
-    const rt::Renderer<everything> renderer{scene, side, side, {2, 4, scene.settings.seed}};
+    const rt::Renderer<rt::every_effect> renderer{scene, side, side, {2, 4, scene.settings.seed}};
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
             const rt::Color color = renderer(x, y);

@@ -31,7 +31,7 @@ double gray(Color color) {
 struct Lit {
     rt::SphereList world;
     Materials materials;
-    rt::SphereLights lights;
+    rt::SceneLights lights;
     rt::FogBall fog;
     rt::UniformSky sky{{0, 0, 0}};
 
@@ -39,12 +39,10 @@ struct Lit {
         world.spheres.push_back({sphere, static_cast<int>(materials.materials.size())});
         materials.materials.push_back(material);
     }
-    // To be called after all materials are added.
     void add_light(const rt::Sphere& sphere, Color radiance) {
-        lights.first_material = static_cast<int>(materials.materials.size());
-        world.spheres.push_back(
-            {sphere, lights.first_material + static_cast<int>(lights.lights.size())});
-        lights.lights.push_back({sphere, radiance});
+        const int material = static_cast<int>(materials.materials.size());
+        add(sphere, rt::Lambertian{});
+        lights.add({sphere, radiance, material});
     }
     template <class Lights, class Ending>
     Mean mean(const Ray& ray, const Lights& found, const Ending& ending, int depth, int count,
@@ -80,13 +78,12 @@ const rt::Lambertian white{{1, 1, 1}}, gray_matte{{Real(0.5), Real(0.5), Real(0.
 TEST_CASE("a white furnace with white fog stays white") {
     Lit lit;
     lit.sky = {{1, 1, 1}};
-    lit.lights.first_material = 4;
     lit.add({{0, 0, 0}, 1}, white);
     lit.add({{2, 1, 0}, 1}, rt::Metal{{1, 1, 1}, Real(0.4)});
     lit.add({{-2, 1, 0}, 1}, rt::Dielectric{});
     lit.add({{0, -102, 0}, 100}, rt::Mirror{{1, 1, 1}});
-    for (const Real forwardness : {Real(-0.6), Real(0), Real(0.8)}) {
-        lit.fog = {{{{0, 0, 0}, 30}, Real(0.3), {1, 1, 1}, forwardness}};
+    for (const Real asymmetry : {Real(-0.6), Real(0), Real(0.8)}) {
+        lit.fog = {{{{0, 0, 0}, 30}, Real(0.3), {1, 1, 1}, asymmetry}};
         rt::Rng random{5, 5};
         for (int i = 0; i < 3000; ++i) {
             const Ray ray{{0, 3, 6}, any_direction(random)};
@@ -101,7 +98,6 @@ TEST_CASE("a white furnace with white fog stays white") {
 TEST_CASE("fog lets through what the formula says") {
     for (const Real density : {Real(0.05), Real(0.5), Real(2)}) {
         Lit lit;
-        lit.lights.first_material = 0;
         lit.sky = {{1, 1, 1}};
         lit.fog = {{{{0, 0, 0}, Real(1.5)}, density, {0, 0, 0}, 0}};
         // Straight through the middle: 3 units of fog that scatters nothing.
@@ -135,7 +131,7 @@ TEST_CASE("free flights are as long as the formula says") {
 TEST_CASE("fog scatters with the density that it says") {
     for (const Real g : {Real(-0.95), Real(-0.7), Real(0), Real(1e-16), Real(1e-7), Real(0.001),
                          Real(0.3), Real(0.9)}) {
-        INFO("forwardness " << text(g));
+        INFO("asymmetry " << text(g));
         const Vec3 incoming = rt::normalize(Vec3{1, -2, Real(0.5)});
         rt::Rng random{9, 1};
         Mean cosines;
@@ -202,7 +198,6 @@ TEST_CASE("there is no fog inside glass") {
     // Fog that swallows everything, and a glass ball around the eye: only inside nothing is lost.
     Lit lit;
     lit.add({{0, 0, 0}, 1}, rt::Dielectric{1});
-    lit.lights.first_material = 1;
     lit.sky = {{1, 1, 1}};
     lit.fog = {{{{0, 0, 0}, 2}, Real(0.8), {0, 0, 0}, 0}};
     check_mean(lit.mean({{0, 0, 0}, {0, 0, -1}}, lit.lights, rt::SkyEnding{}, 5, 100000, 6),

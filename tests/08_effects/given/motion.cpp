@@ -1,10 +1,12 @@
 // Motion blur, lens, textures and mirrors: what chapter 08 gives beside its exercises.
 
-#include <rt/eyes.hpp>
+#include <rt/aggregate.hpp>
+#include <rt/cameras.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/metal.hpp>
 #include <rt/mirror.hpp>
 #include <rt/moving_spheres.hpp>
+#include <rt/split_by_area.hpp>
 #include <rt/textures.hpp>
 #include <rt/wide_builder.hpp>
 #include <statistics.hpp>
@@ -14,9 +16,14 @@
 using namespace checkpoint;
 using rt::Color;
 
+using MovingTree = rt::TreeOf<rt::MovingSphere>;
+static MovingTree tree_of(std::vector<rt::MovingSphere> spheres) {
+    return rt::make_tree(std::move(spheres), rt::split_by_area);
+}
+
 TEST_CASE("a moving sphere covers what geometry says") {
     // It crosses the ray's line at right angles: it covers the line for 2 r of a way of length 6.
-    const rt::MovingTree tree = rt::make_moving_tree({{{{-3, 0, -5}, Real(0.6)}, {6, 0, 0}, 0}});
+    const MovingTree tree = tree_of({{{{-3, 0, -5}, Real(0.6)}, {6, 0, 0}, 0}});
     for (const Real height : {Real(0), Real(0.36), Real(0.48), Real(0.7)}) {
         const double half =
             static_cast<double>(std::sqrt(std::max(Real(0), Real(0.36) - height * height)));
@@ -71,7 +78,7 @@ TEST_CASE("the tree of moving spheres finds what trying them all finds") {
         spheres.push_back({{10 * any_direction(random), random.uniform(Real(0.1), 2)},
                            random.uniform(0, 8) * any_direction(random),
                            i});
-    const rt::MovingTree tree = rt::make_moving_tree(spheres);
+    const MovingTree tree = tree_of(spheres);
     int hits = 0;
     for (int i = 0; i < 3000; ++i) {
         const rt::TimedRay ray{20 * any_direction(random), any_direction(random), random.uniform()};
@@ -91,13 +98,13 @@ TEST_CASE("the tree of moving spheres finds what trying them all finds") {
         REQUIRE(hit->material == nearest);
     }
     CHECK(hits > 200);
-    CHECK_FALSE(rt::make_moving_tree({}).hit(rt::TimedRay{{0, 0, 0}, {0, 0, 1}, 0}, {}));
+    CHECK_FALSE(tree_of({}).hit(rt::TimedRay{{0, 0, 0}, {0, 0, 1}, 0}, {}));
 }
 
 TEST_CASE("the nearer of a moving and a standing sphere is seen") {
     const std::vector<rt::SceneSphere> still{{{{0, 0, -5}, 1}, 7}};
-    const rt::MovingWorld world{rt::make_wide_tree(still),
-                                rt::make_moving_tree({{{{0, 0, -12}, 1}, {0, 0, 10}, 9}})};
+    const auto world =
+        rt::both(rt::make_wide_tree(still), tree_of({{{{0, 0, -12}, 1}, {0, 0, 10}, 9}}));
     const auto material = [&](Real time) {
         return world.hit(rt::TimedRay{{0, 0, 0}, {0, 0, -1}, time}, {})->material;
     };

@@ -25,7 +25,8 @@ Drawn draw(const rt::SceneDescription& scene, std::size_t renderer) {
     const auto shade = rt::renderer_makers[renderer](scene, width, height, quality);
     Drawn drawn;
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) drawn.pixels.push_back(shade(x, y, drawn.rays));
+        for (int x = 0; x < width; ++x)
+            drawn.pixels.push_back(shade(x, y, quality.seed, drawn.rays));
     return drawn;
 }
 
@@ -40,7 +41,7 @@ TEST_CASE("a test scene has the effects that it says") {
 }
 
 TEST_CASE("each scene's narrowest renderer draws what the full one draws") {
-    const std::size_t full = rt::narrowest(rt::with_all, rt::renderer_effects);
+    const std::size_t full = rt::narrowest(rt::every_effect, rt::renderer_effects);
     std::set<std::size_t> used;
     for (unsigned bits = 0; bits < sets_of_effects; ++bits) {
         const rt::SceneDescription scene = scene_with(numbered_effects(bits));
@@ -95,7 +96,7 @@ TEST_CASE("what cannot be seen changes nothing") {
     scene.fog = rt::Fog{{{0, 0, 0}, 8}, 0};
     scene.spheres[1].velocity = {1, 1, 1};  // with a closed shutter
     REQUIRE((effects_of(scene) == Effects{}));
-    const std::size_t full = rt::narrowest(rt::with_all, rt::renderer_effects);
+    const std::size_t full = rt::narrowest(rt::every_effect, rt::renderer_effects);
     for (const std::size_t renderer : {rt::narrowest({}, rt::renderer_effects), full}) {
         const Drawn drawn = draw(scene, renderer);
         CHECK(std::equal(drawn.pixels.begin(), drawn.pixels.end(), expected.pixels.begin(),

@@ -79,7 +79,7 @@ TEST_CASE("a scene file becomes the scene that it describes", "[scene_file]") {
         "camera": {"look_from": [1, 2, 3], "look_at": [1, 2, 0], "up": [1, 0, 0], "vfov_deg": 90,
                    "lens": {"aperture": 0.5}, "shutter": 2},
         "sky": {"below": "#000000", "above": [0.5, 1, 8]},
-        "fog": {"center": [0, 1, 0], "radius": 5, "density": 0.25, "forwardness": -0.5},
+        "fog": {"center": [0, 1, 0], "radius": 5, "density": 0.25, "asymmetry": -0.5},
         "textures": {"board": {"type": "checker", "even": "#ffffff", "odd": "#000000", "size": 2}},
         "materials": {
             "unused": {"type": "matte", "color": "#000000"},
@@ -107,7 +107,7 @@ TEST_CASE("a scene file becomes the scene that it describes", "[scene_file]") {
     REQUIRE(scene.fog);
     CHECK(scene.fog->region.radius == 5);
     CHECK(scene.fog->density == Real(0.25));
-    CHECK(scene.fog->forwardness == Real(-0.5));
+    CHECK(scene.fog->asymmetry == Real(-0.5));
     // Only what spheres are made of, in their order.
     REQUIRE(scene.materials.size() == 5);
     CHECK(std::get<rt::CheckeredMatte>(scene.materials[0]).size == 2);
@@ -377,8 +377,8 @@ TEST_CASE("numbers outside their range are refused", "[scene_file]") {
             "another point");
     REFUSED(with_camera(R"("look_from": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 0, 0])"),
             "camera.up", "direction");
-    REFUSED(with(R"("fog": {"center": [0, 0, 0], "radius": 1, "density": 1, "forwardness": 1})"),
-            "fog.forwardness", "to 0.99");
+    REFUSED(with(R"("fog": {"center": [0, 0, 0], "radius": 1, "density": 1, "asymmetry": 1})"),
+            "fog.asymmetry", "to 0.99");
     REFUSED(with(R"("render": {"width": 0})"), "render.width", "whole number from 1 to 65536");
     REFUSED(with(R"("render": {"spp": 1.5})"), "render.spp", "whole number");
     REFUSED(with(R"("render": {"seed": -1})"), "render.seed", "whole number from 0");

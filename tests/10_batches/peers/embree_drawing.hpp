@@ -104,7 +104,7 @@ class EmbreeDrawing {
                 int sample = 0;
                 study::keep(pixel_average(quality_.samples_per_pixel, places, [&](Vec2 offset) {
                     Rng random = sample_rng(quality_.seed, column, row, sample++);
-                    follow(make_ray(scene_.eye, column, row, offset, random), random);
+                    follow(make_ray(scene_.camera, column, row, offset, random), random);
                     return Color{};
                 }));
             }

@@ -59,7 +59,7 @@ void compare_pictures(const std::string& title, const SceneDescription& descript
     BatchRenderer<effects> batches{scene, quality};
     Image image{picture_width, picture_height};
     const EmbreeDrawing<effects> drawing{scene, quality};
-    const std::vector<SceneSphere> spheres = prepare_spheres(description).still;
+    const std::vector<SceneSphere> spheres = prepare_shapes(description).still;
     const EmbreeWorld world{spheres}, coherent{spheres, RTC_INTERSECT_CONTEXT_FLAG_COHERENT};
     const auto of_image = [&](std::uint64_t rays) {
         Color sum;
@@ -108,7 +108,7 @@ void compare_pictures(const std::string& title, const SceneDescription& descript
 template <Effects effects>
 void compare_searches(const std::string& title, const SceneDescription& description,
                       const ReadyScene<effects>& scene, const Quality& quality, int rounds) {
-    const std::vector<SceneSphere> spheres = prepare_spheres(description).still;
+    const std::vector<SceneSphere> spheres = prepare_shapes(description).still;
     const EmbreeWorld world{spheres}, coherent{spheres, RTC_INTERSECT_CONTEXT_FLAG_COHERENT};
     std::vector<std::vector<Ray>> waves;
     const auto keep_rays = [&](const auto& paths) {

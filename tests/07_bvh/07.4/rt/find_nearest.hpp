@@ -6,8 +6,8 @@
 
 namespace answer {
 
-void try_sphere(int number, rt::Search& search);
-void try_sphere(int number, MovedSearch& search);
+void try_shape(int number, rt::Search& search);
+void try_shape(int number, MovedSearch& search);
 void find_nearest(const rt::TreeNode& node, rt::Search& search);
 void find_nearest(const rt::TreeNode& node, MovedSearch& search);
 
@@ -16,6 +16,6 @@ void find_nearest(const rt::TreeNode& node, MovedSearch& search);
 namespace rt {
 
 using answer::find_nearest;
-using answer::try_sphere;
+using answer::try_shape;
 
 }  // namespace rt

@@ -31,10 +31,9 @@ Materials as_materials(const Given& set) {
 }
 template <class Given>
 Lights as_lights(const Given& lights) {
-    return {
-        [&] { return lights.empty(); }, [&](const rt::Hit& hit) { return lights.find(hit); },
-        [&](const rt::SphereLight& light, rt::Vec3 from) { return lights.density(light, from); },
-        [&](rt::Vec3 from, rt::Rng& random) { return lights.choose(from, random); }};
+    return {[&] { return lights.empty(); }, [&](const rt::Hit& hit) { return lights.find(hit); },
+            [&](const rt::Light& light, rt::Vec3 from) { return lights.density(light, from); },
+            [&](rt::Vec3 from, rt::Rng& random) { return lights.choose(from, random); }};
 }
 template <class AnyRay, class Given>
 Medium<AnyRay> as_medium(const Given& fog) {
@@ -57,7 +56,7 @@ Color direct_light(const AnyRay& ray, const World& world, const Lights& lights,
     const auto fog = answer::as_medium<AnyRay>(place.fog);
     return answer::direct_light(
         ray, answer::as_world<AnyRay>(world), answer::as_lights(lights),
-        {materials, fog, place.hit, place.droplet, place.point, place.incoming}, goes_on, random);
+        {materials, fog, place.hit, place.collision, place.point, place.incoming}, goes_on, random);
 }
 
 template <class AnyRay, class World, class Materials, class Sky, class Lights, class Medium,

@@ -15,10 +15,10 @@ struct TreeOf : Tree {
     const std::array<std::uint8_t, 8>& order(std::int32_t node) const override {
         return tree.order(node);
     }
-    std::int32_t child(std::int32_t node, unsigned place) const override {
+    rt::WideChild child(std::int32_t node, unsigned place) const override {
         return tree.child(node, place);
     }
-    void leaf(std::int32_t child, rt::PathList list) override { tree.leaf(child, list); }
+    void leaf(std::int32_t number, rt::PathList list) override { tree.leaf(number, list); }
 
     AnyTree& tree;
 };

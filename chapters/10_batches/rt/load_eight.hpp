@@ -1,25 +1,19 @@
 #pragma once
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
-#include <rt/real.hpp>
-#include <rt/vector_registers.hpp>
+#include <rt/pack.hpp>
 #include <utility>
 
 namespace rt {
 
-// As many numbers as fit in one register of this processor (given), for arithmetic on all of them
-// at once: a + b adds each number of a to its partner in b, and rounds it as it would alone. A
-// comparison gives a PackMask, and mask ? a : b takes each number from a where the mask is true,
-// and from b elsewhere.
+// Packs that fill a register of this processor (given), and how they come from records in memory.
 inline constexpr std::size_t pack_size = RT_REGISTER_BYTES / sizeof(Real);
-using PackInteger = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
-typedef Real Pack RT_VECTOR_OF(RT_REGISTER_BYTES);
-typedef PackInteger PackMask RT_VECTOR_OF(RT_REGISTER_BYTES);  // -1 for true, 0 for false
+using Pack = PackOf<Real, pack_size>;
+using PackMask = Bits<Pack>;  // -1 for true, 0 for false
+using PackInteger = NumberOf<PackMask>;
 
 // The same number, pack_size times.
 inline Pack pack_of(Real x) {
@@ -41,34 +35,9 @@ void for_each_bit(PackBits bits, Visit visit) {
     for (; bits; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-// Functions of the standard library, applied to each number of a pack: they give the same bits.
-inline Pack sqrt(Pack x) {
-    for (std::size_t i = 0; i < pack_size; ++i) x[i] = std::sqrt(x[i]);
-    return x;
-}
-inline Pack fma(Pack a, Pack b, Pack c) {
-    for (std::size_t i = 0; i < pack_size; ++i) c[i] = std::fma(a[i], b[i], c[i]);
-    return c;
-}
-inline Pack max(Pack a, Pack b) {
-    return a < b ? b : a;
-}
-inline Pack min(Pack a, Pack b) {
-    return b < a ? b : a;
-}
-inline constexpr PackInteger sign_bit = std::numeric_limits<PackInteger>::min();
-inline Pack abs(Pack x) {
-    return std::bit_cast<Pack>(std::bit_cast<PackMask>(x) & ~(PackMask{} + sign_bit));
-}
-inline Pack copysign(Pack size, Pack sign) {
-    const PackMask bit = PackMask{} + sign_bit;
-    return std::bit_cast<Pack>((std::bit_cast<PackMask>(size) & ~bit) |
-                               (std::bit_cast<PackMask>(sign) & bit));
-}
-
 // The numbers that a processor fetches from a record in memory at once. A pack holds one
 // block or more.
-typedef Real Block RT_VECTOR_OF(16);
+using Block = PackOf<Real, 16 / sizeof(Real)>;
 inline constexpr std::size_t block_size = sizeof(Block) / sizeof(Real);
 inline constexpr std::size_t blocks = pack_size / block_size;
 
@@ -128,10 +97,8 @@ RT_INLINED std::array<Pack, 8> load_eight(std::size_t size, const Record& record
         for (std::size_t i = 0; i < block_size; ++i)
             rows[i] = join_blocks([&](std::size_t b) {
                 const std::size_t n = b * block_size + i;
-                Block block;
-                std::memcpy(&block, reinterpret_cast<const Real*>(record(n < size ? n : 0)) + first,
-                            sizeof block);
-                return block;
+                const void* const numbers = record(n < size ? n : 0);
+                return load<Block>(static_cast<const Real*>(numbers) + first);
             });
         transpose_blocks(rows);
         for (std::size_t k = 0; k < block_size; ++k) packs[first + k] = rows[k];
@@ -149,7 +116,8 @@ RT_INLINED void store(const std::array<Pack, count>& packs, std::size_t size,
         for (std::size_t k = 0; k < block_size; ++k) rows[k] = packs[first + k];
         transpose_blocks(rows);
         const auto write = [&](std::size_t n, Block block) {
-            std::memcpy(reinterpret_cast<Real*>(record(n)) + first, &block, sizeof block);
+            void* const numbers = record(n);
+            store(block, static_cast<Real*>(numbers) + first);
         };
         for (std::size_t i = 0; i < block_size; ++i)
             [&]<std::size_t... b>(std::index_sequence<b...>) {

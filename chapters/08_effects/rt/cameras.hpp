@@ -13,9 +13,9 @@ struct LensCamera {
 };
 
 template <class Random>
-Ray make_ray(const LensCamera& eye, int column, int row, Vec2 offset, Random& random) {
-    if (!(eye.lens.aperture > 0)) return primary_ray(eye.camera, column, row, offset);
-    return lens_ray(eye.camera, eye.lens, column, row, offset, random_place(random));
+Ray make_ray(const LensCamera& with_lens, int column, int row, Vec2 offset, Random& random) {
+    if (!(with_lens.lens.aperture > 0)) return primary_ray(with_lens.camera, column, row, offset);
+    return lens_ray(with_lens.camera, with_lens.lens, column, row, offset, random_place(random));
 }
 
 // A camera, with or without a lens, whose shutter is open for a while (given). If nothing moves, no
@@ -27,10 +27,10 @@ struct ShutterCamera {
 };
 
 template <class StillCamera, class Random>
-TimedRay make_ray(const ShutterCamera<StillCamera>& eye, int column, int row, Vec2 offset,
+TimedRay make_ray(const ShutterCamera<StillCamera>& with_shutter, int column, int row, Vec2 offset,
                   Random& random) {
-    const Ray ray = make_ray(eye.camera, column, row, offset, random);
-    return {ray.origin, ray.direction, eye.anything_moves ? random.uniform() : Real(0)};
+    const Ray ray = make_ray(with_shutter.camera, column, row, offset, random);
+    return {ray.origin, ray.direction, with_shutter.anything_moves ? random.uniform() : Real(0)};
 }
 
 }  // namespace rt

@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+
+namespace rt {
+
+// A child of a wide node (given): another node or a leaf, by its number among all nodes or all
+// leaves of the tree. Both share one number, so that a node fits into few cache lines.
+class WideChild {
+  public:
+    // Not set to anything: the stacks of searches are arrays of children, and start empty.
+    WideChild() = default;
+    static constexpr WideChild node(std::int32_t number) { return WideChild{number}; }
+    static constexpr WideChild leaf(std::int32_t number) { return WideChild{~number}; }
+
+    constexpr bool is_leaf() const { return code_ < 0; }
+    constexpr std::int32_t number() const { return is_leaf() ? ~code_ : code_; }
+
+    friend constexpr bool operator==(const WideChild&, const WideChild&) = default;
+
+  private:
+    constexpr explicit WideChild(std::int32_t code) : code_{code} {}
+
+    std::int32_t code_;  // ~number of a leaf, which is negative
+};
+
+}  // namespace rt

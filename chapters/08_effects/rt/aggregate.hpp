@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+#include <rt/hit.hpp>
+#include <rt/interval.hpp>
+#include <utility>
+
+namespace rt {
+
+// Two worlds in one (given): a ray hits what it meets first in either of them. Such a world is
+// called an aggregate. Either may be an aggregate, too.
+template <class First, class Second>
+struct Aggregate {
+    First first;
+    Second second;
+
+    // Of equally near hits the second world's counts.
+    template <class AnyRay>
+    std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
+        std::optional<Hit> nearest = first.hit(ray, within);
+        if (nearest) within.max = nearest->t;
+        if (const std::optional<Hit> in_second = second.hit(ray, within)) nearest = in_second;
+        return nearest;
+    }
+
+    // True if anything is hit within the interval. The number is one of the first world's, as in
+    // WideTreeOf.
+    template <class AnyRay>
+    bool occluded(const AnyRay& ray, Interval within, int number = -1) const {
+        return first.occluded(ray, within, number) || second.occluded(ray, within);
+    }
+};
+
+// A part of a world that is not there.
+struct NoWorld {};
+
+// One world of both. What is not there is not in its type.
+template <class First, class Second>
+Aggregate<First, Second> both(First first, Second second) {
+    return {std::move(first), std::move(second)};
+}
+template <class First>
+First both(First first, NoWorld) {
+    return first;
+}
+
+}  // namespace rt

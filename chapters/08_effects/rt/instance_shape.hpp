@@ -1,0 +1,14 @@
+#pragma once
+#include <optional>
+#include <rt/instance.hpp>
+#include <rt/shape_tree.hpp>
+
+namespace rt {
+
+// What a tree asks of an instance, beside bounds_of and surface_hit of 08.5 and margin_factor
+// (given).
+inline std::optional<Real> hit_shape(const Instance& instance, const Ray& ray, Interval within) {
+    return hit_instance(instance, ray, within);
+}
+
+}  // namespace rt

@@ -1,0 +1,42 @@
+#pragma once
+#include <rt/dielectric.hpp>
+#include <rt/effects.hpp>
+#include <rt/lambertian.hpp>
+#include <rt/material_set.hpp>
+#include <rt/metal.hpp>
+#include <rt/mirror.hpp>
+#include <rt/own_material.hpp>
+#include <rt/textures.hpp>
+#include <type_traits>
+
+namespace rt {
+
+// The types of material that renderers use (given): metal without fuzz, which draws no random
+// numbers, is a Mirror, and an image is looked up. A chapter that adds a material adds its type
+// here. The renderers that have every effect have all of these types.
+using AllMaterials =
+    MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>;
+using ReadyMaterial = decltype(AllMaterials::materials)::value_type;
+
+// The effects whose materials are in no other renderers than those.
+inline constexpr Effects rare_materials{.own = true};
+
+// The materials of a renderer with these effects.
+template <Effects effects>
+struct RendererMaterials {
+    template <bool condition, class Yes, class No>
+    using Either = std::conditional_t<condition, Yes, No>;
+
+    static constexpr bool metal = effects.mirror || effects.fuzz;
+    static constexpr bool one_material = !metal && !effects.glass && !effects.texture;
+    static constexpr bool all = without(effects, rare_materials) != effects;
+    using Type = Either<
+        all, AllMaterials,
+        Either<one_material, MaterialList<Lambertian>,
+               Either<!effects.glass && !effects.texture, MaterialSet<Lambertian, Mirror, Metal>,
+                      Either<!metal && !effects.texture, MaterialSet<Lambertian, Dielectric>,
+                             MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte,
+                                         ImageMatte>>>>>;
+};
+
+}  // namespace rt

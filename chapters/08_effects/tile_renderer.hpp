@@ -1,0 +1,51 @@
+#pragma once
+// A way to draw a scene. This chapter has one; chapters 10 and 11 add two more to this program, and
+// a way to refine a picture. CMakeLists.txt names their sources.
+
+#include <app/run.hpp>
+#include <cstdint>
+#include <functional>
+#include <rt/effects.hpp>
+#include <rt/image.hpp>
+#include <rt/render_pixel.hpp>
+#include <rt/scene.hpp>
+#include <rt/tile.hpp>
+
+namespace effects {
+
+// Which renderer was chosen.
+struct Choice {
+    rt::Effects chosen, left_out;  // the effects that it has, and has not
+    std::size_t renderers = 0;     // how many there are to choose from
+};
+
+// Draws the pixels of a tile with this seed, and returns how many are done: all, unless a signal
+// came meanwhile (app::Interruption) and the renderer asks for that. The rays that it took are
+// added to `rays`.
+using DrawTile = std::function<std::int64_t(const rt::Tile& tile, std::uint64_t seed,
+                                            rt::Image& image, std::uint64_t& rays)>;
+
+struct TileRenderer {
+    Choice choice;
+    std::function<DrawTile()> make_worker;  // one for each thread; may be called by all at once
+    int tile_side = 16;                     // in pixels
+};
+
+// Each makes a renderer ready for the scene, which must outlive it.
+
+// Pixel by pixel, each path to its end, by the narrowest renderer that has these effects.
+TileRenderer make_narrowest(const rt::Effects& needed, const rt::SceneDescription& scene, int width,
+                            int height, const rt::Quality& quality);
+// Chapter 10's: the same picture, byte for byte, in batches of rays.
+TileRenderer make_batched(const rt::SceneDescription& scene, int width, int height,
+                          const rt::Quality& quality);
+// Chapter 11's: with samples from Sobol's sequence.
+TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height,
+                        const rt::Quality& quality);
+
+// Chapter 11's way to refine a picture, up to the target error or the time budget that the settings
+// name. Calls explain() before it draws.
+app::Picture refine(const rt::SceneDescription& scene, const app::Settings& settings,
+                    const std::function<void(const Choice&)>& explain, app::Progress& progress);
+
+}  // namespace effects

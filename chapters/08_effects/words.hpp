@@ -1,0 +1,35 @@
+#pragma once
+// What the program says about a scene and the renderer that draws it.
+
+#include <algorithm>
+#include <rt/needed_effects.hpp>
+#include <string>
+
+#include "tile_renderer.hpp"
+
+namespace effects {
+
+inline std::string explanation(const rt::SceneDescription& scene, const std::string& file,
+                               const Choice& choice, bool in_batches) {
+    const rt::Effects needed = rt::needed_effects(scene);
+    const std::size_t spheres = scene.spheres.size();
+    return "scene:    " + (file.empty() ? "the final scene" : file) + ", " +
+           std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
+           "\nneeds:    " + names(needed) + "\nrenderer: " + names(choice.chosen) + ", one of " +
+           std::to_string(choice.renderers) + (in_batches ? " for batches" : "") +
+           "\nunused:   " + names(without(choice.chosen, needed)) +
+           "\nleft out: " + names(choice.left_out) + '\n';
+}
+
+// What the person may have overlooked; "" if nothing.
+inline std::string note_on(const rt::SceneDescription& scene) {
+    const auto moves = [](const rt::SphereDescription& sphere) {
+        return sphere.velocity != rt::Vec3{};
+    };
+    const auto count = std::count_if(scene.spheres.begin(), scene.spheres.end(), moves);
+    if (count == 0 || scene.camera.shutter > 0) return "";
+    return "note: " + std::to_string(count) + (count == 1 ? " sphere has" : " spheres have") +
+           " a velocity and no trail, because camera.shutter is 0\n";
+}
+
+}  // namespace effects

@@ -1,0 +1,467 @@
+#!/usr/bin/env python3
+"""Makes the pictures of the texts again.
+
+    tests/pictures.py BUILD [NAME...]   makes docs/images/NAME.png, or all of them
+    tests/pictures.py --check           says which committed picture has no command, and which is wider than it is shown
+
+The first needs the programs of a build with COURSE_ALL_TESTS=ON: study_programs, 09_own_solution, brick_wall and
+mistake_tool. Most pictures take less than a minute; those of chapters 08 and 11 compile for longer.
+
+Each picture is a line of RECIPES below: a program and its options, sometimes of a program with a known mistake, and
+what is done with the pixels. What is not made here is made by the commands in OTHERS. The texts' figures,
+docs/images/*.svg, are written by hand. Pictures of mistakes and scenes have 256 colors at most; a chapter's own picture
+has all of them, since a test compares it with what the program draws.
+"""
+
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+IMAGES = ROOT / "docs/images"
+PAGE = 800  # pixels: the width of a page's text. A picture in a table has half of it
+
+OTHERS = {
+    r"docs/plots/.*\.svg": "./course study --docs",
+    r"docs/images/.*\.svg": "written by hand",
+    r"docs/images/00-first-\d\.png": "python3 tests/00_toolchain/first_steps.py . --draw",
+    r"chapters/08_effects/scenes/planet\.png": "python3 chapters/08_effects/scenes/planet.py",
+    # Its program drew a NaN as black; those of the course refuse to write one.
+    r"docs/images/hard-total-plain\.png": None,
+    r"tests/08_effects/fuzz/seeds/tiny\.png": "an input of a test, not a picture",
+}
+# To be hung up; shown as wide as the window.
+LARGE = {"final"}
+
+# ---- Pixels --------------------------------------------------------------------------------------------------------
+
+
+class Picture:
+    """Rows of bytes: red, green, blue, red, ..."""
+
+    def __init__(self, width, rows):
+        self.width, self.height, self.rows = width, len(rows), rows
+
+    def part(self, left, top, width, height):
+        return Picture(width, [row[3 * left:3 * (left + width)] for row in self.rows[top:top + height]])
+
+    def enlarged(self, times):
+        rows = [b"".join(row[i:i + 3] * times for i in range(0, len(row), 3)) for row in self.rows]
+        return Picture(times * self.width, [row for row in rows for _ in range(times)])
+
+    def shrunk(self, width, height=None):
+        """Each new pixel is the mean of the area that it covers."""
+        height = height or round(self.height * width / self.width)
+
+        def shares(many, few):
+            for i in range(few):
+                begin, end = i * many / few, (i + 1) * many / few
+                first, last = int(begin), min(many, int(end - 1e-9) + 1)
+                yield [(k, (min(k + 1, end) - max(k, begin)) * few / many) for k in range(first, last)]
+
+        down = []
+        for weights in shares(self.height, height):
+            row = [0.0] * (3 * self.width)
+            for k, weight in weights:
+                row = [a + weight * b for a, b in zip(row, self.rows[k])]
+            down.append(row)
+        across = list(shares(self.width, width))
+        return Picture(width, [bytes(int(sum(w * row[3 * k + c] for k, w in weights) + 0.5)
+                                     for weights in across for c in range(3)) for row in down])
+
+
+def beside(left, right, gap=0):
+    white = b"\xff" * (3 * gap)
+    return Picture(left.width + gap + right.width, [a + white + b for a, b in zip(left.rows, right.rows)])
+
+
+def above(top, bottom):
+    return Picture(top.width, top.rows + bottom.rows)
+
+
+def difference(a, b, times):
+    return Picture(a.width, [bytes(min(255, times * abs(p - q)) for p, q in zip(*rows))
+                             for rows in zip(a.rows, b.rows)])
+
+
+def read_ppm(path):
+    data = path.read_bytes()
+    magic, width, height, _ = data.split(None, 4)[:4]
+    width, height = int(width), int(height)
+    if magic == b"P3":
+        values = bytes(map(int, data.split()[4:]))
+    else:
+        values = data[-3 * width * height:]
+    return Picture(width, [values[i:i + 3 * width] for i in range(0, len(values), 3 * width)])
+
+
+def read_png(path):
+    """Of one that write_png made, or any other with 8 bits a channel, without transparency."""
+    data, at, packed, palette = path.read_bytes(), 8, b"", None
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            width, height, bits, color = struct.unpack(">IIBB", body[:10])
+        palette = body if kind == b"PLTE" else palette
+        packed += body if kind == b"IDAT" else b""
+        at += length + 12
+    channels = 3 if color == 2 else 1
+    line = (width * channels * bits + 7) // 8
+    raw, rows, before = zlib.decompress(packed), [], bytes(line)
+    for y in range(height):
+        kind, row = raw[y * (line + 1)], bytearray(raw[y * (line + 1) + 1:(y + 1) * (line + 1)])
+        for i in range(line):
+            left = row[i - channels] if i >= channels else 0
+            corner = before[i - channels] if i >= channels else 0
+            row[i] = row[i] + predicted(kind, left, before[i], corner) & 255
+        rows.append(bytes(row))
+        before = row
+    if palette:
+        each = 8 // bits
+        rows = [b"".join(palette[3 * p:3 * p + 3] for p in
+                         ((row[x // each] >> (8 - bits * (x % each + 1))) & ((1 << bits) - 1) for x in range(width)))
+                for row in rows]
+    return Picture(width, rows)
+
+
+def predicted(kind, left, up, corner):
+    """What PNG's filter of this kind subtracts."""
+    if kind < 4:
+        return (0, left, up, (left + up) // 2)[kind]
+    guess = left + up - corner
+    a, b, c = abs(guess - left), abs(guess - up), abs(guess - corner)
+    return left if a <= b and a <= c else up if b <= c else corner
+
+
+def palette_of(picture, most=256):
+    """Up to `most` colors and the one for each pixel's color: the box of colors with the widest spread is halved, again
+    and again, until there are enough."""
+    count = {}
+    for row in picture.rows:
+        for i in range(0, len(row), 3):
+            count[row[i:i + 3]] = count.get(row[i:i + 3], 0) + 1
+    if len(count) <= most:
+        return sorted(count), {color: [color] for color in count}
+
+    def spread(box):
+        def variance(c):
+            total = sum(count[color] for color in box)
+            mean = sum(count[color] * color[c] for color in box) / total
+            return sum(count[color] * (color[c] - mean) ** 2 for color in box)
+        return max((variance(c), c) for c in range(3))
+
+    boxes = [(spread(list(count)), list(count))]
+    while len(boxes) < most:
+        (_, axis), box = boxes.pop(max(range(len(boxes)), key=lambda i: boxes[i][0]))
+        total = sum(count[color] for color in box)
+        middle = sum(count[color] * color[axis] for color in box) / total
+        for half in ([c for c in box if c[axis] <= middle], [c for c in box if c[axis] > middle]):
+            boxes.append((spread(half), half))
+    means = {}
+    for _, box in boxes:
+        total = sum(count[color] for color in box)
+        means[bytes(round(sum(count[k] * k[c] for k in box) / total) for c in range(3))] = box
+    return sorted(means), means
+
+
+def write_png(path, picture, few_colors):
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    def encoded(rows, color_type, extra=b""):
+        channels = 3 if color_type == 2 else 1
+        best, before = [], bytes(len(rows[0]))
+        for row in rows:
+            lefts, corners = bytes(channels) + row[:-channels], bytes(channels) + before[:-channels]
+            lines = [bytes(p - predicted(kind, *q) & 255 for p, *q in zip(row, lefts, before, corners))
+                     for kind in range(5)]
+            kind = min(range(5), key=lambda k: sum(min(p, 256 - p) for p in lines[k]))
+            best.append(bytes([kind]) + lines[kind])
+            before = row
+        packed = min((zlib.compress(data, 9) for data in (b"".join(best), b"".join(b"\0" + row for row in rows))),
+                     key=len)
+        header = struct.pack(">IIBBBBB", picture.width, picture.height, 8, color_type, 0, 0, 0)
+        return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + extra + chunk(b"IDAT", packed) + chunk(b"IEND", b"")
+
+    if few_colors:
+        colors, boxes = palette_of(picture)
+        index = {color: i for i, mean in enumerate(colors) for color in boxes[mean]}
+        rows = [bytes(index[row[i:i + 3]] for i in range(0, len(row), 3)) for row in picture.rows]
+        path.write_bytes(encoded(rows, 3, chunk(b"PLTE", b"".join(colors))))
+    else:
+        path.write_bytes(encoded(picture.rows, 2))
+
+
+# ---- Programs ------------------------------------------------------------------------------------------------------
+
+build = folder = None
+
+
+def draw(program, width, height, *options, mistake=None):
+    """What a program of the build draws; with a mistake, or several with a + between them, built with it first."""
+    return run(built(program, mistake), *options, "--quiet", "--width", str(width), "--height", str(height))
+
+
+def built(program, mistake=None):
+    file = build / "bin" / program
+    if mistake:
+        file = folder / f"{program} {mistake}"
+        if not file.exists():
+            subprocess.run([build / "bin/mistake_tool", "program", mistake, program, file], check=True)
+    return file
+
+
+def run(file, *options):
+    out = folder / "picture.ppm"
+    subprocess.run([file, *options, "--out", out], check=True, cwd=ROOT)
+    return read_ppm(out)
+
+
+def brick_wall(mistake=None):
+    return lambda: run(built("brick_wall", mistake)).enlarged(3)
+
+
+def chapter(name, width, height):
+    return lambda: draw(name + "_solution", width, height)
+
+
+def own():
+    out = folder / "picture.ppm"
+    subprocess.run([build / "bin/09_own_solution", build / "own_start/scenes/many.txt", out], check=True)
+    return read_ppm(out)
+
+
+def of_mistake(name, mistake, width, height, times):
+    """A chapter's picture with a mistake, drawn so many times as large."""
+    return lambda: draw(name + "_solution", times * width, times * height, mistake=mistake).shrunk(width, height)
+
+
+def of_edit(name, width, height, file, before, after):
+    """The same for a change that is not among the known mistakes."""
+    def picture():
+        header, changed = ROOT / "solutions" / name / file, folder / "changed"
+        text = header.read_text()
+        assert text.count(before) == 1, f"{header} has changed"
+        (changed / file).parent.mkdir(parents=True, exist_ok=True)
+        (changed / file).write_text(text.replace(before, after))
+        program = folder / f"{name} {abs(hash(after))}"
+        subprocess.run([build / "bin/mistake_tool", "program", changed, name + "_solution", program], check=True)
+        (changed / file).unlink()
+        return draw(program, 2 * width, 2 * height).shrunk(width, height)
+    return picture
+
+
+def threads_scene(mistake=None):
+    return lambda: draw("06_threads_solution", 480, 270, "--spp", "16", mistake=mistake).part(10, 10, 320, 180)
+
+
+def effects_scene(scene, mistake=None):
+    return lambda: draw("08_effects_solution", 320, 180, f"chapters/08_effects/scenes/{scene}.json", mistake=mistake)
+
+
+def hard_case(scene, mistake=None, real=""):
+    return lambda: draw("08_effects_solution" + real, 360, 240, f"docs/hard-cases/{scene}.json", "--spp", "64",
+                        mistake=mistake)
+
+
+def ending(name):
+    return lambda: draw("04_normals_aa_solution", 1600, 900, "--depth", "2", "--ending",
+                        name).part(638, 452, 360, 240)
+
+
+def washers():
+    parts = [draw("01_vectors_solution", 1280, 720, mistake=m).part(322, 184, 198, 225)
+             for m in (None, "01.8_not_normalized")]
+    return beside(*parts, gap=4)
+
+
+def rough_ball():
+    return beside(*(draw("05_metal_glass_solution", 960, 540, mistake=m).part(755, 65, 200, 200)
+                    for m in (None, "05.2_absorbs_below")))
+
+
+def schlick():
+    return above(*(draw("05_metal_glass_solution", 1200, 675, mistake=m).part(800, 488, 400, 187)
+                   for m in (None, "05.4_schlick_inner_cosine")))
+
+
+def furnace():
+    return above(*(draw("08_effects_solution", 700, 140, "docs/hard-cases/furnace.json", mistake=m)
+                   for m in (None, "05.2_absorbs_below")))
+
+
+def far_sphere(left):
+    return lambda: draw("03_sphere_solution", 1280, 720).part(left, 372, 160, 160).enlarged(2)
+
+
+def race(mistake=None):
+    """Two runs of one program, which should be the same."""
+    return lambda: difference(*(draw("08_effects_solution", 360, 240, "docs/hard-cases/far.json", "--spp", "64",
+                                     "--threads", "4", mistake=mistake) for _ in range(2)), times=4)
+
+
+def overview():
+    """The pictures of the core chapters with a program, three in a row."""
+    names = [name for name in RECIPES if re.match(r"0[0-8]_", name)]
+    width, height, gap = 262, 148, 2
+    dark, rows = b"\x14\x17\x20", []
+    for i in range(0, 9, 3):
+        cells = []
+        for name in names[i:i + 3]:
+            whole = read_png(IMAGES / f"{name}.png")
+            wide = min(width, whole.width * height // whole.height)
+            small = whole.shrunk(wide)
+            left, top = (width - wide) // 2, (height - small.height) // 2
+            empty = dark * (width + 2 * gap)
+            cells.append([empty] * (gap + top) +
+                         [dark * (gap + left) + row + dark * (width - wide - left + gap) for row in small.rows] +
+                         [empty] * (height - small.height - top + gap))
+        rows += [b"".join(parts) for parts in zip(*cells)]
+    return Picture(len(rows[0]) // 3, rows)
+
+
+RECIPES = {
+    "00_toolchain": chapter("00_toolchain", 800, 450),
+    "01_vectors": chapter("01_vectors", 800, 450),
+    "02_camera": chapter("02_camera", 800, 450),
+    "03_sphere": chapter("03_sphere", 800, 450),
+    "04_normals_aa": chapter("04_normals_aa", 800, 450),
+    "05_metal_glass": chapter("05_metal_glass", 800, 450),
+    "06_threads": chapter("06_threads", 800, 450),
+    "07_bvh": chapter("07_bvh", 784, 560),
+    "08_effects": chapter("08_effects", 640, 360),
+    "09_own": own,
+    "10_batches": chapter("10_batches", 640, 360),
+    "11_samples": chapter("11_samples", 800, 450),
+    "final": lambda: draw("08_effects_solution", 1280, 720, "--spp", "1024"),
+    "overview": overview,
+    "04-ending-sky": ending("sky"),
+    "04-ending-black": ending("black"),
+    "04-ending-roulette": ending("roulette"),
+    "01-mistake-not_normalized": washers,
+    "05-mistake-absorbs_below": rough_ball,
+    "05-mistake-schlick_inner_cosine": schlick,
+    "05-furnace": furnace,
+    "06-scene": threads_scene(),
+    "08-mistake-only_the_last": effects_scene("glass", "08.1_only_the_last"),
+    "08-mistake-same_direction": effects_scene("lens", "08.2_same_direction"),
+    "08-mistake-radius_for_diameter": effects_scene("lens", "08.2_radius_for_diameter"),
+    "08-mistake-adds_both_ways": effects_scene("lights", "08.3_adds_both_ways"),
+    "08-mistake-area_for_solid_angle": effects_scene("lights", "08.3_area_for_solid_angle"),
+    "11-mistake-same_points": of_edit("11_samples", 400, 225, "rt/sobol.hpp", "    return reversed_bits(x);\n",
+                                      "    return fraction;\n"),
+    "11-mistake-distance_only": of_edit("11_samples", 400, 225, "rt/denoise.hpp",
+                                        "y * y + color + dot(normal, normal)", "y * y"),
+    "hard-quadratic-plain": far_sphere(934),
+    "hard-quadratic-stable": far_sphere(1107),
+    "hard-acne-plain": hard_case("small", "04.6_stays_on_surface"),
+    "hard-acne-stable": hard_case("small"),
+    "hard-small-plain": hard_case("small", "04.7_smallest_t"),
+    "hard-small-stable": hard_case("small"),
+    "hard-far-plain": hard_case("far", "04.1_from_far_origin+04.6_fixed_distance", "_float"),
+    "hard-far-stable": hard_case("far", real="_float"),
+    "hard-slabs-plain": brick_wall("07.1_nan_wins"),
+    "hard-slabs-stable": brick_wall(),
+    "hard-normal-plain": hard_case("pebbles", "08.5_normal_not_unit"),
+    "hard-normal-stable": hard_case("pebbles"),
+    "hard-total-stable": hard_case("bubble"),
+    "hard-fuzz-plain": hard_case("rough", "05.2_absorbs_below"),
+    "hard-fuzz-stable": hard_case("rough"),
+    "hard-star-plain": hard_case("star", "08.3_cancels", "_float"),
+    "hard-star-stable": hard_case("star", real="_float"),
+    "hard-srgb-plain": hard_case("far", "03.4_no_srgb"),
+    "hard-srgb-stable": hard_case("far"),
+    "hard-race-plain": race("06.4_shared_generator"),
+    "hard-race-stable": race(),
+}
+for scene in ("cover", "fog", "galaxy", "glass", "lens", "lights", "matte", "metal", "motion", "own", "planets",
+              "textures"):
+    RECIPES["08-scene-" + scene] = effects_scene(scene)
+for name, width, height, times, mistakes in (
+        ("00_toolchain", 400, 225, 2, "00.2_across_is_down 00.2_whole_numbers 00.3_flips_twice 00.4_splits_off_one "
+         "00.5_leads_into_the_old_chain"),
+        ("01_vectors", 400, 225, 2, "01.2_forgets_z 01.5_turned_around 01.6_rows_for_columns"),
+        ("02_camera", 400, 225, 1, "02.1_upside_down 02.1_corner_as_middle 02.2_degrees 02.2_whole_angle "
+         "02.2_half_height 02.3_mirrored 02.3_up_as_v 02.3_not_normalized 02.4_forgets_minus "
+         "02.4_row_before_column"),
+        ("03_sphere", 400, 225, 1, "03.1_forgets_half 03.2_far_side 03.2_forgets_center 03.2_behind_the_ray "
+         "03.2_ignores_interval 03.2_never_inside 03.2_textbook_discriminant 03.2_solver_of_rounded_numbers "
+         "03.4_upside_down 03.4_columns_first 03.4_no_srgb 03.4_blue_first"),
+        ("04_normals_aa", 360, 202, 1, "04.1_not_unit 04.1_side_swapped 04.2_both_sides 04.2_half_lambert "
+         "04.3_no_root 04.3_uniform_hemisphere 04.3_not_turned 04.6_stays_on_surface 04.7_last_attenuation "
+         "04.7_sky_of_the_eye"),
+        ("05_metal_glass", 400, 225, 2, "05.1_wrong_sign 05.2_darkens 05.2_fuzz_around_normal "
+         "05.3_ratio_upside_down 05.3_stays_on_this_side 05.5_never_reflects 05.5_lots_swapped "
+         "05.5_always_entering 05.5_outward_normal 05.5_total_reflection_is_lost"),
+        ("07_bvh", 400, 286, 2, "07.2_radius_once 07.3_drops_the_middle 07.3_always_x 07.4_stops_at_first "
+         "07.4_place_as_number 07.4_tests_everything 07.1_forgets_interval"),
+        ("10_batches", 320, 180, 1, "10.2_first_child_only 10.3_farther"),
+        ("11_samples", 400, 225, 2, "11.5_by_channel")):
+    for mistake in mistakes.split():
+        RECIPES[f"{name[:2]}-mistake-{mistake[5:]}"] = of_mistake(name, mistake, width, height, times)
+for mistake in "06.3_forgets_the_rim 06.3_skips_the_first 06.4_neighbors_alike 06.4_ignores_sample".split():
+    RECIPES["06-mistake-" + mistake[5:]] = threads_scene(mistake)
+
+
+# ---- The check -----------------------------------------------------------------------------------------------------
+
+def shown_widths():
+    """How wide the texts show each picture, at most."""
+    widths = {}
+    for text in [*ROOT.glob("docs/**/*.md"), ROOT / "README.md"]:
+        for line in text.read_text(encoding="utf-8").splitlines():
+            width = PAGE // 2 if line.startswith("|") else PAGE
+            for link in re.findall(r"\]\(([^)#\s]*\.png)\)", line):
+                file = (text.parent / link).resolve()
+                widths[file] = max(width, widths.get(file, 0))
+    return widths
+
+
+def check():
+    wrong, widths, last = [], shown_widths(), subprocess.run(
+        ["git", "ls-files", "*.png", "*.jpg", "*.svg", "*.ppm", "*.webp", "*.gif"], cwd=ROOT, check=True,
+        capture_output=True, text=True).stdout.split("\n")
+    files = [name for name in last if name and (ROOT / name).exists()]
+    for name in files:
+        file = ROOT / name
+        made = file.parent == IMAGES and file.stem in RECIPES
+        if not made and not any(re.fullmatch(pattern, name) for pattern in OTHERS):
+            wrong.append(f"{name}: no command makes it; give it a line in tests/pictures.py")
+        if file.parent == IMAGES and file.suffix == ".png":
+            if file not in widths:
+                wrong.append(f"{name}: no text shows it")
+            elif file.stem not in LARGE and struct.unpack(">I", file.read_bytes()[16:20])[0] > widths[file]:
+                wrong.append(f"{name}: wider than the {widths[file]} pixels that it is shown with")
+    present = {pathlib.Path(name).stem for name in files}
+    wrong += [f"docs/images/{name}.png: is made by tests/pictures.py, but not there"
+              for name in RECIPES if files and name not in present]
+    kept = [name for name in files for pattern, command in OTHERS.items() if not command and re.fullmatch(pattern, name)]
+    print("\n".join(wrong) or f"{len(files)} pictures, none wider than it is shown; "
+          f"each has a command, but {', '.join(kept)} is kept without one")
+    return 1 if wrong else 0
+
+
+def main(words):
+    global build, folder
+    if words == ["--check"]:
+        return check()
+    if not words or words[0].startswith("-") or set(words[1:]) - set(RECIPES):
+        print(__doc__, file=sys.stderr)
+        return 2
+    build = pathlib.Path(words[0]).resolve()
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for each in words[1:] or [name for name in RECIPES if name not in LARGE]:
+            few_colors = not re.match(r"\d\d_|final|overview", each)
+            write_png(IMAGES / f"{each}.png", RECIPES[each](), few_colors)
+            print(f"docs/images/{each}.png: {(IMAGES / f'{each}.png').stat().st_size} bytes", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
