@@ -120,7 +120,9 @@ class Examination {
         if (!rungs) return;
         const OwnRecord own = read_state(course_).own;
         note(own_passes(own), rungs->number(), "a ray tracer from an empty folder, judged",
-             standing_of(own), "every line passes");
+             standing_of(own), "rungs 1 to 6 pass");
+        note(own_stars_pass(own), rungs->number(), "the rest of its verdict", standing_of(own),
+             "every line passes", true);
     }
 
     // Collects the proofs for the eight questions, once all lines are there.

@@ -49,6 +49,14 @@ std::string with_line(const std::string& text, const std::string& last, std::str
            (has_comma ? "," : "") + text.substr(end);
 }
 
+// The route with a step after that of an exercise; an elective is not on it.
+std::string with_step(std::string text, const std::string& last, const std::string& id) {
+    const std::string step = '"' + last + '"';
+    const auto at = text.find(step, std::min(text.find("\"route\""), text.size()));
+    if (at < text.find("\"chapters\"")) text.insert(at + step.size(), ", \"" + id + '"');
+    return text;
+}
+
 // Throws app::UsageError if this is not the number of a chapter's next exercise. Returns the last
 // one.
 Exercise last_before(const CourseFile& file, const std::string& id) {
@@ -92,7 +100,8 @@ std::vector<fs::path> begin_exercise(const Course& course, const std::string& id
             all.substr(start, next == std::string::npos ? next : next + 1 - start);
         at = next;
         if (where == "course.json, after the last exercise")
-            files["course.json"] = with_line(read_text(course.root / "course.json"), last.id, part);
+            files["course.json"] = with_step(
+                with_line(read_text(course.root / "course.json"), last.id, part), last.id, id);
         else if (where == "the text, after the last exercise")
             files[last.chapter.text] =
                 with_section(read_text(course.root / last.chapter.text), last.id, part);

@@ -45,19 +45,29 @@ Graft read_graft(const Value& value) {
     return graft;
 }
 
-// Reads the route, which has each exercise of the core and each graft once.
-void read_route(const Value& value, CourseFile& file) {
-    std::vector<std::string> wanted;
-    for (const Exercise& exercise : file.exercises)
-        if (exercise.chapter.core) wanted.push_back(exercise.id);
-    for (const Chapter& chapter : file.chapters)
-        if (chapter.graft) wanted.push_back("graft " + chapter.number());
-    for (const Value& step : value.list("steps", 1)) {
-        file.route.push_back(text(step));
-        if (std::erase(wanted, file.route.back()) == 0)
-            step.fail("must be an exercise of the core or a graft, each of them once");
+// The exercises of the core and the grafts, chapter by chapter.
+std::vector<std::string> steps_of(const CourseFile& file) {
+    std::vector<std::string> steps;
+    for (const Chapter& chapter : file.chapters) {
+        for (const Exercise& exercise : file.exercises)
+            if (chapter.core && exercise.chapter.name == chapter.name) steps.push_back(exercise.id);
+        if (chapter.graft) steps.push_back("graft " + chapter.number());
     }
-    if (!wanted.empty()) value.fail("lacks " + wanted.front());
+    return steps;
+}
+
+// The route, which has each of these steps once.
+std::vector<std::string> read_route(const Value& value, std::vector<std::string> steps) {
+    std::vector<std::string> route;
+    for (const Value& step : value.list("steps", 1)) {
+        route.push_back(text(step));
+        if (std::erase(steps, route.back()) == 0)
+            step.fail(
+                "must be an exercise of the core or a graft, such as \"graft 03\", each of "
+                "them once");
+    }
+    if (!steps.empty()) value.fail("lacks " + steps.front());
+    return route;
 }
 
 CourseFile parse_course(const std::string& json) {
@@ -73,6 +83,7 @@ CourseFile parse_course(const std::string& json) {
         if (const auto scene = value.find("scene")) {
             chapter.scene = text(*scene);
             chapter.minutes = minutes(value.at("minutes"));
+            chapter.star_minutes = minutes(value.at("star_minutes"), 0);
             file.chapters.push_back(chapter);
             continue;
         }
@@ -98,7 +109,8 @@ CourseFile parse_course(const std::string& json) {
             file.exercises.push_back(std::move(exercise));
         }
     }
-    read_route(whole.at("route"), file);
+    file.route = steps_of(file);
+    if (const auto route = whole.find("route")) file.route = read_route(*route, file.route);
     return file;
 }
 

@@ -15,7 +15,7 @@ struct Step {
     std::string id() const { return exercise ? exercise->id : "graft " + chapter.number(); }
 };
 
-// course.json has each exercise of the core and each graft once. Throws app::UsageError otherwise.
+// The steps in the order of course.json; without one there, chapter by chapter.
 std::vector<Step> route(const Course& course);
 
 // The exercises among the steps.

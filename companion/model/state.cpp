@@ -13,7 +13,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Record, passed, hash, hints, war
                                                 open_stars, first_passed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Answered, right, tries, answer)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(OwnRecord, folder, hash, lines, passed,
-                                                first_passed)
+                                                first_passed, core)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(DrawnRecord, hash, yours)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(State, exercises, answers, own, drawn, grafts)
 
@@ -38,9 +38,12 @@ State parse(const std::string& text) try {
         throw app::Failure("it has version " + std::to_string(written_as) + ", not " +
                            std::to_string(version));
     for (json& record : all.at("exercises")) add_time(record, record.at("passed"));
-    if (all.contains("own"))
-        add_time(all["own"],
-                 all["own"].at("lines") > 0 && all["own"]["passed"] == all["own"]["lines"]);
+    if (all.contains("own")) {
+        json& own = all["own"];
+        const bool passed = own.at("lines") > 0 && own.at("passed") == own["lines"];
+        add_time(own, passed);
+        if (!own.contains("core")) own["core"] = passed;
+    }
     return all;
 } catch (const json::exception&) {
     throw app::Failure("it does not hold the progress of the course");

@@ -36,7 +36,8 @@ struct Answered {
 struct OwnRecord {
     std::string folder{}, hash{};   // of the sources in it, as they were judged
     int lines = 0, passed = 0;      // of the verdict; no lines: never judged
-    std::int64_t first_passed = 0;  // when all of it did, as in Record
+    std::int64_t first_passed = 0;  // when its core did, as in Record
+    bool core = false;              // the lines of rungs 1 to 6 pass
 };
 
 // The last picture that `mine` drew, and with whose code.

@@ -35,15 +35,26 @@ std::string hash_of_own(const fs::path& folder) {
     return hash_of(bytes);
 }
 
+bool is_core(const JudgedLine& line) {
+    for (const char rung : {'1', '2', '3', '4', '5', '6'})
+        if (line.what.rfind(std::string{"rung "} + rung + ':', 0) == 0) return true;
+    return false;
+}
+
 bool own_passes(const OwnRecord& own) {
-    return own.lines > 0 && own.passed == own.lines && own.hash == hash_of_own(own.folder);
+    return own.core && own.hash == hash_of_own(own.folder);
+}
+
+bool own_stars_pass(const OwnRecord& own) {
+    return own_passes(own) && own.passed == own.lines;
 }
 
 std::string standing_of(const OwnRecord& own) {
     if (own.lines == 0) return "not judged yet";
     if (own.hash != hash_of_own(own.folder)) return "changed since it was judged";
     if (own.passed == own.lines) return "your own ray tracer passes";
-    return std::to_string(own.passed) + " of " + std::to_string(own.lines) + " lines pass";
+    const std::string core = own.core ? "core passes, " : "";
+    return core + std::to_string(own.passed) + " of " + std::to_string(own.lines) + " lines pass";
 }
 
 }  // namespace companion

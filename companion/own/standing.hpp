@@ -2,6 +2,7 @@
 // What is known of the learner's own ray tracer without judging it again.
 
 #include <companion/model/state.hpp>
+#include <companion/own/judge.hpp>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,15 @@ std::vector<fs::path> own_sources(const fs::path& folder);
 // A hash over these files; empty if the folder is gone.
 std::string hash_of_own(const fs::path& folder);
 
-// Whether every line of its last verdict passed, and nothing has changed since.
-bool own_passes(const OwnRecord& own);
+// Whether a line of a verdict belongs to the core: rungs 1 to 6.
+bool is_core(const JudgedLine& line);
 
-// "your own ray tracer passes", "41 of 43 lines pass", "changed since it was judged", "not judged
-// yet"
+// Whether the core passed in its last verdict, or every line, and nothing has changed since.
+bool own_passes(const OwnRecord& own);
+bool own_stars_pass(const OwnRecord& own);
+
+// "your own ray tracer passes", "core passes, 41 of 43 lines pass", "changed since it was judged",
+// "not judged yet"
 std::string standing_of(const OwnRecord& own);
 
 }  // namespace companion

@@ -1,5 +1,6 @@
 #include <app/errors.hpp>
 #include <companion/model/course_file.hpp>
+#include <companion/model/route.hpp>
 
 #include "catch.hpp"
 #include "temporary_folder.hpp"
@@ -68,6 +69,35 @@ TEST_CASE("the chapters and exercises are those of course.json", "[course]") {
                                                                  "exercises/01_vectors/rt/b.cpp"});
 }
 
+TEST_CASE("the route has each exercise of the core and each graft once", "[course]") {
+    const auto with_route = [](const std::string& route) {
+        std::string text = chapter_with('[' + exercise + ']');
+        text.insert(1, "\"route\": " + route + ", ");
+        return refusal(text);
+    };
+    CHECK(with_route(R"(["01.1"])").empty());
+    CHECK(with_route(R"(["01.2"])").find("must be an exercise of the core or a graft") !=
+          std::string::npos);
+    CHECK(with_route(R"(["01.1", "01.1"])").find("each of them once") != std::string::npos);
+    CHECK(with_route(R"(["graft 01"])").find("must be an exercise") != std::string::npos);
+    CHECK(with_route("[]").find("1 or more steps") != std::string::npos);
+}
+
+TEST_CASE("the next step is the first open one after the last that was done", "[course]") {
+    const companion::Course here = companion::this_course();
+    const std::vector<companion::Step> steps = companion::route(here);
+    REQUIRE(steps.size() > 8);
+    CHECK(steps[0].id() == "00.1");
+    companion::State state;
+    for (const companion::Step& step : steps)
+        if (!step.exercise) {
+            CHECK(companion::is_open(here, state, step));
+            state.grafts[step.chapter.number()] = 1;
+            CHECK_FALSE(companion::is_open(here, state, step));
+        }
+    CHECK(state.grafts.size() == 8);
+}
+
 TEST_CASE("a wrong course.json is refused with the place and what would be right", "[course]") {
     CHECK(refusal("") == "course.json is empty; expected a JSON object { ... }");
     CHECK(refusal("{\n 1}").rfind("course.json:2:2: ", 0) == 0);
@@ -120,7 +150,7 @@ TEST_CASE("a chapter of rungs has minutes and a scene in place of exercises", "[
     const auto rungs = companion::chapter_of_rungs(here);
     REQUIRE(rungs);
     CHECK(rungs->name == "09_own");
-    CHECK(rungs->minutes == 240);
+    CHECK(rungs->minutes == 150);
     CHECK(companion::fs::exists(here.build / rungs->scene));
     CHECK(companion::every_chapter(here).size() == companion::chapters(here).size() + 1);
     for (const Chapter& chapter : companion::chapters(here)) CHECK(chapter.has_exercises());

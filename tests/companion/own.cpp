@@ -177,8 +177,9 @@ TEST_CASE("a verdict holds until the sources change", "[own]") {
     write_file(folder / "main.cpp", "int main() {}\n");
     write_file(folder / "src/vec3.hpp", "struct Vec3 {};\n");
     const std::string hash = hash_of_own(folder.path());
-    const OwnRecord passed{folder.path().string(), hash, 40, 40};
+    const OwnRecord passed{folder.path().string(), hash, 40, 40, 1, true};
     CHECK(own_passes(passed));
+    CHECK(own_stars_pass(passed));
     CHECK(standing_of(passed) == "your own ray tracer passes");
     // Pictures, what was built, hidden files and what a tool makes do not count.
     write_file(folder / "one.ppm", "P3\n");
@@ -191,10 +192,26 @@ TEST_CASE("a verdict holds until the sources change", "[own]") {
     write_file(folder / "src/vec3.hpp", "struct Vec3 { double x; };\n");
     CHECK_FALSE(own_passes(passed));
     CHECK(standing_of(passed) == "changed since it was judged");
-    CHECK(standing_of({folder.path().string(), hash_of_own(folder.path()), 40, 39}) ==
-          "39 of 40 lines pass");
+    OwnRecord most{folder.path().string(), hash_of_own(folder.path()), 40, 39};
+    CHECK(standing_of(most) == "39 of 40 lines pass");
+    CHECK_FALSE(own_passes(most));
+    most.core = true;
+    CHECK(standing_of(most) == "core passes, 39 of 40 lines pass");
+    CHECK(own_passes(most));
+    CHECK_FALSE(own_stars_pass(most));
     CHECK(standing_of({}) == "not judged yet");
-    CHECK_FALSE(own_passes({(folder / "gone").string(), hash, 40, 40}));
+    CHECK_FALSE(own_passes({(folder / "gone").string(), hash, 40, 40, 1, true}));
+}
+
+TEST_CASE("the core of chapter 09 is rungs 1 to 6", "[own]") {
+    const auto is_core_line = [](const char* name) {
+        JudgedLine line;
+        line.what = name;
+        return is_core(line);
+    };
+    for (const char* name : {"rung 1: a sky", "rung 6: a glass ball"}) CHECK(is_core_line(name));
+    for (const char* name : {"rung 7: a lens", "hard: far away", "build.sh", "rung 10: more"})
+        CHECK_FALSE(is_core_line(name));
 }
 
 TEST_CASE("the verdict on the learner's own program is remembered", "[own]") {

@@ -122,7 +122,7 @@ std::vector<companion::Mistake> mistakes(const companion::Chapter& chapter) {
 }  // namespace
 
 TEST_CASE("every folder of a chapter belongs to a chapter that is built", "[structure]") {
-    std::set<std::string> known;
+    std::set<std::string> known{"tracer"};  // the learner's own program
     for (const auto& chapter : companion::every_chapter(companion::this_course()))
         known.insert(chapter.name);
     for (const char* const kind : {"chapters", "exercises", "solutions", "tests/mistakes"})
@@ -135,7 +135,8 @@ TEST_CASE("every folder of a chapter belongs to a chapter that is built", "[stru
 TEST_CASE("stubs and answers come in pairs", "[stubs]") {
     for (const char* const kind : {"exercises", "solutions"})
         for (const fs::path& file : files(root / kind, {".hpp", ".cpp"})) {
-            if (file.parent_path().filename() == "09_own") continue;  // from an empty folder
+            const fs::path folder = file.parent_path().filename();
+            if (folder == "09_own" || folder == "tracer") continue;  // programs of the learner's
             const fs::path name_in_both = file.lexically_relative(root / kind);
             INFO(name(file));
             CHECK(fs::exists(root / "exercises" / name_in_both));
@@ -249,6 +250,9 @@ TEST_CASE("there is no absolute epsilon in the solutions and in common", "[struc
         {"common/study/cover.hpp", "1e-6"},  // milliseconds in a nanosecond
         // The first ray tracer has the textbook's faults; chapter 04 says why they fail.
         {"solutions/00_toolchain/first.cpp", "0.001"},
+        {"solutions/tracer/01.cpp", "0.001"},
+        {"solutions/tracer/02.cpp", "0.001"},
+        {"solutions/tracer/03.cpp", "0.001"},
         // The classic renderer that the studies compare with has its faults, too.
         {"common/study/classic.cpp", "0.001"},
         {"common/study/classic_materials.hpp", "1e-8"},

@@ -19,8 +19,8 @@ using checkpoint::TemporaryFolder;
 namespace {
 
 // The lines that fail for a program. On a busy machine, some may.
-std::set<std::string> failing(const Course& course, const Chapter& chapter,
-                              const fs::path& program, bool may = false) {
+std::set<std::string> failing(const Course& course, const Chapter& chapter, const fs::path& program,
+                              bool may = false) {
     std::set<std::string> lines;
     const fs::path answer = course.program("tracer." + chapter.number());
     judge_graft(course, {chapter, program, answer, chapter.graft->headers, 1},
