@@ -44,7 +44,7 @@ template <class Check>
 void for_angles(Check check) {
     for (const Real degrees :
          {0.001, 0.01, 0.1, 1.0, 20.0, 45.0, 50.0, 60.0, 90.0, 120.0, 140.0, 170.0, 179.0, 179.9})
-        check(real(degrees));
+        check(degrees);
     rt::Rng rng{22, 3};
     for (int i = 0; i < 300; ++i) check(std::abs(any_number(rng, -3, real(2.2))));
     for (int i = 0; i < 200; ++i) check(180 - std::abs(any_number(rng, -1, real(1.5))));

@@ -43,8 +43,8 @@ auto with_tree(const WideTree&, const Tree& tree) {
 template <class First, class Second, class Tree>
 auto with_tree(const Aggregate<First, Second>& world, const Tree& tree) {
     const auto first = with_tree(world.first, tree);
-    return NearestOnly{
-        Aggregate<std::remove_const_t<decltype(first)>, Borrowed<Second>>{first, {world.second}}};
+    using Both = Aggregate<std::remove_const_t<decltype(first)>, Borrowed<Second>>;
+    return NearestOnly<Both>{Both{first, {world.second}}};
 }
 
 // Draws with this world as Renderer does with its own; check(light) is called for each sample.
