@@ -79,14 +79,14 @@ struct Recorded : rt::Search {
                                        [&](const auto* one) { return &one->box == &box; });
         if (node == nodes.end()) std::abort();  // a copy of a box: the figure cannot tell whose
         const double reach = within.max;
-        const bool met = Search::meets(box);
+        const bool met = rt::Search::meets(box);
         tests.push_back(
             {*node, -1, met, !met && rt::hit_box(box, slabs, {0, rt::infinity}), false, reach});
         return met;
     }
     std::optional<rt::Real> meets_shape(int number) {
         const double reach = within.max;
-        const auto t = Search::meets_shape(number);
+        const auto t = rt::Search::meets_shape(number);
         tests.push_back({nullptr, number, t.has_value(), false, t.has_value(), reach});
         return t;
     }
@@ -262,7 +262,7 @@ void draw(const SearchControls& c, Drawing& out) {
     const rt::Vec3 direction = rt::normalize(rt::Vec3{tip.x - start.x, tip.y - start.y, 0});
     const double length = distance(start, tip);
     Recorded search{
-        {tree.shapes, tree.order, {{start.x, start.y, 0}, direction}, {0, rt::infinity}},
+        {tree.spheres, tree.order, {{start.x, start.y, 0}, direction}, {0, rt::infinity}},
         tree.nodes};
     rt::find_nearest(*tree.root, search);
     const std::size_t count = search.tests.size(),
@@ -274,8 +274,8 @@ void draw(const SearchControls& c, Drawing& out) {
         if (test.node && &test != &done.back())
             draw_box(out, at, test.node->box, {thin(ink_of(test), 0.8), 1.2, test.met ? 0.0 : 4.0},
                      test.met ? 0.05 : 0);
-    for (std::size_t i = 0; i < tree.shapes.size(); ++i) {
-        const rt::Sphere& sphere = tree.shapes[i].shape;
+    for (std::size_t i = 0; i < tree.spheres.size(); ++i) {
+        const rt::Sphere& sphere = tree.spheres[i].shape;
         const bool is_tried = std::any_of(done.begin(), done.end(), [&](const Test& test) {
             return test.sphere == static_cast<int>(i);
         });
@@ -291,7 +291,7 @@ void draw(const SearchControls& c, Drawing& out) {
     double reach = rt::infinity;
     for (const Test& test : done)
         if (test.nearest)
-            reach = *rt::hit_sphere(tree.shapes[static_cast<std::size_t>(test.sphere)].shape,
+            reach = *rt::hit_sphere(tree.spheres[static_cast<std::size_t>(test.sphere)].shape,
                                     search.ray, {0, rt::infinity});
     const Point end = reach < length ? start + (reach / length) * (tip - start) : tip;
     out.line(at.to_page(start), at.to_page(tip), {thin(accent, 0.6), 1.5, 3});
@@ -306,7 +306,7 @@ void draw(const SearchControls& c, Drawing& out) {
     const TreeDrawing drawn{out, tree, done, 2 * at.at.y + 6};
     out.height = drawn.bottom() + 4;
 
-    const int spheres = static_cast<int>(tree.shapes.size());
+    const int spheres = static_cast<int>(tree.spheres.size());
     if (step == 0)
         out.say("The ray has not met anything yet. A list would test all {} spheres.", spheres);
     else if (static_cast<std::size_t>(c.step) > count)

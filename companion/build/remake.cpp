@@ -9,13 +9,14 @@
 namespace companion {
 namespace {
 
-// The words without the input, the output and the wish for an object.
+// The words without the input, the output and the wish for an object. A wrong answer may be warned
+// of, and still runs.
 std::vector<std::string> without_files(const std::vector<std::string>& words) {
     std::vector<std::string> kept;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] == "-o" || words[i] == "-c")
             ++i;
-        else
+        else if (words[i] != "-Werror")
             kept.push_back(words[i]);
     }
     return kept;
