@@ -158,7 +158,8 @@ function(course_graft chapter)
   if(COURSE_ALL_TESTS)
     set_target_properties(tracer.${number} PROPERTIES EXCLUDE_FROM_ALL OFF)
     add_test(NAME tracer.${number} COMMAND graft_mistakes ${number})
-    set_tests_properties(tracer.${number} PROPERTIES LABELS mistakes TIMEOUT 600)
+    # Times are measured.
+    set_tests_properties(tracer.${number} PROPERTIES LABELS mistakes TIMEOUT 600 RUN_SERIAL ON)
   endif()
 endfunction()
 

@@ -83,7 +83,8 @@ CourseFile parse_course(const std::string& json) {
         if (const auto scene = value.find("scene")) {
             chapter.scene = text(*scene);
             chapter.minutes = minutes(value.at("minutes"));
-            chapter.star_minutes = minutes(value.at("star_minutes"), 0);
+            if (const auto more = value.find("star_minutes"))
+                chapter.star_minutes = minutes(*more, 0);
             file.chapters.push_back(chapter);
             continue;
         }
