@@ -67,7 +67,9 @@ std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& 
 }
 
 WhatFails what_fails(const Course& course, const MistakenAnswer& answer) {
-    const auto once = [&] { return run_cases(course, cases_of(answer)).tests; };
+    Cases cases = cases_of(answer);
+    cases.timeout = 10;  // half of the course's patience: many mistakes never end
+    const auto once = [&] { return run_cases(course, cases).tests; };
     WhatFails fails{.tests = once()};
     fails.always = signature_of(fails.tests);
     const Signature second = signature_of(once());
