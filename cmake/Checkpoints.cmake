@@ -105,6 +105,7 @@ function(course_checkpoint target real)
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tests/support)
   target_link_libraries(${target} PRIVATE checkpoint_${real} catch_main)
   target_precompile_headers(${target} REUSE_FROM checkpoint_${real})
+  set_target_properties(${target} PROPERTIES COURSE_UNSANITIZED ON)
 endfunction()
 
 # course_exercise(chapter id): all of these targets, and their tests.

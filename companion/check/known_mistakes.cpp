@@ -66,30 +66,35 @@ std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& 
     return answers;
 }
 
-bool is_caught(const Course& course, const MistakenAnswer& answer) {
+WhatFails what_fails(const Course& course, const MistakenAnswer& answer) {
     Cases cases = cases_of(answer);
-    const auto is_caught_in = [&](const std::vector<TestCase>& tests) {
-        return std::any_of(tests.begin(), tests.end(), [&](const TestCase& test) {
+    cases.timeout = 10;  // half of the course's patience: many mistakes never end
+    const auto once = [&] { return run_cases(course, cases).tests; };
+    WhatFails fails{.tests = once()};
+    fails.always = signature_of(fails.tests);
+    const Signature second = signature_of(once());
+    if (second == fails.always) return fails;
+    fails.by_chance = true;
+    for (const Signature& other : {second, signature_of(once())})
+        keep_common(fails.always.where, other.where);
+    fails.always.what.clear();  // values that changed once will do so again
+    return fails;
+}
+
+bool is_caught(const Course& course, const MistakenAnswer& answer,
+               const std::vector<TestCase>& tests) {
+    const auto is_caught_in = [&](const std::vector<TestCase>& all) {
+        return std::any_of(all.begin(), all.end(), [&](const TestCase& test) {
             return test.name == answer.mistake.caught_by && test.ended && test.crash.empty() &&
                    !test.failures.empty();
         });
     };
-    if (is_caught_in(run_cases(course, cases).tests)) return true;
+    if (is_caught_in(tests)) return true;
     // It may end the program before the test case that catches it had its turn.
+    Cases cases = cases_of(answer);
     cases.which = answer.mistake.caught_by;
     cases.timeout = 60;
     return is_caught_in(run_cases(course, cases).tests);
-}
-
-Signature what_always_fails(const Course& course, const MistakenAnswer& answer) {
-    const Cases cases = cases_of(answer);
-    const auto once = [&] { return signature_of(run_cases(course, cases).tests); };
-    Signature always = once();
-    const Signature second = once();
-    if (second == always) return always;
-    for (const Signature& other : {second, once()}) keep_common(always.where, other.where);
-    always.what.clear();  // values that changed once will do so again
-    return always;
 }
 
 Signatures signatures_of(const Course& course, const Exercise& exercise) {
@@ -104,7 +109,7 @@ Signatures signatures_of(const Course& course, const Exercise& exercise) {
     const std::vector<MistakenAnswer> answers = make_mistakes(course, exercise, below);
     std::vector<Signature> found(answers.size());
     in_parallel(answers.size(), [&](std::size_t i) {
-        if (answers[i].build.ok) found[i] = what_always_fails(course, answers[i]);
+        if (answers[i].build.ok) found[i] = what_fails(course, answers[i]).always;
     });
     Signatures signatures;
     for (std::size_t i = 0; i < answers.size(); ++i) {

@@ -21,11 +21,19 @@ struct MistakenAnswer {
 std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& exercise,
                                           const fs::path& below);
 
-// Whether the test case that should catch a mistake fails by an assertion, and runs to its end.
-bool is_caught(const Course& course, const MistakenAnswer& answer);
+// What a mistake fails in. Its test cases are run twice, and more often if something else fails the
+// second time: with threads, or if a time is measured.
+struct WhatFails {
+    std::vector<TestCase> tests;  // of one run
+    Signature always = {};        // what fails every time
+    bool by_chance = false;       // and something else does not
+};
+WhatFails what_fails(const Course& course, const MistakenAnswer& answer);
 
-// What fails in a mistake: every time, since with threads it may be something else from run to run.
-Signature what_always_fails(const Course& course, const MistakenAnswer& answer);
+// Whether the test case that should catch a mistake fails by an assertion, and runs to its end, in
+// this run of all test cases or alone.
+bool is_caught(const Course& course, const MistakenAnswer& answer,
+               const std::vector<TestCase>& tests);
 
 // What fails in each known mistake of an exercise. It is found out when it is first asked for,
 // which takes a few seconds, and kept in the folder of the build until mistakes, checkpoint or

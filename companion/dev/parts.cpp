@@ -224,7 +224,8 @@ std::vector<std::string> wrong_when_run(const Course& course, const Exercise& ex
         const auto& [mistake, folder, built] = answers[i];
         if (!built.ok)
             found[i] = mistake.name + " does not compile: " + first_error(course, built.output);
-        else if (!is_caught(course, answers[i]))
+        else if (const Tested all = run_cases(course, {.exercise = exercise.id, .answer = folder});
+                 !is_caught(course, answers[i], all.tests))
             found[i] = mistake.name + " is not caught by '" + mistake.caught_by + '\'';
         fs::remove_all(folder);
     });

@@ -50,12 +50,12 @@ struct Done {
     }
 };
 
-// Waits until the condition holds; false after ten seconds.
+// Waits until the condition holds; false after two seconds.
 template <class Condition>
 bool comes(const Condition& condition) {
     const auto start = std::chrono::steady_clock::now();
     while (!condition()) {
-        if (std::chrono::steady_clock::now() - start > std::chrono::seconds{10}) return false;
+        if (std::chrono::steady_clock::now() - start > std::chrono::seconds{2}) return false;
         std::this_thread::yield();
     }
     return true;

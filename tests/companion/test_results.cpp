@@ -112,7 +112,7 @@ TEST_CASE("the reporter's lines say all, also of a crash", "[test_results]") {
         companion::run_process({.command = {companion::this_course().program("companion_test"),
                                             "[.events]", "-r", "events"},
                                 .output = companion::Output::errors_hidden});
-#ifdef __SANITIZE_ADDRESS__  // which ends the program itself
+#ifdef RT_SANITIZED  // which ends the program itself
     CHECK(result.exit_code != 0);
 #else
     CHECK(result.signal == SIGSEGV);
@@ -132,13 +132,13 @@ TEST_CASE("the reporter's lines say all, also of a crash", "[test_results]") {
     CHECK(tests[2].failures[1].missing == "");
     CHECK(tests[2].failures[1].exception != "");
     CHECK(missing_exercise(tests[3]) == "01.2");
-#ifndef __SANITIZE_ADDRESS__
+#ifndef RT_SANITIZED
     CHECK(tests[4].crash.find("SIGSEGV") == 0);
     CHECK(tests[4].failures.size() == 2);
 #endif
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !__has_include(<catch2/catch_test_macros.hpp>)
+#if !defined(RT_SANITIZED) && !__has_include(<catch2/catch_test_macros.hpp>)
 namespace {
 
 int endless(int n) {

@@ -49,44 +49,40 @@ int report(const std::string& what, const std::vector<MistakenAnswer>& answers,
     return failed || answers.empty() ? app::could_not : app::done;
 }
 
+// Whether a mistake is recognized by what fails in it, as itself or as one that looks the same.
+Outcome recognition(const Mistake& mistake, const Signatures& known, const WhatFails& fails) {
+    const auto found =
+        recognize(known, mistake.name.substr(0, mistake.name.find('_')), signature_of(fails.tests));
+    if (found.size() == 1 &&
+        std::find(found[0].begin(), found[0].end(), mistake.name) != found[0].end())
+        return {
+            found[0].size() == 1 ? "caught, recognized" : "caught, recognized, and others like it",
+            ""};
+    const std::string taken =
+        "caught, taken for " + (found.empty() ? "no known mistake" : found[0][0]);
+    return fails.by_chance ? Outcome{taken + ", as it fails by chance", ""} : Outcome{"", taken};
+}
+
 int check(const std::string& id) {
     const Exercise exercise = find_exercise(course, id);
     const std::vector<MistakenAnswer> answers = make_mistakes(course, exercise, below);
     Signatures known;
-    for (const MistakenAnswer& answer : answers) known[answer.mistake.name];
+    std::vector<WhatFails> fails(answers.size());
     in_parallel(answers.size(), [&](std::size_t i) {
-        if (answers[i].build.ok)
-            known.at(answers[i].mistake.name) = what_always_fails(course, answers[i]);
+        if (answers[i].build.ok) fails[i] = what_fails(course, answers[i]);
     });
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        known[answers[i].mistake.name] = fails[i].always;
     std::vector<Outcome> outcomes(answers.size());
     in_parallel(answers.size(), [&](std::size_t i) {
         const Mistake& mistake = answers[i].mistake;
         Outcome& outcome = outcomes[i];
-        if (!answers[i].build.ok) {
+        if (!answers[i].build.ok)
             outcome.wrong = "does not compile:\n" + first_error(course, answers[i].build.output);
-            return;
-        }
-        const Cases all{.exercise = id, .answer = answers[i].folder};
-        if (!is_caught(course, answers[i])) {
+        else if (!is_caught(course, answers[i], fails[i].tests))
             outcome.wrong = "NOT CAUGHT by '" + mistake.caught_by + '\'';
-            return;
-        }
-        // With threads, and in undefined behavior, chance decides what fails.
-        const bool by_chance = known.at(mistake.name).what.empty();
-        for (int tries = 0; tries < 3; ++tries) {
-            const Signature signature = signature_of(run_cases(course, all).tests);
-            const auto found = recognize(known, id, signature);
-            if (found.size() == 1 &&
-                std::find(found[0].begin(), found[0].end(), mistake.name) != found[0].end()) {
-                outcome.words = found[0].size() == 1 ? "caught, recognized"
-                                                     : "caught, recognized, and others like it";
-                return;
-            }
-            outcome.words = "caught, taken for " +
-                            (found.empty() ? "no known mistake" : found[0][0]) +
-                            ", as it fails by chance";
-        }
-        if (!by_chance) outcome.wrong = outcome.words;
+        else
+            outcome = recognition(mistake, known, fails[i]);
     });
     for (const MistakenAnswer& answer : answers) fs::remove_all(answer.folder);
     return report(id, answers, outcomes);
