@@ -99,13 +99,17 @@ function(course_with_answers test place)
     "${course_library_path}=path_list_prepend:${folder};COURSE_ANSWER=set:${folder}")
 endfunction()
 
-# course_checkpoint(target real sources... INCLUDE folders...): a program of test cases on common.
+# course_checkpoint(target real [SANITIZED] sources... INCLUDE folders...): a program of test cases on common.
+# SANITIZED if what it tests is in headers.
 function(course_checkpoint target real)
-  course_executable(${target} ${real} ${ARGN})
+  cmake_parse_arguments(arg "SANITIZED" "" "" ${ARGN})
+  course_executable(${target} ${real} ${arg_UNPARSED_ARGUMENTS})
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tests/support)
   target_link_libraries(${target} PRIVATE checkpoint_${real} catch_main)
-  target_precompile_headers(${target} REUSE_FROM checkpoint_${real})
-  set_target_properties(${target} PROPERTIES COURSE_UNSANITIZED ON)
+  if(NOT (arg_SANITIZED AND RT_SANITIZE))
+    set_target_properties(${target} PROPERTIES COURSE_UNSANITIZED ON)
+    target_precompile_headers(${target} REUSE_FROM checkpoint_${real})
+  endif()
 endfunction()
 
 # course_exercise(chapter id): all of these targets, and their tests.

@@ -30,7 +30,8 @@ std::string version_of(const Course& course, const Exercise& exercise) {
     std::error_code missing;
     const auto checkpoint =
         fs::last_write_time(course.build / "check" / ("check." + exercise.id), missing);
-    return hash_of(bytes + std::to_string(checkpoint.time_since_epoch().count()));
+    const auto ticks = static_cast<long long>(checkpoint.time_since_epoch().count());
+    return hash_of(bytes + std::to_string(ticks));
 }
 
 Cases cases_of(const MistakenAnswer& answer) {
