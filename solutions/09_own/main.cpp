@@ -354,10 +354,10 @@ std::vector<Vec3> render(const Scene& scene, const Renderer& renderer, int threa
         for (int y = next++; y < height; y = next++)
             for (int x = 0; x < width; ++x) picture[y * width + x] = renderer.pixel(x, y);
     };
-    std::vector<std::jthread> others;
+    std::vector<std::thread> others;
     for (int i = 1; i < std::min(threads, height); ++i) others.emplace_back(work);
     work();
-    others.clear();  // waits for them
+    for (std::thread& other : others) other.join();
     return picture;
 }
 
