@@ -154,7 +154,7 @@ void try_sphere(const std::vector<Sphere>& spheres, int number, const Ray& ray, 
     const double middle = dot(to_center, ray.direction);
     double t = 2 * middle;  // where the ray leaves the sphere that it starts on, if it goes inside
     if (number != ray.leaves) {
-        // From the line to the center: this error does not grow with the distance.
+        // From the line to the center: this error grows with the distance, not with its square.
         const Vec3 offset = to_center - middle * ray.direction;
         const double r = sphere.radius, under_root = r * r - dot(offset, offset);
         if (under_root < 0) return;

@@ -14,7 +14,7 @@ namespace rt {
 // by std::make_unique<Node>(first, last). If that is more than one number, the left child is the
 // tree over the first half of them, and the right child is the tree over the rest, which is one
 // larger when their count is odd. If last equals first, there are no numbers, and the tree is
-// empty. The numbers may be as large as an int, or below 0; last is never below first.
+// empty. The numbers may be below 0. last is never below first, and last - first fits an int.
 template <class Node>
 std::unique_ptr<Node> make_tree(int first, int last) {
     return rt::todo("00.4", first, last);

@@ -12,7 +12,8 @@ namespace rt {
 // A balanced tree over the numbers first, first + 1, ... last - 1. Its root is made from
 // Node(first, last). If that is more than one number, the left child is the tree over the first
 // half of them, and the right child is the tree over the rest, which is one larger when their count
-// is odd. If last equals first, the tree is empty. last is never below first.
+// is odd. If last equals first, the tree is empty. last is never below first, and last - first
+// fits an int.
 template <class Node>
 std::unique_ptr<Node> make_tree(int first, int last) {
     if (first >= last) return nullptr;
