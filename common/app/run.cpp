@@ -52,6 +52,7 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
 // The number that a text consists of, with a decimal point as in C++ whatever the
 // language of the machine.
 std::optional<double> number_in(const std::string& text) {
+    if (text.find_first_of("xX") != std::string::npos) return {};  // libc++ reads 0x1 as well
     std::istringstream in{text};
     in.imbue(std::locale::classic());
     double number = 0;
