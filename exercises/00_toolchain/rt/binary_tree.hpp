@@ -20,21 +20,21 @@ std::unique_ptr<Node> make_tree(int first, int last) {
     return rt::todo("00.4", first, last);
 }
 
-// Exercise 00.4. The number of nodes. A hard checkpoint has a tree that is a million nodes deep.
+// Exercise 00.4. The number of nodes. Star: a tree may be a million nodes deep.
 template <class Node>
 int count_nodes(const Node* root) {
     return rt::todo("00.4", root);
 }
 
 // Exercise 00.4. The number of nodes on the longest path from the root to a leaf: 0 for an empty
-// tree, 1 for a root alone. A hard checkpoint has a tree that is a million nodes deep.
+// tree, 1 for a root alone. Star: a tree may be a million nodes deep.
 template <class Node>
 int depth_of(const Node* root) {
     return rt::todo("00.4", root);
 }
 
-// Exercise 00.4. Destroys a tree node by node: no node's destructor runs inside another node's,
-// however deep the tree is.
+// Exercise 00.4. Destroys a tree. Star: node by node, so that no node's destructor runs inside
+// another node's, however deep the tree is.
 template <class Node>
 void take_apart(std::unique_ptr<Node> root) {
     rt::todo("00.4", root);

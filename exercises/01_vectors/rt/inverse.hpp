@@ -11,21 +11,22 @@ namespace rt {
 
 // Exercise 01.7.
 
-// The map that undoes m. Throws std::domain_error if m flattens space (is singular), or comes so
-// close to it that rounding decides the result, or if a number in it is not finite.
-// A number of the inverse that is too large for Real becomes infinite.
-// Each number of the linear part is within 4 + 6 k units in the last place. Here k is the sum of
-// the absolute values of the determinant's terms divided by the determinant, the largest such
-// quotient over the columns and rows that the determinant may be expanded along: 1 where nothing
-// cancels. All rows share one k, because one determinant divides them all. No number of a column,
-// unless it is 0, may be 10^140 (float: 10^15) times smaller than the column's largest.
+// The map that undoes m.
+// Star: throws std::domain_error if m flattens space (is singular), or comes so close to it that
+// rounding decides the result, or if a number in it is not finite. A number of the inverse that is
+// too large for Real becomes infinite. Each number of the linear part is within 4 + 6 k units in
+// the last place. Here k is the sum of the absolute values of the determinant's terms divided by
+// the determinant, the largest such quotient over the columns and rows that the determinant may be
+// expanded along: 1 where nothing cancels. All rows share one k, because one determinant divides
+// them all. No number of a column, unless it is 0, may be 10^140 (float: 10^15) times smaller than
+// the column's largest.
 inline Mat4 inverse(const Mat4& m) {
     return rt::todo("01.7", m);
 }
 
 // A point of the world in the object's own coordinates, given the map that places the object in the
-// world. Throws std::domain_error if that map is singular. If its inverse contains an infinite
-// number, the coordinate that this number belongs to is infinite or NaN.
+// world. Star: throws std::domain_error if that map is singular. If its inverse contains an
+// infinite number, the coordinate that this number belongs to is infinite or NaN.
 inline Vec3 to_object(const Mat4& object_to_world, Vec3 world_point) {
     return rt::todo("01.7", object_to_world, world_point);
 }

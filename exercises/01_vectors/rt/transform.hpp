@@ -5,9 +5,9 @@
 
 namespace rt {
 
-// Exercise 01.6. m(row, column) is the number in that row and column, both counted from 0. The
-// rounding error of each number that you compute may be at most rounding_bound(5) times the sum of
-// the absolute values of its terms.
+// Exercise 01.6. m(row, column) is the number in that row and column, both counted from 0.
+// Star: the rounding error of each number that you compute is at most rounding_bound(5) times the
+// sum of the absolute values of its terms.
 
 // Where the map takes a point: the linear part and the translation apply.
 inline Vec3 transform_point(const Mat4& m, Vec3 p) {

@@ -17,9 +17,9 @@ struct Lambertian {
 // Exercise 04.4. How light comes back from a matte surface, wherever it came from: on the side
 // that the ray came from, in a random direction, drawn from `random` with probability density
 // cos / pi about the normal there. The attenuation is the albedo alone: the density already
-// includes the cosine of Lambert's law. The direction has length 1 within 2 epsilon, and its
-// cosine with the normal on that side is greater than 0, whatever is drawn. Nothing is absorbed:
-// there is always a Scatter.
+// includes the cosine of Lambert's law. Nothing is absorbed: there is always a Scatter.
+// Star: the direction has length 1 within 2 epsilon, and its cosine with the normal on that side is
+// greater than 0, whatever is drawn.
 template <class Random>
 std::optional<Scatter> scatter(const Lambertian& material, [[maybe_unused]] Vec3 incoming,
                                const Hit& hit, Random& random) {

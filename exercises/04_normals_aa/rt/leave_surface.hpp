@@ -7,12 +7,12 @@ namespace rt {
 
 // Exercise 04.6. The point where a ray that leaves a surface in this direction starts. It is off
 // the surface, along the normal, on the side that the direction points to, by point_error or a bit
-// more: as far as rounding makes necessary, and never four times as far. From there hit_sphere does
-// not find the surface again, whatever its size and position, as long as the radius is at least 2
-// units in the last place of the center. A ray that goes into the sphere starts inside and meets
-// its far side if the radius times the cosine of direction and normal is at least 8 such units; in
-// a smaller sphere it may start outside. Source of the idea: Pharr, Jakob and Humphreys,
-// "Physically Based Rendering", section 6.8.
+// more, and never four times as far.
+// Star: from there hit_sphere does not find the surface again, whatever its size and position, as
+// long as the radius is at least 2 units in the last place of the center. A ray that goes into the
+// sphere starts inside and meets its far side if the radius times the cosine of direction and
+// normal is at least 8 such units; in a smaller sphere it may start outside. Source of the idea:
+// Pharr, Jakob and Humphreys, "Physically Based Rendering", section 6.8.
 inline Vec3 leave_surface(const Hit& hit, Vec3 direction) {
     return rt::todo("04.6", hit, direction);
 }

@@ -8,10 +8,10 @@
 namespace rt {
 
 // Exercise 05.4. In all three functions, `cosine` is that of the angle between the normal and
-// the light that arrives, in [0, 1] (a value that rounding has put above 1 counts as 1). eta,
-// greater than 0, is the index of refraction on the side that the light comes from, divided by
-// the index behind the surface. None of the functions loses digits, however close eta is to 1, or
-// the angle to the critical angle.
+// the light that arrives, in [0, 1]. eta, greater than 0, is the index of refraction on the side
+// that the light comes from, divided by the index behind the surface.
+// Star: a cosine that rounding has put above 1 counts as 1. None of the functions loses digits,
+// however close eta is to 1, or the angle to the critical angle.
 
 // The cosine of the angle behind the surface. None at total reflection.
 inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
