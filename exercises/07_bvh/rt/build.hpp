@@ -24,7 +24,7 @@ inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {
 // order. It must have at least one number. split(order, boxes) is split_in_half or another function
 // like it, and returns how many of the numbers go to the left, 0 for a leaf. Call it once for each
 // node: nothing else decides which nodes are leaves. The right part begins where the left one ends.
-// From level most_levels on, call split_in_half instead of split. The root is at level 0, and
+// Star: from level most_levels on, call split_in_half instead of split. The root is at level 0, and
 // children are one level deeper than their parent.
 template <class Split>
 std::unique_ptr<TreeNode> build_node(std::span<int> order, int first, std::span<const Box> boxes,

@@ -20,7 +20,8 @@ void try_shape(int number, AnySearch& search) {
 // has a box, too. Test each box once, before everything below it. Go to the right child only after
 // the left child and everything below it, because a hit there shortens the search on the right. A
 // leaf has no children, and holds the shapes search.order[i] for i = first, first + 1, ... count
-// of them. Trees have up to most_levels + 20 levels, and many threads search them at the same time.
+// of them.
+// Star: trees have up to most_levels + 20 levels, and many threads search them at the same time.
 template <class AnySearch>
 void find_nearest(const TreeNode& node, AnySearch& search) {
     rt::todo("07.4", node, search);

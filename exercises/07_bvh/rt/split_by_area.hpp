@@ -19,9 +19,10 @@ inline Real surface_area(const Box& box) {
 // split is the number of tests to expect for a ray that meets the box A around this part:
 //     1 + (k area(left box) + (count - k) area(right box)) / area(A)
 // The cost of a leaf is count. As in build.hpp, only boxes[number] of the numbers in order count.
-// Equal middles may come in any order, as long as the order that you leave is the one whose cost
-// was the least. order has at least one number; the time must grow as count log(count).
+// order has at least one number.
 // Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
+// Star: equal middles may come in any order, as long as the order that you leave is the one whose
+// cost was the least. The time grows as count log(count).
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     return rt::todo("07.5", order, boxes);
 }
