@@ -40,7 +40,7 @@ std::set<std::string> failing_source(const Course& course, const Chapter& chapte
     const Remake remake{course, "tracer." + chapter.number()};
     const BuildResult built = remake(folder.path(), folder / "tracer");
     if (!built.ok) throw app::Failure("does not compile:\n" + built.output);
-    return failing(course, chapter, folder / "tracer");
+    return failing(course, chapter, folder / "tracer", true);
 }
 
 bool report(bool as_it_should, const std::string& what) {
