@@ -177,12 +177,15 @@ TEST_CASE("every exercise has all of its parts", "[stubs]") {
 }
 
 TEST_CASE("a header whose functions are to be written in a .cpp is the solution's", "[stubs]") {
+    const auto declarations = [](const fs::path& header) {  // comments may differ in length
+        return std::regex_replace(code_of(read(header)), std::regex{"\\s+"}, " ");
+    };
     for (const fs::path& stub : files(root / "exercises", {".hpp"})) {
         if (!fs::exists(fs::path{stub}.replace_extension(".cpp"))) continue;
         INFO(name(stub));
         CHECK(signatures(read(stub)).empty());  // declarations alone
-        CHECK(code_of(read(stub)) ==
-              code_of(read(root / "solutions" / stub.lexically_relative(root / "exercises"))));
+        CHECK(declarations(stub) ==
+              declarations(root / "solutions" / stub.lexically_relative(root / "exercises")));
     }
 }
 
