@@ -62,6 +62,7 @@ Work work_of(const Course& course, const State& state, const Chapter& chapter,
     double of_exercises = 0, left = 0;
     for (const Exercise& exercise : all) {
         const bool done = passes(progress_of(course, state, exercise));
+        if (exercise.is_star() && !done) continue;
         result.done += done;
         if (done) {
             result.stars += state.exercises.at(exercise.id).stars;

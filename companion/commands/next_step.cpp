@@ -51,10 +51,11 @@ std::string next_step(const Course& course, const std::optional<Step>& next) {
 std::string next_step(const Course& course, const Exercise& next) {
     if (const std::string trouble = trouble_with_files(course, next); !trouble.empty())
         return red(trouble) + '\n';
-    return "Next: " + bold(next.id + ' ' + next.title) + ", about " + std::to_string(next.minutes) +
-           " minutes" +
-           (next.star_minutes > 0 ? " (its stars: " + std::to_string(next.star_minutes) + " more)"
-                                  : "") +
+    const std::string stars = std::to_string(next.star_minutes);
+    return "Next: " + bold(next.id + ' ' + next.title) + ", about " +
+           (next.is_star() ? stars + " minutes, a star"
+                           : std::to_string(next.minutes) + " minutes") +
+           (!next.is_star() && next.star_minutes > 0 ? " (its stars: " + stars + " more)" : "") +
            "\n  read   " + next.section() + "\n  write  " + next.file_list() +
            "\n  check  ./course check " + next.id + '\n';
 }

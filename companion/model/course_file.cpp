@@ -23,7 +23,7 @@ Exercise read_exercise(const Value& value, const Chapter& chapter) {
     if (exercise.id.rfind(chapter.number() + '.', 0) != 0)
         value.at("id").fail("must begin with " + chapter.number() + '.');
     exercise.title = text(value.at("title"));
-    exercise.minutes = minutes(value.at("minutes"));
+    exercise.minutes = minutes(value.at("minutes"), 0);
     if (const auto more = value.find("star_minutes")) exercise.star_minutes = minutes(*more, 0);
     for (const Value& file : value.at("files").list("files", 1))
         exercise.files.push_back(fs::path{"exercises"} / chapter.name / text(file));
@@ -50,7 +50,8 @@ std::vector<std::string> steps_of(const CourseFile& file) {
     std::vector<std::string> steps;
     for (const Chapter& chapter : file.chapters) {
         for (const Exercise& exercise : file.exercises)
-            if (chapter.core && exercise.chapter.name == chapter.name) steps.push_back(exercise.id);
+            if (chapter.core && !exercise.is_star() && exercise.chapter.name == chapter.name)
+                steps.push_back(exercise.id);
         if (chapter.graft) steps.push_back("graft " + chapter.number());
     }
     return steps;

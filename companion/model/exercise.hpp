@@ -10,7 +10,7 @@ namespace companion {
 struct Exercise {
     std::string id;        // "01.3"
     std::string title;     // "Length and unit vectors"
-    int minutes = 0;       // for the core
+    int minutes = 0;       // for the core; 0: the whole exercise is a star
     int star_minutes = 0;  // beyond that
     Chapter chapter;
     std::vector<fs::path>
@@ -22,6 +22,7 @@ struct Exercise {
     std::string shipped_hash{};
     std::vector<fs::path> chapter_files{};  // of all exercises of its chapter
 
+    bool is_star() const { return minutes == 0; }
     // "exercises/00_toolchain/rt/a.hpp, exercises/..."
     std::string file_list() const;
     // "docs/01-vectors.md, section 01.3"

@@ -61,7 +61,7 @@ char symbol(Progress progress) {
 const Exercise* first_open(const Course& course, const State& state,
                            const std::vector<Exercise>& exercises) {
     for (const Exercise& exercise : exercises)
-        if (!passes(progress_of(course, state, exercise))) return &exercise;
+        if (!exercise.is_star() && !passes(progress_of(course, state, exercise))) return &exercise;
     return nullptr;
 }
 
@@ -71,6 +71,8 @@ int open_stars_of(const Course& course, const Chapter& chapter) {
     for (const Exercise& exercise : exercises(course, chapter))
         if (progress_of(course, state, exercise) == Progress::core)
             open += state.exercises.at(exercise.id).open_stars;
+        else if (exercise.is_star())
+            open += !passes(progress_of(course, state, exercise));
     return open;
 }
 
