@@ -48,13 +48,13 @@ for (const chapter of chapters) {
         source: chapter.text, out: basename(chapter.text, '.md') + '.html', chapter,
         name: `${chapter.number} ${chapter.title}`, group: chapter.core ? 'Chapters' : 'Electives',
     };
-    const part = (kind, name) => pages.push({
+    const part = (kind, name, source) => pages.push({
         out: `${basename(chapter.text, '.md')}-${kind}.html`, chapter, kind, parent: page, group: page.group,
-        name: `${chapter.number} ${name}`, source: chapter.text,
+        name: `${chapter.number} ${name}`, source,
     });
     pages.push(page);
-    if (existsSync(join(root, 'tests/mistakes', chapter.name))) part('mistakes', 'Known mistakes');
-    if (plotsOf(chapter).length > 0) part('studies', 'Measured');
+    if (existsSync(join(root, 'tests/mistakes', chapter.name))) part('mistakes', 'Known mistakes', chapter.text);
+    if (plotsOf(chapter).length > 0) part('studies', 'Measured', `docs/studies/${chapter.name}.md`);
 }
 const listed = new Set(pages.map(page => page.source));
 for (const file of readdirSync(join(root, 'docs')).filter(name => name.endsWith('.md')).sort())
@@ -63,7 +63,7 @@ for (const file of readdirSync(join(root, 'docs')).filter(name => name.endsWith(
                      group: 'Reference' });
 pages.push({ source: 'docs/studies/README.md', out: 'studies.html', name: titleOf('docs/studies/README.md'),
              group: 'Reference' });
-const pageOf = new Map(pages.filter(page => !page.kind).map(page => [page.source, page]));
+const pageOf = new Map(pages.filter(page => page.kind !== 'mistakes').map(page => [page.source, page]));
 
 // ---- What becomes of links and pictures ------------------------------------------------------
 
@@ -114,16 +114,21 @@ function resolver(source) {
 
 // ---- Writing them ----------------------------------------------------------------------------
 
-function studiesPage(chapter) {
-    const headings = [];
-    let html = `<h1>Chapter ${chapter.number}, measured</h1>
-<p>Point at a value to read it. <code>./course study ${chapter.number}</code> measures all this on your machine.
-The <a href="${copy(`docs/studies/${chapter.name}.csv`)}">table</a> has every figure.</p>\n`;
-    for (const { id, study, svg } of plotsOf(chapter)) {
-        headings.push({ level: 2, id, text: study });
-        html += `<h2 id="${id}">${study}</h2>\n${plot(svg, study)}\n`;
+// What was measured and does not stand in the chapter; then the plots that this text does not show.
+function studiesPage(page) {
+    const { chapter, source } = page, hasText = existsSync(join(root, source));
+    const text = hasText ? textPage(page)
+        : { html: `<h1>Chapter ${chapter.number}, measured</h1>\n`, headings: [], sections: [] };
+    text.html += `<p>Point at a value to read it. <code>./course study ${chapter.number}</code> measures all this on your
+machine. The <a href="${copy(`docs/studies/${chapter.name}.csv`)}">table</a> has every figure.</p>\n`;
+    for (const { id: name, study, svg } of plotsOf(chapter)) {
+        if (hasText && read(source).includes(`(../plots/${chapter.name}-${name}.svg)`)) continue;
+        const id = `plot-${name}`;
+        text.headings.push({ level: 2, id, text: study });
+        text.sections.push({ id, text: study, words: '' });
+        text.html += `<h2 id="${id}">${study}</h2>\n${plot(svg, study)}\n`;
     }
-    return { html, headings, sections: headings.map(({ id, text }) => ({ id, text, words: '' })) };
+    return text;
 }
 
 function textPage(page) {
@@ -145,7 +150,7 @@ function textPage(page) {
 
 const index = new MiniSearch({ fields: ['text', 'words'], storeFields: ['text', 'page', 'start'] });
 for (const page of pages) {
-    Object.assign(page, page.kind === 'studies' ? studiesPage(page.chapter)
+    Object.assign(page, page.kind === 'studies' ? studiesPage(page)
         : page.kind === 'mistakes' ? mistakesPage(page.chapter, join(root, 'tests/mistakes', page.chapter.name),
                                                    read(page.source), resolver(page.source).picture)
         : textPage(page));

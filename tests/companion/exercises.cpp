@@ -2,8 +2,10 @@
 #include <app/errors.hpp>
 #include <cmath>
 #include <companion/model/exercise.hpp>
+#include <companion/model/source.hpp>
 #include <companion/model/stubs.hpp>
 #include <companion/system/files.hpp>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -127,6 +129,22 @@ Reading reading_of(const std::string& markdown) {
     return found;
 }
 
+// Lines of code of the answer that are not in the stub; braces alone do not count.
+int lines_to_write(const std::string& stub, const std::string& answer) {
+    const auto lines_of = [](const std::string& source) {
+        std::multiset<std::string> lines;
+        std::istringstream code{code_of(source, true)};
+        for (std::string line; std::getline(code >> std::ws, line);)
+            if (line != "}" && line.rfind("#include", 0) != 0) lines.insert(line);
+        return lines;
+    };
+    const auto had = lines_of(stub), has = lines_of(answer);
+    std::vector<std::string> written;
+    std::set_difference(has.begin(), has.end(), had.begin(), had.end(),
+                        std::back_inserter(written));
+    return static_cast<int>(written.size());
+}
+
 }  // namespace
 
 TEST_CASE("reading is counted in words, formulas and figures", "[exercises]") {
@@ -147,6 +165,24 @@ TEST_CASE("the minutes for reading are those of the text", "[exercises]") {
         // Rounding to 5 minutes, and 10 percent.
         CHECK(std::abs(chapter.reading - counted) <= 2.5 + 0.1 * counted);
     }
+}
+
+// Eight minutes to read the stub, think and mend what a failed check shows, and one and a half for
+// each line of the answer that the stub does not have. Some lines are easy, so the sum counts.
+TEST_CASE("the minutes for writing are those of the answers", "[stubs]") {
+    const Course here = this_course();
+    double stated = 0, counted = 0;
+    for (const Exercise& exercise : exercises(here)) {
+        if (!exercise.chapter.core || exercise.is_star()) continue;
+        stated += exercise.minutes;
+        counted += 8;
+        for (const fs::path& stub : exercise.files)
+            counted += 1.5 * lines_to_write(read_file(here.root / stub),
+                                            read_file(here.root / "solutions" /
+                                                      stub.lexically_relative("exercises")));
+    }
+    INFO(stated << " minutes in course.json, " << counted << " by the lines");
+    CHECK(std::abs(stated - counted) <= 0.1 * counted);
 }
 
 TEST_CASE("the core of the course takes at most 35 hours", "[exercises]") {
