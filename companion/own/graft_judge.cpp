@@ -54,7 +54,7 @@ double outlines_missing(const Picture& in, const Picture& from) {
 // Pictures of the two balls of 00.1, with nothing to read and perhaps a position of the eye.
 void look_at_outlines(const Course& course, const GraftRequest& request,
                       const std::vector<std::string>& words, JudgedLine& line) {
-    const fs::path file = course.build / "tracer.ppm";
+    const fs::path file = course.build / ("tracer." + request.chapter.number() + ".ppm");
     const Picture mine = draw_by_tracer(course, request.program, words, file),
                   ours = draw_by_tracer(course, request.reference, words, file);
     if (mine.width != ours.width || mine.height != ours.height) {
@@ -95,6 +95,7 @@ void judge_graft(const Course& course, const GraftRequest& request,
                  const std::function<void(const JudgedLine&)>& report) {
     const Graft& graft = *request.chapter.graft;
     const auto judge = [&](JudgedLine line, const std::function<void(JudgedLine&)>& look) {
+        if (!request.only_line.empty() && line.what != request.only_line) return;
         request.begins(line.what);
         try {
             look(line);
@@ -145,6 +146,7 @@ void judge_graft(const Course& course, const GraftRequest& request,
     JudgeRequest asked{{}, request.reference, request.seed, {}, app::physical_cores()};
     asked.crowd = 300;    // so that a program without a tree is soon done
     asked.tree_gain = 5;  // the list of chapter 03 is fast
+    asked.only_line = request.only_line;
     asked.begins = request.begins;
     judge_program(own, asked, parts, report);
 }

@@ -12,6 +12,7 @@ struct GraftRequest {
     std::vector<std::string> headers{};  // that the learner's program was compiled with
     std::uint64_t seed = 1;
     std::function<void(const std::string& what)> begins = [](const std::string&) {};
+    std::string only_line{};  // only this line; empty: all
 };
 
 // Reports each line as soon as it is known.

@@ -186,6 +186,7 @@ void judge_program(const OwnProgram& own, const JudgeRequest& request,
     const Trial trial{request, own, reference, [&](JudgedLine line, const auto& look) {
                           left_out = own.times_out() > 1;  // the next one would not end, either
                           if (left_out) return;
+                          if (!request.only_line.empty() && line.what != request.only_line) return;
                           request.begins(line.what);
                           try {
                               look(line);

@@ -30,6 +30,7 @@ struct JudgeRequest {
     double patience = 60;        // seconds for one picture
     int crowd = 10'000;          // spheres in the scenes on which all cores are measured
     double tree_gain = 10;       // how many times as fast as --list a tree must be
+    std::string only_line{};     // only this line; empty: all
     // Called when a line is begun, which may take long.
     std::function<void(const std::string& what)> begins = [](const std::string&) {};
 };

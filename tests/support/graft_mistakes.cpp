@@ -9,7 +9,6 @@
 #include <companion/own/tracer.hpp>
 #include <companion/system/files.hpp>
 #include <cstdio>
-#include <set>
 
 #include "temporary_folder.hpp"
 
@@ -18,29 +17,34 @@ using checkpoint::TemporaryFolder;
 
 namespace {
 
-// The lines that fail for a program. On a busy machine, some may.
-std::set<std::string> failing(const Course& course, const Chapter& chapter, const fs::path& program,
-                              bool may = false) {
-    std::set<std::string> lines;
+// True if a line fails for a program: this one, or any if it is empty. On a busy machine, one may.
+bool fails(const Course& course, const Chapter& chapter, const fs::path& program, bool may,
+           const std::string& only = {}) {
     const fs::path answer = course.program("tracer." + chapter.number());
-    judge_graft(course, {chapter, program, answer, chapter.graft->headers, 1},
-                [&](const JudgedLine& line) {
-                    if (line.busy_machine ? !may : line.passed) return;
-                    lines.insert(line.what);
-                    std::printf("    x %s: %s\n", line.what.c_str(), line.actual.c_str());
-                });
-    return lines;
+    GraftRequest request{chapter, program, answer, chapter.graft->headers};
+    request.only_line = only;
+    struct Enough {};
+    try {
+        judge_graft(course, request, [&](const JudgedLine& line) {
+            if (line.busy_machine ? !may : line.passed) return;
+            std::printf("    x %s: %s\n", line.what.c_str(), line.actual.c_str());
+            throw Enough{};
+        });
+    } catch (const Enough&) {
+        return true;
+    }
+    return false;
 }
 
-// What the programs look like when this source is compiled like the answer.
-std::set<std::string> failing_source(const Course& course, const Chapter& chapter,
-                                     const std::string& source) {
+// The same of this source, compiled like the answer.
+bool source_fails(const Course& course, const Chapter& chapter, const std::string& source,
+                  const std::string& only = {}) {
     const TemporaryFolder folder;
     checkpoint::write_file(folder / (chapter.number() + ".cpp"), source);
     const Remake remake{course, "tracer." + chapter.number()};
     const BuildResult built = remake(folder.path(), folder / "tracer");
     if (!built.ok) throw app::Failure("does not compile:\n" + built.output);
-    return failing(course, chapter, folder / "tracer", true);
+    return fails(course, chapter, folder / "tracer", true, only);
 }
 
 bool report(bool as_it_should, const std::string& what) {
@@ -59,20 +63,19 @@ int main(int argc, char** argv) try {
     for (const Chapter& other : grafts(course))
         if (other.name < chapter.name) before = tracer_answer(course, other);
 
-    bool all =
-        report(failing(course, chapter, course.program("tracer." + chapter.number())).empty(),
-               "our answer passes");
+    const fs::path ours = course.program("tracer." + chapter.number());
+    bool all = report(!fails(course, chapter, ours, false), "our answer passes");
     // The outlines are the same as before; the headers that it must use are what is new.
     if (chapter.graft->reads != Graft::Reads::nothing)
-        all = report(!failing_source(course, chapter, read_file(before)).empty(),
+        all = report(source_fails(course, chapter, read_file(before)),
                      "the answer to the graft before fails") &&
               all;
     for (const Mistake& mistake :
          read_mistakes(course.root / "tests/mistakes/tracer" / (chapter.number() + ".md"))) {
-        const auto lines =
-            failing_source(course, chapter,
-                           edited_files(mistake, course.root / "solutions/tracer").begin()->second);
-        all = report(lines.count(mistake.caught_by) == 1, mistake.name) && all;
+        const auto edited = edited_files(mistake, course.root / "solutions/tracer");
+        all = report(source_fails(course, chapter, edited.begin()->second, mistake.caught_by),
+                     mistake.name) &&
+              all;
     }
     return all ? app::done : app::could_not;
 } catch (const std::exception& error) {
