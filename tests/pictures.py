@@ -404,6 +404,9 @@ for name, width, height, times, mistakes in (
         ("11_samples", 400, 225, 2, "11.5_by_channel")):
     for mistake in mistakes.split():
         RECIPES[f"{name[:2]}-mistake-{mistake[5:]}"] = of_mistake(name, mistake, width, height, times)
+# What stands beside the mistakes: the same picture, as large, without one.
+RECIPES["04-right-spheres"] = of_mistake("04_normals_aa", None, 360, 202, 1)
+RECIPES["07-right-galaxy"] = of_mistake("07_bvh", None, 400, 286, 2)
 for mistake in "06.3_forgets_the_rim 06.3_skips_the_first 06.4_neighbors_alike 06.4_ignores_sample".split():
     RECIPES["06-mistake-" + mistake[5:]] = threads_scene(mistake)
 
