@@ -335,6 +335,7 @@ RECIPES = {
     "06_threads": chapter("06_threads", 800, 450),
     "07_bvh": chapter("07_bvh", 784, 560),
     "08_effects": chapter("08_effects", 640, 360),
+    "08-haze": lambda: draw("08_effects_solution", 640, 360, "chapters/08_effects/scenes/haze.json"),
     "09_own": own,
     "10_batches": chapter("10_batches", 640, 360),
     "11_samples": chapter("11_samples", 800, 450),
@@ -379,7 +380,7 @@ RECIPES = {
     "hard-race-plain": race("06.4_shared_generator"),
     "hard-race-stable": race(),
 }
-for scene in ("cover", "fog", "galaxy", "glass", "lens", "lights", "matte", "metal", "motion", "own", "planets",
+for scene in ("cover", "fog", "galaxy", "glass", "haze", "lens", "lights", "matte", "metal", "motion", "own", "planets",
               "textures"):
     RECIPES["08-scene-" + scene] = effects_scene(scene)
 for name, width, height, times, mistakes in (

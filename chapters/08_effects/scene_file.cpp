@@ -42,13 +42,14 @@ class Reader {
         : name_{name}, folder_{folder}, limits_{limits} {}
 
     SceneDescription read(const Value& whole) {
-        whole.with_keys({"about", "camera", "sky", "fog", "textures", "materials", "spheres",
-                         "groups", "render"});
+        whole.with_keys({"about", "camera", "sky", "fog", "haze", "textures", "materials",
+                         "spheres", "groups", "render"});
         if (const auto about = whole.find("about")) about->text("a sentence");
         read_camera(whole.at("camera"));
         scene_.sky = {{1, 1, 1}, from_hex(0x7fb2ff)};
         if (const auto sky = whole.find("sky")) read_sky(*sky);
         if (const auto fog = whole.find("fog")) read_fog(*fog);
+        if (const auto haze = whole.find("haze")) read_haze(*haze);
         if (const auto textures = whole.find("textures"))
             for (const auto& [key, texture] : textures->members("textures by name"))
                 textures_.emplace(key, read_texture(texture));
@@ -115,6 +116,11 @@ class Reader {
         fog.albedo = color(value, "color", {1, 1, 1}, shares);
         fog.asymmetry = number(value, "asymmetry", {-0.99, 0.99}, 0);
         scene_.fog = fog;
+    }
+
+    void read_haze(const Value& haze) {
+        haze.with_keys({"density", "color"});
+        scene_.haze = Haze{number(haze.at("density"), {0, 1e9}), color(haze.at("color"), light)};
     }
 
     Texture read_texture(const Value& texture) {

@@ -76,6 +76,7 @@ SceneDescription scene_with(const char* name) {
     if (effect == "lens") scene.camera.lens = {Real(0.2), 9};
     if (effect == "motion") scene.camera.shutter = 1;
     if (effect == "fog") scene.fog = Fog{{{0, 0, 0}, 20}, Real(0.02), {1, 1, 1}, 0};
+    if (effect == "haze") scene.haze = Haze{Real(0.05), {1, 1, 1}};
     scene.spheres.push_back({{{0, -1000, 0}, 1000}, 0});
     Rng random{1, 8};
     const auto kinds = static_cast<int>(scene.materials.size()) - 1;

@@ -67,6 +67,7 @@ inline rt::SceneDescription scene_with(const rt::Effects& effects) {
                          multiply(rotation_z(1), scaling({1, Real(0.2), Real(0.4)}))));
     }
     if (effects.fog) scene.fog = Fog{{{0, 0, 0}, 8}, Real(0.1), {1, Real(0.9), 1}, Real(0.4)};
+    if (effects.haze) scene.haze = Haze{Real(0.2), {Real(0.7), Real(0.8), Real(0.9)}};
     return scene;
 }
 

@@ -117,8 +117,7 @@ TEST_CASE("a wrong course.json is refused with the place and what would be right
                       place = exercise_0 + '.';
     CHECK(with("\"id\"", "\"ID\"") == exercise_0 + " needs \"id\"");
     CHECK(with("01.1", "02.1") == place + "id must begin with 01.");
-    CHECK(with("10", "1001") ==
-          place + "minutes must be a whole number from 0 to 1000, not 1001");
+    CHECK(with("10", "1001") == place + "minutes must be a whole number from 0 to 1000, not 1001");
     CHECK(with("10", "1.5") == place + "minutes must be a whole number from 0 to 1000, not 1.5");
     CHECK(with(": 3", ": -1") ==
           place + "star_minutes must be a whole number from 0 to 1000, not -1");

@@ -17,6 +17,7 @@ struct Effects {
     bool fog = false;        // a medium between the surfaces, which scatters light
     bool instances = false;  // spheres that a matrix stretches and turns
     bool own = false;        // the material of exercise 05.6
+    bool haze = false;       // air that dims what is far away
 
     friend constexpr bool operator==(const Effects&, const Effects&) = default;
 };
@@ -26,12 +27,17 @@ struct NamedEffect {
     bool Effects::*member;
 };
 
-inline constexpr std::array all_effects{
-    NamedEffect{"mirror", &Effects::mirror},       NamedEffect{"fuzz", &Effects::fuzz},
-    NamedEffect{"glass", &Effects::glass},         NamedEffect{"texture", &Effects::texture},
-    NamedEffect{"lens", &Effects::lens},           NamedEffect{"motion", &Effects::motion},
-    NamedEffect{"lights", &Effects::lights},       NamedEffect{"fog", &Effects::fog},
-    NamedEffect{"instances", &Effects::instances}, NamedEffect{"own", &Effects::own}};
+inline constexpr std::array all_effects{NamedEffect{"mirror", &Effects::mirror},
+                                        NamedEffect{"fuzz", &Effects::fuzz},
+                                        NamedEffect{"glass", &Effects::glass},
+                                        NamedEffect{"texture", &Effects::texture},
+                                        NamedEffect{"lens", &Effects::lens},
+                                        NamedEffect{"motion", &Effects::motion},
+                                        NamedEffect{"lights", &Effects::lights},
+                                        NamedEffect{"fog", &Effects::fog},
+                                        NamedEffect{"instances", &Effects::instances},
+                                        NamedEffect{"own", &Effects::own},
+                                        NamedEffect{"haze", &Effects::haze}};
 
 // All of them.
 inline constexpr Effects every_effect = [] {

@@ -10,6 +10,7 @@
 #include <rt/scatter.hpp>
 #include <rt/sine_cosine.hpp>
 #include <rt/sphere.hpp>
+#include <rt/transmittance.hpp>
 
 namespace rt {
 
@@ -22,12 +23,6 @@ struct Fog {
     // The mean cosine of the turn, in (-1, 1); 0 scatters evenly: the asymmetry parameter, g.
     Real asymmetry = 0;
 };
-
-// The share of light that gets through fog of this length: exp(-density * length).
-// Source: Bouguer, "Essai d'optique", 1729; known as Beer's law.
-inline Real transmittance(Real density, Real length) {
-    return portable::exp(-density * length);
-}
 
 // How far light gets before it meets a droplet: longer than d with probability exp(-density * d).
 // `number` lies in [0, 1).

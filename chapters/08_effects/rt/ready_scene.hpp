@@ -3,6 +3,7 @@
 #include <rt/cameras.hpp>
 #include <rt/effects.hpp>
 #include <rt/fog.hpp>
+#include <rt/haze.hpp>
 #include <rt/instance_shape.hpp>
 #include <rt/lights.hpp>
 #include <rt/make_camera.hpp>
@@ -46,6 +47,7 @@ struct RendererTypes {
     using World = decltype(make_world<effects>({}, {}));
     using Lights = Either<effects.lights, SceneLights, NoLights>;
     using Medium = Either<effects.fog, FogBall, NoFog>;
+    using SceneHaze = Either<effects.haze, Haze, NoHaze>;
 };
 
 // A scene, made ready for a renderer with these effects (given). They must cover those of the
@@ -59,6 +61,7 @@ struct ReadyScene {
     GradientSky sky;
     typename Types::Lights lights;
     typename Types::Medium fog;
+    typename Types::SceneHaze haze;
 
     ReadyScene(const SceneDescription& scene, int width, int height)
         : ReadyScene{scene, prepare_shapes(scene), width, height} {}
@@ -72,6 +75,8 @@ struct ReadyScene {
         if constexpr (effects.lights) lights = SceneLights{shapes.lights};
         if constexpr (effects.fog)
             if (scene.fog) fog = {*scene.fog};
+        if constexpr (effects.haze)
+            if (scene.haze) haze = *scene.haze;
     }
 
     static void set_camera(Camera& pinhole, const CameraDescription& camera, int width, int height,

@@ -5,6 +5,7 @@
 #include <rt/ready_scene.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/sample_rng.hpp>
+#include <rt/through_haze.hpp>
 
 namespace rt {
 
@@ -67,8 +68,10 @@ class Renderer {
     RT_INLINES_ALL Color plain_pixel(const World& world, const Samples& samples, int column,
                                      int row) const {
         return samples.average(scene_.camera, column, row, [&](const auto& ray, auto& random) {
-            return path_radiance(ray, world, scene_.materials, scene_.sky, SkyEnding{},
-                                 quality_.depth, random);
+            return through_haze(scene_.haze,
+                                path_radiance(ray, world, scene_.materials, scene_.sky, SkyEnding{},
+                                              quality_.depth, random),
+                                [&] { return distance_ahead(world, ray); });
         });
     }
 
@@ -76,8 +79,11 @@ class Renderer {
     template <class World, class Samples>
     Color lit_pixel(const World& world, const Samples& samples, int column, int row) const {
         return samples.average(scene_.camera, column, row, [&](const auto& ray, auto& random) {
-            return lit_path_radiance(ray, world, scene_.materials, scene_.sky, scene_.lights,
-                                     scene_.fog, SkyEnding{}, quality_.depth, random);
+            return through_haze(
+                scene_.haze,
+                lit_path_radiance(ray, world, scene_.materials, scene_.sky, scene_.lights,
+                                  scene_.fog, SkyEnding{}, quality_.depth, random),
+                [&] { return distance_ahead(world, ray); });
         });
     }
 

@@ -11,7 +11,7 @@ namespace rt {
 using PixelShader =
     std::function<Color(int column, int row, std::uint64_t seed, std::uint64_t& rays)>;
 
-// The renderers that are compiled (given), each for one of these sets of effects: 28 of 1024
+// The renderers that are compiled (given), each for one of these sets of effects: 30 of 2048
 // possible ones. They vary in the four choices where this pays off, and only in the combinations
 // that gain something:
 //   camera     pinhole or lens
@@ -19,13 +19,14 @@ using PixelShader =
 //              up; an alternative that is not used costs little more than its place in a table
 //   motion, lights, fog   each there or not; all materials with them
 //   instances  alone, with lights, or with motion, lights and fog; all materials with them
+//   haze  alone; all materials with it
 // The material of 05.6 is in the widest alone, which have everything, and so is any effect that a
 // later chapter adds.
 inline constexpr auto renderer_effects = [] {
     const Effects all_materials{.mirror = true, .fuzz = true, .glass = true, .texture = true};
     const std::array<Effects, 4> materials{
         {{}, {.mirror = true, .fuzz = true}, {.glass = true}, all_materials}};
-    std::array<Effects, 28> all{};
+    std::array<Effects, 30> all{};
     std::size_t count = 0;
     for (const bool lens : {false, true}) {
         for (Effects effects : materials) {
@@ -47,6 +48,9 @@ inline constexpr auto renderer_effects = [] {
             effects.lights = lights;
             all[count++] = effects;
         }
+        all[count] = all_materials;
+        all[count].haze = true;
+        all[count++].lens = lens;
         all[count] = every_effect;
         all[count++].lens = lens;
     }

@@ -6,6 +6,7 @@
 #include <rt/dielectric.hpp>
 #include <rt/effects.hpp>
 #include <rt/fog.hpp>
+#include <rt/haze.hpp>
 #include <rt/image.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/lens.hpp>
@@ -58,6 +59,7 @@ struct SceneDescription {
     CameraDescription camera;
     GradientSky sky;  // all 0 is black
     std::optional<Fog> fog;
+    std::optional<Haze> haze;
     std::vector<MaterialDescription> materials;
     std::vector<Image> images;  // linear light
     std::vector<Mat4> maps;     // from the unit sphere to the world, none singular
@@ -67,8 +69,8 @@ struct SceneDescription {
 
 // The effects that a scene calls for beyond those of 08.1. A chapter that adds a kind of shape, of
 // material or of light adds it to the lists above, and says here when a scene has it.
-inline Effects added_effects(const SceneDescription& /*scene*/) {
-    return {};
+inline Effects added_effects(const SceneDescription& scene) {
+    return {.haze = scene.haze && scene.haze->density > 0};
 }
 
 }  // namespace rt

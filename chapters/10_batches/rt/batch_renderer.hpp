@@ -8,6 +8,7 @@
 #include <rt/primary_packs.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/sample_rng.hpp>
+#include <rt/through_haze.hpp>
 #include <rt/tile.hpp>
 #include <type_traits>
 #include <vector>
@@ -31,7 +32,8 @@ class BatchRenderer {
           quality_{quality},
           batch_{scene, most_paths},
           points_(most_paths),
-          pixels_(most_paths) {
+          pixels_(most_paths),
+          distances_(effects.haze ? most_paths : 0) {
         while ((cells_ + 1) * (cells_ + 1) <= quality.samples_per_pixel) ++cells_;
         for (int cell = 0; cell < cells_; ++cell)
             ends_.push_back(
@@ -108,15 +110,27 @@ class BatchRenderer {
                     scene_.camera.anything_moves ? paths[i].random.uniform() : Real(0);
     }
 
+    // How far each sample sees through the haze. Bounces overwrite its first ray.
+    void look_ahead(std::uint64_t& rays) {
+        if (!(scene_.haze.density > 0)) return;
+        for (std::size_t i = 0; i < started_; ++i)
+            distances_[i] =
+                distance_ahead(scene_.world, ray_of<effects>(batch_.paths[i], batch_.times));
+        rays += started_;
+    }
+
     // Follows all paths of the batch to their ends.
     void trace(std::uint64_t& rays) {
         std::size_t left = started_;
         for (std::size_t i = 0; i < left; i += pack_size) start(i, std::min(pack_size, left - i));
+        if constexpr (effects.haze) look_ahead(rays);
         batch_.begin(left);
         for (int bounces = 1; left > 0; ++bounces)
             left = batch_.bounce(left, bounces == quality_.depth, rays);
         // Samples are added up in their order, as pixel_average does.
-        for (std::size_t i = 0; i < started_; ++i) pixels_[i]->add(batch_.light[i]);
+        for (std::size_t i = 0; i < started_; ++i)
+            pixels_[i]->add(
+                through_haze(scene_.haze, batch_.light[i], [&] { return distances_[i]; }));
         started_ = 0;
     }
 
@@ -129,6 +143,7 @@ class BatchRenderer {
     std::vector<ColorSum> sums_;  // of the tile's pixels
     std::vector<SamplePoint> points_;
     std::vector<ColorSum*> pixels_;  // of the batch's samples
+    std::vector<Real> distances_;    // to what they see first, if there is haze
     std::size_t started_ = 0;        // the number of samples in the batch
 };
 

@@ -1,10 +1,17 @@
 #include <answer.hpp>
-#include <rt/choose_renderer.hpp>
+#include <functional>
+#include <rt/through_haze.hpp>
 
 namespace answer EXPORTED {
 
-std::size_t narrowest(const rt::Effects& needed, std::span<const rt::Effects> renderers) {
-    return rt::narrowest(needed, renderers);
+using Distance = std::function<rt::Real()>;
+
+rt::Color through_haze(const rt::Haze& haze, rt::Color color, const Distance& distance) {
+    return rt::through_haze(haze, color, distance);
+}
+
+rt::Color through_haze(const rt::NoHaze& haze, rt::Color color, const Distance& distance) {
+    return rt::through_haze(haze, color, distance);
 }
 
 }  // namespace EXPORTED

@@ -27,7 +27,7 @@ drawing() {
 if [ "${2:-}" = table ]; then
     none=$(drawing matte narrow)
     echo "effect,absent,compiled in,present"
-    for effect in mirror fuzz glass texture lens motion lights fog; do
+    for effect in mirror fuzz glass texture lens motion lights fog haze; do
         echo "$effect,$none,$(drawing matte $effect),$(drawing $effect narrow)"
     done
     echo "all,$none,$(drawing matte full),"

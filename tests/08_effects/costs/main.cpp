@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <rt/choose_renderer.hpp>
-#include <rt/effects_of.hpp>
+#include <rt/needed_effects.hpp>
 #include <rt/renderers.hpp>
 #include <string>
 
@@ -38,6 +38,7 @@ SceneDescription make_scene(const std::string& name) {
     if (is("glass_lens") || is("lens")) scene.camera.lens = {Real(0.2), 9};
     if (is("motion")) scene.camera.shutter = 1;
     if (is("fog")) scene.fog = Fog{{{0, 0, 0}, 20}, Real(0.02)};
+    if (is("haze")) scene.haze = Haze{Real(0.05), {Real(0.75), Real(0.85), 1}};
     scene.spheres.push_back({{{0, -1000, 0}, 1000}, 0});
     Rng random{1, 8};
     for (int i = 0; i < 200; ++i) {
@@ -83,7 +84,7 @@ Color draw(const std::string& name, const std::string& way, int rows) {
         if (name == "metal") return sum_of(rows, by_hand::MatteAndMetal{scene, picture});
         if (name == "glass_lens") return sum_of(rows, by_hand::GlassAndLens{scene, picture});
     }
-    Effects needed = effects_of(scene);
+    Effects needed = needed_effects(scene);
     if (way == "full") needed = every_effect;
     for (const NamedEffect& effect : all_effects)
         if (way == effect.name) needed.*effect.member = true;

@@ -1,7 +1,7 @@
 // The narrow renderers draw what the full one draws, bit for bit.
 
 #include <rt/choose_renderer.hpp>
-#include <rt/effects_of.hpp>
+#include <rt/needed_effects.hpp>
 #include <rt/renderers.hpp>
 #include <set>
 
@@ -35,8 +35,8 @@ Drawn draw(const rt::SceneDescription& scene, std::size_t renderer) {
 TEST_CASE("a test scene has the effects that it says") {
     for (unsigned bits = 0; bits < sets_of_effects; ++bits) {
         const Effects effects = numbered_effects(bits);
-        INFO(names(effects) << " is found to be " << names(effects_of(scene_with(effects))));
-        REQUIRE((effects_of(scene_with(effects)) == effects));
+        INFO(names(effects) << " is found to be " << names(needed_effects(scene_with(effects))));
+        REQUIRE((needed_effects(scene_with(effects)) == effects));
     }
 }
 
@@ -45,10 +45,10 @@ TEST_CASE("each scene's narrowest renderer draws what the full one draws") {
     std::set<std::size_t> used;
     for (unsigned bits = 0; bits < sets_of_effects; ++bits) {
         const rt::SceneDescription scene = scene_with(numbered_effects(bits));
-        const std::size_t narrow = rt::narrowest(effects_of(scene), rt::renderer_effects);
+        const std::size_t narrow = rt::narrowest(needed_effects(scene), rt::renderer_effects);
         used.insert(narrow);
         const Drawn by_narrow = draw(scene, narrow), by_full = draw(scene, full);
-        INFO("scene: " << names(effects_of(scene)));
+        INFO("scene: " << names(needed_effects(scene)));
         INFO("renderer: " << names(rt::renderer_effects[narrow]));
         REQUIRE(by_narrow.rays == by_full.rays);
         for (std::size_t i = 0; i < by_narrow.pixels.size(); ++i) {
@@ -94,8 +94,9 @@ TEST_CASE("what cannot be seen changes nothing") {
     rt::SceneDescription scene = scene_with({});
     scene.camera.lens = {0, 3};
     scene.fog = rt::Fog{{{0, 0, 0}, 8}, 0};
+    scene.haze = rt::Haze{0, {1, 1, 1}};
     scene.spheres[1].velocity = {1, 1, 1};  // with a closed shutter
-    REQUIRE((effects_of(scene) == Effects{}));
+    REQUIRE((needed_effects(scene) == Effects{}));
     const std::size_t full = rt::narrowest(rt::every_effect, rt::renderer_effects);
     for (const std::size_t renderer : {rt::narrowest({}, rt::renderer_effects), full}) {
         const Drawn drawn = draw(scene, renderer);

@@ -80,6 +80,7 @@ TEST_CASE("a scene file becomes the scene that it describes", "[scene_file]") {
                    "lens": {"aperture": 0.5}, "shutter": 2},
         "sky": {"below": "#000000", "above": [0.5, 1, 8]},
         "fog": {"center": [0, 1, 0], "radius": 5, "density": 0.25, "asymmetry": -0.5},
+        "haze": {"density": 0.125, "color": [2, 1, 0.5]},
         "textures": {"board": {"type": "checker", "even": "#ffffff", "odd": "#000000", "size": 2}},
         "materials": {
             "unused": {"type": "matte", "color": "#000000"},
@@ -108,6 +109,9 @@ TEST_CASE("a scene file becomes the scene that it describes", "[scene_file]") {
     CHECK(scene.fog->region.radius == 5);
     CHECK(scene.fog->density == Real(0.25));
     CHECK(scene.fog->asymmetry == Real(-0.5));
+    REQUIRE(scene.haze);
+    CHECK(scene.haze->density == Real(0.125));
+    CHECK(scene.haze->color == Color{2, 1, Real(0.5)});
     // Only what spheres are made of, in their order.
     REQUIRE(scene.materials.size() == 5);
     CHECK(std::get<rt::CheckeredMatte>(scene.materials[0]).size == 2);
@@ -185,6 +189,7 @@ TEST_CASE("what a scene file leaves out has a good default", "[scene_file]") {
     CHECK(scene.spheres.empty());
     CHECK(scene.camera.lens.aperture == 0);
     CHECK_FALSE(scene.fog.has_value());
+    CHECK_FALSE(scene.haze.has_value());
     CHECK(scene.sky.above != Color{});
 }
 
@@ -379,6 +384,7 @@ TEST_CASE("numbers outside their range are refused", "[scene_file]") {
             "camera.up", "direction");
     REFUSED(with(R"("fog": {"center": [0, 0, 0], "radius": 1, "density": 1, "asymmetry": 1})"),
             "fog.asymmetry", "to 0.99");
+    REFUSED(with(R"("haze": {"density": -1, "color": "#ffffff"})"), "haze.density", "from 0 to");
     REFUSED(with(R"("render": {"width": 0})"), "render.width", "whole number from 1 to 65536");
     REFUSED(with(R"("render": {"spp": 1.5})"), "render.spp", "whole number");
     REFUSED(with(R"("render": {"seed": -1})"), "render.seed", "whole number from 0");

@@ -6,9 +6,9 @@
 
 namespace rt {
 
-// The number of the renderer for a scene that needs these effects: it has all of them, and no other
-// renderer that has all of them has fewer effects. If there are several, it is the first. Throws
-// std::invalid_argument if none has all of them.
+// The number of the renderer for a scene that needs these effects (given): it has all of them, and
+// no other renderer that has all of them has fewer effects. If there are several, it is the first.
+// Throws std::invalid_argument if none has all of them.
 inline std::size_t narrowest(const Effects& needed, std::span<const Effects> renderers) {
     std::size_t best = renderers.size();
     for (std::size_t i = 0; i < renderers.size(); ++i) {

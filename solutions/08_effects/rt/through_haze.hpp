@@ -1,0 +1,23 @@
+#pragma once
+#include <rt/haze.hpp>
+#include <rt/transmittance.hpp>
+
+namespace rt {
+
+// The color that gets to the eye. If the type AnyHaze has a member `density`, the
+// share exp(-density * distance()) of `color` gets through, and haze.color makes up the rest.
+// distance() is a search: ask once at most. It may be infinite. Where the density is 0, and for a
+// type without that member, return `color` as it is, and do not ask: `if constexpr` alone compiles
+// for both types.
+template <class AnyHaze, class Distance>
+Color through_haze(const AnyHaze& haze, Color color, const Distance& distance) {
+    if constexpr (requires { haze.density; }) {
+        if (!(haze.density > 0)) return color;
+        const Real share = transmittance(haze.density, distance());
+        return share * color + (1 - share) * haze.color;
+    } else {
+        return color;
+    }
+}
+
+}  // namespace rt

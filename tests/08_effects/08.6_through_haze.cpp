@@ -1,0 +1,141 @@
+#include <checkpoint.hpp>
+#include <rt/color.hpp>
+#include <rt/through_haze.hpp>
+
+using namespace checkpoint;
+using rt::Color;
+using rt::Haze;
+
+namespace {
+
+const Real far_away = std::numeric_limits<Real>::infinity();
+const Color orange{Real(0.9), Real(0.5), Real(0.1)}, blue{Real(0.25), Real(0.5), Real(0.75)};
+
+// What the eye sees through this haze, and how often the distance was asked for.
+template <class AnyHaze>
+Color seen(const AnyHaze& haze, Color color, Real distance, int* asked = nullptr) {
+    int count = 0;
+    const Color result = rt::through_haze(haze, color, [&] {
+        ++count;
+        return distance;
+    });
+    if (asked) *asked = count;
+    return result;
+}
+
+std::string words(Color color) {
+    return text(Vec3{color.r, color.g, color.b});
+}
+
+// Checks a color that is right within a few roundings of its channels.
+void check(const Haze& haze, Color color, Real distance, Color expected, const char* hint) {
+    const Color computed = seen(haze, color, distance);
+    INFO("density " << text(haze.density) << ", color of the haze " << words(haze.color));
+    INFO("light " << words(color) << ", distance " << text(distance));
+    INFO("expected " << words(expected) << ", actual " << words(computed) << "\nHint: " << hint);
+    const auto is_near = [](Real a, Real b) { return std::abs(a - b) <= 16 * rt::epsilon * b; };
+    CHECK((is_near(computed.r, expected.r) && is_near(computed.g, expected.g) &&
+           is_near(computed.b, expected.b)));
+}
+
+void check_same(Color computed, Color expected, const char* hint) {
+    INFO("expected " << words(expected) << ", actual " << words(computed) << "\nHint: " << hint);
+    CHECK(computed == expected);
+}
+
+}  // namespace
+
+TEST_CASE("08.6 haze dims what is behind it", "[08.6]") {
+    // Black haze takes light away and adds none. exp(-ln 2) = 1/2.
+    const Real half = real(0.69314718055994530942);
+    check({half, {}}, orange, 1, Real(0.5) * orange,
+          "the share exp(-density * distance) gets through, here a half");
+    check({half, {}}, orange, 3, Real(0.125) * orange,
+          "the haze is three times as long: a half of a half of a half gets through");
+    check({3 * half, {}}, orange, 1, Real(0.125) * orange,
+          "the haze is three times as dense: a half of a half of a half gets through");
+    check({Real(0.25), {}}, {1, 1, 1}, 8, real(0.13533528323661269189) * Color{1, 1, 1},
+          "exp(-0.25 * 8) = 0.135");
+}
+
+TEST_CASE("08.6 the color of haze makes up the rest", "[08.6]") {
+    const Real half = real(0.69314718055994530942);
+    check({half, blue}, {}, 1, Real(0.5) * blue,
+          "behind the haze it is black: you see half of the haze's own color");
+    check({half, blue}, orange, 1, Real(0.5) * orange + Real(0.5) * blue,
+          "a half of each: add the haze's color, and do not multiply by it");
+    check({half, blue}, orange, 2, Real(0.25) * orange + Real(0.75) * blue,
+          "a quarter gets through, and three quarters are the haze's");
+    check({Real(0.1), blue}, blue, 7, blue,
+          "what has the haze's color keeps it: the two shares add up to 1");
+}
+
+TEST_CASE(
+    "08.6 right before the eye there is no haze and where nothing is hit there is nothing else",
+    "[08.6]") {
+    check({2, blue}, orange, 0, orange, "at distance 0 everything gets through");
+    check(
+        {2, blue}, orange, far_away, blue,
+        "infinitely far away nothing gets through: only the haze is left, and sky is no exception");
+}
+
+TEST_CASE("08.6 where the density is 0 the color stays and nothing is asked", "[08.6]") {
+    for (const Real distance : {Real(0), Real(3), far_away}) {
+        int asked = 0;
+        check_same(seen(Haze{0, blue}, orange, distance, &asked), orange,
+                   "a renderer that has every effect also draws scenes without haze, and where a "
+                   "ray misses everything 0 times infinity is not a number: return the color "
+                   "itself if the density is 0");
+        INFO("Hint: if the density is 0, return before you call distance(): it is a search");
+        CHECK(asked == 0);
+    }
+}
+
+TEST_CASE("08.6 without the effect the color stays and nothing is asked", "[08.6]") {
+    for (const Real distance : {Real(0), Real(3), far_away}) {
+        int asked = 0;
+        check_same(seen(rt::NoHaze{}, orange, distance, &asked), orange,
+                   "a NoHaze is no haze: return the color itself");
+        INFO(
+            "Hint: call distance() only inside of the `if constexpr`: an effect that is absent "
+            "costs nothing");
+        CHECK(asked == 0);
+    }
+}
+
+TEST_CASE("08.6 the distance is asked for once", "[08.6]") {
+    int asked = 0;
+    seen(Haze{Real(0.5), blue}, orange, 2, &asked);
+    INFO("Hint: distance() is a whole search: call it once, and keep what it gives");
+    CHECK(asked == 1);
+}
+
+TEST_CASE("08.6 nothing is left of a bright lamp behind dense haze", "[08.6][hard]") {
+    const Color lamp{real(1e6), real(1e9), real(1e12)};
+    const char* const hint =
+        "nothing gets through, so only the haze's color is left; color + (1 - share) * (haze - "
+        "color) subtracts a huge number from itself: weigh the two by share and 1 - share instead";
+    check_same(seen(Haze{1, blue}, lamp, far_away), blue, hint);
+    check_same(seen(Haze{1, blue}, lamp, 10'000), blue, hint);
+    // A little of it: exp(-20) of 1e6 is 0.002.
+    check(
+        {1, blue}, {real(1e6), real(1e6), real(1e6)}, 20,
+        real(2061.1536224385578280e-6) * Color{1, 1, 1} + real(1 - 2.0611536224385578280e-9) * blue,
+        hint);
+}
+
+TEST_CASE("08.6 nothing overflows", "[08.6][hard]") {
+    const Real most = std::numeric_limits<Real>::max(), least = std::numeric_limits<Real>::min();
+    const char* const dense = "the haze is so dense that nothing gets through";
+    check_same(seen(Haze{most, blue}, orange, most), blue, dense);
+    check_same(seen(Haze{most, blue}, orange, 1), blue, dense);
+    check_same(seen(Haze{1, blue}, orange, most), blue, dense);
+    const char* const thin = "the haze is so thin that everything gets through";
+    check_same(seen(Haze{least, blue}, orange, 1), orange, thin);
+    check_same(seen(Haze{least, blue}, orange, least), orange, thin);
+    // The same scene, with all lengths a billion times as large or as small.
+    const Color here = seen(Haze{Real(0.5), blue}, orange, 2);
+    for (const Real scale : {Real(0x1p30), Real(0x1p-30)})
+        check_same(seen(Haze{Real(0.5) / scale, blue}, orange, 2 * scale), here,
+                   "density times distance is a pure number: what counts is their product alone");
+}
