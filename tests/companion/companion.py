@@ -653,6 +653,35 @@ class Companion(unittest.TestCase):
         self.assertIn("// solution 2", code("two"))
         self.assertEqual((self.root / "build/yours/rt/one.hpp").stat().st_mtime_ns, before)
 
+    def test_run_mine_takes_what_fails_too(self):
+        def run(words, *options):
+            done = subprocess.run([COURSE, "run", "01", *options], env=self.environment, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stderr, words + "\n")
+            return done.stdout
+
+        def code(name):
+            return (self.root / f"build/yours/rt/{name}.hpp").read_text()
+
+        self.write("one", "wrong\n")
+        run("All of the code is yours. These fail, and run all the same: 01.1. Still to be written: 01.2.", "--mine")
+        self.assertTrue(code("one").endswith("wrong\n"), code("one"))
+        self.assertTrue(code("two").endswith(STUB % (2, 2)), code("two"))
+        self.write("two", "wrong, too\n")
+        said = run("All of the code is yours. These fail, and run all the same: 01.", "--width", "9", "--mine")
+        self.assertIn(f"program --out {self.root}/out/01_tiny_mine.png --width 9\n", said)
+        self.stub("two").unlink()
+        run("The solution's: 01.2. All else is yours. These fail, and run all the same: 01.1.", "--mine")
+        self.write("one", "right\n")
+        self.write("two", "right\n")
+        run("All of the code is yours.", "--mine")
+        self.write("one", "wrong\n")
+        run("Yours: 01.2. The solution's: 01.1.")
+        self.assertIn("// solution 1", code("one"))
+        # What the program says of a stub ends as usual.
+        self.course("run", "01", "--mine", "--fail", code=3)
+
     def test_run_passes_options_on(self):
         said = self.course("run", "01", "--width", "9")
         self.assertIn(f"program --out {self.root}/out/01_tiny_mine.png --width 9", said)
