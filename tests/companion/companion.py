@@ -838,6 +838,40 @@ class Companion(unittest.TestCase):
             terminal.expect("It is two")
             self.assertEqual(terminal.end(), 0)
 
+    def test_ask_reviews_earlier_chapters(self):
+        self.add_second_chapter()
+        self.put_questions()
+        self.put("chapters/02_more/questions.json", json.dumps({"questions": [
+            {"kind": "predict", "ask": f"What is {n} + {n}?", "answer": 2 * n, "tolerance": 0, "nudge": "Count.",
+             "because": "It is."} for n in (1, 2, 3)]}))
+        # Nothing of chapter 01 has been answered.
+        said = self.course("ask", "02")
+        self.assertNotIn("review", said)
+        for answer in (".75", "b"):
+            self.course("ask", "01", "--answer", answer)
+        with Terminal([COURSE, "ask", "02"], self.environment) as terminal:
+            terminal.expect("Chapter 02, question 1 of 3")
+            terminal.press("2\n")
+            terminal.expect("Chapter 01, question 1 of 2")
+            terminal.expect("(predict, review)")
+            terminal.press("7\n")
+            terminal.expect("Draw it")
+            terminal.press(".75\n")
+            terminal.expect("Chapter 02, question 2 of 3")
+            terminal.press("4\n")
+            terminal.expect("(find the fault, review)")
+            terminal.press("\x04")
+            self.assertEqual(terminal.end(), 0)
+        # Only what is not done yet is left.
+        self.assertIn("Chapter 02, question 3 of 3", self.course("ask", "02", "--answer", "6"))
+        said = self.course("ask", "02")
+        self.assertIn("Chapter 01, question 2 of 2 (find the fault, review)", said)
+        self.assertIn("./course ask 02 --answer ANSWER", said)
+        self.assertIn("Not yet.", self.course("ask", "02", "--answer", "a", code=1))
+        self.assertIn("Right.", self.course("ask", "02", "--answer", "b"))
+        self.assertIn("All questions of chapter 02 are answered", self.course("ask", "02"))
+        self.assertIn("All questions of chapter 01 are answered", self.course("ask", "01"))
+
     def test_study_measures_what_passes(self):
         self.write("one", "right\n")
         said = self.course("study", "01", "--mine")
