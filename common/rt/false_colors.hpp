@@ -15,7 +15,7 @@ namespace rt {
 // What a pixel shows: nothing, a direction, which one of many things, or an amount.
 using Shown = std::variant<std::monostate, Vec3, int, Real>;
 
-inline const Color nothing_color = from_hex(0x46565c), invalid_color = from_hex(0xff00ff);
+inline const Color nothing_color = from_hex(0x46565c);
 
 // A direction of length 1: each component from -1 to 1 becomes a channel from 0 to 1.
 inline Color direction_color(Vec3 d) {
@@ -92,21 +92,22 @@ inline FalseColors false_colors(int width, int height, const std::vector<Shown>&
         Color operator()(std::monostate) const { return nothing_color; }
         Color operator()(Vec3 direction) const { return direction_color(direction); }
         Color operator()(int number) const { return number_color(number); }
-        Color operator()(Real amount) const { return heat_color(scale.place(amount)); }
+        Color operator()(Real amount) const {
+            return std::isfinite(amount) ? heat_color(scale.place(amount)) : Color{amount};
+        }
     };
     std::size_t next = 0, empty = 0, invalid = 0, directions = 0;
     FalseColors made{Image{width, height}, {}};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const Shown& pixel = pixels[next++];
-            // Neither NaN nor infinity reaches an image.
-            const Real* const amount = std::get_if<Real>(&pixel);
-            const bool is_valid = !amount || std::isfinite(*amount);
-            const Color color = is_valid ? std::visit(ColorOf{scale}, pixel) : invalid_color;
-            made.image.at(x, y) = is_finite(color) ? color : invalid_color;
+            const Color color = std::visit(ColorOf{scale}, pixel);
+            // Neither NaN nor infinity reaches an image. Any one color might be that of a normal.
+            const Color dots = (x + y) % 2 == 0 ? Color{} : Color{1, 1, 1};
+            made.image.at(x, y) = is_finite(color) ? color : dots;
             empty += std::holds_alternative<std::monostate>(pixel);
             directions += std::holds_alternative<Vec3>(pixel);
-            invalid += !is_valid || !is_finite(color);
+            invalid += !is_finite(color);
         }
 
     const auto say = [&](const std::string& line) { made.words += "  " + line + '\n'; };
@@ -128,7 +129,8 @@ inline FalseColors false_colors(int width, int height, const std::vector<Shown>&
             ", by its number: " + std::to_string(end - numbers.begin()) + " are seen");
     }
     if (empty > 0) say("gray: nothing but sky");
-    if (invalid > 0) say("magenta: NaN or infinity, in " + std::to_string(invalid) + " pixels");
+    if (invalid > 0)
+        say("black and white dots: NaN or infinity, in " + std::to_string(invalid) + " pixels");
     return made;
 }
 

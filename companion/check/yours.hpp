@@ -11,7 +11,7 @@ namespace companion {
 
 struct Yours {
     std::vector<std::string> passing, others;  // exercises "NN.k" in their order
-    std::vector<fs::path> files;  // to use, such as exercises/01_vectors/rt/dot.hpp
+    std::vector<fs::path> files;               // to use, such as exercises/01_vectors/rt/dot.hpp
 
     // Those that do not pass, but run the learner's code all the same.
     std::vector<std::string> failing = {}, unwritten = {};

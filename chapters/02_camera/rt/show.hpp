@@ -41,7 +41,7 @@ Picture show(const Settings& settings, Progress& progress, const Compute& comput
         });
     });
     auto [image, words] = rt::false_colors(width, height, pixels, shown_words(settings.show));
-    return {std::move(image), 0, [words] { return words; }};
+    return {std::move(image), 0, [words = words] { return words; }};
 }
 
 }  // namespace app
