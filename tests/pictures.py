@@ -256,6 +256,15 @@ def of_edit(name, width, height, file, before, after):
     return picture
 
 
+def shown():
+    """Four pictures of --show."""
+    def of(word):
+        return draw("05_metal_glass_solution", 800, 450, "--show", word).shrunk(398)
+    gap = Picture(800, 4 * [b"\xff" * 2400])
+    top, bottom = beside(of("normal"), of("distance"), 4), beside(of("sphere"), of("bounces"), 4)
+    return above(above(top, gap), bottom)
+
+
 def threads_scene(mistake=None):
     return lambda: draw("06_threads_solution", 480, 270, "--spp", "16", mistake=mistake).part(10, 10, 320, 180)
 
@@ -348,6 +357,7 @@ RECIPES = {
     "05-mistake-absorbs_below": rough_ball,
     "05-mistake-schlick_inner_cosine": schlick,
     "05-furnace": furnace,
+    "show": shown,
     "06-scene": threads_scene(),
     "08-mistake-only_the_last": effects_scene("glass", "08.1_only_the_last"),
     "08-mistake-same_direction": effects_scene("lens", "08.2_same_direction"),
@@ -461,7 +471,7 @@ def main(words):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for each in words[1:] or [name for name in RECIPES if name not in LARGE]:
-            few_colors = not re.match(r"\d\d_|final|overview", each)
+            few_colors = not re.match(r"\d\d_|final|overview|show", each)
             write_png(IMAGES / f"{each}.png", RECIPES[each](), few_colors)
             print(f"docs/images/{each}.png: {(IMAGES / f'{each}.png').stat().st_size} bytes", flush=True)
     return 0

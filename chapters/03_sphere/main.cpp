@@ -13,6 +13,7 @@
 
 #include "far_spheres.hpp"
 #include "scene.hpp"
+#include "show_scene.hpp"
 #include "study.hpp"
 
 namespace {
@@ -35,12 +36,13 @@ Color trace(const std::vector<rt::SceneSphere>& spheres, const Ray& ray) {
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
+    const auto spheres = scene::spheres();
+    if (!settings.show.empty()) return scene::show(settings, progress, spheres);
+
     const far_spheres::Panels panels{settings.height};
     const int left = panels.left(settings.width);
     rt::Image image = rt::Canvas<rt::Color>{settings.width, settings.height, far_spheres::paper};
     app::Figure figure{image};
-
-    const auto spheres = scene::spheres();
     const auto camera = rt::make_camera(*settings.view, left, settings.height);
     progress.start(settings.height);
     app::fill(
@@ -76,5 +78,6 @@ int main(int argc, char** argv) {
                                        .vertical_fov = rt::radians(33)}},
          .render = render,
          .study = spheres::run_study,
-         .encode_ppm = encode_ppm});
+         .encode_ppm = encode_ppm,
+         .shows = {"distance", "sphere"}});
 }

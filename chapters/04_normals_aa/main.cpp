@@ -9,6 +9,7 @@
 #include <rt/lambert.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/render_pixel.hpp>
+#include <rt/show_paths.hpp>
 #include <string>
 
 #include "scene.hpp"
@@ -60,6 +61,9 @@ template <class Ending>
 app::Picture render_with(const Ending& ending, const app::Settings& settings,
                          app::Progress& progress) {
     const Scene scene = make_scene();
+    if (!settings.show.empty())
+        return show_paths(settings, progress, scene.world, scene.materials, scene.sky, ending);
+
     std::uint64_t rays = 0;
     const CountingWorld<SphereList> world{scene.world, rays};
     const SingleRays<CountingWorld<SphereList>> single{world, scene};
@@ -144,5 +148,6 @@ int main(int argc, char** argv) {
                      .study = normals_aa::study_samples_and_depth,
                      .choices = {{"ending",
                                   "What happens to a path at the depth limit",
-                                  {"sky", "black", "roulette"}}}});
+                                  {"sky", "black", "roulette"}}},
+                     .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
 }

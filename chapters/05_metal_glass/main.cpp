@@ -6,6 +6,7 @@
 #include <rt/fill.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/render_pixel.hpp>
+#include <rt/show_paths.hpp>
 
 #include "glass_strip.hpp"
 #include "scene.hpp"
@@ -17,6 +18,13 @@ using namespace rt;
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const scene::Scene evening = scene::evening();
+    const int strip_height = settings.height * 5 / 18, view_height = settings.height - strip_height;
+    if (!settings.show.empty()) {
+        app::Settings view_alone = settings;
+        view_alone.height = view_height;
+        return show_paths(view_alone, progress, evening.world, evening.set, scene::EveningSky{},
+                          SkyEnding{});
+    }
     std::uint64_t rays = 0;
     const CountingWorld<SphereList> world{evening.world, rays};
     const Quality quality{settings.spp, settings.depth, *settings.seed};
@@ -24,7 +32,6 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     // The strip takes the lower part of the picture, and each panel a third of its width.
     Image image = Canvas<Color>{settings.width, settings.height};
     app::Figure figure{image};
-    const int strip_height = settings.height * 5 / 18, view_height = settings.height - strip_height;
     const int panel_width = std::max(1, settings.width / 3);
     progress.start(view_height + 3 * strip_height);
 
@@ -80,5 +87,6 @@ int main(int argc, char** argv) {
                   "what glass reflects",
          .defaults = defaults,
          .render = render,
-         .study = metal_glass_study::run});
+         .study = metal_glass_study::run,
+         .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
 }

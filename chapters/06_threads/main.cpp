@@ -7,6 +7,7 @@
 #include <atomic>
 #include <rt/canvas.hpp>
 #include <rt/for_each_pixel.hpp>
+#include <rt/show_paths.hpp>
 #include <string>
 #include <thread>
 
@@ -62,6 +63,10 @@ std::string speed_up_words(int threads) {
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Scene scene = make_scene();
+    if (!settings.show.empty())
+        return show_paths(settings, progress, scene.world, scene.materials, scene.sky, SkyEnding{},
+                          render_tiles);
+
     Image image = Canvas<Color>{settings.width, settings.height, paper};
     app::Figure figure{image, figure_width, figure_height};
     const app::Figure view = figure.part(scene_box);
@@ -114,5 +119,6 @@ int main(int argc, char** argv) {
          .choices = {{"clock",
                       "What the maps, bars and curves count: rays (the same on every machine), or "
                       "seconds of this machine",
-                      {"rays", "seconds"}}}});
+                      {"rays", "seconds"}}},
+         .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
 }

@@ -6,6 +6,7 @@
 #include <rt/counting_world.hpp>
 #include <rt/fill.hpp>
 #include <rt/render_pixel.hpp>
+#include <rt/show_paths.hpp>
 #include <rt/split_by_area.hpp>
 
 #include "scene.hpp"
@@ -18,9 +19,12 @@ using namespace bvh;
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     // The seed that was asked for changes only the light: the scene stays the same.
-    const Scene scene = make_scene(10'000, 1);
+    Scene scene = make_scene(10'000, 1);
+    if (settings.show == "sphere") number_materials(scene.spheres);
     const SphereTree sorted = make_tree(scene.spheres, split_in_half);
     const SphereTree by_area = make_tree(scene.spheres, split_by_area);
+    if (!settings.show.empty())
+        return show_paths(settings, progress, by_area, scene.materials, StudioSky{}, SkyEnding{});
 
     Image image = Canvas<Color>{settings.width, settings.height, paper};
     Figure figure{image, figure_width, figure_height};
@@ -81,5 +85,6 @@ int main(int argc, char** argv) {
                      .about = "10,000 spheres, the boxes of their tree, and the work of each pixel",
                      .defaults = defaults,
                      .render = render,
-                     .study = bvh::run_study});
+                     .study = bvh::run_study,
+                     .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
 }

@@ -3,6 +3,7 @@
 
 #include <app/figure.hpp>
 #include <array>
+#include <rt/false_colors.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/portable.hpp>
 #include <rt/primary_ray.hpp>
@@ -97,16 +98,6 @@ inline void draw_level(const Figure& figure, const app::Box& where, const Scene&
     });
     panel.words({letter_height / 2, letter_height / 2}, "LEVEL " + std::to_string(level),
                 {letter_height, color});
-}
-
-// From black through violet and orange to white, as x goes from 0 to 1.
-inline Color heat_color(Real x) {
-    static const Color steps[] = {from_hex(0x07071a), from_hex(0x2b1055), from_hex(0x7b1fa2),
-                                  from_hex(0xd6336c), from_hex(0xff7b39), from_hex(0xffd166),
-                                  from_hex(0xfffbe6)};
-    const Real place = std::clamp(x, Real(0), Real(1)) * 6;
-    const int step = std::min(5, static_cast<int>(place));
-    return mix(steps[step], steps[step + 1], place - static_cast<Real>(step));
 }
 
 // 1 test is 0, 10,000 tests are 1; each factor of ten is a quarter.

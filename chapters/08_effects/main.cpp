@@ -13,6 +13,7 @@
 
 #include "final_scene.hpp"
 #include "scene_file.hpp"
+#include "show_scene.hpp"
 #include "study.hpp"
 #include "tile_renderer.hpp"
 #include "words.hpp"
@@ -68,7 +69,10 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
             settings.explain(
                 effects::explanation(scene, settings.file, choice, in_batches(settings)));
     };
-    if (!settings.numbers.empty()) {
+    const bool refines = !settings.numbers.empty();
+    if (!settings.show.empty() && !(refines && settings.show == "samples"))
+        return effects::show_scene(scene, settings, progress);
+    if (refines) {
         app::Picture picture = effects::refine(scene, settings, explain, progress);
         picture.words = [words = picture.words, note = effects::note_on(scene)] {
             return words() + note;
@@ -133,6 +137,7 @@ int main(int argc, char** argv) {
                "1)"},
               {"time-budget",
                "Refine for this many seconds, and draw the best picture possible in that time"}},
+         .shows = {"normal", "distance", "sphere", "bounces", "samples"},
          .reads = "The scene file, .json; without it the final scene is drawn",
          .explains = true,
          .can_be_stopped = true});

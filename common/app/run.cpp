@@ -324,6 +324,11 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
                         program.choices[i].about)
             ->check(CLI::IsMember(program.choices[i].words))
             ->capture_default_str();
+    if (!program.shows.empty())
+        options
+            .add_option("--show", settings.show,
+                        "Draw in false colors what the code computes, instead of the picture")
+            ->check(CLI::IsMember(program.shows));
     for (const Number& number : program.numbers)
         options
             .add_option_function<std::string>(

@@ -35,6 +35,8 @@ struct Settings {
     std::optional<rt::View> view = {};
     // The word that was picked for each of the program's choices, in their order.
     std::vector<std::string> picked = {};
+    // Which of Program::shows is to be drawn; empty: the chapter's picture.
+    std::string show = {};
     // The values given for the program's numbers, by name.
     std::map<std::string, double> numbers = {};
     // The file that the program was given to read; empty if none.
@@ -106,6 +108,8 @@ struct Program {
     std::vector<Choice> choices = {};
     std::vector<Flag> flags = {};
     std::vector<Number> numbers = {};
+    // What --show can draw in false colors; empty: there is no --show.
+    std::vector<std::string> shows = {};
     // Describes the file that may be named without an option; empty if the program reads none.
     std::string reads = {};
     // Whether render() calls Settings::explain when it is set; if not, there is no --explain.

@@ -5,25 +5,25 @@
 #include <companion/model/progress.hpp>
 #include <companion/system/files.hpp>
 #include <map>
-#include <set>
 
 namespace companion {
 namespace {
 
-// The ids of those among these exercises that pass.
-std::set<std::string> passing(const Course& course, const std::vector<Exercise>& exercises) {
+// How far each of these exercises is, by its id.
+std::map<std::string, Progress> checked(const Course& course,
+                                        const std::vector<Exercise>& exercises) {
     std::vector<Exercise> unchecked;
     for (const State state = read_state(course); const Exercise& exercise : exercises)
         if (progress_of(course, state, exercise) == Progress::unchecked)
             unchecked.push_back(exercise);
     if (!unchecked.empty()) {
-        std::vector<Checked> checked = check_exercises(course, unchecked);
-        check_in_float(course, checked);
+        std::vector<Checked> verdicts = check_exercises(course, unchecked);
+        check_in_float(course, verdicts);
     }
-    std::set<std::string> ids;
+    std::map<std::string, Progress> progress;
     for (const State state = read_state(course); const Exercise& exercise : exercises)
-        if (passes(progress_of(course, state, exercise))) ids.insert(exercise.id);
-    return ids;
+        progress[exercise.id] = progress_of(course, state, exercise);
+    return progress;
 }
 
 // Neighbors as a range, "03.1 to 03.3", and a whole chapter as its number.
@@ -49,34 +49,27 @@ std::string ranges(const std::vector<std::string>& ids, const std::vector<std::s
     return text;
 }
 
-}  // namespace
-
-std::string Yours::words() const {
-    if (passing.empty()) return "None of the code is yours yet: it is all the solution's.";
-    if (others.empty()) return "All of the code is yours.";
-    return "Yours: " + ranges(passing, others) + ". The solution's: " + ranges(others, passing) +
-           '.';
-}
-
-std::string Yours::caption() const {
-    if (passing.empty()) return "Drawn by the course's own code.";
-    if (others.empty()) return "Drawn by its author's code.";
-    return "Drawn by its author's code for " + ranges(passing, others) +
-           ", and by the course's for " + ranges(others, passing) + '.';
-}
-
-Yours put_yours_in_place(const Course& course, const Chapter& last) {
+// Fills build/yours/rt; with `all`, only a missing file is the solution's.
+Yours put_in_place(const Course& course, const Chapter& last, bool all_of_them) {
     std::vector<Exercise> all;
     for (Exercise& exercise : exercises(course))
         if (exercise.chapter.name <= last.name) all.push_back(std::move(exercise));
-    const std::set<std::string> ids = passing(course, all);
+    const std::map<std::string, Progress> progress = checked(course, all);
     Yours yours;
-    std::map<fs::path, bool> is_yours;  // all exercises in a file must pass
+    std::map<fs::path, bool> is_yours;  // all exercises in a file must be the learner's
     for (const Exercise& exercise : all) {
-        const bool passes = ids.count(exercise.id) > 0;
-        (passes ? yours.passing : yours.others).push_back(exercise.id);
+        const Progress here = progress.at(exercise.id);
+        const bool uses = passes(here) || (all_of_them && here != Progress::no_file);
+        if (passes(here))
+            yours.passing.push_back(exercise.id);
+        else if (!uses)
+            yours.others.push_back(exercise.id);
+        else if (here == Progress::failing)
+            yours.failing.push_back(exercise.id);
+        else
+            yours.unwritten.push_back(exercise.id);
         for (const fs::path& file : exercise.files)
-            is_yours[file] = passes && (!is_yours.count(file) || is_yours[file]);
+            is_yours[file] = uses && (!is_yours.count(file) || is_yours[file]);
     }
     app::make_folder(course.build / "yours/rt");
     for (const auto& [file, mine] : is_yours) {
@@ -91,6 +84,51 @@ Yours put_yours_in_place(const Course& course, const Chapter& last) {
         if (!fs::exists(target) || read_file(target) != text) app::replace_file(target, text);
     }
     return yours;
+}
+
+std::vector<std::string> joined(std::vector<std::string> ids,
+                                const std::vector<std::string>& more) {
+    ids.insert(ids.end(), more.begin(), more.end());
+    return ids;
+}
+
+}  // namespace
+
+std::string Yours::words() const {
+    if (!failing.empty() || !unwritten.empty()) {
+        const std::vector<std::string> rest = joined(passing, others);
+        std::string text = "All of the code is yours.";
+        if (!others.empty())
+            text =
+                "The solution's: " + ranges(others, joined(passing, joined(failing, unwritten))) +
+                ". All else is yours.";
+        if (!failing.empty())
+            text +=
+                " These fail, and run all the same: " + ranges(failing, joined(rest, unwritten)) +
+                '.';
+        if (!unwritten.empty())
+            text += " Still to be written: " + ranges(unwritten, joined(rest, failing)) + '.';
+        return text;
+    }
+    if (passing.empty()) return "None of the code is yours yet: it is all the solution's.";
+    if (others.empty()) return "All of the code is yours.";
+    return "Yours: " + ranges(passing, others) + ". The solution's: " + ranges(others, passing) +
+           '.';
+}
+
+std::string Yours::caption() const {
+    if (passing.empty()) return "Drawn by the course's own code.";
+    if (others.empty()) return "Drawn by its author's code.";
+    return "Drawn by its author's code for " + ranges(passing, others) +
+           ", and by the course's for " + ranges(others, passing) + '.';
+}
+
+Yours put_yours_in_place(const Course& course, const Chapter& last) {
+    return put_in_place(course, last, false);
+}
+
+Yours put_all_yours_in_place(const Course& course, const Chapter& last) {
+    return put_in_place(course, last, true);
 }
 
 }  // namespace companion

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/commands/commands.hpp>
@@ -13,25 +14,66 @@
 namespace companion {
 namespace {
 
-// A question that is not answered yet, and its number in its chapter.
+// A question to ask, and its number in its chapter.
 struct Open {
     Chapter chapter;
     Question question;
     std::size_t number = 0, of = 0;
+    bool is_review = false;  // of an earlier chapter than the one that is asked about
 };
 
-std::vector<Open> open_questions(const Course& course, const std::vector<Chapter>& chapters) {
-    const State state = read_state(course);
-    std::vector<Open> open;
+std::vector<Open> all_questions(const Course& course, const std::vector<Chapter>& chapters) {
+    std::vector<Open> all;
     for (const Chapter& chapter : chapters) {
-        const std::vector<Question> all = questions(course, chapter);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const auto known = state.answers.find(all[i].key());
-            if (known == state.answers.end() || !known->second.right)
-                open.push_back({chapter, all[i], i + 1, all.size()});
-        }
+        const std::vector<Question> here = questions(course, chapter);
+        for (std::size_t i = 0; i < here.size(); ++i)
+            all.push_back({chapter, here[i], i + 1, here.size()});
     }
+    return all;
+}
+
+// Those that are not answered yet.
+std::vector<Open> open_questions(const Course& course, const std::vector<Chapter>& chapters) {
+    std::vector<Open> open = all_questions(course, chapters);
+    std::erase_if(open, [state = read_state(course)](const Open& one) {
+        const auto known = state.answers.find(one.question.key());
+        return known != state.answers.end() && known->second.right;
+    });
     return open;
+}
+
+// The questions of earlier chapters that are still to be asked with this chapter's. They are chosen
+// when there are some for the first time.
+std::vector<Open> reviews(const Course& course, const Chapter& chapter) {
+    std::vector<Chapter> earlier = chapters(course);
+    std::erase_if(earlier, [&](const Chapter& other) { return other.name >= chapter.name; });
+    const std::vector<Open> all = all_questions(course, earlier);
+    State state = read_state(course);
+    if (state.reviews.count(chapter.number()) == 0) {
+        std::vector<Question> candidates;
+        for (const Open& one : all) candidates.push_back(one.question);
+        const std::vector<std::string> keys = to_review(state, candidates);
+        if (keys.empty()) return {};
+        change_state(course, [&](State& now) { now.reviews[chapter.number()] = keys; });
+        state.reviews[chapter.number()] = keys;
+    }
+    std::vector<Open> chosen;
+    for (const std::string& key : state.reviews.at(chapter.number()))
+        for (const Open& one : all)
+            if (one.question.key() == key) {
+                chosen.push_back(one);
+                chosen.back().is_review = true;
+            }
+    return chosen;
+}
+
+// A chapter's own questions, with a review after each of the first.
+std::vector<Open> mixed(std::vector<Open> own, const std::vector<Open>& reviews) {
+    for (std::size_t i = 0; i < reviews.size(); ++i) {
+        const auto place = static_cast<std::ptrdiff_t>(std::min(2 * i + 1, own.size()));
+        own.insert(own.begin() + place, reviews[i]);
+    }
+    return own;
 }
 
 std::string letter(std::size_t choice) {
@@ -59,7 +101,8 @@ void print_question(const Course& course, const Open& open) {
     print('\n' +
           bold("Chapter " + open.chapter.number() + ", question " + std::to_string(open.number) +
                " of " + std::to_string(open.of)) +
-          " (" + question.kind + ")\n" + wrapped(question.ask, "  "));
+          " (" + question.kind + (open.is_review ? ", review" : "") + ")\n" +
+          wrapped(question.ask, "  "));
     if (!question.picture.empty())
         print("  Look at " + neutral_picture(course, open).string() + '\n');
     for (std::size_t i = 0; i < question.choices.size(); ++i)
@@ -78,12 +121,8 @@ Reply take(const Course& course, const Question& question, const std::string& an
         print("  Answer with " + what_fits(question) + ".\n");
         return reply;
     }
-    change_state(course, [&](State& state) {
-        Answered& answered = state.answers[question.key()];
-        answered.right = reply == Reply::right;
-        answered.answer = answer;
-        ++answered.tries;
-    });
+    change_state(course,
+                 [&](State& state) { remember(state, question, answer, reply == Reply::right); });
     if (reply == Reply::right)
         print("  " + green("Right.") + '\n' + wrapped(question.because, "  "));
     else if (!again)
@@ -101,9 +140,7 @@ int answer_one(const Course& course, const Open& open, const std::string& answer
                               " of chapter " + open.chapter.number() + " takes " +
                               what_fits(open.question) + ", not '" + answer + '\'');
     print_question(course, open);
-    const State state = read_state(course);
-    const auto known = state.answers.find(open.question.key());
-    const bool again = known != state.answers.end() && known->second.tries % 2 == 1;
+    const bool again = was_wrong(read_state(course), open.question);
     return take(course, open.question, answer, again) == Reply::right ? app::done : app::could_not;
 }
 
@@ -127,7 +164,8 @@ bool ask_until_told(const Course& course, const Open& open) {
 int ask(const Course& course, const Given& given) {
     std::vector<Chapter> chosen = chapters(course);
     if (given.named) chosen = {find_chapter(course, *given.named)};
-    const std::vector<Open> open = open_questions(course, chosen);
+    std::vector<Open> open = open_questions(course, chosen);
+    if (given.named) open = mixed(std::move(open), reviews(course, chosen[0]));
     if (open.empty()) {
         print("All questions" + (given.named ? " of chapter " + chosen[0].number() : "") +
               " are answered.\n");
@@ -140,7 +178,8 @@ int ask(const Course& course, const Given& given) {
         if (!ask_until_told(course, one)) {
             print("\n");
             if (!::isatty(STDIN_FILENO))
-                print("To answer: ./course ask " + one.chapter.number() + " --answer ANSWER\n");
+                print("To answer: ./course ask " +
+                      (given.named ? chosen[0] : one.chapter).number() + " --answer ANSWER\n");
             return app::done;
         }
     return app::done;

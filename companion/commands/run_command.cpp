@@ -38,10 +38,13 @@ std::string picture_name(const Chapter& chapter, const std::vector<std::string>&
 }  // namespace
 
 int run(const Course& course, const Given& given) {
-    const std::vector<std::string>& options = given.rest;
+    std::vector<std::string> options = given.rest;
+    // It may stand among the program's options, too, of which none has its name.
+    const bool all = given.has("--mine") || std::erase(options, "--mine") > 0;
     const Chapter chapter = find_chapter(course, *given.named);
     const Chapter last = draws_by_elective(options) ? chapters(course).back() : chapter;
-    const Yours yours = put_yours_in_place(course, last);
+    const Yours yours =
+        all ? put_all_yours_in_place(course, last) : put_yours_in_place(course, last);
     must_build(course, chapter.name + "_mine");
     std::fprintf(stderr, "%s\n", yours.words().c_str());
 

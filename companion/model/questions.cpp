@@ -85,4 +85,34 @@ Reply reply_to(const Question& question, const std::string& answer) {
     return Reply::not_understood;
 }
 
+void remember(State& state, const Question& question, const std::string& answer, bool right) {
+    int last = 0;
+    for (const auto& [key, known] : state.answers) last = std::max(last, known.turn);
+    Answered& answered = state.answers[question.key()];
+    if (answered.right) answered.tries = 0;
+    answered = {right, answered.tries + 1, answer, last + 1};
+    if (right)
+        for (auto& [chapter, keys] : state.reviews) std::erase(keys, question.key());
+}
+
+bool was_wrong(const State& state, const Question& question) {
+    const auto known = state.answers.find(question.key());
+    return known != state.answers.end() && !known->second.right && known->second.tries % 2 == 1;
+}
+
+std::vector<std::string> to_review(const State& state, const std::vector<Question>& earlier) {
+    std::vector<std::string> keys;
+    for (const Question& question : earlier)
+        if (state.answers.count(question.key())) keys.push_back(question.key());
+    const auto order = [&](const std::string& key) {
+        const Answered& known = state.answers.at(key);
+        const bool right_at_once = known.right && known.tries == 1;
+        return std::pair{right_at_once, known.turn};
+    };
+    std::stable_sort(keys.begin(), keys.end(),
+                     [&](const auto& a, const auto& b) { return order(a) < order(b); });
+    keys.resize(std::min<std::size_t>(keys.size(), 2));
+    return keys;
+}
+
 }  // namespace companion

@@ -12,6 +12,7 @@
 //      "because": "..."}]}           after a right one, or the second wrong one
 
 #include <companion/model/course.hpp>
+#include <companion/model/state.hpp>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,16 @@ enum class Reply { right, wrong, not_understood };
 // To what a person writes: a number such as 0.75, .75, 3/4 or 75 %, where anything after the number
 // is ignored; or a choice, by its letter or its text.
 Reply reply_to(const Question& question, const std::string& answer);
+
+// Remembers an answer, right or wrong.
+void remember(State& state, const Question& question, const std::string& answer, bool right);
+
+// Whether a wrong answer to this question would be the second in a row.
+bool was_wrong(const State& state, const Question& question);
+
+// Those of these questions to ask once more, two at most: first those that were answered wrongly,
+// and of these, and then of the others, those that were answered longest ago. Questions that were
+// never answered are not among them.
+std::vector<std::string> to_review(const State& state, const std::vector<Question>& earlier);
 
 }  // namespace companion

@@ -11,11 +11,12 @@ namespace companion {
 // What an older state does not have keeps its default.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Record, passed, hash, hints, warning, stars,
                                                 open_stars, first_passed)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Answered, right, tries, answer)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Answered, right, tries, answer, turn)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(OwnRecord, folder, hash, lines, passed,
                                                 first_passed, core)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(DrawnRecord, hash, yours)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(State, exercises, answers, own, drawn, grafts)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(State, exercises, answers, reviews, own, drawn,
+                                                grafts)
 
 namespace {
 

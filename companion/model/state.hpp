@@ -28,9 +28,14 @@ inline constexpr std::int64_t unknown_time = -1;
 // How a question was last answered.
 struct Answered {
     bool right = false;
-    int tries = 0;
+    int tries = 0;  // since it was last asked anew
     std::string answer{};
+    int turn = 0;  // greater than those of all questions that were answered before
 };
+
+// The questions of earlier chapters that are asked once more with a chapter's own: their keys, by
+// the chapter's number. A question leaves the list when it is answered right.
+using Reviews = std::map<std::string, std::vector<std::string>>;
 
 // How the learner's own program of chapter 09 was last judged.
 struct OwnRecord {
@@ -53,6 +58,7 @@ using GraftTimes = std::map<std::string, std::int64_t>;
 struct State {
     std::map<std::string, Record> exercises{};
     std::map<std::string, Answered> answers{};  // by the question's key
+    Reviews reviews{};
     OwnRecord own{};
     DrawnRecord drawn{};
     GraftTimes grafts{};

@@ -77,6 +77,33 @@ if "$program" --help | grep -q -- --fov; then
     refuses 2 'two different points' --at 0,0.0,-0 --from 0,0,0 --out new.png
 fi
 
+# In false colors: a program draws some of these, and refuses the others.
+small='--width 30 --height 20'
+if "$program" --help | grep -q -- --show; then
+    shown=0
+    # shellcheck disable=SC2086  # four arguments
+    "$program" --quiet $small --out usual.ppm
+    for word in normal distance sphere bounces samples; do
+        # shellcheck disable=SC2086
+        if "$program" --quiet $small --show $word --out shown.ppm 2>"$place/stderr"; then
+            shown=$((shown + 1))
+            ! cmp -s usual.ppm shown.ppm || complain "--show $word" 'draws the usual picture'
+        else
+            refuses 2 'not in {.*sphere' --show $word --out old.png
+        fi
+    done
+    rm -f usual.ppm shown.ppm
+    [ $shown -gt 0 ] || complain --show 'draws nothing'
+    for value in '' light normals; do
+        refuses 2 'not in {.*sphere' --show "$value" --out old.png
+    done
+    if "$program" --help | grep -q -- --spp; then
+        refuses 2 '--spp 2 or more' --show samples --spp 1 --out old.png
+    fi
+else
+    refuses 2 -- --show --show normal
+fi
+
 # Where the image is to go.
 refuses 2 'folder' --out folder
 refuses 2 'folder' --out folder.png
@@ -164,7 +191,6 @@ fi
 "$program" --help >"$place/stdout" 2>"$place/stderr" || complain --help "failed"
 [ ! -s "$place/stderr" ] || complain --help "speaks on stderr"
 grep -q -- --out "$place/stdout" || complain --help "does not tell of --out"
-small='--width 30 --height 20'
 # shellcheck disable=SC2086  # four arguments
 for image in 'with spaces.png' old.png -dash.ppm /dev/null; do
     draws $small --out "$image"

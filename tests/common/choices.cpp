@@ -5,10 +5,12 @@
 namespace {
 
 std::string picked_color;
+std::string shown;
 bool is_framed = false;
 
 app::Picture note_choice(const app::Settings& settings, app::Progress&) {
     picked_color = settings.picked.at(0);
+    shown = settings.show;
     is_framed = settings.given.count("framed") > 0;
     return {rt::Image{1, 1}};
 }
@@ -16,6 +18,7 @@ app::Picture note_choice(const app::Settings& settings, app::Progress&) {
 // The exit code of a program that has a choice of colors.
 int run_with(std::vector<const char*> arguments) {
     picked_color = "";
+    shown = "";
     arguments.insert(arguments.begin(), {"test", "--quiet", "--out", "/dev/null"});
     return app::run(static_cast<int>(arguments.size()), arguments.data(),
                     {.name = "test",
@@ -24,7 +27,8 @@ int run_with(std::vector<const char*> arguments) {
                      .render = note_choice,
                      .study = nullptr,
                      .choices = {{"color", "What it is painted with", {"red", "blue"}}},
-                     .flags = {{"framed", "With a frame around it"}}});
+                     .flags = {{"framed", "With a frame around it"}},
+                     .shows = {"distance", "sphere"}});
 }
 
 }  // namespace
@@ -52,4 +56,13 @@ TEST_CASE("a flag is given or not and takes no value", "[choices]") {
     CHECK(picked_color == "blue");
     CHECK(run_with({"--framed", "yes"}) == app::bad_input);
     CHECK(run_with({"--frame"}) == app::bad_input);
+}
+
+TEST_CASE("a program shows what it can and refuses the rest", "[choices]") {
+    CHECK(run_with({}) == app::done);
+    CHECK(shown.empty());
+    CHECK(run_with({"--show", "sphere"}) == app::done);
+    CHECK(shown == "sphere");
+    CHECK(run_with({"--show", "normal"}) == app::bad_input);
+    CHECK(run_with({"--show", ""}) == app::bad_input);
 }

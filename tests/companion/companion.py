@@ -653,6 +653,35 @@ class Companion(unittest.TestCase):
         self.assertIn("// solution 2", code("two"))
         self.assertEqual((self.root / "build/yours/rt/one.hpp").stat().st_mtime_ns, before)
 
+    def test_run_mine_takes_what_fails_too(self):
+        def run(words, *options):
+            done = subprocess.run([COURSE, "run", "01", *options], env=self.environment, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stderr, words + "\n")
+            return done.stdout
+
+        def code(name):
+            return (self.root / f"build/yours/rt/{name}.hpp").read_text()
+
+        self.write("one", "wrong\n")
+        run("All of the code is yours. These fail, and run all the same: 01.1. Still to be written: 01.2.", "--mine")
+        self.assertTrue(code("one").endswith("wrong\n"), code("one"))
+        self.assertTrue(code("two").endswith(STUB % (2, 2)), code("two"))
+        self.write("two", "wrong, too\n")
+        said = run("All of the code is yours. These fail, and run all the same: 01.", "--width", "9", "--mine")
+        self.assertIn(f"program --out {self.root}/out/01_tiny_mine.png --width 9\n", said)
+        self.stub("two").unlink()
+        run("The solution's: 01.2. All else is yours. These fail, and run all the same: 01.1.", "--mine")
+        self.write("one", "right\n")
+        self.write("two", "right\n")
+        run("All of the code is yours.", "--mine")
+        self.write("one", "wrong\n")
+        run("Yours: 01.2. The solution's: 01.1.")
+        self.assertIn("// solution 1", code("one"))
+        # What the program says of a stub ends as usual.
+        self.course("run", "01", "--mine", "--fail", code=3)
+
     def test_run_passes_options_on(self):
         said = self.course("run", "01", "--width", "9")
         self.assertIn(f"program --out {self.root}/out/01_tiny_mine.png --width 9", said)
@@ -808,6 +837,40 @@ class Companion(unittest.TestCase):
             terminal.expect("Look again")
             terminal.expect("It is two")
             self.assertEqual(terminal.end(), 0)
+
+    def test_ask_reviews_earlier_chapters(self):
+        self.add_second_chapter()
+        self.put_questions()
+        self.put("chapters/02_more/questions.json", json.dumps({"questions": [
+            {"kind": "predict", "ask": f"What is {n} + {n}?", "answer": 2 * n, "tolerance": 0, "nudge": "Count.",
+             "because": "It is."} for n in (1, 2, 3)]}))
+        # Nothing of chapter 01 has been answered.
+        said = self.course("ask", "02")
+        self.assertNotIn("review", said)
+        for answer in (".75", "b"):
+            self.course("ask", "01", "--answer", answer)
+        with Terminal([COURSE, "ask", "02"], self.environment) as terminal:
+            terminal.expect("Chapter 02, question 1 of 3")
+            terminal.press("2\n")
+            terminal.expect("Chapter 01, question 1 of 2")
+            terminal.expect("(predict, review)")
+            terminal.press("7\n")
+            terminal.expect("Draw it")
+            terminal.press(".75\n")
+            terminal.expect("Chapter 02, question 2 of 3")
+            terminal.press("4\n")
+            terminal.expect("(find the fault, review)")
+            terminal.press("\x04")
+            self.assertEqual(terminal.end(), 0)
+        # Only what is not done yet is left.
+        self.assertIn("Chapter 02, question 3 of 3", self.course("ask", "02", "--answer", "6"))
+        said = self.course("ask", "02")
+        self.assertIn("Chapter 01, question 2 of 2 (find the fault, review)", said)
+        self.assertIn("./course ask 02 --answer ANSWER", said)
+        self.assertIn("Not yet.", self.course("ask", "02", "--answer", "a", code=1))
+        self.assertIn("Right.", self.course("ask", "02", "--answer", "b"))
+        self.assertIn("All questions of chapter 02 are answered", self.course("ask", "02"))
+        self.assertIn("All questions of chapter 01 are answered", self.course("ask", "01"))
 
     def test_study_measures_what_passes(self):
         self.write("one", "right\n")

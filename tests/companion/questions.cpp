@@ -73,6 +73,38 @@ TEST_CASE("an answer is a number or a choice, however a person writes it", "[que
         CHECK(reply_to(all[1], nothing) == Reply::not_understood);
 }
 
+TEST_CASE("what was wrong is asked again first and then what is longest ago", "[questions]") {
+    std::vector<Question> all(5);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].ask = std::to_string(i);
+    State state;
+    CHECK(to_review(state, all).empty());
+    remember(state, all[0], "1", true);
+    CHECK(to_review(state, all) == std::vector{all[0].key()});
+    for (const std::size_t i : {1, 2, 3}) remember(state, all[i], "1", true);
+    CHECK(to_review(state, all) == std::vector{all[0].key(), all[1].key()});
+    remember(state, all[0], "1", true);  // now it is the latest
+    CHECK(to_review(state, all) == std::vector{all[1].key(), all[2].key()});
+    CHECK_FALSE(was_wrong(state, all[3]));
+    remember(state, all[3], "2", false);
+    CHECK(was_wrong(state, all[3]));
+    CHECK(to_review(state, all) == std::vector{all[3].key(), all[1].key()});
+    remember(state, all[3], "1", true);  // not at once
+    CHECK(to_review(state, all) == std::vector{all[3].key(), all[1].key()});
+    remember(state, all[3], "1", true);
+    CHECK(to_review(state, all) == std::vector{all[1].key(), all[2].key()});
+}
+
+TEST_CASE("a review is done when it is answered right", "[questions]") {
+    std::vector<Question> all(2);
+    all[1].ask = "other";
+    State state;
+    state.reviews["02"] = {all[0].key(), all[1].key()};
+    remember(state, all[0], "1", false);
+    CHECK(state.reviews["02"].size() == 2);
+    remember(state, all[0], "2", true);
+    CHECK(state.reviews["02"] == std::vector{all[1].key()});
+}
+
 TEST_CASE("answers are remembered beside the exercises", "[questions]") {
     const TemporaryFolder folder;
     const Course course{folder.path(), folder / "build"};

@@ -9,6 +9,7 @@
 #include <memory>
 #include <rt/choose_renderer.hpp>
 #include <rt/draw_passes.hpp>
+#include <rt/false_colors.hpp>
 #include <rt/needed_effects.hpp>
 #include <utility>
 
@@ -95,6 +96,18 @@ std::string result(const Refinement& refinement, int width, int height) {
            text_of("%.0f", samples_of_pass * sum / (double{1} * width * height)) +
            " a pixel on average, " + std::to_string(samples_of_pass * fewest) + " to " +
            std::to_string(samples_of_pass * most) + '\n';
+}
+
+// Draws in false colors how many samples each pixel took.
+void show_samples(const Refinement& refinement, app::Picture& picture) {
+    const int width = picture.image.width(), height = picture.image.height();
+    std::vector<Shown> pixels;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            pixels.push_back(static_cast<Real>(samples_of_pass * refinement.passes_at(x, y)));
+    auto [image, words] = false_colors(width, height, pixels, "the samples that a pixel took");
+    picture.image = std::move(image);
+    picture.words = [before = picture.words, words = words] { return before() + words; };
 }
 
 void check_together(const app::Settings& settings) {
@@ -188,6 +201,7 @@ app::Picture refine(const rt::SceneDescription& scene, const app::Settings& sett
     app::draw_unfinished(unfinished);
     app::Picture picture{refinement.picture(std::move(unfinished)), refinement.rays()};
     picture.words = [words = result(refinement, width, height)] { return words; };
+    if (settings.show == "samples") show_samples(refinement, picture);
     if (const int signal = interruption.signal()) picture.stopped = {signal, refinement.share()};
     return picture;
 }

@@ -1,0 +1,47 @@
+#pragma once
+#include <app/run.hpp>
+#include <map>
+#include <rt/false_colors.hpp>
+#include <rt/for_each_pixel.hpp>
+#include <rt/tile.hpp>
+
+namespace app {
+
+// What the words of --show stand for.
+inline std::string shown_words(const std::string& word) {
+    static const std::map<std::string, std::string> all{
+        {"normal", "the normal"},
+        {"distance", "the distance to the first hit"},
+        {"sphere", "the spheres"},
+        {"bounces", "how often a path bounces, on average over the samples"},
+        {"samples", "how far a sample's light is from the pixel's average (standard deviation)"}};
+    return all.at(word);
+}
+
+// The Strategy of programs that do not use threads.
+inline void one_row_after_another(const rt::TileGrid& grid, int, const rt::TileWork& work) {
+    for (int y = 0; y < grid.height; ++y) work({0, y, grid.width, y + 1}, 0);
+}
+
+// What --show asks for (given), in false colors: compute(column, row) gives the rt::Shown of each
+// pixel. It fills the picture, whatever panels the chapter's own picture has. Like app::fill, only
+// for programs.
+template <class Compute>
+Picture show(const Settings& settings, Progress& progress, const Compute& compute,
+             rt::Strategy strategy = one_row_after_another) {
+    const int width = settings.width, height = settings.height;
+    std::vector<rt::Shown> pixels(static_cast<std::size_t>(width) *
+                                  static_cast<std::size_t>(height));
+    progress.start(height);
+    strategy({width, height}, settings.threads, [&](const rt::Tile& tile, int) {
+        rt::for_each_pixel(tile, [&](int x, int y) {
+            pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                   static_cast<std::size_t>(x)] = compute(x, y);
+            if (x == width - 1) progress.step();
+        });
+    });
+    auto [image, words] = rt::false_colors(width, height, pixels, shown_words(settings.show));
+    return {std::move(image), 0, [words = words] { return words; }};
+}
+
+}  // namespace app

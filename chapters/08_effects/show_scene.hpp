@@ -1,0 +1,11 @@
+#pragma once
+#include <app/run.hpp>
+#include <rt/scene.hpp>
+
+namespace effects {
+
+// What --show asks for, drawn by the renderer that has every effect.
+app::Picture show_scene(rt::SceneDescription scene, app::Settings settings,
+                        app::Progress& progress);
+
+}  // namespace effects
