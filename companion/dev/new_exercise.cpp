@@ -49,11 +49,12 @@ std::string with_line(const std::string& text, const std::string& last, std::str
            (has_comma ? "," : "") + text.substr(end);
 }
 
-// The route with a step after that of an exercise; an elective is not on it.
-std::string with_step(std::string text, const std::string& last, const std::string& id) {
-    const std::string step = '"' + last + '"';
-    const auto at = text.find(step, std::min(text.find("\"route\""), text.size()));
-    if (at < text.find("\"chapters\"")) text.insert(at + step.size(), ", \"" + id + '"');
+// The route with a step after the last of its chapter; an elective is not on it.
+std::string with_step(std::string text, const std::string& id) {
+    const auto end = text.find("\"chapters\"");
+    const auto at = text.rfind('"' + id.substr(0, id.find('.') + 1), end);
+    if (at != std::string::npos && at > text.find("\"route\""))
+        text.insert(text.find('"', at + 1) + 1, ", \"" + id + '"');
     return text;
 }
 
@@ -100,8 +101,8 @@ std::vector<fs::path> begin_exercise(const Course& course, const std::string& id
             all.substr(start, next == std::string::npos ? next : next + 1 - start);
         at = next;
         if (where == "course.json, after the last exercise")
-            files["course.json"] = with_step(
-                with_line(read_text(course.root / "course.json"), last.id, part), last.id, id);
+            files["course.json"] =
+                with_step(with_line(read_text(course.root / "course.json"), last.id, part), id);
         else if (where == "the text, after the last exercise")
             files[last.chapter.text] =
                 with_section(read_text(course.root / last.chapter.text), last.id, part);
