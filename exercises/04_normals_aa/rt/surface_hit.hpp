@@ -10,10 +10,11 @@ namespace rt {
 
 // Exercise 04.1. Everything about the point where a ray meets a sphere at t, in the members of Hit
 // (see <rt/hit.hpp>; leave its material at 0): t as it is; the outward normal; the side that was
-// hit, which is the front if the direction is against the normal or at a right angle to it; the
-// point, moved onto the surface along the normal; and point_error, how far rounding may have left
-// the point off the surface: `u (|Px nx| + |Py ny| + |Pz nz|) + 16 u radius` with u = epsilon / 2.
-// Star: if rounding makes origin + t * direction the center itself, the sphere counts as
+// hit, which is the front if the direction is against the normal; the point, moved onto the surface
+// along the normal; and point_error, how far rounding may have left it off the surface:
+// `rounding_bound(16) * (|P| + radius)`.
+// Star: point_error is `u (|Px nx| + |Py ny| + |Pz nz|) + 16 u radius` with u = epsilon / 2. A ray
+// at a right angle to the normal hits the front. If rounding makes origin + t * direction the center itself, the sphere counts as
 // hit head on. The side must be right if the cosine of direction and normal is above
 // 4 sqrt(epsilon (1 + distance / radius)), where the distance is that from the ray's origin to the
 // center: from 1 / (16 epsilon) radii on, the side is a guess. Source of the idea: Pharr, Jakob

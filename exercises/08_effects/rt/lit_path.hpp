@@ -11,12 +11,12 @@ namespace rt {
 // and a direction to it. Return black if it gives none, if place.density(that direction) is not
 // greater than 0, or if sees_light says that something is in the way. Otherwise return the
 // light's radiance times
-//     density of the place / density of the sample * weight * share that gets through the fog,
-// where this share is place.fog.gets_through(ray, distance). If the path goes on, it may find the
-// light itself, and the weight is shared_weight(density of the sample, density of the place); if
-// not, the weight is 1. `ray` is the one that led here. Its type may carry more than a ray: so
-// change its origin, to place.origin(direction), and its direction, and pass it on. Draw no random
-// number of your own, and call sees_light at most once.
+//     density of the place / density of the sample * weight.
+// If the path goes on, it may find the light itself, and the weight is shared_weight(density of the
+// sample, density of the place); if not, the weight is 1. `ray` is the one that led here. Its type
+// may carry more than a ray: so change its origin, to place.origin(direction), and its direction,
+// and pass it on. Draw no random number of your own, and call sees_light at most once.
+// Star: multiply by place.fog.gets_through(ray, distance), the share that gets through the fog.
 template <class AnyRay, class World, class Lights, class Materials, class Medium, class Random>
 Color direct_light(AnyRay ray, const World& world, const Lights& lights,
                    const Place<Materials, Medium>& place, bool goes_on, Random& random) {
