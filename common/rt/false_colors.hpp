@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <rt/image.hpp>
 #include <rt/vec3_type.hpp>
 #include <string>
@@ -14,6 +15,17 @@ namespace rt {
 
 // What a pixel shows: nothing, a direction, which one of many things, or an amount.
 using Shown = std::variant<std::monostate, Vec3, int, Real>;
+
+// The words of --show, and what each stands for.
+inline const std::map<std::string, std::string>& shown_words() {
+    static const std::map<std::string, std::string> all{
+        {"normal", "the normal"},
+        {"distance", "the distance to the first hit"},
+        {"sphere", "the spheres"},
+        {"bounces", "how often a path bounces, on average over the samples"},
+        {"samples", "how far a sample's light is from the pixel's average (standard deviation)"}};
+    return all;
+}
 
 inline const Color nothing_color = from_hex(0x46565c);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/build/build.hpp>
@@ -59,7 +60,7 @@ void draw(const Course& course, const Graft& graft) {
     std::vector<std::string> words;
     if (graft.reads == Graft::Reads::scene)
         words = {relative(course, tracer_scene(course)), relative(course, file)};
-    const Picture picture = draw_by_tracer(course, tracer_program(course), words, file);
+    const Picture picture = draw_by_tracer(course, tracer_program(course), words, file).picture;
     const fs::path shown = course.out() / "tracer.png";
     app::replace_file(shown, rt::encode_png(mean_of({picture})));
     print("Your picture: " + relative(course, shown) + '\n');
@@ -67,11 +68,30 @@ void draw(const Course& course, const Graft& graft) {
     must_build(course, "09_own_solution");
     const fs::path other = course.out() / "tracer_ours.ppm";
     words.back() = relative(course, other);
-    const Picture ours = draw_by_tracer(course, course.program("09_own_solution"), words, other);
+    const Picture ours =
+        draw_by_tracer(course, course.program("09_own_solution"), words, other).picture;
     if (ours.width != picture.width || ours.height != picture.height) return;
     const fs::path beside = course.out() / "tracer_beside_ours.png";
     app::replace_file(beside, rt::encode_png(side_by_side(mean_of({picture}), mean_of({ours}))));
     print("Beside ours:  " + relative(course, beside) + '\n');
+}
+
+// Draws the learner's scene in the false colors that a word of --show asks for.
+int draw_false_colors(const Course& course, const std::string& word) {
+    const std::vector<std::string> headers = headers_of_tracer(course);
+    if (std::find(headers.begin(), headers.end(), "shown_image.hpp") == headers.end())
+        throw app::Failure(
+            "your tracer has no --show yet; docs/04-normals_aa.md, section Graft, says how to give "
+            "it one");
+    const fs::path file = course.out() / "tracer_show.ppm",
+                   shown = course.out() / "tracer_show.png";
+    app::make_folder(course.out());
+    const Drawn drawn = draw_by_tracer(
+        course, tracer_program(course),
+        {relative(course, tracer_scene(course)), relative(course, file), "--show", word}, file);
+    app::replace_file(shown, rt::encode_png(mean_of({drawn.picture})));
+    print("Your picture: " + relative(course, shown) + '\n' + drawn.printed);
+    return app::done;
 }
 
 // The graft that is named, or the first that has not passed, or the last one.
@@ -103,6 +123,7 @@ int tracer(const Course& course, const Given& given) {
         line += (line.empty() ? "" : " ") + word;
     print(dim(line) + '\n');
     compile_tracer(course, chapter);
+    if (given.has("--show")) return draw_false_colors(course, given.options.at("--show"));
 
     try {
         draw(course, graft);

@@ -55,8 +55,8 @@ double outlines_missing(const Picture& in, const Picture& from) {
 void look_at_outlines(const Course& course, const GraftRequest& request,
                       const std::vector<std::string>& words, JudgedLine& line) {
     const fs::path file = course.build / ("tracer." + request.chapter.number() + ".ppm");
-    const Picture mine = draw_by_tracer(course, request.program, words, file),
-                  ours = draw_by_tracer(course, request.reference, words, file);
+    const Picture mine = draw_by_tracer(course, request.program, words, file).picture,
+                  ours = draw_by_tracer(course, request.reference, words, file).picture;
     if (mine.width != ours.width || mine.height != ours.height) {
         line.actual = std::to_string(mine.width) + " x " + std::to_string(mine.height) + " pixels";
         line.expected = std::to_string(ours.width) + " x " + std::to_string(ours.height);

@@ -82,8 +82,8 @@ std::vector<std::string> headers_of_tracer(const Course& course) {
     return headers;
 }
 
-Picture draw_by_tracer(const Course& course, const fs::path& program,
-                       const std::vector<std::string>& words, const fs::path& picture) {
+Drawn draw_by_tracer(const Course& course, const fs::path& program,
+                     const std::vector<std::string>& words, const fs::path& picture) {
     std::error_code none;
     fs::remove(picture, none);
     std::vector<std::string> command{program.string()};
@@ -98,10 +98,10 @@ Picture draw_by_tracer(const Course& course, const fs::path& program,
                            (result.output.empty() || result.output[0] == 'P'
                                 ? ""
                                 : ": " + result.output.substr(0, result.output.find('\n'))));
-    if (fs::exists(picture)) return parse_ppm(read_file(picture));
+    if (fs::exists(picture)) return {parse_ppm(read_file(picture)), result.output};
     if (result.output.empty()) throw app::Failure(name + " printed no picture and wrote none");
     app::replace_file(picture, result.output);
-    return parse_ppm(result.output);
+    return {parse_ppm(result.output), {}};
 }
 
 }  // namespace companion

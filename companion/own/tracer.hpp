@@ -28,9 +28,15 @@ void compile_tracer(const Course& course, const Chapter& last);
 // Which headers <rt/NAME> the last compilation of the tracer read.
 std::vector<std::string> headers_of_tracer(const Course& course);
 
+// A picture, and what the program that made the file printed.
+struct Drawn {
+    Picture picture;
+    std::string printed;
+};
+
 // What the tracer draws when it is called with these words: the file `picture` if the program makes
 // it, else what it prints. Throws app::Failure if it fails or draws nothing.
-Picture draw_by_tracer(const Course& course, const fs::path& program,
-                       const std::vector<std::string>& words, const fs::path& picture);
+Drawn draw_by_tracer(const Course& course, const fs::path& program,
+                     const std::vector<std::string>& words, const fs::path& picture);
 
 }  // namespace companion

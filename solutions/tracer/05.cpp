@@ -8,6 +8,7 @@
 #include <rt/metal.hpp>
 #include <rt/ppm.hpp>
 #include <rt/render_pixel.hpp>
+#include <rt/shown_image.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/tracer_call.hpp>
@@ -32,10 +33,13 @@ int main(int count, char** words) try {
     // A path that has bounced `depth` times may still see the sky: that takes one ray more.
     Quality quality{scene.samples, scene.depth + 1, std::uint64_t(call.seed)};
     Image image{scene.width, scene.height};
-    for_each_pixel({0, 0, scene.width, scene.height}, [&](int column, int row) {
-        image.at(column, row) =
-            render_pixel(camera, world, materials, sky, BlackEnding{}, quality, column, row);
-    });
+    if (!call.show.empty())
+        image = shown_image(call, scene, camera, world, materials, sky, quality);
+    else
+        for_each_pixel({0, 0, scene.width, scene.height}, [&](int column, int row) {
+            image.at(column, row) =
+                render_pixel(camera, world, materials, sky, BlackEnding{}, quality, column, row);
+        });
     std::ofstream file{call.picture};
     write_ppm(file, image);
 } catch (const std::exception& error) {

@@ -9,6 +9,7 @@
 #include <rt/ppm.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/render_tiles.hpp>
+#include <rt/shown_image.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/tracer_call.hpp>
@@ -34,12 +35,15 @@ int main(int count, char** words) try {
     Quality quality{scene.samples, scene.depth + 1, std::uint64_t(call.seed)};
     Image image{scene.width, scene.height};
     TileGrid grid{scene.width, scene.height};
-    render_tiles(grid, call.threads, [&](const Tile& tile, int) {
-        for_each_pixel(tile, [&](int column, int row) {
-            image.at(column, row) =
-                render_pixel(camera, world, materials, sky, BlackEnding{}, quality, column, row);
+    if (!call.show.empty())
+        image = shown_image(call, scene, camera, world, materials, sky, quality);
+    else
+        render_tiles(grid, call.threads, [&](const Tile& tile, int) {
+            for_each_pixel(tile, [&](int column, int row) {
+                image.at(column, row) = render_pixel(camera, world, materials, sky, BlackEnding{},
+                                                     quality, column, row);
+            });
         });
-    });
     std::ofstream file{call.picture};
     write_ppm(file, image);
 } catch (const std::exception& error) {

@@ -10,6 +10,7 @@
 #include <rt/render_pixel.hpp>
 #include <rt/render_tiles.hpp>
 #include <rt/shape_tree.hpp>
+#include <rt/shown_image.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/split_by_area.hpp>
@@ -36,12 +37,15 @@ int main(int count, char** words) try {
     Image image{scene.width, scene.height};
     TileGrid grid{scene.width, scene.height};
     auto draw = [&](const auto& world) {
-        render_tiles(grid, call.threads, [&](const Tile& tile, int) {
-            for_each_pixel(tile, [&](int column, int row) {
-                image.at(column, row) = render_pixel(camera, world, materials, sky, BlackEnding{},
-                                                     quality, column, row);
+        if (!call.show.empty())
+            image = shown_image(call, scene, camera, world, materials, sky, quality);
+        else
+            render_tiles(grid, call.threads, [&](const Tile& tile, int) {
+                for_each_pixel(tile, [&](int column, int row) {
+                    image.at(column, row) = render_pixel(camera, world, materials, sky,
+                                                         BlackEnding{}, quality, column, row);
+                });
             });
-        });
     };
     if (call.list)
         draw(SphereList{scene.spheres});

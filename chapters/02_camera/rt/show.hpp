@@ -1,22 +1,10 @@
 #pragma once
 #include <app/run.hpp>
-#include <map>
 #include <rt/false_colors.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/tile.hpp>
 
 namespace app {
-
-// What the words of --show stand for.
-inline std::string shown_words(const std::string& word) {
-    static const std::map<std::string, std::string> all{
-        {"normal", "the normal"},
-        {"distance", "the distance to the first hit"},
-        {"sphere", "the spheres"},
-        {"bounces", "how often a path bounces, on average over the samples"},
-        {"samples", "how far a sample's light is from the pixel's average (standard deviation)"}};
-    return all.at(word);
-}
 
 // The Strategy of programs that do not use threads.
 inline void one_row_after_another(const rt::TileGrid& grid, int, const rt::TileWork& work) {
@@ -40,7 +28,8 @@ Picture show(const Settings& settings, Progress& progress, const Compute& comput
             if (x == width - 1) progress.step();
         });
     });
-    auto [image, words] = rt::false_colors(width, height, pixels, shown_words(settings.show));
+    auto [image, words] =
+        rt::false_colors(width, height, pixels, rt::shown_words().at(settings.show));
     return {std::move(image), 0, [words = words] { return words; }};
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <rt/false_colors.hpp>
 #include <rt/scene_text.hpp>
 #include <string>
 #include <thread>
@@ -7,11 +8,13 @@
 namespace rt {
 
 // How a tracer was called (given): SCENE PICTURE.ppm [--threads N] [--seed N] [--list]
+// [--show WORD]
 struct TracerCall {
     std::string scene, picture;  // files
     int threads = 1;             // all cores, unless --threads says otherwise
     int seed = 1;
     bool list = false;  // find the nearest sphere by testing each one
+    std::string show;   // what to draw in false colors, or empty
 };
 
 // The words of the command line; words[0] is the program's name. Throws std::invalid_argument with
@@ -24,6 +27,10 @@ inline TracerCall read_call(int count, char** words) {
         const std::string word = words[i];
         if (word == "--list") {
             call.list = true;
+        } else if (word == "--show") {
+            expect(++i < count && shown_words().count(words[i]) > 0,
+                   "normal, distance, sphere, bounces or samples after --show");
+            call.show = words[i];
         } else if (word == "--threads" || word == "--seed") {
             expect(++i < count, "a number after " + word);
             std::istringstream in{words[i]};
@@ -33,7 +40,7 @@ inline TracerCall read_call(int count, char** words) {
             files.push_back(word);
         }
     }
-    expect(files.size() == 2, "SCENE PICTURE.ppm [--threads N] [--seed N] [--list]");
+    expect(files.size() == 2, "SCENE PICTURE.ppm [--threads N] [--seed N] [--list] [--show WORD]");
     call.scene = files[0];
     call.picture = files[1];
     return call;

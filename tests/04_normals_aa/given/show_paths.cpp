@@ -1,5 +1,6 @@
 #include <rt/lambertian.hpp>
 #include <rt/show_paths.hpp>
+#include <rt/shown_image.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
 
@@ -73,4 +74,36 @@ TEST_CASE("the standard deviation of samples", "[show]") {
 TEST_CASE("samples can be compared only if there are two", "[show]") {
     CHECK_THROWS_AS(show("samples", 1), app::UsageError);
     CHECK_NOTHROW(show("bounces", 1));
+}
+
+TEST_CASE("a tracer shows what its world finds", "[show]") {
+    const SphereList world = two_spheres();
+    SceneText scene;
+    scene.width = 2;
+    scene.height = 1;
+    scene.spheres = world.spheres;
+    TracerCall call;
+    const auto show_by = [&](const char* word, int samples) {
+        call.show = word;
+        return shown_image(
+            call, scene, make_camera({{0, 0, 100}, {0, 0, 0}, {0, 1, 0}, radians(Real(2.3))}, 2, 1),
+            world, MaterialList<Lambertian>{{{{1, 1, 1}}}}, GradientSky{}, Quality{samples, 2, 1});
+    };
+    const Image spheres = show_by("sphere", 1);
+    CHECK(spheres.at(0, 0) == number_color(0));
+    CHECK(spheres.at(1, 0) == number_color(1));
+    // Every path bounces at the one ball or flies by.
+    const Image bounces = show_by("bounces", 16);
+    CHECK(bounces.at(0, 0) != nothing_color);
+    CHECK_THROWS_AS(show_by("samples", 1), std::invalid_argument);
+}
+
+TEST_CASE("a tracer is told which words it can show", "[show]") {
+    std::string words[] = {"tracer", "a.txt", "b.ppm", "--show", "depth"};
+    char* all[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(),
+                   words[4].data()};
+    CHECK_THROWS_AS(read_call(5, all), std::invalid_argument);
+    words[4] = "sphere";
+    all[4] = words[4].data();
+    CHECK(read_call(5, all).show == "sphere");
 }

@@ -1,0 +1,58 @@
+#pragma once
+#include <iostream>
+#include <rt/length.hpp>
+#include <rt/shown_pixel.hpp>
+#include <rt/tracer_call.hpp>
+
+namespace rt {
+
+// A world whose hits carry the number of a sphere in place of a material (given).
+template <class World>
+struct NumberedWorld {
+    const World& world;
+    const std::vector<SceneSphere>& spheres;
+
+    std::optional<Hit> hit(const Ray& ray, Interval within) const {
+        std::optional<Hit> found = world.hit(ray, within);
+        if (!found) return {};
+        // Whatever the world is, the point lies on the surface of the sphere that it found.
+        const auto distance = [&](const SceneSphere& sphere) {
+            return std::abs(length(found->point - sphere.shape.center) - sphere.shape.radius);
+        };
+        Real nearest = infinity;
+        for (std::size_t i = 0; i < spheres.size(); ++i)
+            if (const Real now = distance(spheres[i]); now < nearest) {
+                nearest = now;
+                found->material = static_cast<int>(i);
+            }
+        return found;
+    }
+};
+
+// What --show asks a tracer for (given): its picture in false colors. The words that explain them
+// are printed. The arguments are the call, the scene and those of render_pixel.
+template <class AnyCamera, class World, class Materials, class Sky>
+Image shown_image(const TracerCall& call, const SceneText& scene, const AnyCamera& camera,
+                  const World& world, const Materials& materials, const Sky& sky,
+                  const Quality& quality) {
+    expect(call.show != "samples" || quality.samples_per_pixel > 1, "2 samples or more to compare");
+    const auto path = [&](const Ray& ray, const auto& counting, Rng& random) {
+        return path_radiance(ray, counting, materials, sky, BlackEnding{}, quality.depth, random);
+    };
+    const NumberedWorld<World> numbered{world, scene.spheres};
+    std::vector<Shown> pixels;
+    for (int y = 0; y < scene.height; ++y)
+        for (int x = 0; x < scene.width; ++x) {
+            const auto shown = [&](const auto& any_world) {
+                return shown_pixel(call.show, camera, any_world, path, quality.samples_per_pixel,
+                                   quality.seed, x, y);
+            };
+            pixels.push_back(call.show == "sphere" ? shown(numbered) : shown(world));
+        }
+    const FalseColors made =
+        false_colors(scene.width, scene.height, pixels, shown_words().at(call.show));
+    std::cout << made.words;
+    return made.image;
+}
+
+}  // namespace rt
