@@ -1,3 +1,6 @@
+// The test cases compare with the hit_sphere that the answer calls.
+#include "03.2/answer.cpp"
+
 #include <answer.hpp>
 #include <rt/nearest_sphere.hpp>
 

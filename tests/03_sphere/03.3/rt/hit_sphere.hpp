@@ -1,0 +1,1 @@
+#include "../../03.2/rt/hit_sphere.hpp"

@@ -1,0 +1,1 @@
+#include "../../04.6/rt/leave_surface.hpp"
