@@ -307,11 +307,14 @@ std::string summary_line(const Checked& checked) {
 std::string float_lines(const std::vector<Checked>& all) {
     std::string lines;
     for (const Checked& checked : all) {
-        const auto& open =
-            checked.passed() ? checked.passed()->open_stars : std::vector<OpenStar>{};
-        if (checked.in_float || std::any_of(open.begin(), open.end(),
-                                            [](const OpenStar& star) { return star.in_float; }))
-            lines += summary_line(checked);
+        if (checked.in_float) lines += summary_line(checked);
+        if (!checked.passed()) continue;
+        const auto& open = checked.passed()->open_stars;
+        const auto more = std::count_if(open.begin(), open.end(),
+                                        [](const OpenStar& star) { return star.in_float; });
+        if (more > 0)
+            lines += "    " + checked.exercise.id + "  in float: " + std::to_string(more) +
+                     (more == 1 ? " star more is open\n" : " stars more are open\n");
     }
     return lines;
 }

@@ -48,6 +48,10 @@ int begin_from(const Course& course, const std::string& name) {
     }
     app::make_folder(file.parent_path());
     app::replace_file(file, read_file(tracer_answer(course, chapter)));
+    change_state(course, [&](State& state) {
+        for (const Chapter& earlier : grafts(course))
+            if (earlier.name <= chapter.name) state.grafts.emplace(earlier.number(), 0);
+    });
     print("begun  " + relative(course, file) + ", from our answer to graft " + chapter.number() +
           '\n');
     return app::done;

@@ -23,7 +23,8 @@ std::vector<Exercise> exercises_on_route(const Course& course);
 
 bool is_open(const Course& course, const State& state, const Step& step);
 
-// The first open step after the one with this id, else the first of all; none: all is done.
+// An exercise that fails and comes before the step with this id; else the first open step after
+// that one, else the first of all. None: all is done.
 std::optional<Step> next_on_route(const Course& course, const std::string& after = "");
 
 }  // namespace companion

@@ -52,7 +52,8 @@ struct DrawnRecord {
 };
 
 // When the learner's own program first passed a chapter's graft, in seconds since 1970, by the
-// chapter's number. The program goes on to change, so a graft that has passed stays passed.
+// chapter's number; 0 if the tracer begins from our answer to it or to a later one. The program
+// goes on to change, so a graft that has passed stays passed.
 using GraftTimes = std::map<std::string, std::int64_t>;
 
 struct State {

@@ -399,6 +399,12 @@ class Companion(unittest.TestCase):
         self.write("two", STUB % (2, 2))
         self.assertIn("Next: 01.2", self.course("check", "01.1"))
 
+    def test_what_fails_comes_before_what_is_new(self):
+        self.write("one", "wrong\n")
+        self.course("check", "01.1", code=1)
+        self.write("two", "right\n")
+        self.assertIn("Next: 01.1", self.course("check", "01.2"))
+
     def test_check_refuses_an_unknown_sanitizer(self):
         self.assertIn("takes nothing, address or thread",
                       self.course("check", "01.1", "--sanitize", "speed", code=2))
