@@ -37,9 +37,11 @@ std::optional<Step> next_on_route(const Course& course, const std::string& after
     const auto open = [&](const Step& step) { return is_open(course, state, step); };
     const auto here = std::find_if(steps.begin(), steps.end(),
                                    [&](const Step& step) { return step.id() == after; });
-    // What was tried and is wrong comes first.
+    // What was tried and is wrong comes first, and what is missing.
     auto next = std::find_if(steps.begin(), here, [&](const Step& step) {
-        return step.exercise && progress_of(course, state, *step.exercise) == Progress::failing;
+        if (!step.exercise) return false;
+        const Progress progress = progress_of(course, state, *step.exercise);
+        return progress == Progress::failing || progress == Progress::no_file;
     });
     if (next == here) next = std::find_if(here, steps.end(), open);
     if (next == steps.end()) next = std::find_if(steps.begin(), steps.end(), open);
