@@ -74,16 +74,24 @@ void judge_cores(const Trial& trial) {
                 all{"--threads", std::to_string(cores)};
             const std::string scene = long_enough({trial.own, one}, trial.request.seed, Clock::wall,
                                                   0.5, trial.request.crowd);
-            const Turns mine = in_turns({trial.own, one}, {trial.own, all}, scene, Clock::wall, 5);
-            line.passed = mine.ratio >= asked;
-            line.actual = times_as_fast(mine);
-            if (line.passed) return;
-            // Is it the program, or is the machine busy with other things?
-            const Turns ours =
-                in_turns({trial.reference, one}, {trial.reference, all}, scene, Clock::wall, 5);
-            line.busy_machine = ours.ratio < asked;
-            line.passed = mine.ratio >= 0.9 * ours.ratio;
-            line.actual += "; our program is " + number(ours.ratio) + " times as fast here";
+            // A program that is fast enough once is fast enough; a busy machine gets another chance.
+            for (int attempt = 0; attempt < 3 && !line.passed; ++attempt) {
+                const Turns mine =
+                    in_turns({trial.own, one}, {trial.own, all}, scene, Clock::wall, 5);
+                line.passed = mine.ratio >= asked;
+                line.actual = times_as_fast(mine);
+                if (line.passed) {
+                    line.busy_machine = false;
+                    return;
+                }
+                // Is it the program, or is the machine busy with other things?
+                const Turns ours =
+                    in_turns({trial.reference, one}, {trial.reference, all}, scene, Clock::wall, 5);
+                line.busy_machine = ours.ratio < asked;
+                line.passed = mine.ratio >= 0.9 * ours.ratio;
+                line.actual += "; our program is " + number(ours.ratio) + " times as fast here";
+                if (!line.busy_machine) break;
+            }
             if (line.busy_machine) line.actual += ", so this machine is busy";
         });
 }
