@@ -74,7 +74,8 @@ void judge_cores(const Trial& trial) {
                 all{"--threads", std::to_string(cores)};
             const std::string scene = long_enough({trial.own, one}, trial.request.seed, Clock::wall,
                                                   0.5, trial.request.crowd);
-            // A program that is fast enough once is fast enough; a busy machine gets another chance.
+            // A program that is fast enough once is fast enough; a busy machine gets another
+            // chance.
             for (int attempt = 0; attempt < 3 && !line.passed; ++attempt) {
                 const Turns mine =
                     in_turns({trial.own, one}, {trial.own, all}, scene, Clock::wall, 5);
