@@ -2,7 +2,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <mutex>
 #include <new>
 #include <rt/todo.hpp>
 
@@ -16,14 +19,36 @@ std::string one_line(std::string text) {
     return text;
 }
 
+std::string running;  // the program's name
+
+ExitCode fail(const std::string& what, ExitCode code) {
+    std::fprintf(stderr, "%s: %s\n", running.c_str(), one_line(what).c_str());
+    return code;
+}
+
+const std::terminate_handler usual_end = std::get_terminate();
+
+// A stub that threads reach is named, too, and once. Everything else crashes as it would without
+// this.
+[[noreturn]] void name_the_stub() {
+    static std::mutex first;
+    first.lock();
+    if (const std::exception_ptr thrown = std::current_exception()) try {
+            std::rethrow_exception(thrown);
+        } catch (const rt::NotImplemented& error) {
+            std::_Exit(fail(error.what(), still_to_write));
+        } catch (...) {
+        }
+    usual_end();
+    std::abort();
+}
+
 }  // namespace
 
 int run_or_explain(const std::string& program, const std::function<int()>& work) {
     std::signal(SIGXFSZ, SIG_IGN);
-    const auto fail = [&](const std::string& what, ExitCode code) {
-        std::fprintf(stderr, "%s: %s\n", program.c_str(), one_line(what).c_str());
-        return code;
-    };
+    running = program;
+    std::set_terminate(name_the_stub);
     try {
         const int code = work();
         if (std::fflush(stdout) != 0)

@@ -49,27 +49,38 @@ std::string ranges(const std::vector<std::string>& ids, const std::vector<std::s
     return text;
 }
 
-// Fills build/yours/rt; with `all`, only a missing file is the solution's.
-Yours put_in_place(const Course& course, const Chapter& last, bool all_of_them) {
+// Fills build/yours/rt. A file is the learner's if all exercises in it pass, or, with
+// `failing_too`, if one in it is begun or fails: what is still as it was shipped would only stop
+// the program.
+Yours put_in_place(const Course& course, const Chapter& last, bool failing_too) {
     std::vector<Exercise> all;
     for (Exercise& exercise : exercises(course))
         if (exercise.chapter.name <= last.name) all.push_back(std::move(exercise));
     const std::map<std::string, Progress> progress = checked(course, all);
-    Yours yours;
-    std::map<fs::path, bool> is_yours;  // all exercises in a file must be the learner's
-    for (const Exercise& exercise : all) {
+    const auto wrong = [&](const Exercise& exercise) {
         const Progress here = progress.at(exercise.id);
-        const bool uses = passes(here) || (all_of_them && here != Progress::no_file);
-        if (passes(here))
-            yours.passing.push_back(exercise.id);
-        else if (!uses)
-            yours.others.push_back(exercise.id);
-        else if (here == Progress::failing)
-            yours.failing.push_back(exercise.id);
-        else
-            yours.unwritten.push_back(exercise.id);
+        return failing_too && (here == Progress::begun || here == Progress::failing);
+    };
+    std::map<fs::path, bool> is_yours;
+    for (const Exercise& exercise : all)
         for (const fs::path& file : exercise.files)
-            is_yours[file] = uses && (!is_yours.count(file) || is_yours[file]);
+            is_yours[file] =
+                passes(progress.at(exercise.id)) && (!is_yours.count(file) || is_yours[file]);
+    for (const Exercise& exercise : all)
+        if (wrong(exercise))
+            for (const fs::path& file : exercise.files) is_yours[file] = true;
+    Yours yours;
+    for (const Exercise& exercise : all) {
+        const bool uses = std::any_of(exercise.files.begin(), exercise.files.end(),
+                                      [&](const fs::path& file) { return is_yours[file]; });
+        if (passes(progress.at(exercise.id)))
+            yours.passing.push_back(exercise.id);
+        else if (wrong(exercise))
+            yours.failing.push_back(exercise.id);
+        else if (uses && failing_too)
+            yours.unwritten.push_back(exercise.id);
+        else
+            yours.others.push_back(exercise.id);
     }
     app::make_folder(course.build / "yours/rt");
     for (const auto& [file, mine] : is_yours) {
@@ -103,9 +114,8 @@ std::string Yours::words() const {
                 "The solution's: " + ranges(others, joined(passing, joined(failing, unwritten))) +
                 ". All else is yours.";
         if (!failing.empty())
-            text +=
-                " These fail, and run all the same: " + ranges(failing, joined(rest, unwritten)) +
-                '.';
+            text += " These do not pass yet, and run all the same: " +
+                    ranges(failing, joined(rest, unwritten)) + '.';
         if (!unwritten.empty())
             text += " Still to be written: " + ranges(unwritten, joined(rest, failing)) + '.';
         return text;
