@@ -20,10 +20,10 @@ struct Place {
 
     bool is_sky() const { return !hit && !collision; }
 
-    // The light that was met; null if it is not a light.
+    // The light that was met; null if none was.
     template <class Lights>
     const Light* light(const Lights& lights) const {
-        return collision ? nullptr : lights.find(*hit);
+        return hit && !collision ? lights.find(*hit) : nullptr;
     }
     // How the path goes on from here; none if it is absorbed.
     template <class Random>
