@@ -154,15 +154,23 @@ void check_inverse(const Exactly& exact, Vec3 point, Accuracy accuracy = Accurac
 
 TEST_CASE("01.7 the inverse undoes stretching and moving", "[01.7]") {
     const Mat4 m{{{{2, 0, 0, 10}, {0, 0, -1, 20}, {0, 1, 0, 30}, {0, 0, 0, 1}}}};
+    const Mat4 expected{{{{real(0.5), 0, 0, -5}, {0, 0, 1, -30}, {0, -1, 0, 20}, {0, 0, 0, 1}}}};
     const Mat4 computed = rt::inverse(m);
-    INFO(
-        "row 0 is " << text(row_of(computed, 0)) << ' ' << text(computed(0, 3)) << ", row 1 "
-                    << text(row_of(computed, 1)) << ' ' << text(computed(1, 3)) << ", row 2 "
-                    << text(row_of(computed, 2)) << ' ' << text(computed(2, 3))
-                    << ".\nHint: the last column of the inverse is minus the inverse's linear part "
-                       "times the translation");
-    CHECK(computed ==
-          Mat4{{{{real(0.5), 0, 0, -5}, {0, 0, 1, -30}, {0, -1, 0, 20}, {0, 0, 0, 1}}}});
+    bool same = true, columns = true;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            same = same && computed(i, j) == expected(i, j);
+            columns = columns && computed(j, i) == expected(i, j);
+        }
+    INFO("row 0 is " << text(row_of(computed, 0)) << ' ' << text(computed(0, 3)) << ", row 1 "
+                     << text(row_of(computed, 1)) << ' ' << text(computed(1, 3)) << ", row 2 "
+                     << text(row_of(computed, 2)) << ' ' << text(computed(2, 3)) << ".\nHint: "
+                     << (same ? "the last column of the inverse is minus the inverse's linear part "
+                                "times the translation"
+                         : columns ? "rows and columns are exchanged: from_columns takes columns, "
+                                     "and the cross products are rows"
+                                   : "row 0 is b x c divided by the determinant"));
+    CHECK(computed == expected);
 }
 
 TEST_CASE("01.7 to_object and to_world undo each other", "[01.7]") {
