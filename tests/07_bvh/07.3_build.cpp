@@ -255,6 +255,11 @@ TEST_CASE("07.3 centers decide and not corners", "[07.3]") {
     CHECK(first_sorted(order, 4) == std::vector<int>{0, 1, 2, 3});
 }
 
+TEST_CASE("07.3 equal centers are no trouble", "[07.3]") {
+    checkpoint::check_equal_centers(
+        [](auto order, auto boxes) { rt::split_in_half(order, boxes); });
+}
+
 TEST_CASE("07.3 the axis depends on this part alone", "[07.3]") {
     // Eight boxes far apart along x that do not belong to this part; its own boxes
     // are apart along y.

@@ -281,6 +281,11 @@ TEST_CASE("07.5 a leaf where it is cheaper", "[07.5]") {
                 "the split costs 1 + (6 + 6) / 12 = 2, the same as a leaf: it must be cheaper");
 }
 
+TEST_CASE("07.5 equal centers are no trouble", "[07.5]") {
+    checkpoint::check_equal_centers(
+        [](auto order, auto boxes) { rt::split_by_area(order, boxes); });
+}
+
 TEST_CASE("07.5 only this part counts", "[07.5]") {
     // Numbers 0 to 5 are huge, and do not belong to this part.
     std::vector<Box> boxes(6, cube({0, 0, 0}, 1000));

@@ -4,11 +4,35 @@
 #include <algorithm>
 #include <rt/bounds.hpp>
 #include <rt/tree.hpp>
+#include <span>
 #include <vector>
 
 #include "scenes.hpp"
 
 namespace checkpoint {
+
+// Spheres with one center, with as many of them before and after the part of the order that is to
+// be split, and at the ends two that are elsewhere. If std::sort is told that equal ones come
+// before each other, it leaves the part.
+template <class Split>
+void check_equal_centers(const Split& split) {
+    constexpr int part = 60, all = 3 * part;
+    std::vector<Box> boxes(all, Box{{-1, -1, -1}, {1, 1, 1}});
+    boxes.front() = Box{{-9, -9, -9}, {-8, -8, -8}};
+    boxes.back() = Box{{8, 8, 8}, {9, 9, 9}};
+    std::vector<int> before(all);
+    for (int i = 0; i < all; ++i) before[static_cast<std::size_t>(i)] = i;
+    std::vector<int> order = before;
+    split(std::span{order}.subspan(part, part), std::span<const Box>{boxes});
+    std::sort(order.begin() + part, order.begin() + 2 * part);
+    INFO(
+        "60 spheres have the same center. After sorting, the part of the order is not the same "
+        "numbers any more."
+        "\nHint: the lambda of std::sort compares with <. With <=, or with a difference, each of "
+        "two equal ones comes "
+        "before the other, and std::sort runs past the ends");
+    REQUIRE((order == before));
+}
 
 inline int levels_of(const rt::TreeNode& node) {
     if (node.is_leaf()) return 1;
