@@ -121,11 +121,11 @@ Verdict run_tests(const Course& course, const Checked& checked) {
         if (auto* const passed = std::get_if<Passed>(&whole)) note_stars(*passed, tested);
         return whole;
     }
-    // The core alone; then each hard case runs, even if an earlier one ends the program.
+    // The core alone, which decides; then each hard case runs, even if an earlier one ends the
+    // program.
     Verdict core = judge(course, checked, run_cases(course, checked, "~[hard]"));
-    if (std::holds_alternative<Begun>(core) || std::holds_alternative<Waiting>(core)) return core;
     auto* const passed = std::get_if<Passed>(&core);
-    if (!passed) return whole;
+    if (!passed) return core;
     passed->tests = tested.tests;
     std::string others = "[hard]";
     for (; !tested.tests.empty(); tested = run_cases(course, checked, others)) {

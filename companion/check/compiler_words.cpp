@@ -9,14 +9,90 @@ struct Meaning {
     const char* words;
 };
 
+// What people write who know Python: the line of source decides, so it is asked first.
+struct Habit {
+    const char* error;  // as above; the line that is shown below it decides together with it
+    const char* line;   // a regular expression
+    const char* words;
+};
+
+const Habit habits[]{
+    {"unary .\\*|indirection requires|no match for .operator\\*.*operand type is",
+     "\\w\\)? ?\\*\\* ?[\\w(]",
+     "`**` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
+    {"expected", "[\\w)] //+ ?[\\w(]+[;)]",
+     "`//` begins a comment. Between two int, `/` divides and drops the fraction."},
+    {"expected|was not declared|undeclared", "\\S+ if .+ else ",
+     "A choice between two values is written `condition ? a : b`."},
+    {"elif", "", "It is written `else if (...)`."},
+    {"expected .\\(.|expected", "^[^?/]*\\b(if|while|for|else)\\b[^;?]*:\\s*$",
+     "The condition stands in parentheses, and braces hold what belongs to it: `if (x > 0) { ... "
+     "}`."},
+    {"\\W(None|True|False|self|len|print|def|pass)\\W", "",
+     "That is Python. In C++ there are true and false, `{}` for no value, values.size() for a "
+     "length, and std::cout << x to print."},
+    {"invalid operands", "[\\w)] ?\\^ ?[\\w(]",
+     "`^` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
+    {"conver|initialize|constant|error", "'[^'\\\\]([^']+)'",
+     "Text stands in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
+    {"optional", "return nullptr",
+     "No value is `return {};` or `return std::nullopt;`. A null pointer is something else."},
+    {"could not convert|no viable conversion|cannot convert|no matching function for call to .abs",
+     "(^|[^:\\w])abs\\(", "Numbers have `std::abs`; `abs` alone may be another function."},
+    {"was not declared|undeclared", "^[\\s\\d|]*\\w+ = ",
+     "If the name is new, the line needs its type, such as `const Real x = ...;`. If not, is it "
+     "misspelled, or declared "
+     "in another block?"},
+    {"left.* operand of comma|expression result unused|no viable conversion|could not "
+     "convert|cannot convert",
+     "return \\(?[^(){}]+, [^(){}]+\\)?;",
+     "A comma does not make a pair in C++: only the last value counts. Write braces: `return {a, "
+     "b};`."},
+    {"deduced conflicting|no matching function",
+     "std::(max|min)\\(-?\\d+,|std::(max|min)\\(.*, -?\\d+\\)",
+     "Both values must have the same type: `Real(0)` instead of 0."},
+    {"(max|min)\\((double|float|int|const double&), (double|float|int), (double|float|int)\\)|"
+     "no matching function|called object type|deduced",
+     "std::(max|min)\\([^{},()]+,[^{},()]+,[^{},()]+\\)",
+     "It takes two values, or more in braces: `std::max({a, b, c})`."},
+};
+
 // The first match counts, so the special ones come before the general ones.
 const Meaning meanings[]{
+    {"operator\\^", "`^` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
+    {"character constant|unclosed|missing terminating",
+     "Text stands in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
+    {"comparisons like .X<=Y<=Z|chained comparison",
+     "Each comparison stands alone: `a < b && b < c`."},
+    {"assignment used as truth value|using the result of an assignment as a condition",
+     "`=` changes the left side; `==` compares."},
+    {"(statement has no effect|value computed is not used|expression result unused|ignoring return "
+     "value|unused "
+     "result|comparison result unused)",
+     "The result is computed and thrown away. Should it be stored, `x = ...` or `x *= ...`, or "
+     "returned?"},
+    {"(float|double).*(may change value|changes value|turns floating-point)|implicit conversion.*"
+     "(float|double).* to .*int",
+     "A number with a fraction becomes one that holds less. If that is meant, say so: `int(x)` "
+     "drops the fraction, "
+     "`Real(x)` makes a Real."},
+    {"promotion|increases floating-point precision|implicit conversion from .float. to .double.",
+     "In float, this would be computed in double. Give both numbers the type Real: `Real(5)` "
+     "instead of 5."},
+    {"expected .;. after (struct|class)|expected initializer before",
+     "A semicolon is missing: a struct ends with `};`, and a line before this one with `;`."},
+    {"Color.*has no member named .[xyz]|no member named .[xyz]. in .*Color",
+     "A Color has the members r, g and b."},
+    {"(optional).*(has no member)|no member named.*in .*optional",
+     "It is a std::optional, which may be empty: ask `if (name)` first, and then write "
+     "`name->member`."},
     {"never closed|expected .\\}. at end of input|extraneous closing brace|"
      "expected declaration before .\\}. token|function definition is not allowed here|"
      "a function-definition is not allowed here",
      "The braces do not match: each { needs its own }. Count them from here upward."},
     {"expected .;.|expected .,. or .;.",
-     "A semicolon is missing at the end of this line or of the line before."},
+     "A semicolon is missing at the end of this line or of the line before. Or is it behind a //, "
+     "which begins a comment?"},
     {"incompatible vector types in conditional|vector operands to the vector conditional|"
      "inferred scalar type|vector condition type",
      "Both values in `mask ? a : b` must be packs of the same type. `pack_of(x)` holds x in every "
@@ -44,7 +120,7 @@ const Meaning meanings[]{
      "Braces alone cannot make the value of a std::optional: write the type of the value before "
      "them, such as `return Roots{one, other};`."},
     {"optional.*(no match for .operator|invalid operands|cannot convert|no viable conversion|"
-     "could not convert)|(no match for .operator|invalid operands|cannot convert|"
+     "could not convert)|(no match|invalid operands|cannot convert|"
      "no viable conversion|could not convert|invalid initialization of reference|no known "
      "conversion).*optional",
      "One of the two is a std::optional, which may be empty. Test it with `if (name)`; `*name` is "
@@ -74,7 +150,7 @@ const Meaning meanings[]{
      "It is const: it cannot be changed here."},
     {"no match for .operator|invalid operands",
      "There is no such operator for these two types. Check the type of each side."},
-    {"too few arguments|too many arguments|no matching function|no matching constructor",
+    {"too few arguments|too many arguments|no matching (member )?function|no matching constructor",
      "No function of this name takes these arguments: compare their number and types with its "
      "declaration."},
     {"cannot convert|could not convert|no viable conversion|cannot initialize|invalid conversion|"
@@ -108,6 +184,14 @@ std::string plain_words(const std::string& error) {
     // With some language settings, compilers use other quotes.
     const std::string first_line =
         std::regex_replace(error.substr(0, error.find('\n')), std::regex{"\u2018|\u2019"}, "'");
+    // The line of source, without its number: both compilers show it below the message.
+    std::string line;
+    if (const auto end = error.find('\n'); end != std::string::npos)
+        line = error.substr(end + 1, error.find('\n', end + 1) - end - 1);
+    for (const Habit& habit : habits)
+        if (std::regex_search(first_line, std::regex{habit.error}) &&
+            (!*habit.line || std::regex_search(line, std::regex{habit.line})))
+            return habit.words;
     for (const Meaning& meaning : meanings)
         if (std::regex_search(first_line, std::regex{meaning.error})) return meaning.words;
     return "";

@@ -2,6 +2,7 @@
 #include <app/files.hpp>
 #include <companion/build/build.hpp>
 #include <companion/build/side_build.hpp>
+#include <companion/check/compiler_words.hpp>
 #include <companion/own/tracer.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/process.hpp>
@@ -61,12 +62,16 @@ void compile_tracer(const Course& course, const Chapter& last) {
     if (result.ok()) {
         if (const std::string warning = first_warning(course, result.output, {file});
             !warning.empty())
-            std::fprintf(stderr, "the compiler warns: %s\n", warning.c_str());
+            std::fprintf(stderr, "The compiler warns: %s\n%s\n", warning.c_str(),
+                         plain_words(warning).c_str());
         return;
     }
     const std::string error = first_error(course, result.output, {file});
-    throw app::Failure("tracer.cpp does not compile:\n" +
-                       (error.empty() ? how_it_ended(result) : error));
+    if (error.empty()) throw app::Failure("tracer.cpp does not compile: " + how_it_ended(result));
+    const std::string words = plain_words(error);
+    std::fprintf(stderr, "%s\n%s%s\n", error.c_str(),
+                 words.empty() ? "" : "In plain words: ", words.c_str());
+    throw app::Failure("tracer.cpp does not compile");
 }
 
 std::vector<std::string> headers_of_tracer(const Course& course) {

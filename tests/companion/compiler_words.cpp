@@ -99,3 +99,51 @@ TEST_CASE("errors with packs are told in plain words", "[compiler_words]") {
     CHECK(says("initializer list cannot be used on the right hand side of operator ':'",
                "need a type"));
 }
+
+// The line of source decides.
+TEST_CASE("what people write who know Python is told in plain words", "[compiler_words]") {
+    const auto says_of = [](const std::string& line, const std::string& error,
+                            const std::string& part) {
+        INFO(line);
+        CHECK(
+            plain_words("a.hpp:1:2: error: " + error + "\n    1 |     " + line + "\n").find(part) !=
+            std::string::npos);
+    };
+    says_of("return x ** 2;", "invalid type argument of unary '*' (have 'int')", "no power");
+    says_of("return x ** 2;", "indirection requires pointer operand ('int' invalid)", "no power");
+    says_of("return x ^ 2;", "invalid operands of types 'double' and 'int' to binary 'operator^'",
+            "no power");
+    says_of("return x ^ 2;", "invalid operands to binary expression ('double' and 'int')",
+            "no power");
+    says_of("int b = a // 2;", "expected ';' at end of declaration", "comment");
+    says_of("return b;", "expected ',' or ';' before 'return'", "comment");
+    says_of("Real y = 1 / x if b else x;", "expected ',' or ';' before 'if'", "condition ? a : b");
+    says_of("elif (x < 0) return 2;", "'elif' was not declared in this scope", "else if");
+    says_of("if x > 0:", "expected '(' before 'x'", "braces");
+    says_of("if (x > 0):", "expected primary-expression before ':' token", "braces");
+    says_of("return None;", "use of undeclared identifier 'None'; did you mean 'clone'?", "Python");
+    says_of("return length2(a);", "'length2' was not declared in this scope", "misspelled");
+    says_of("return abs(h);", "could not convert 'h' from 'double' to 'rt::Vec3'", "std::abs");
+    says_of("root = x * 2;", "'root' was not declared in this scope", "needs its type");
+    says_of("return (x, x, x);", "could not convert '((void)0, x)' from 'double' to 'rt::Vec3'",
+            "return {a, b}");
+    says_of("return {x, x, y};", "could not convert 'y' from 'double' to 'rt::Vec3'",
+            "different type");
+    says_of("return std::max(0, x);", "no matching function for call to 'max(int, double&)'",
+            "Real(0)");
+    says_of("return std::max(a, b, c);", "no matching function for call to 'max'", "{a, b, c}");
+    says_of("return r.low;", "'class std::optional<R>' has no member named 'low'", "name->member");
+    says_of("return nullptr;", "could not convert 'nullptr' to 'std::optional<R>'", "return {};");
+    says_of("return c.x;", "'struct rt::Color' has no member named 'x'", "r, g and b");
+    says_of("x * y;", "statement has no effect [-Wunused-value]", "thrown away");
+    says_of("return 0 < x < 1;",
+            "comparisons like 'X<=Y<=Z' do not have their mathematical meaning", "alone");
+    says_of("if (x = 1)", "suggest parentheses around assignment used as truth value", "compares");
+    says_of("file << 'P3\\n';", "multi-character character constant [-Wmultichar]",
+            "double quotes");
+    says_of("const char* s = 'P3';", "invalid conversion from 'int' to 'const char*'",
+            "double quotes");
+    says_of("file << '\\n' + x;", "no match for 'operator+' (operand types are 'A' and 'B')",
+            "two types");
+    says_of("int operator+(S a, S b) {", "expected initializer before 'operator'", "struct ends");
+}
