@@ -28,7 +28,8 @@ std::string cause_of(const Result& result, const TestCase* test) {
             return "it divided an integer by 0";
         case SIGABRT:
             return "it was aborted: an index is out of range, an empty std::optional has no value, "
-                   "memory was freed twice, or an exception left a function that must not throw";
+                   "memory was freed twice, a std::thread was destroyed before it was joined, or "
+                   "an exception left a thread or a function that must not throw";
         case SIGILL:
             return "it executed invalid code: is a return missing?";
         default:

@@ -35,6 +35,13 @@ const Habit habits[]{
      "`^` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
     {"conver|initialize|constant|error", "'[^'\\\\]([^']+)'",
      "Text stands in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
+    {"invalid use of void expression|argument type .void. is incomplete|no matching",
+     "emplace_back\\(\\w+\\(",
+     "This calls the function here and now. A thread needs a function that it can call: "
+     "`[&work, worker] { work(worker); }`."},
+    {"", "\\.push_back\\( ?\\[",
+     "A thread is made in its place: `threads.emplace_back([...] { ... });`."},
+    {"has no member|no member named", "\\.append\\(", "A vector appends with `push_back(value)`."},
     {"optional", "return nullptr",
      "No value is `return {};` or `return std::nullopt;`. A null pointer is something else."},
     {"could not convert|no viable conversion|cannot convert|no matching function for call to .abs",

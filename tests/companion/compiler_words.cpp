@@ -134,6 +134,10 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
     says_of("return std::max(a, b, c);", "no matching function for call to 'max'", "{a, b, c}");
     says_of("return r.low;", "'class std::optional<R>' has no member named 'low'", "name->member");
     says_of("return nullptr;", "could not convert 'nullptr' to 'std::optional<R>'", "return {};");
+    says_of("threads.emplace_back(work(worker));", "invalid use of void expression",
+            "calls the function");
+    says_of("threads.append(t);", "'class std::vector<std::thread>' has no member named 'append'",
+            "push_back");
     says_of("return c.x;", "'struct rt::Color' has no member named 'x'", "r, g and b");
     says_of("x * y;", "statement has no effect [-Wunused-value]", "thrown away");
     says_of("return 0 < x < 1;",
