@@ -169,6 +169,16 @@ TEST_CASE("02.3 up may be slanted and of any length", "[02.3]") {
     }
 }
 
+TEST_CASE("02.3 straight up and straight down there is a basis, too", "[02.3]") {
+    for (const Real height : {-4, -1, 1, 4}) {
+        const Basis b = rt::look_at({2, height, 3}, {2, 0, 3}, {0, 2, 0});
+        INFO("up is (0, 2, 0), and so is the view, times " << height / 2 << "; actual " << text(b)
+                                                           << ".\nHint: " << suggestion(b));
+        REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
+        CHECK(b.w == Vec3{0, height > 0 ? real(1) : real(-1), 0});
+    }
+}
+
 TEST_CASE("02.3 the vectors are perpendicular with length 1 and right-handed", "[02.3]") {
     for (const View& view : views_well_apart()) {
         const Basis b = rt::look_at(view.from, view.at, view.up);

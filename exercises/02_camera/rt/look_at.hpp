@@ -10,9 +10,9 @@ namespace rt {
 
 // Exercise 02.3. The basis of a camera at `from` that looks at `at`, along -w; in the picture u
 // points right and v up. v lies in the plane of w and `up`, which may have any length and any
-// direction. The text derives the formula from two cross products.
-// Star: if the view is parallel to `up`, there is no such plane, and any u and v that complete the
-// basis will do. If it is nearly parallel, each component of u is still within 8 units in the last
+// direction. If the view is parallel to `up`, there is no such plane, and any u and v that complete
+// the basis will do.
+// Star: if it is nearly parallel, each component of u is still within 8 units in the last
 // place. Coordinates may be tiny or huge, even so huge that from - at overflows. Throws
 // std::domain_error if `from` equals `at`, `up` is zero, or a number is not finite.
 inline Basis look_at(Vec3 from, Vec3 at, Vec3 up) {

@@ -31,11 +31,11 @@ inline Real light_density(const Sphere& light, Vec3 from) {
 // surface along it, and light_density. None if that density is 0. `place` is a sample
 // point of the unit square, 0 <= x, y < 1: x says how far the direction is from the middle (0)
 // toward the rim (1), spread evenly over the cap's height; y is the share of a turn around the
-// middle, starting wherever you like, in either direction. From inside, or from a point on the
-// surface, any way to make all directions equally likely will do.
+// middle, starting wherever you like, in either direction.
 // Source: Wang, "Physically correct direct lighting for distribution ray tracing", Graphics Gems
 // III, 1992.
-// Star: the length is 1 within 5 epsilon. The distance leads to the surface within
+// Star: from inside, or from a point on the surface, any way to make all directions equally likely
+// will do. The length is 1 within 5 epsilon. The distance leads to the surface within
 // rounding_bound(60) * (d + r), where d is that of the middle and r the radius; for x = 0 it is
 // d - r within rounding_bound(30) of itself.
 inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, Vec2 place) {
