@@ -465,6 +465,26 @@ TEST_CASE("04.7 Russian roulette is correct on average", "[04.7]") {
     }
 }
 
+TEST_CASE("04.7 the brightest channel says how likely a path goes on", "[04.7]") {
+    const Real bright = real(0.5), dim = real(0.125);
+    for (const Color before :
+         {Color{bright, dim, dim}, Color{dim, bright, dim}, Color{dim, dim, bright}}) {
+        rt::Rng rng{45, 11};
+        constexpr int count = 10000;
+        int going = 0;
+        for (int i = 0; i < count; ++i) {
+            Color c = before;
+            if (rt::play_roulette(c, real(0.95), rng) != rt::PathEnd::none) continue;
+            ++going;
+            REQUIRE(is_near(c, before / bright));
+        }
+        INFO("with the throughput "
+             << text(before) << ", of 10000 paths expected about 5000 to go on, actual " << going
+             << ".\nHint: the probability is the largest of all three channels");
+        CHECK(std::abs(going - count / 2) <= 300);  // 6 standard errors
+    }
+}
+
 TEST_CASE("04.7 a gray sphere under a white sky returns its albedo", "[04.7]") {
     // The furnace: from a sphere alone every path leaves after one bounce, so nothing is random
     // here. One path that meets the sphere again is one too many.
