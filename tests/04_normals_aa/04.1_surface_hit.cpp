@@ -121,6 +121,12 @@ TEST_CASE("04.1 a hit from outside has the outward normal and is in front", "[04
     const Sphere sphere{{1, 2, 3}, 2};
     const Hit hit = rt::surface_hit(sphere, {{1, 2, 10}, {0, 0, -1}}, 5);
     CHECK(hit.t == 5);
+    if (const Real length = std::sqrt(dot(hit.normal, hit.normal));
+        std::abs(length - 1) > real(0.01)) {
+        INFO("Hint: normalize the vector from the center to the point");
+        const std::string length_of_normal = text(length);
+        REQUIRE(length_of_normal == "1");
+    }
     {
         INFO("expected the point (1, 2, 5), actual " << text(hit.point));
         CHECK(hit.point == Vec3{1, 2, 5});
