@@ -52,11 +52,13 @@ std::string ranges(const std::vector<std::string>& ids, const std::vector<std::s
 // Fills build/yours/rt. A file is the learner's if all exercises in it pass, or, with
 // `failing_too`, if one in it is begun or fails: what is still as it was shipped would only stop
 // the program.
-Yours put_in_place(const Course& course, const Chapter& last, bool failing_too) {
+Yours put_in_place(const Course& course, const Chapter& last, bool failing_too,
+                   const std::set<std::string>& except = {}) {
     std::vector<Exercise> all;
     for (Exercise& exercise : exercises(course))
         if (exercise.chapter.name <= last.name) all.push_back(std::move(exercise));
-    const std::map<std::string, Progress> progress = checked(course, all);
+    std::map<std::string, Progress> progress = checked(course, all);
+    for (const std::string& id : except) progress[id] = Progress::to_write;
     const auto wrong = [&](const Exercise& exercise) {
         const Progress here = progress.at(exercise.id);
         return failing_too && (here == Progress::begun || here == Progress::failing);
@@ -73,9 +75,13 @@ Yours put_in_place(const Course& course, const Chapter& last, bool failing_too) 
     for (const Exercise& exercise : all) {
         const bool uses = std::any_of(exercise.files.begin(), exercise.files.end(),
                                       [&](const fs::path& file) { return is_yours[file]; });
-        if (passes(progress.at(exercise.id)))
+        if (passes(progress.at(exercise.id))) {
             yours.passing.push_back(exercise.id);
-        else if (wrong(exercise))
+            if (exercise.several_answers)
+                yours.may_differ[exercise.id] = "has several right answers";
+            else if (progress.at(exercise.id) == Progress::core)
+                yours.may_differ[exercise.id] = "has open stars";
+        } else if (wrong(exercise))
             yours.failing.push_back(exercise.id);
         else if (uses && failing_too)
             yours.unwritten.push_back(exercise.id);
@@ -135,6 +141,11 @@ std::string Yours::caption() const {
 
 Yours put_yours_in_place(const Course& course, const Chapter& last) {
     return put_in_place(course, last, false);
+}
+
+Yours put_yours_in_place_except(const Course& course, const Chapter& last,
+                                const std::set<std::string>& some) {
+    return put_in_place(course, last, false, some);
 }
 
 Yours put_all_yours_in_place(const Course& course, const Chapter& last) {

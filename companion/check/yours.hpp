@@ -4,6 +4,8 @@
 // for that, the learner's for those that fail, too.
 
 #include <companion/model/exercise.hpp>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,10 @@ namespace companion {
 struct Yours {
     std::vector<std::string> passing, others;  // exercises "NN.k" in their order
     std::vector<fs::path> files;               // to use, such as exercises/01_vectors/rt/dot.hpp
+
+    // Those that pass, and whose picture may be another all the same, with the reason: "03.1", "its
+    // stars are open".
+    std::map<std::string, std::string> may_differ = {};
 
     // Begun or wrong, but the learner's code runs all the same; and what is not begun in the same
     // files.
@@ -28,6 +34,9 @@ struct Yours {
 // Checks what has changed since it was last checked, up to this chapter, and fills build/yours/rt
 // with the files to use. Throws app::Failure if they cannot be written.
 Yours put_yours_in_place(const Course& course, const Chapter& last);
+// The same, but with the solution's code for some exercises, by their ids.
+Yours put_yours_in_place_except(const Course& course, const Chapter& last,
+                                const std::set<std::string>& some);
 // The same, but with the learner's code of exercises that are begun or fail, too.
 Yours put_all_yours_in_place(const Course& course, const Chapter& last);
 

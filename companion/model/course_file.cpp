@@ -25,6 +25,8 @@ Exercise read_exercise(const Value& value, const Chapter& chapter) {
     exercise.title = text(value.at("title"));
     exercise.minutes = minutes(value.at("minutes"), 0);
     if (const auto more = value.find("star_minutes")) exercise.star_minutes = minutes(*more, 0);
+    if (const auto several = value.find("several_answers"))
+        exercise.several_answers = several->yes();
     for (const Value& file : value.at("files").list("files", 1))
         exercise.files.push_back(fs::path{"exercises"} / chapter.name / text(file));
     return exercise;

@@ -8,10 +8,11 @@
 namespace companion {
 
 struct Exercise {
-    std::string id;        // "01.3"
-    std::string title;     // "Length and unit vectors"
-    int minutes = 0;       // for the core; 0: the whole exercise is a star
-    int star_minutes = 0;  // beyond that
+    std::string id;                // "01.3"
+    std::string title;             // "Length and unit vectors"
+    int minutes = 0;               // for the core; 0: the whole exercise is a star
+    int star_minutes = 0;          // beyond that
+    bool several_answers = false;  // right ones that draw different pictures
     Chapter chapter;
     std::vector<fs::path>
         files;              // that the learner writes, such as exercises/01_vectors/rt/dot.hpp

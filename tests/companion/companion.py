@@ -659,6 +659,39 @@ class Companion(unittest.TestCase):
         self.assertIn("// solution 2", code("two"))
         self.assertEqual((self.root / "build/yours/rt/one.hpp").stat().st_mtime_ns, before)
 
+    def test_compare_says_what_is_no_mistake(self):
+        # A program that draws the brightness that its code has: 10, or that after "draws".
+        self.put("program.sh", '''#!/bin/sh
+[ "$1" != --describe ] || { echo '{"width": "2", "height": "1"}'; exit; }
+bright=10
+case $0 in *_mine) found=$(sed -n 's/.*draws //p' "${0%/bin/*}"/yours/rt/*.hpp); bright=${found:-10} ;; esac
+printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
+''')
+        os.chmod(self.root / "program.sh", 0o755)
+
+        def compare(code):
+            done = subprocess.run([COURSE, "compare", "01"], env=self.environment, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual(done.returncode, code, done.stdout)
+            return done.stdout
+
+        self.write("one", "right\n")
+        self.write("two", "right, and draws 10\n")
+        self.assertIn("bit for bit", compare(0))
+        self.write("two", "right, but draws 99\n")
+        self.assertNotIn("no mistake", compare(1))
+        self.write("two", "star one open\n// draws 99\n")
+        said = compare(0)
+        self.assertIn("It differs from the solution's, which is no mistake here:", said)
+        self.assertIn("01.2 has open stars.\n  With the solution's code for it, the pictures are the same.", said)
+        self.write("two", "right, but draws 99\n")
+        self.write("one", "star one open\n")
+        self.assertNotIn("no mistake", compare(1))  # with or without the open star
+        self.write("one", "right\n")
+        self.facts[1]["several_answers"] = True
+        self.put_course(self.chapter("01_tiny", self.facts))
+        self.assertIn("01.2 has several right answers.", compare(0))
+
     def test_run_mine_takes_what_fails_too(self):
         def run(words, *options):
             done = subprocess.run([COURSE, "run", "01", *options], env=self.environment, text=True,
