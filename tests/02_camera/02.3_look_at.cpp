@@ -169,7 +169,7 @@ TEST_CASE("02.3 up may be slanted and of any length", "[02.3]") {
     }
 }
 
-TEST_CASE("02.3 straight up and straight down there is a basis, too", "[02.3]") {
+TEST_CASE("02.3 a camera that looks straight up or down has a basis", "[02.3]") {
     for (const Real height : {-4, -1, 1, 4}) {
         const Basis b = rt::look_at({2, height, 3}, {2, 0, 3}, {0, 2, 0});
         INFO("up is (0, 2, 0), and so is the view, times " << height / 2 << "; actual " << text(b)
