@@ -283,11 +283,11 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                         "lost? Is the random direction on the unit sphere, not inside it?",
                         0.4, 0.8)});
     add("glass",
-        {scene(
-             "a glass ball", glass,
-             "Is the ratio of indices inverted on the way out? Is the reflectance exact, and does "
-             "a random number choose between reflection and refraction?",
-             false, 1.3, 1.7, 1.0),
+        {scene("a glass ball", glass,
+               "Is its material glass, and not matte? Is the ratio of indices inverted on the way "
+               "out? Is the reflectance exact, and does "
+               "a random number choose between reflection and refraction?",
+               false, 1.3, 1.7, 1.0),
          scene("a hollow glass ball", glass,
                "Inside the inner ball there is air: the file gives its index as a ratio.", true,
                1.3, 1.7, 1.0),
