@@ -58,33 +58,36 @@ class Renderer {
 
     template <class World, class Samples>
     Color pixel(const World& world, const Samples& samples, int column, int row) const {
-        if constexpr (effects.lights || effects.fog)
-            return lit_pixel(world, samples, column, row);
+        // With lights and instances there is so much to inline that it takes a minute to compile.
+        if constexpr (effects.lights && effects.instances)
+            return average(world, samples, column, row);
         else
-            return plain_pixel(world, samples, column, row);
+            return inlined_average(world, samples, column, row);
     }
 
     template <class World, class Samples>
-    RT_INLINES_ALL Color plain_pixel(const World& world, const Samples& samples, int column,
-                                     int row) const {
+    RT_INLINES_ALL Color inlined_average(const World& world, const Samples& samples, int column,
+                                         int row) const {
+        return average(world, samples, column, row);
+    }
+
+    template <class World, class Samples>
+    Color average(const World& world, const Samples& samples, int column, int row) const {
         return samples.average(scene_.camera, column, row, [&](const auto& ray, auto& random) {
-            return through_haze(scene_.haze,
-                                path_radiance(ray, world, scene_.materials, scene_.sky, SkyEnding{},
-                                              quality_.depth, random),
+            return through_haze(scene_.haze, radiance(world, ray, random),
                                 [&] { return distance_ahead(world, ray); });
         });
     }
 
-    // The same with the loop of this chapter.
-    template <class World, class Samples>
-    Color lit_pixel(const World& world, const Samples& samples, int column, int row) const {
-        return samples.average(scene_.camera, column, row, [&](const auto& ray, auto& random) {
-            return through_haze(
-                scene_.haze,
-                lit_path_radiance(ray, world, scene_.materials, scene_.sky, scene_.lights,
-                                  scene_.fog, SkyEnding{}, quality_.depth, random),
-                [&] { return distance_ahead(world, ray); });
-        });
+    // Along one path, by chapter 04's loop or by this chapter's.
+    template <class World, class AnyRay, class Random>
+    Color radiance(const World& world, const AnyRay& ray, Random& random) const {
+        if constexpr (effects.lights || effects.fog)
+            return lit_path_radiance(ray, world, scene_.materials, scene_.sky, scene_.lights,
+                                     scene_.fog, SkyEnding{}, quality_.depth, random);
+        else
+            return path_radiance(ray, world, scene_.materials, scene_.sky, SkyEnding{},
+                                 quality_.depth, random);
     }
 
     ReadyScene<effects> scene_;

@@ -11,50 +11,24 @@ namespace rt {
 using PixelShader =
     std::function<Color(int column, int row, std::uint64_t seed, std::uint64_t& rays)>;
 
-// The renderers that are compiled (given), each for one of these sets of effects: 30 of 2048
-// possible ones. They vary in the four choices where this pays off, and only in the combinations
-// that gain something:
-//   camera     pinhole or lens
-//   materials  matte alone, with metal, with glass, all: with one material nothing has to be looked
-//              up; an alternative that is not used costs little more than its place in a table
-//   motion, lights, fog   each there or not; all materials with them
-//   instances  alone, with lights, or with motion, lights and fog; all materials with them
-//   haze  alone; all materials with it
-// The material of 05.6 is in the widest alone, which have everything, and so is any effect that a
-// later chapter adds.
+// The renderers that are compiled (given), each for one of these sets of effects: 9 of 2048
+// possible ones. A material or a lens that is compiled in but not used costs nothing that can be
+// measured, so only one renderer does without them. Motion, lights, fog and haze do cost something,
+// and each has a renderer of its own; so has each pair that scenes often have. The last one has
+// everything, and it alone has the material of 05.6 and any effect that a later chapter adds.
 inline constexpr auto renderer_effects = [] {
-    const Effects all_materials{.mirror = true, .fuzz = true, .glass = true, .texture = true};
-    const std::array<Effects, 4> materials{
-        {{}, {.mirror = true, .fuzz = true}, {.glass = true}, all_materials}};
-    std::array<Effects, 30> all{};
-    std::size_t count = 0;
-    for (const bool lens : {false, true}) {
-        for (Effects effects : materials) {
-            effects.lens = lens;
-            all[count++] = effects;
-        }
-        for (int beyond = 1; beyond < 8; ++beyond) {
-            Effects effects = all_materials;
-            effects.lens = lens;
-            effects.motion = beyond & 1;
-            effects.lights = beyond & 2;
-            effects.fog = beyond & 4;
-            all[count++] = effects;
-        }
-        for (const bool lights : {false, true}) {
-            Effects effects = all_materials;
-            effects.lens = lens;
-            effects.instances = true;
-            effects.lights = lights;
-            all[count++] = effects;
-        }
-        all[count] = all_materials;
-        all[count].haze = true;
-        all[count++].lens = lens;
-        all[count] = every_effect;
-        all[count++].lens = lens;
-    }
-    return all;
+    constexpr Effects materials{
+        .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
+    constexpr Effects none;
+    return std::array<Effects, 9>{none,
+                                  materials,
+                                  with(materials, {.motion = true}),
+                                  with(materials, {.lights = true}),
+                                  with(materials, {.fog = true}),
+                                  with(materials, {.haze = true}),
+                                  with(materials, {.instances = true}),
+                                  with(materials, {.lights = true, .instances = true}),
+                                  every_effect};
 }();
 
 // The scene made ready for renderer `number` of renderer_effects. The scene must outlive it.
