@@ -16,9 +16,14 @@
 // may return another on another processor. A picture drawn with them depends on the library. The
 // functions here use only operations whose bits are fixed, so they return the same bits everywhere.
 //
-// They take and return what their namesakes in <cmath> do, infinity and NaN included.
-// Results in double are within 3 units in the last place. Those in float are computed in
-// double and then rounded.
+// They take and return what their namesakes in <cmath> do, infinity and NaN included. Results in
+// double are within 5 units in the last place, those in float are computed in double and then
+// rounded. The exceptions:
+//
+// - sin, cos and tan of a number of 2^20 or more, or of -2^20 or less, are those of an angle near
+//   it: less than half a unit in the last place away, so that it would be rounded to this number.
+// - pow takes x >= 0 only, and is within 5 + |y ln x| / 10 units: huge and tiny powers lose digits.
+// - The sign of a zero counts for atan2, atan, asin and cbrt alone: sin(-0) is 0.
 
 namespace rt::portable {
 
@@ -128,8 +133,7 @@ inline Sum logarithm(double x) {
     return {high, (sum - high) + rest};
 }
 
-// Right to the last bits for any angle; rt/sine_cosine.hpp is faster, for parts of a turn and for
-// packs.
+// rt/sine_cosine.hpp is faster, for parts of a turn and for packs.
 struct SineCosine {
     double sine = 0, cosine = 0;
 };
@@ -137,7 +141,9 @@ struct SineCosine {
 inline SineCosine sine_cosine(double angle) {
     constexpr double most = 0x1p20;
     if (!(std::abs(angle) < most)) {
-        angle = std::fmod(angle, 2 * std::numbers::pi);  // its bits are fixed as well
+        // The remainder is exact, and 2 pi is rounded by less than 2^-54 of itself. That many turns
+        // are as much as an angle that is off by less than 2^-54 of itself.
+        angle = std::fmod(angle, 2 * std::numbers::pi);
         if (std::isnan(angle)) return {angle, angle};
     }
     // pi/2 in three parts. The first two end in zeros: their products with a whole number are
@@ -230,10 +236,9 @@ template <std::floating_point N>
 N exp(N x) {
     return static_cast<N>(detail::exponential({static_cast<double>(x), 0}));
 }
-// For x >= 0 only.
 template <std::floating_point N>
 N pow(N x, N y) {
-    if (y == 0) return 1;
+    if (x == 1 || y == 0) return 1;  // even if the other one is NaN
     const detail::Sum of_x = detail::logarithm(static_cast<double>(x));
     return static_cast<N>(detail::exponential(detail::product(of_x, {static_cast<double>(y), 0})));
 }
@@ -275,7 +280,8 @@ template <std::floating_point N>
 N hypot(N x, N y) {
     const auto across = std::abs(static_cast<double>(x)), up = std::abs(static_cast<double>(y));
     const double larger = std::max(across, up), smaller = std::min(across, up);
-    if (larger == 0 || !std::isfinite(across + up)) return static_cast<N>(across + up);
+    if (std::isinf(across) || std::isinf(up)) return std::numeric_limits<N>::infinity();
+    if (larger == 0 || std::isnan(across + up)) return static_cast<N>(across + up);
     const double ratio = smaller / larger;
     return static_cast<N>(larger * std::sqrt(1 + ratio * ratio));
 }

@@ -185,7 +185,8 @@ TEST_CASE("04.4 equal parts of the square become directions with the density cos
           "[04.4]") {
     rt::Rng rng{44, 7};
     for (int i = 0; i < 4000; ++i) {
-        const auto [place, reach, allowed] = any_spot(rng, i);
+        Spot spot = any_spot(rng, i);
+        const Vec2 place = spot.place;
         const Hit hit = hit_with(any_normal(rng, i / 4), rng() % 2 == 0);
         const Vec3 pole = hit.front ? hit.normal : -hit.normal;
         int most = 0;
@@ -196,7 +197,7 @@ TEST_CASE("04.4 equal parts of the square become directions with the density cos
             return d;
         };
         const double cosine = Grid::dot(direction(place), pole);
-        const double computed = area_ratio(direction, place, reach);
+        const double computed = area_ratio(direction, place, spot.reach);
         if (most != 2) {
             SUCCEED("directions drawn in another way: the counts above test them");
             return;
@@ -204,15 +205,18 @@ TEST_CASE("04.4 equal parts of the square become directions with the density cos
         const double expected = 3.14159265358979323846 / cosine;
         // Close to the horizon, and where normal and unit vector all but cancel, rounding counts.
         if (cosine < 0.2 || Grid::dot(rt::uniform_direction(place), pole) < -0.5) continue;
-        const double error = std::abs(computed / expected - 1);
-        if (!(error <= allowed * (1 + 0.1 / cosine)))
+        spot.allowed *= 1 + 0.1 / cosine;
+        const double error = area_error(
+            direction,
+            [&](Vec2 p) { return 3.14159265358979323846 / Grid::dot(direction(p), pole); }, spot);
+        if (!(error <= spot.allowed))
             UNSCOPED_INFO("normal "
                           << text(pole) << ": a small square of places around (" << text(place.x)
                           << ", " << text(place.y) << ") becomes a patch of the sphere, expected "
                           << expected << " times as large, actual " << computed
                           << " times as large.\nHint: the density is cos / pi, like that of "
                              "cosine_direction (04.3)");
-        REQUIRE(error <= allowed * (1 + 0.1 / cosine));
+        REQUIRE(error <= spot.allowed);
     }
 }
 

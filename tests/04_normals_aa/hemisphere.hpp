@@ -101,6 +101,29 @@ struct Spot {
     Real reach;
     double allowed;
 };
+
+// How far the area ratio is from the expected one, relative to that. A map of the square may have
+// seams, lines on which it is continuous and no more, as the diagonals of the concentric map of
+// Shirley and Chiu, and points where they meet. So if the ratio is wrong around a place, it may be
+// right on both sides of it instead, and in smaller rectangles.
+template <class Direction, class Expected>
+double area_error(const Direction& direction, const Expected& expected, const Spot& spot) {
+    double least = rt::infinity;
+    for (Real reach = spot.reach; reach > spot.reach / 100; reach /= 8) {
+        const auto error = [&](Real x, Real y) {
+            const Vec2 place{x, y};
+            return std::abs(area_ratio(direction, place, reach) / expected(place) - 1);
+        };
+        const auto [x, y] = spot.place;
+        const Real h = 3 * reach * std::min(x, 1 - x), k = 3 * reach * std::min(y, 1 - y);
+        least = std::min(least, error(x, y));
+        if (least <= spot.allowed) break;
+        least = std::min({least, std::max(error(x - h, y), error(x + h, y)),
+                          std::max(error(x, y - k), error(x, y + k))});
+    }
+    return least;
+}
+
 inline Spot any_spot(rt::Rng& rng, int i) {
     const auto inner = [&] { return rng.uniform(real(0.1), real(0.9)); };
     const auto outer = [&] {

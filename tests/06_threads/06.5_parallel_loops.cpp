@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <mutex>
 #include <rt/parallel_jobs.hpp>
+#include <rt/parallel_loops.hpp>
 #include <rt/strategies.hpp>
+#include <span>
 #include <string>
 #include <thread>
 #include <utility>
@@ -81,6 +85,49 @@ TEST_CASE("06.5 each job is called once", "[06.5]") {
                 CHECK(done.wrong() == "");
             }
     }
+}
+
+TEST_CASE("06.5 the standard algorithm calls the jobs that are in its list", "[06.5]") {
+#ifdef RT_HAS_TBB
+    std::vector<int> many(1000);
+    for (std::size_t i = 0; i < many.size(); ++i) many[i] = static_cast<int>(7919 * i % 1000) - 300;
+    const std::vector<int> lists[]{{}, {7}, {3, 1, 2}, {5, 5, -2, 1'000'000, 5}, many};
+    const auto sorted = [](std::vector<int> jobs) {
+        std::sort(jobs.begin(), jobs.end());
+        return jobs;
+    };
+    for (const std::vector<int>& list : lists)
+        // All of the list, or a part of it.
+        for (const std::size_t left_out : {std::size_t{0}, list.size() / 3}) {
+            const auto jobs = std::span{list}.subspan(left_out);
+            std::mutex mutex;
+            std::vector<int> called;
+            rt::loop_with_standard_algorithm(jobs, [&](int job) {
+                const std::lock_guard lock{mutex};
+                called.push_back(job);
+            });
+            const auto expected = sorted({jobs.begin(), jobs.end()}), actual = sorted(called);
+            if (const bool is_right = expected == actual; is_right) {
+                CHECK(is_right);
+                continue;
+            }
+            const auto text = [](const std::vector<int>& numbers) {
+                std::string all;
+                for (std::size_t i = 0; i < numbers.size() && i < 6; ++i)
+                    all += (i > 0 ? ", " : "") + std::to_string(numbers[i]);
+                return '{' + all + (numbers.size() > 6 ? ", ... }" : "}");
+            };
+            INFO(jobs.size() << " jobs " << text({jobs.begin(), jobs.end()})
+                             << ": expected one call for each, actual: calls for " << text(called)
+                             << ".\nHint: work gets the numbers that are in `jobs`, whatever they "
+                                "are, not their places 0, 1, 2 ...");
+            REQUIRE(text(actual) == text(expected));
+            REQUIRE(actual.size() == expected.size());
+        }
+#else
+    WARN("this build has no std::execution::par: its loop is not tested");
+    SUCCEED("there is no such loop");
+#endif
 }
 
 TEST_CASE("06.5 the loops run in several threads", "[06.5]") {

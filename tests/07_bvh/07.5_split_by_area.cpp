@@ -5,6 +5,7 @@
 #include <rt/shape_tree.hpp>
 #include <rt/split_by_area.hpp>
 
+#include "own_process.hpp"
 #include "scenes.hpp"
 #include "tree_checks.hpp"
 
@@ -384,4 +385,22 @@ TEST_CASE("07.5 many spheres do not take long", "[07.5][hard]") {
     INFO("yours puts " << left << " of 4000 to the left");
     CHECK(left > 1325);
     CHECK(left < 2675);
+}
+
+TEST_CASE("07.5 as many spheres as fit into memory", "[07.5][hard]") {
+    constexpr int count = 200'000;
+    std::vector<Box> boxes;
+    for (int i = 0; i < count; ++i) boxes.push_back(cube({static_cast<Real>(i), 0, 0}, 1));
+    auto order = numbers(boxes.size());
+    // With half a megabyte of stack: less than one number for each sphere needs.
+    const std::string actual = in_own_process(
+        [&] {
+            const int left = rt::split_by_area(order, boxes);
+            return left > count / 4 && left < count / 4 * 3 ? "split" : std::to_string(left);
+        },
+        10, rlim_t{512} << 10);
+    INFO(count << " spheres in a row\nHint: an array on the stack, or one of fixed length, is too "
+                  "small for the areas of a large scene. A std::vector of as many numbers as there "
+                  "are spheres is not. It may also have taken too long");
+    CHECK(actual == "split");
 }

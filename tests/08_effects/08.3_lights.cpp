@@ -433,6 +433,19 @@ TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]")
     CHECK(by_parts < limit);
 }
 
+TEST_CASE("08.3 from a point on the surface every direction has a distance", "[08.3][hard]") {
+    // Among these directions are some along the surface, whatever the poles of the learner's are.
+    for (const Real radius : {Real(1), Real(3), Real(0.25)})
+        for (int axis = 0; axis < 6; ++axis) {
+            const Real way = axis % 2 ? radius : -radius;
+            const Vec3 from{axis / 2 == 0 ? way : 0, axis / 2 == 1 ? way : 0,
+                            axis / 2 == 2 ? way : 0};
+            for (int i = 0; i < 64; ++i)
+                check_sample({{0, 0, 0}, radius}, from,
+                             {static_cast<Real>(i / 8) / 8, static_cast<Real>(i % 8) / 8});
+        }
+}
+
 TEST_CASE("08.3 huge and tiny scenes overflow nowhere", "[08.3][hard]") {
     const int power = std::is_same_v<Real, float> ? 100 : 1000;
     for (const Real scale : {std::ldexp(Real(1), power), std::ldexp(Real(1), -power)}) {

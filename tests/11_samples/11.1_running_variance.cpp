@@ -283,6 +283,22 @@ TEST_CASE("11.1 equal numbers have no variance", "[11.1][hard]") {
     }
 }
 
+TEST_CASE("11.1 a million numbers", "[11.1][hard]") {
+    // 1000 + 1, 1000 - 1 and so on: each is 1 off the mean, but for the last of an odd count.
+    RunningVariance known;
+    for (int count = 1; count <= 1'000'000; ++count) {
+        rt::add(known, count % 2 ? Real(1001) : Real(999));
+        if (count % 100'000 > 0) continue;
+        const Real expected = static_cast<Real>(count) / static_cast<Real>(count - 1);
+        const Real actual = rt::variance(known);
+        INFO(count << " numbers, in turns 1001 and 999");
+        HINT(expected, actual, plain_hint);
+        const bool is_right =
+            std::abs(actual / expected - 1) <= static_cast<Real>(count) * rt::epsilon;
+        REQUIRE(is_right);
+    }
+}
+
 TEST_CASE("11.1 numbers of all sizes", "[11.1][hard]") {
     rt::Rng rng{111, 6};
     const Real most = for_this_precision(Real(16), Real(150));

@@ -1,3 +1,5 @@
+#include <cstdint>
+#include <limits>
 #include <rt/denoise.hpp>
 #include <rt/rng.hpp>
 #include <string>
@@ -124,7 +126,8 @@ enum class Slip {
 
 // Without the weights that are less than `least_weight`.
 Image reference(const Scene& scene, const DenoiseWidths& widths, Slip slip, Wide least_weight = 0) {
-    const int radius = widths.radius + (slip == Slip::broad) - (slip == Slip::narrow);
+    const auto radius =
+        std::int64_t{widths.radius} + (slip == Slip::broad) - (slip == Slip::narrow);
     const Wide darkest = slip == Slip::no_darkest ? 0 : wide(widths.darkest);
     Image result(scene.width(), scene.height());
     Image source = scene.picture;
@@ -386,9 +389,11 @@ TEST_CASE("11.6 any picture", "[11.6]") {
 TEST_CASE("11.6 one pixel or one row and a radius of any size", "[11.6][hard]") {
     rt::Rng rng{116, 5};
     for (const auto& [width, height] : {std::pair{1, 1}, {20, 1}, {1, 17}, {3, 4}})
-        for (const int radius : {0, 1, 9, 1000})
-            check_denoised(any_scene(rng, width, height), any_widths(rng, radius),
-                           "the box around the pixel ends at the border of the picture");
+        for (const int radius : {0, 1, 9, 1000, std::numeric_limits<int>::max()})
+            check_denoised(
+                any_scene(rng, width, height), any_widths(rng, radius),
+                "the box around the pixel ends at the border of the picture. Compare the radius "
+                "with the way to the border, width - 1 - x: x + radius may overflow");
 }
 
 TEST_CASE("11.6 surfaces that send back no light", "[11.6][hard]") {

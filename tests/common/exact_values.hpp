@@ -119,5 +119,57 @@ inline constexpr Root roots[] = {
     {1000, 12, {0x1.c73d51c54470ep+0, 0x1.87f37c988e80fp-55}},
 };
 
+struct Function {
+    const char* name;
+    double x, y;
+    DoubleDouble value;
+};
+
+inline constexpr Function functions[] = {
+    {"sin", 0x1.634c934972690p+2, 0x0.0p+0, {-0x1.560fa936068cdp-1, -0x1.2d0f184cc7afdp-56}},
+    {"sin", -0x1.a2fb129ada6f4p+17, 0x0.0p+0, {0x1.65f4e6af7029bp-1, 0x1.06a78d82e579fp-57}},
+    {"sin", 0x1.93c05c9ed3cbcp+19, 0x0.0p+0, {-0x1.065d73720c4f9p-51, 0x1.025d05d5f2615p-107}},
+    {"cos", 0x1.93c05c9ed3cbcp+18, 0x0.0p+0, {-0x1.065d73720c4f9p-52, 0x1.025d05d5f260dp-108}},
+    {"tan", 0x1.93c05c9ed3cbcp+18, 0x0.0p+0, {-0x1.f39428ed72aa4p+51, -0x1.53b4146c929aap-4}},
+    {"cos", 0x1.2644404aa060cp+1, 0x0.0p+0, {-0x1.54bc392b98847p-1, -0x1.86a12facdd6e4p-57}},
+    {"cos", 0x1.23b1fcffdbde0p+19, 0x0.0p+0, {0x1.69acb32ad119bp-1, 0x1.bf79e8caeef3bp-57}},
+    {"tan", 0x1.f1f7c11f01f5dp+1, 0x0.0p+0, {0x1.dbd00944e53c1p-1, 0x1.1ca664b3bb78dp-56}},
+    {"tan", 0x1.d335bc7dbae84p+18, 0x0.0p+0, {-0x1.f5b9c42249462p-1, 0x1.50455766cb980p-55}},
+    {"asin", 0x1.fd16f153c376bp-4, 0x0.0p+0, {0x1.fe68d7af368dep-4, -0x1.6ad35080f2ddfp-59}},
+    {"asin", 0x1.90a7f47a8ec49p-1, 0x0.0p+0, {0x1.cc253191de429p-1, 0x1.240ed5abafc4dp-57}},
+    {"asin", 0x1.efbdeb5000001p-26, 0x0.0p+0, {0x1.efbdeb5000002p-26, 0x1.aeb59ade6eba5p-81}},
+    {"acos", 0x1.fc06556a2fbc1p-1, 0x0.0p+0, {0x1.febeb55c86997p-4, -0x1.a0b99e0a922eap-58}},
+    {"acos", 0x1.fafed32b88ecep-1, 0x0.0p+0, {0x1.1e94f1a335e08p-3, 0x1.87fb7a59be79dp-57}},
+    {"acos", -0x1.bbac8cebeb8c3p-1, 0x0.0p+0, {0x1.4f3ce3a0a736bp+1, -0x1.7f4cd088e9411p-54}},
+    {"atan", -0x1.26bc3a0559fb6p+0, 0x0.0p+0, {-0x1.b613555325726p-1, 0x1.7705c23a6d449p-55}},
+    {"atan", -0x1.443b6cfad80c2p+0, 0x0.0p+0, {-0x1.ce0e988a3710ep-1, 0x1.265d4a2f12165p-55}},
+    {"atan2", -0x1.85e588ce2a0a0p-3, 0x1.84cb8c214bd9ap+0, {-0x1.fec94786959a1p-4, 0x1.7e31ed8dd3a8bp-59}},
+    {"atan2", -0x1.a36ab0562d956p-20, 0x1.a2d427de753eep-17, {-0x1.fe10d9127e5d1p-4, 0x1.5871d2c929a30p-59}},
+    {"exp", -0x1.3e52eae823312p+9, 0x0.0p+0, {0x1.6ce832bc7f3b1p-919, 0x1.83db21e6ee788p-979}},
+    {"exp", 0x1.62e42fefa39efp+9, 0x0.0p+0, {0x1.fffffffffff2ap+1023, 0x1.b0e263400d160p+967}},
+    {"exp2", -0x1.9cc21b4a32b75p+2, 0x0.0p+0, {0x1.76f9bcdf75f97p-7, -0x1.16b55629e7240p-62}},
+    {"exp2", 0x1.ffffffffffff8p+9, 0x0.0p+0, {0x1.fffffffffe9d2p+1023, -0x1.0bfbe8c8fd17ep+969}},
+    {"pow", 0x1.6994fe0b69e83p-4, 0x1.aaaaaaaaaaaaap-2, {0x1.747387971e7ebp-2, 0x1.e8a159d69d989p-58}},
+    {"pow", 0x1.2f071d7f8c234p+3, 0x1.b52ededa585b0p+0, {0x1.73e4ace45aaf9p+5, 0x1.17d90bc839dbcp-50}},
+    {"pow", 0x1.73bfae43be3fbp-1, -0x1.0ef0758c16317p+11, {0x1.fd621343ff229p+1000, 0x1.5bcce257068aep+946}},
+    {"pow", 0x1.6a091eccb7fa5p-1, -0x1.cd77f2fa696a2p+10, {0x1.f1d433b666ca2p+922, 0x1.c30e03831d9efp+868}},
+    {"pow", 0x1.600d1b71758e2p+0, -0x1.68acccccccccdp+10, {0x1.d598e6315469cp-664, -0x1.8ea0dafe68aa9p-719}},
+    {"cbrt", -0x1.acaf9f2adad6ep+16, 0x0.0p+0, {-0x1.7f03fbaec5099p+5, -0x1.0c4744a079f8cp-50}},
+    {"log2", 0x1.5fa11948567a7p+0, 0x0.0p+0, {0x1.d4e6bd07b6224p-2, -0x1.cb0c0848fb8d5p-56}},
+    {"log10", 0x1.5469d605c6a8fp+0, 0x0.0p+0, {0x1.faf2cd3c6f659p-4, -0x1.d27446de9f19fp-58}},
+    {"log1p", 0x1.9fffffffffffep-53, 0x0.0p+0, {0x1.9fffffffffffdp-53, 0x1.5c00000000008p-107}},
+    {"log1p", -0x1.a000000000000p-53, 0x0.0p+0, {-0x1.a000000000001p-53, 0x1.5bfffffffffffp-107}},
+    {"hypot", 0x1.efdc61f2a4baep+30, 0x1.4ce2da01b49f0p+9, {0x1.efdc61f2a4d6dp+30, -0x1.8356d142288fep-27}},
+    {"hypot", 0x1.1ccf385ebc8a0p+1023, 0x1.1ccf385ebc8a0p+1023, {0x1.92c80954c51f5p+1023, -0x1.531d453f6d6f4p+969}},
+    {"hypot", 0x1.7076bb3f47259p+1000, 0x1.f5ae6076b981dp+1020, {0x1.f5ae6076ba092p+1020, -0x1.ef4dea066e256p+962}},
+    {"sin", 0x1.0000000000000p+20, 0x0.0p+0, {0x1.526ccb307210dp-2, -0x1.89c5bfead49e0p-60}},
+    {"sin", 0x1.c6bf526340000p+49, 0x0.0p+0, {0x1.acdc9d9884216p-1, 0x1.1a53623f37fd9p-56}},
+    {"sin", -0x1.0f0cf064dd592p+73, 0x0.0p+0, {-0x1.bf809b25497f7p-1, -0x1.1a81d6569e24bp-58}},
+    {"sin", 0x1.fffffffffffffp+1023, 0x0.0p+0, {0x1.18de30098ff11p-1, -0x1.ef34e543bdb96p-55}},
+    {"cos", 0x1.0000100000000p+20, 0x0.0p+0, {0x1.dacfb27be7f43p-3, -0x1.b6cbf671d09b0p-57}},
+    {"cos", 0x1.0f0cf064dd592p+73, 0x0.0p+0, {0x1.f189552bfea00p-2, 0x1.d527f295189b3p-57}},
+    {"tan", 0x1.c6bf526340000p+49, 0x0.0p+0, {-0x1.888c94a5d4832p+0, 0x1.5957497d0c384p-54}},
+};
+
 }  // namespace exact
 // clang-format on

@@ -12,17 +12,17 @@
 
 namespace checkpoint {
 
-// Runs work() in a process of its own, with the usual 8 MiB of stack and for at most this many
-// seconds, and returns its text; "the program ended" if that process did not survive.
+// Runs work() in a process of its own, with the usual 8 MiB of stack or less and for at most this
+// many seconds, and returns its text; "the program ended" if that process did not survive.
 template <class Work>
-std::string in_own_process(Work work, unsigned seconds = 20) {
+std::string in_own_process(Work work, unsigned seconds = 20, rlim_t stack = rlim_t{8} << 20) {
     int ends[2];
     if (pipe(ends) != 0) return "no pipe";
     const pid_t child = fork();
     if (child == 0) {
         rlimit limit{};
         getrlimit(RLIMIT_STACK, &limit);
-        limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, rlim_t{8} << 20);
+        limit.rlim_cur = std::min(limit.rlim_max, stack);
         setrlimit(RLIMIT_STACK, &limit);
         std::set_terminate([] { _exit(3); });  // what an exception in a thread leads to
         for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL}) signal(number, SIG_DFL);

@@ -5,7 +5,9 @@
 namespace rt {
 
 // What is known about numbers that arrived one by one: how many there were, their mean, and the sum
-// of their squared distances from that mean. Before the first number all three are 0.
+// of their squared distances from that mean. Before the first number all three are 0. Each number
+// may leave an error of epsilon of the squares: in float they are good for a million numbers, and
+// after some 1 / epsilon of them they no longer grow.
 struct RunningVariance {
     std::int64_t count = 0;
     Real mean = 0;

@@ -52,8 +52,9 @@ inline Image denoised(const Image& picture, const Canvas<Features>& features,
             const Features& here = features.at(x, y);
             Color sum;
             Real weights = 0;
-            const int right = std::min(x + widths.radius, picture.width() - 1);
-            const int bottom = std::min(y + widths.radius, picture.height() - 1);
+            // The pixel's distance from the border is compared: x + radius may overflow.
+            const int right = x + std::min(widths.radius, picture.width() - 1 - x);
+            const int bottom = y + std::min(widths.radius, picture.height() - 1 - y);
             for (int j = std::max(y - widths.radius, 0); j <= bottom; ++j)
                 for (int i = std::max(x - widths.radius, 0); i <= right; ++i) {
                     const Features& there = features.at(i, j);
