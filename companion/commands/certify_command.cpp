@@ -186,12 +186,11 @@ class Examination {
             for (const bool star : {false, true}) {
                 std::string found;
                 for (const Exercise& exercise : exercises(course_, chapter)) {
-                    const Result result =
-                        run_process({.command = command_of(checked,
-                                                           {.exercise = exercise.id,
-                                                            .which = star ? "[hard]" : "~[hard]"},
-                                                           false),
-                                     .timeout = patience});
+                    const Result result = run_process(
+                        {.command = command_of(
+                             checked, {.exercise = exercise.id,
+                                       .part = star ? Cases::Part::stars : Cases::Part::core}),
+                         .timeout = patience});
                     if (found.empty()) found = sanitizer_report(chapter, result.output);
                     if (found.empty() && !result.ok())
                         found = exercise.id + ": " + how_it_ended(result);

@@ -24,6 +24,7 @@ CHECK = r"""#!/bin/sh
 # check.sh ID FILE: stands in for compiler and checkpoint. The words in FILE say how it goes.
 id=$1 file=$2
 say() { printf '%s\n' "$*"; }  # echo would turn \n into the end of a line
+event() { say "printf '%s\n' \"\$COURSE_EVENTS \"'$*' >&3"; }
 if grep -q 'syntax error' "$file"; then
     echo "FAILED: $id.o"
     echo "$file:3:5: error: expected ';'"
@@ -36,42 +37,52 @@ fi
 mkdir -p check
 {
     echo '#!/bin/sh'
-    say 'case $3 in "[hard]"*) ;; *)' "cat <<'EVENTS'"
-    say '{"event":"begins","name":"'"$id"' the answer is right"}'
+    cases='{"name":"'"$id"' the answer is right"}'
+    for name in $(sed -n 's/^star \([a-z]*\) .*/\1/p' "$file"); do
+        cases=$cases',{"name":"'"${id%.float} star $name"'","hard":true}'
+    done
+    ! grep -q '^one less' "$file" || cases=$cases',{"name":"another","hard":false}'
+    ! grep -q '^at once' "$file" || echo 'exit 0'
+    event '{"event":"cases","cases":['"$cases"']}'
+    say 'case $3 in "[hard]"*) ;; *)'
+    event '{"event":"begins","name":"'"$id"' the answer is right"}'
     failed='{"event":"ends","passed":false,"output":""}'
     narrow=no
     case $id in *.float) grep -q 'not in float' "$file" && narrow=yes ;; esac
     if grep -q wrong "$file" || [ $narrow = yes ]; then
-        say '{"event":"failed","macro":"CHECK","expression":"a == b","expanded":"3 == 2",' \
+        event '{"event":"failed","macro":"CHECK","expression":"a == b","expanded":"3 == 2",' \
             '"messages":["expected 2, but yours gives 3.\nHint: count once more"]}'
-        say "$failed"
+        event "$failed"
     elif grep -q 'needs 01.2' "$file"; then
-        say '{"event":"failed","exception":"there","missing":"01.2","messages":[]}'
-        say "$failed"
+        event '{"event":"failed","exception":"there","missing":"01.2","messages":[]}'
+        event "$failed"
     elif grep -q 'needs 01.1' "$file"; then
-        say '{"event":"failed","exception":"there","missing":"01.1",' \
+        event '{"event":"failed","exception":"there","missing":"01.1",' \
             '"messages":["Hint: is it the function that was declared?"]}'
-        say "$failed"
+        event "$failed"
     elif grep -q '^endless\|^crash\|, then crash\|chatter' "$file"; then
         :
+    elif grep -q '^leaves' "$file"; then
+        say 'exit 0'
     else
-        say '{"event":"ends","passed":true,"output":""}'
+        event '{"event":"ends","passed":true,"output":""}'
     fi
-    say EVENTS
     say ';; esac'
     # The hard cases, where the file speaks of stars: "star one open", "star two open in float", "star
     # one crash". $3 may ask for the core alone, or for these but for those that it names.
     say '[ "$3" != "~[hard]" ] || exit 0'
     for name in $(sed -n 's/^star \([a-z]*\) .*/\1/p' "$file"); do
-        say 'case $3 in *"star '"$name"'"*) ;; *)' "cat <<'EVENTS'"
-        say '{"event":"begins","name":"'"${id%.float} star $name"'","hard":true}'
+        say 'case $3 in *"star '"$name"'"*) ;; *)'
+        event '{"event":"begins","name":"'"${id%.float} star $name"'","hard":true}'
         if grep -q "star $name crash" "$file"; then
-            say EVENTS
             say 'kill -SEGV $$ ;; esac'
             continue
         fi
+        if grep -q "star $name leaves" "$file"; then
+            say 'exit 0 ;; esac'
+            continue
+        fi
         if grep -q "star $name endless" "$file"; then
-            say EVENTS
             say 'exec sleep 60 ;; esac'
             continue
         fi
@@ -79,10 +90,9 @@ mkdir -p check
         ! grep -q "star $name open$" "$file" || passed=false
         case $id in *.float) ! grep -q "star $name open in float$" "$file" || passed=false ;; esac
         [ $passed = true ] ||
-            say '{"event":"failed","macro":"CHECK","expression":"c == d","expanded":"8 == 7",' \
+            event '{"event":"failed","macro":"CHECK","expression":"c == d","expanded":"8 == 7",' \
                 '"messages":["expected 7, but yours gives 8"]}'
-        say '{"event":"ends","passed":'$passed',"output":""}'
-        say EVENTS
+        event '{"event":"ends","passed":'$passed',"output":""}'
         say ';; esac'
     done
     grep -q chatter "$file" && echo 'yes without end'
@@ -438,6 +448,26 @@ class Companion(unittest.TestCase):
         self.assertIn("needs 01.2 first", self.course("check", "01.1", code=3))
         self.write("two", "needs 01.2\n")  # the linker took the definition that throws
         self.assertIn("the checkpoints do not call your function", self.course("check", "01.2", code=1))
+
+    def test_check_tells_of_code_that_ends_the_program(self):
+        for word, where in (("leaves", " in the test case\n  01.1 the answer is right\n"), ("at once", "\n")):
+            self.write("one", word + "\n")
+            said = self.course("check", "01.1", code=1)
+            self.assertRegex(said, r"x 01.1 .* ends the program\n")
+            self.assertIn("Your code ended the program" + where + "  A function returns to its caller", said)
+        # A test case that was compiled does not run.
+        self.write("one", "one less\n")
+        self.assertRegex(self.course("check", "01.1", code=1), r"x 01.1 .* ends the program\n")
+        # It prints what the reporter writes, in place of what was compiled.
+        check = (self.root / "check.sh").read_text()
+        self.put("check.sh", check.replace(">&3", ""))
+        self.write("one", "right\n")
+        self.assertRegex(self.course("check", "01.1", code=1), r"x 01.1 .* ends the program\n")
+        self.put("check.sh", check)
+        self.write("one", "star one leaves\nstar two open\n")
+        said = self.course("check", "01.1", "--stars")
+        self.assertIn("Star: 01.1 star one\n    the code ended the program.\n", said)
+        self.assertIn("core passes, 2 stars open", said)
 
     def test_check_stops_what_never_ends(self):
         self.write("one", "endless\n")
