@@ -14,6 +14,7 @@ SanitizerReport read_sanitizer_report(const std::string& output,
     SanitizerReport report;
     std::istringstream in{output};
     for (std::string line; std::getline(in, line);) {
+        line = printable(line);
         if (report.what.empty())
             for (const std::string mark :
                  {"ERROR: AddressSanitizer: ", "WARNING: ThreadSanitizer: ", "runtime error: "})

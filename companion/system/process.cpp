@@ -352,6 +352,14 @@ Result run_process(const Run& run) {
     return result;
 }
 
+std::size_t memory_of_compiler() {
+    const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+    constexpr std::size_t gigabyte = std::size_t{1} << 30;
+    if (pages <= 0 || page <= 0) return 4 * gigabyte;
+    return std::clamp(static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) / 2,
+                      gigabyte, 4 * gigabyte);
+}
+
 std::string how_it_ended(const Result& result) {
     std::ostringstream text;
     if (result.timed_out)

@@ -56,6 +56,11 @@ struct Result {
 // system refuses another process.
 Result run_process(const Run& run);
 
+// Most processor time in seconds, and most memory in bytes, of a compiler: code may ask it for more
+// than there is. The memory is half of the machine's, from 1 to 4 GB.
+inline constexpr double most_compiling = 300;
+std::size_t memory_of_compiler();
+
 // How a run ended, for a person: "exit code 2", "it timed out after 20 s", "signal 11 (Segmentation
 // fault)".
 std::string how_it_ended(const Result& result);

@@ -261,7 +261,8 @@ class Companion(unittest.TestCase):
         (self.root / "empty").mkdir()
         self.course("own", "new", str(self.root / "empty"))
         self.course("own", code=2)
-        self.course("own", "judge", str(folder), "--rung", "10", code=2)
+        for words in (["--rung", "10"], ["--rung", "0"], ["--rung", "-1"], ["--seed", "-1"], ["--seed", "x"]):
+            self.assertEqual(self.course("own", "judge", str(folder), *words, code=2).count("\n"), 1)
         self.assertIn("rung1, rung2", self.course("own", "judge", str(folder), "--part", "x", code=2))
         self.assertIn("own judge", self.course("check", "09", code=2))
 
@@ -293,6 +294,53 @@ class Companion(unittest.TestCase):
         self.assertIn("] %s pass, 1.0 hours" % lines, self.course())
         self.put("tracer/main.cpp", "changed\n")
         self.assertIn("changed since it was judged", self.course())
+
+    def test_own_judge_leaves_nothing_behind(self):
+        self.add_own_chapter()
+        scratch = self.root / "scratch"
+        scratch.mkdir()
+        self.environment["TMPDIR"] = str(scratch)
+        self.course("own", "judge", str(self.root / "missing"), code=1)
+        self.course("own", "judge", "/", code=1)
+        folder = self.root / "tracer"
+        self.course("own", "new", str(folder))
+        self.put("tracer/build.sh", "echo x >../started; sleep 60\n")
+        process = subprocess.Popen([COURSE, "own", "judge", str(folder)], env=self.environment,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.wait_for(lambda: (self.root / "started").exists() or any(scratch.rglob("started")))
+        self.assertTrue(any(scratch.iterdir()))
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(20), -signal.SIGINT)
+        self.wait_for(lambda: not any(scratch.iterdir()))
+
+    def wait_for(self, what):
+        for _ in range(400):
+            if what():
+                return
+            time.sleep(0.05)
+        self.fail("it does not come")
+
+    def test_certify_believes_no_record_of_the_own_program(self):
+        self.add_own_chapter()
+        folder = self.root / "tracer"
+        self.course("own", "new", str(folder))
+        self.put("tracer/build.sh", "cp '%s' own && chmod +x own\n" % (self.root / "program.sh"))
+        self.course("own", "judge", str(folder), code=1)
+        state = self.root / ".course/state.json"
+        record = json.loads(state.read_text())
+        self.assertFalse(record["own"]["core"])
+        record["own"].update(core=True, passed=record["own"]["lines"])
+        state.write_text(json.dumps(record))
+        self.assertIn("your own ray tracer passes", self.course())
+        said = self.course("certify", code=3)
+        self.assertIn("x rung 3: --seed\n", said)
+        self.assertFalse(json.loads(state.read_text())["own"]["core"])
+        for name in ("", "gone"):
+            record["own"].update(hash="", folder=str(self.root / name))
+            state.write_text(json.dumps(record))
+            said = self.course("certify", code=3)
+            self.assertNotIn("rung", said.replace("rungs", ""))
+            self.assertIn("not judged yet", said)
 
     def test_own_chapter_comes_after_the_exercises(self):
         self.add_own_chapter()
