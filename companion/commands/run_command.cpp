@@ -56,7 +56,7 @@ int run(const Course& course, const Given& given) {
     }
     command.insert(command.end(), options.begin(), options.end());
     const Result result =
-        run_process({.command = command, .output = Output::shown, .passes_signals = true});
+        run_process({.command = command, .output = Output::printable, .passes_signals = true});
     if (result.passed_on && result.signal) return app::stopped_by + result.signal;
     if (result.signal != 0)
         throw app::Failure(chapter.name + " crashed, " + how_it_ended(result) +

@@ -16,6 +16,7 @@
 #include <chrono>
 #include <companion/system/confined.hpp>
 #include <companion/system/process.hpp>
+#include <companion/system/terminal.hpp>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -217,12 +218,32 @@ int end_all() {
 
 }  // namespace keeper
 
+// Shows what a program prints, line by line, as far as it is printable and not too much.
+class Shown {
+  public:
+    void add(const char* bytes, std::size_t count) {
+        constexpr std::size_t most = 1 << 20, most_in_line = 1 << 12;
+        if (count_ > most) return;
+        count_ += count;
+        line_.append(bytes, count);
+        const auto end = line_.size() > most_in_line ? line_.size() : line_.rfind('\n') + 1;
+        print(printable(line_.substr(0, end), most));
+        line_.erase(0, end);
+        if (count_ > most) print("\n... and more, which is not shown.\n");
+    }
+    void end() const { print(printable(line_)); }
+
+  private:
+    std::string line_;
+    std::size_t count_ = 0;
+};
+
 // A running program, seen through its keeper, and the ends of the pipes from which its output is
 // read.
 class Child {
   public:
-    Child(pid_t keeper, int socket, int out, int events)
-        : keeper_{keeper}, pipes_{socket, out, events}, start_{Clock::now()} {}
+    Child(pid_t keeper, int socket, int out, int events, bool is_shown)
+        : keeper_{keeper}, pipes_{socket, out, events}, is_shown_{is_shown}, start_{Clock::now()} {}
 
     // Waits until it ends, the time is over or its output is too much, and collects its output.
     Result wait(double timeout, std::size_t most_output) {
@@ -242,6 +263,7 @@ class Child {
         }
         while (read_for(0, result)) {
         }  // what was still in the pipes
+        if (is_shown_) shown_.end();
         rusage used{};
         while (::wait4(keeper_, nullptr, 0, &used) < 0 && errno == EINTR) {
         }
@@ -277,7 +299,9 @@ class Child {
             if (from[i].revents == 0) continue;
             char bytes[65536];
             const ssize_t count = ::read(pipes_[i], bytes, sizeof bytes);
-            if (count > 0 && (most == 0 || texts[i]->size() <= most))
+            if (count > 0 && is_shown_)
+                shown_.add(bytes, static_cast<std::size_t>(count));
+            else if (count > 0 && (most == 0 || texts[i]->size() <= most))
                 texts[i]->append(bytes, static_cast<std::size_t>(count));
             if (count == 0) pipes_[i] = -1;  // its other end is closed: nothing more will come
             some = some || count > 0;
@@ -293,6 +317,8 @@ class Child {
 
     pid_t keeper_;
     int pipes_[3];
+    bool is_shown_;  // the output is, and not kept
+    Shown shown_;
     Clock::time_point start_;
     bool is_over_ = false;
     int status_ = 0;
@@ -310,7 +336,9 @@ void make_pipe(Descriptor& from, Descriptor& into) {
 
 Result run_process(const Run& run) {
     Descriptor from, into, events_from, events_into, nowhere, mine, keepers;
-    if (run.output != Output::shown) make_pipe(from, into);
+    const bool is_shown = run.output == Output::printable && ::isatty(STDOUT_FILENO);
+    if (is_shown || (run.output != Output::shown && run.output != Output::printable))
+        make_pipe(from, into);
     if (run.has_events) make_pipe(events_from, events_into);
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) fail("socketpair");
@@ -345,8 +373,8 @@ Result run_process(const Run& run) {
     keepers.close();
     into.close();
     events_into.close();
-    Result result =
-        Child{keeper, mine.value, from.value, events_from.value}.wait(run.timeout, run.most_output);
+    Result result = Child{keeper, mine.value, from.value, events_from.value, is_shown}.wait(
+        run.timeout, run.most_output);
     if (run.passes_signals) result.passed_on = passed_on;
     result.started_other = !run.may_start_others && result.signal == SIGSYS;
     return result;

@@ -9,8 +9,9 @@ namespace companion {
 
 // Where what a program prints goes.
 enum class Output {
-    shown,         // where the companion's own output goes
-    captured,      // into Result::output
+    shown,      // where the companion's own output goes
+    printable,  // the same; but what goes to a terminal from stdout is printable, and cut at 1 MB
+    captured,   // into Result::output
     errors_shown,  // stdout captured, stderr shown
     errors_hidden  // stdout captured, stderr dropped
 };

@@ -812,6 +812,17 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertEqual(crashed.returncode, 1)
         self.assertIn("./course check 01", crashed.stderr)
 
+    def test_what_a_program_prints_does_not_rule_the_terminal(self):
+        self.put("program.sh", "#!/bin/sh\nprintf 'so \\033[2J\\033]0;title\\007far\\a\\nit goes'; "
+                 "[ \"$3\" = --all ] && yes goes on 2>/dev/null | head -c 1300000; echo; echo end\n")
+        with Terminal([COURSE, "run", "01"], self.environment) as terminal:
+            terminal.expect("so far\r\nit goes\r\nend\r\n")
+            self.assertEqual(terminal.end(), 0)
+        with Terminal([COURSE, "run", "01", "--all"], self.environment) as terminal:
+            terminal.expect(r"\n\.\.\. and more, which is not shown\.\r\n")
+            self.assertEqual(terminal.end(), 0)
+            self.assertEqual(terminal.said, "")
+
     def test_ctrl_c_reaches_what_runs(self):
         started = self.root / "out/started"
 
@@ -1290,7 +1301,7 @@ class Terminal:
                 self.said = self.said[found.end():]
                 return
             self.read(0.1)
-        raise AssertionError(f"{pattern!r} did not come; instead: {self.said!r}")
+        raise AssertionError(f"{pattern!r} did not come; instead: {self.said[-2000:]!r}")
 
     def press(self, key):
         os.write(self.here, key.encode())
