@@ -126,7 +126,7 @@ class Companion(unittest.TestCase):
         for program in ("01_tiny_mine", "01_tiny_mine_float", "01_tiny_solution", "01_tiny_solution_float",
                         "09_own_solution"):
             cmake += (f"add_custom_target({program} COMMAND ${{CMAKE_COMMAND}} -E make_directory bin "
-                      f"COMMAND ${{CMAKE_COMMAND}} -E copy ${{CMAKE_SOURCE_DIR}}/program.sh bin/{program})\n")
+                      f"COMMAND ${{CMAKE_COMMAND}} -E copy ${{CMAKE_SOURCE_DIR}}/program.sh bin/{program} VERBATIM)\n")
         cmake += "add_custom_target(own_start)\n"
         for target in ("02.1", "02.1.float"):
             cmake += self.answer(target, "02_more/rt/three.hpp")
@@ -1069,7 +1069,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         with open(self.root / "CMakeLists.txt", "a") as cmake:
             cmake.write("file(GLOB none CONFIGURE_DEPENDS none/*)\n"  # as the course has some
                         "add_custom_target(course COMMAND ${CMAKE_COMMAND} -E make_directory bin "
-                        "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/wrapper bin/course)\n")
+                        "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/wrapper bin/course VERBATIM)\n")
         (self.root / "build/bin/course").rename(self.root / "wrapper")
         self.put("CMakePresets.json", json.dumps({"version": 3, "configurePresets": [
             {"name": "release", "binaryDir": "${sourceDir}/build"}]}))
@@ -1150,7 +1150,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertIn("the web book needs Node.js 18", self.script("book", code=1))
 
     def test_a_folder_that_cmake_cannot_build_in_is_said(self):
-        for name in ('a"b', "a;b", "a#b", "a$b", "a\\b", "a[b", "a]b", "a<b", "a>b", "a|b", "a\nb", "a\n"):
+        for name in ('a"b', "a;b", "a#b", "a$b", "a\\b", "a[b", "a]b", "a<b", "a>b", "a|b", "a?b", "a:b", "a\nb", "a\n"):
             self.put(name + "/course", Path(SCRIPT).read_text())
             self.put(name + "/companion/commands/commands.inc", DECLARED.read_text())
             for script, folder in ((self.root / name / "course", "."), ("./course", self.root / name)):
@@ -1162,6 +1162,19 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                 self.assertEqual(done.stdout, "")
                 self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
                 self.assertIn("CMake cannot build in a folder whose name", done.stderr)
+
+    def test_odd_folder_names_build_once(self):
+        self.use_script()
+        self.write("one", "right\n")
+        shutil.rmtree(self.root / "build")
+        for name in ("o'neil", "a&b", "a*b", "a`b", "a^b"):
+            self.environment["COURSE_TEST_FOLDER"] = str(self.root / name)
+            shutil.copytree(self.root, self.root / name, ignore=shutil.ignore_patterns("o?neil", "a?b"))
+            done = subprocess.run(["sh", str(self.root / name / "course"), "check", "01.1"], env=self.environment,
+                                  text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            # ninja reads no dependency in such a folder.
+            self.assertFalse((self.root / name / "build/build.ninja").exists(), name)
 
     # ---- watch -------------------------------------------------------------------------------
 
