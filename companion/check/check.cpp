@@ -217,9 +217,10 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
             const Passed* const passed = all[i].passed();
             Record& record = state.exercises[all[i].exercise.id];
             record.passed = passed;
-            // If it waits for another exercise, nothing is known yet of its own answer.
-            const bool is_known =
-                !all[i].is<Waiting>() && hash_of(course, all[i].exercise) == hashes[i];
+            // Without its files, or if it waits for another exercise, nothing is known of its
+            // answer.
+            const bool is_known = !all[i].is<NoFile>() && !all[i].is<Waiting>() &&
+                                  hash_of(course, all[i].exercise) == hashes[i];
             record.hash = is_known ? hashes[i] : "";
             record.warning = all[i].warning;
             record.stars = passed ? passed->stars : 0;

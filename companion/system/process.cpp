@@ -111,6 +111,7 @@ void limit(int what, rlim_t most) {
     if (start.err >= 0) ::dup2(start.err, STDERR_FILENO);
     if (start.events >= 0) ::dup2(start.events, 3);
     if (start.events == 3) ::fcntl(3, F_SETFD, 0);
+    std::signal(SIGXFSZ, SIG_DFL);  // the companion ignores it
     limit(RLIMIT_CPU, static_cast<rlim_t>(start.run.most_cpu));
     limit(RLIMIT_DATA, start.run.most_memory);
     limit(RLIMIT_FSIZE, start.run.most_file);

@@ -668,6 +668,9 @@ class Companion(unittest.TestCase):
         self.stub("one").unlink()
         self.stub("one").symlink_to("/nowhere/one.hpp")
         refused("is a link to /nowhere/one.hpp, which is missing")
+        self.stub("one").unlink()
+        self.write("one", "")  # which was never checked
+        self.assertRegex(self.course("list"), r"[?] 01.1 .* not checked")
 
     def test_line_ends_do_not_count(self):
         def end_lines_as_windows_does(path):
@@ -801,6 +804,15 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertIn("// solution 1", code("one"))
         # What the program says of a stub ends as usual.
         self.course("run", "01", "--mine", "--fail", code=3)
+
+    def test_a_slip_is_refused_before_the_build(self):
+        self.put("build/bin/01_tiny_mine", '#!/bin/sh\ncase "$*" in *nonsense*) echo no such option >&2; exit 2 ;; esac\n')
+        os.chmod(self.root / "build/bin/01_tiny_mine", 0o755)
+        self.assertEqual(self.course("run", "01", "--nonsense", code=2), "no such option\n")
+        self.assertFalse((self.root / "build/yours").exists())
+        for words in (["study", "99"], ["study", "--mine", "99"], ["run", "99"]):
+            self.course(*words, code=2)
+            self.assertFalse((self.root / "build/yours").exists())
 
     def test_run_passes_options_on(self):
         said = self.course("run", "01", "--width", "9")
@@ -1035,6 +1047,22 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.course("list")
         self.assertEqual((self.root / ".course/state.broken-1.json").read_text(), "{broken")
 
+    def test_a_state_with_odd_numbers_is_set_aside(self):
+        self.course("hint", "01.1")
+        state = self.root / ".course/state.json"
+        good = state.read_text()
+        for number in ("1e99", "-7", "1.5", "99999999999", "1e3"):
+            state.write_text(good.replace('"hints":1', '"hints":' + number))
+            self.assertIn("hint 1 of 3", self.course("hint", "01.1"))
+        self.assertEqual(len([p for p in state.parent.iterdir() if "broken" in p.name]), 5)
+
+    def test_a_file_that_cannot_be_written_is_named(self):
+        self.write("one", "right\n")
+        done = subprocess.run(["sh", "-c", 'ulimit -f 0; exec "$0" check 01.1', COURSE], env=self.environment,
+                              text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stderr, r"^course: cannot write /.+: File too large\n$")
+
     def test_a_state_that_is_no_file_is_set_aside(self):
         self.write("one", "right\n")
         state = self.root / ".course/state.json"
@@ -1232,6 +1260,20 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
             terminal.press("q")
             self.assertEqual(terminal.end(), 0)
             self.assertTrue(terminal.echoes())
+
+    def test_watch_says_that_a_file_has_gone(self):
+        with self.watched("01") as terminal:
+            terminal.expect("q quit")
+            self.stub("one").unlink()
+            terminal.expect(r"one\.hpp is missing; \./course reset 01\.1")
+            self.write("one", "right\n")
+            terminal.expect("01.1 .*done")
+            # An editor that removes a file before it writes it anew is no trouble.
+            self.stub("two").unlink()
+            time.sleep(0.3)
+            self.write("two", "right\n")
+            terminal.expect("01.2 .*done")
+            self.assertNotIn("is missing", terminal.said)
 
     def test_watch_restores_the_terminal(self):
         for how in ("q", "\x03", signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
