@@ -1191,6 +1191,15 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                 self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
                 self.assertIn("CMake cannot build in a folder whose name", done.stderr)
 
+    def test_a_read_only_course_is_named(self):
+        if os.geteuid() == 0:
+            self.skipTest("root may write everywhere")
+        self.use_script()
+        (self.root / "build").chmod(0o555)
+        said = self.script("demo", code=1)
+        (self.root / "build").chmod(0o755)
+        self.assertEqual(said, f"course: cannot write to the folder {self.root}/build\n")
+
     def test_odd_folder_names_build_once(self):
         self.use_script()
         self.write("one", "right\n")

@@ -81,9 +81,9 @@ TEST_CASE("lines without the secret word of the run do not count", "[test_result
     const std::string cases = R"({"event":"cases","cases":[{"name":"a","hard":false},)"
                               R"({"name":"b","hard":true}]})",
                       begins = R"({"event":"begins","name":"a","hard":false})";
-    const auto report = of(cases + "\ns4 " + begins + "\ns3" + begins + "\n s3 " + begins + '\n');
-    CHECK(report.tests.empty());
-    CHECK(report.compiled.empty());
+    const auto theirs = of(cases + "\ns4 " + begins + "\ns3" + begins + "\n s3 " + begins + '\n');
+    CHECK(theirs.tests.empty());
+    CHECK(theirs.compiled.empty());
     const auto ours = of("noise\ns3 " + cases + "\ns3 " + begins + "\ns3 {\"event\":\"exits\"}\n");
     CHECK(ours.tests.size() == 1);
     CHECK(ours.exited);
@@ -203,12 +203,12 @@ TEST_CASE("a test case passes only if it came to its end", "[test_results]") {
         return companion::read_report(result.events, "secret");
     };
     for (const char* const name : {"ends: nothing is checked", "ends: as Catch2 ends it"}) {
-        const auto report = ran(name);
-        REQUIRE(report.tests.size() == 1);
-        CHECK(report.tests[0].ended);
-        CHECK_FALSE(report.tests[0].passed);
-        CHECK(report.tests[0].failures.size() == 1);
-        CHECK(report.compiled.size() > 100);
+        const auto found = ran(name);
+        REQUIRE(found.tests.size() == 1);
+        CHECK(found.tests[0].ended);
+        CHECK_FALSE(found.tests[0].passed);
+        CHECK(found.tests[0].failures.size() == 1);
+        CHECK(found.compiled.size() > 100);
     }
     const auto exits = ran("ends: exit");
     CHECK(exits.exited);
