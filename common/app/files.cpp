@@ -68,7 +68,7 @@ fs::path behind_links(fs::path path) {
     return path;
 }
 
-void replace_file(const fs::path& path, const std::string& bytes) {
+void replace_file(const fs::path& path, const std::string& bytes) try {
     const fs::file_status status = fs::status(path);
     if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, bytes, 0);
 
@@ -86,6 +86,8 @@ void replace_file(const fs::path& path, const std::string& bytes) {
         fs::remove(temporary, ignored);
         throw;
     }
+} catch (const std::system_error& error) {
+    throw std::system_error(error.code(), "cannot write " + path.string());
 }
 
 std::string read_input_file(const fs::path& path, const std::string& name, std::size_t most) {

@@ -5,12 +5,15 @@
 #include <companion/model/state.hpp>
 #include <companion/system/file_lock.hpp>
 #include <companion/system/process.hpp>
+#include <companion/system/terminal.hpp>
 #include <sstream>
 #include <string_view>
 #include <thread>
 
 namespace companion {
 namespace {
+
+constexpr std::size_t most_words = std::size_t{4} << 20;  // bytes of what a build says
 
 bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
@@ -48,9 +51,10 @@ BuildResult build(const Course& course, const std::vector<std::string>& targets)
         run_process({.command = configure});
     }
     remove_stale(course);
-    const Result result = run_process({.command = command});
+    const Result result = run_process(
+        {.command = command, .most_cpu = most_compiling, .most_memory = memory_of_compiler()});
     note_built(course);
-    return {result.ok(), result.output};
+    return {result.ok(), printable(result.output, most_words)};
 }
 
 void must_build(const Course& course, const std::string& target) {
@@ -89,7 +93,7 @@ std::string first_error(const Course& course, const std::string& output,
         const std::string place = place_in(line);
         const bool is_in_files = !place.empty(), is_within = is_in_files && line.find(place) == 0;
         // "file:line:column: error: what"
-        if (has(line, ": error: ") || has(line, ": fatal error: ")) {
+        if (has(line, ": error: ") || has(line, ": fatal error: ") || has(line, "out of memory")) {
             errors.push_back({line, came_from, is_within});
             came_from.clear();
             shown = 0;

@@ -2,6 +2,8 @@
 #include <companion/build/side_build.hpp>
 #include <companion/check/cases.hpp>
 #include <csignal>
+#include <cstdio>
+#include <random>
 
 namespace companion {
 namespace {
@@ -32,9 +34,47 @@ std::string cause_of(const Result& result, const TestCase* test) {
                    "an exception left a thread or a function that must not throw";
         case SIGILL:
             return "it executed invalid code: is a return missing?";
+        case 0:
+            return test && !test->crash.empty() ? test->crash : "the code ended the program";
         default:
             return test && !test->crash.empty() ? test->crash : how_it_ended(result);
     }
+}
+
+// The cases in Catch2's notation; empty if they are all.
+std::string in_catch_notation(const Cases& cases) {
+    if (!cases.only.empty()) return cases.only;
+    std::string words = cases.part == Cases::Part::core    ? "~[hard]"
+                        : cases.part == Cases::Part::stars ? "[hard]"
+                                                           : "";
+    for (const std::string& name : cases.without) words += "~\"" + name + '"';
+    return words;
+}
+
+bool asks_for(const Cases& cases, const TestCase& test) {
+    if (!cases.only.empty()) return test.name == cases.only;
+    return (cases.part == Cases::Part::all || test.hard == (cases.part == Cases::Part::stars)) &&
+           !std::count(cases.without.begin(), cases.without.end(), test.name);
+}
+
+// A word that nobody can guess.
+std::string new_secret() {
+    std::random_device random;
+    char word[33];
+    std::snprintf(word, sizeof word, "%08x%08x%08x%08x", random(), random(), random(), random());
+    return word;
+}
+
+// Whether each test case that was asked for ran to its end, once.
+bool is_complete(const Cases& cases, const Report& report) {
+    if (report.exited || report.compiled.empty()) return false;
+    return std::all_of(report.compiled.begin(), report.compiled.end(),
+                       [&](const TestCase& compiled) {
+                           return std::count_if(report.tests.begin(), report.tests.end(),
+                                                [&](const TestCase& test) {
+                                                    return test.name == compiled.name && test.ended;
+                                                }) == asks_for(cases, compiled);
+                       });
 }
 
 #ifdef __APPLE__
@@ -69,29 +109,39 @@ std::string answer_file(const Course& course, const std::string& exercise) {
     return "answer." + exercise;
 }
 
-std::vector<std::string> command_of(const Course& course, const Cases& cases, bool events) {
+std::vector<std::string> command_of(const Course& course, const Cases& cases,
+                                    const std::string& secret) {
     const fs::path answer =
         cases.answer.empty() ? yours_folder(course, cases.in_float) : cases.answer;
     const std::string program = "check." + cases.exercise + (cases.in_float ? ".float" : "");
     std::vector<std::string> command{"env", library_path + answer.string(),
                                      "COURSE_ANSWER=" + answer.string(),
                                      (course.build / "check" / program).string()};
-    if (events) command.insert(command.end(), {"-r", "events"});
-    if (!cases.which.empty()) command.push_back(cases.which);
+    if (!secret.empty()) {
+        command.insert(command.begin() + 1, "COURSE_EVENTS=" + secret);
+        command.insert(command.end(), {"-r", "events"});
+    }
+    if (const std::string which = in_catch_notation(cases); !which.empty())
+        command.push_back(which);
     return command;
 }
 
 Tested run_cases(const Course& course, const Cases& cases) {
     // Sanitizers take address space by the terabyte.
     const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
-    Tested tested{run_process({.command = command_of(course, cases),
+    const std::string secret = new_secret();
+    Tested tested{run_process({.command = command_of(course, cases, secret),
                                .folder = course.build,
                                .output = Output::errors_hidden,
+                               .has_events = true,
                                .timeout = cases.timeout > 0 ? cases.timeout : course.patience,
                                .most_memory = is_sanitized ? 0 : most_memory,
                                .most_output = most_bytes}),
                   {}};
-    tested.tests = read_report(tested.result.output);
+    Report report = read_report(tested.result.events, secret);
+    tested.left_early =
+        !tested.was_stopped() && tested.result.signal == 0 && !is_complete(cases, report);
+    tested.tests = std::move(report.tests);
     return tested;
 }
 

@@ -11,6 +11,7 @@ namespace companion {
 struct Tested {
     Result result;
     std::vector<TestCase> tests;
+    bool left_early = false;  // it ended by itself before all of the test cases had ended
 
     // The test case in which the program crashed or was stopped; null if it ran to its end.
     const TestCase* ended_in() const;
@@ -24,14 +25,19 @@ struct Tested {
 struct Cases {
     std::string exercise;  // "03.2"
     bool in_float = false;
-    fs::path answer = {};    // the folder of the answer; empty: the learner's
-    std::string which = {};  // in Catch2's notation, "[hard]~[x]"; empty: all
-    double timeout = 0;      // in seconds; 0: the course's patience
+    fs::path answer = {};  // the folder of the answer; empty: the learner's
+    // Of these test cases: all, the core or the stars; without some; or one alone.
+    enum class Part { all, core, stars } part = Part::all;
+    std::vector<std::string> without = {};
+    std::string only = {};
+    double timeout = 0;  // in seconds; 0: the course's patience
 };
 Tested run_cases(const Course& course, const Cases& cases);
 
-// The command that runs them on the answer, and lists what happens if `events` is true.
-std::vector<std::string> command_of(const Course& course, const Cases& cases, bool events = true);
+// The command that runs them on the answer, and shows what fails; with a secret word, it lists what
+// happens, each event after that word.
+std::vector<std::string> command_of(const Course& course, const Cases& cases,
+                                    const std::string& secret = "");
 
 // The folder of the learner's answers in this precision; of each exercise there is one.
 fs::path yours_folder(const Course& course, bool in_float);

@@ -64,9 +64,12 @@ bool is_failing(const TestCase& test) {
     return !test.passed && missing_exercise(test).empty();
 }
 
-Tested run_cases(const Course& course, const Checked& checked, const std::string& which = "") {
-    return run_cases(
-        course, {.exercise = checked.exercise.id, .in_float = checked.in_float, .which = which});
+Tested run_cases(const Course& course, const Checked& checked, Cases::Part part = Cases::Part::all,
+                 const std::vector<std::string>& without = {}) {
+    return run_cases(course, {.exercise = checked.exercise.id,
+                              .in_float = checked.in_float,
+                              .part = part,
+                              .without = without});
 }
 
 // The verdict on a run, which speaks of the core alone.
@@ -78,6 +81,11 @@ Verdict judge(const Course& course, const Checked& checked, const Tested& tested
         });
     };
     if (tested.was_stopped()) return Endless{tests, tested.trouble()};
+    constexpr int not_started = 127;
+    if (tests.empty() && tested.result.exit_code == not_started)
+        throw app::Failure("check." + checked.exercise.id +
+                           " ran no test case: " + how_it_ended(tested.result));
+    if (tested.left_early) return Left{tests};
     if (tested.crashed()) return Crashed{tests, tested.trouble()};
     if (fails(false)) return Failing{tests};
     std::string missing;
@@ -95,9 +103,6 @@ Verdict judge(const Course& course, const Checked& checked, const Tested& tested
                                               "const and &."};
     }
     if (!missing.empty()) return Waiting{missing};
-    if (tests.empty())
-        throw app::Failure("check." + checked.exercise.id +
-                           " ran no test case: " + how_it_ended(tested.result));
     if (tested.result.ok() || fails(true)) return Passed{tests};
     return Crashed{tests, how_it_ended(tested.result)};
 }
@@ -123,16 +128,16 @@ Verdict run_tests(const Course& course, const Checked& checked) {
     }
     // The core alone, which decides; then each hard case runs, even if an earlier one ends the
     // program.
-    Verdict core = judge(course, checked, run_cases(course, checked, "~[hard]"));
+    Verdict core = judge(course, checked, run_cases(course, checked, Cases::Part::core));
     auto* const passed = std::get_if<Passed>(&core);
     if (!passed) return core;
     passed->tests = tested.tests;
-    std::string others = "[hard]";
-    for (; !tested.tests.empty(); tested = run_cases(course, checked, others)) {
+    std::vector<std::string> noted;
+    for (; !tested.tests.empty(); tested = run_cases(course, checked, Cases::Part::stars, noted)) {
         note_stars(*passed, tested);
         if (tested.was_stopped()) break;  // waiting for one timeout is enough
         for (const TestCase& test : tested.tests)
-            if (test.hard) others += "~\"" + test.name + '"';
+            if (test.hard) noted.push_back(test.name);
     }
     return core;
 }
@@ -212,9 +217,10 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
             const Passed* const passed = all[i].passed();
             Record& record = state.exercises[all[i].exercise.id];
             record.passed = passed;
-            // If it waits for another exercise, nothing is known yet of its own answer.
-            const bool is_known =
-                !all[i].is<Waiting>() && hash_of(course, all[i].exercise) == hashes[i];
+            // Without its files, or if it waits for another exercise, nothing is known of its
+            // answer.
+            const bool is_known = !all[i].is<NoFile>() && !all[i].is<Waiting>() &&
+                                  hash_of(course, all[i].exercise) == hashes[i];
             record.hash = is_known ? hashes[i] : "";
             record.warning = all[i].warning;
             record.stars = passed ? passed->stars : 0;

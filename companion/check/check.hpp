@@ -34,6 +34,10 @@ struct Crashed {
     std::vector<TestCase> tests{};
     std::string cause{};
 };
+struct Left {  // it ended the program, or kept it from reporting
+    static constexpr const char* says = "ends the program";
+    std::vector<TestCase> tests{};
+};
 struct Endless {  // it was stopped
     static constexpr const char* says = "does not end";
     std::vector<TestCase> tests{};
@@ -60,8 +64,8 @@ struct NoFile {
     static constexpr const char* says = "has a missing file";
     std::string trouble{};  // what is missing
 };
-using Verdict =
-    std::variant<NotBegun, Begun, Waiting, NoFile, NotCompiled, Crashed, Endless, Failing, Passed>;
+using Verdict = std::variant<NotBegun, Begun, Waiting, NoFile, NotCompiled, Crashed, Left, Endless,
+                             Failing, Passed>;
 
 struct Checked {
     Exercise exercise;

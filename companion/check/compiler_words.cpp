@@ -66,6 +66,9 @@ const Habit habits[]{
 
 // The first match counts, so the special ones come before the general ones.
 const Meaning meanings[]{
+    {"out of memory|signal terminated program|unable to execute command",
+     "The compiler was stopped, because it took too much time or memory. What does the code ask it "
+     "to read or to compute without end?"},
     {"operator\\^", "`^` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
     {"character constant|unclosed|missing terminating",
      "Text stands in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},

@@ -93,7 +93,7 @@ bool is_caught(const Course& course, const MistakenAnswer& answer,
     if (is_caught_in(tests)) return true;
     // It may end the program before the test case that catches it had its turn.
     Cases cases = cases_of(answer);
-    cases.which = answer.mistake.caught_by;
+    cases.only = answer.mistake.caught_by;
     cases.timeout = 60;
     return is_caught_in(run_cases(course, cases).tests);
 }

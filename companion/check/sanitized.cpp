@@ -14,6 +14,7 @@ SanitizerReport read_sanitizer_report(const std::string& output,
     SanitizerReport report;
     std::istringstream in{output};
     for (std::string line; std::getline(in, line);) {
+        line = printable(line);
         if (report.what.empty())
             for (const std::string mark :
                  {"ERROR: AddressSanitizer: ", "WARNING: ThreadSanitizer: ", "runtime error: "})
@@ -62,7 +63,8 @@ SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool 
         // If the library crashes, the learner's line is further up.
         command.insert(command.end(), {"env", "UBSAN_OPTIONS=print_stacktrace=1"});
         for (std::string& word : command_of(
-                 side, {.exercise = exercise.id, .which = stars ? "[hard]" : "~[hard]"}, false))
+                 side,
+                 {.exercise = exercise.id, .part = stars ? Cases::Part::stars : Cases::Part::core}))
             command.push_back(std::move(word));
         const Result result = run_process({.command = command, .timeout = 10 * course.patience});
         app::replace_file(log, result.output);

@@ -1,4 +1,5 @@
 #include <companion/check/test_results.hpp>
+#include <companion/system/terminal.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -25,7 +26,14 @@ std::string one_line(const std::string& text) {
 
 // The text of an event under this key; empty if it has none.
 std::string text_of(const json& event, const char* key) {
-    return event.value(key, "");
+    return printable(event.value(key, ""));
+}
+
+TestCase described(const json& test) {
+    TestCase described;
+    described.name = text_of(test, "name");
+    described.hard = test.value("hard", false);
+    return described;
 }
 
 FailedAssertion read_failure(const json& event) {
@@ -38,16 +46,17 @@ FailedAssertion read_failure(const json& event) {
     failure.expanded = one_line(text_of(event, "expanded"));
     failure.missing = text_of(event, "missing");
     for (const std::string& message : event.value("messages", std::vector<std::string>{}))
-        failure.messages.push_back(trimmed(message));
+        failure.messages.push_back(trimmed(printable(message)));
     return failure;
 }
 
-void read_event(const json& event, std::vector<TestCase>& tests) {
+void read_event(const json& event, Report& report) {
+    std::vector<TestCase>& tests = report.tests;
     const std::string what = text_of(event, "event");
-    if (what == "begins") {
-        tests.emplace_back().name = text_of(event, "name");
-        tests.back().hard = event.value("hard", false);
-    }
+    if (what == "cases")
+        for (const json& test : event.at("cases")) report.compiled.push_back(described(test));
+    if (what == "exits") report.exited = true;
+    if (what == "begins") tests.push_back(described(event));
     if (tests.empty()) return;
     TestCase& test = tests.back();
     if (what == "failed") {
@@ -64,17 +73,18 @@ void read_event(const json& event, std::vector<TestCase>& tests) {
 
 }  // namespace
 
-std::vector<TestCase> read_report(const std::string& lines) {
-    std::vector<TestCase> tests;
+Report read_report(const std::string& lines, const std::string& secret) {
+    const std::string start = secret.empty() ? "{" : secret + " {";
+    Report report;
     std::istringstream in{lines};
     for (std::string line; std::getline(in, line);) {
-        if (line.rfind('{', 0) != 0) continue;  // the tested code printed this
+        if (line.rfind(start, 0) != 0) continue;  // the tested code printed this
         try {
-            read_event(json::parse(line), tests);
+            read_event(json::parse(line.substr(start.size() - 1)), report);
         } catch (const json::exception&) {  // and this
         }
     }
-    return tests;
+    return report;
 }
 
 std::string missing_exercise(const TestCase& test) {

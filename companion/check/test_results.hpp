@@ -1,5 +1,6 @@
 #pragma once
 // What a program of test cases said: the lines that the reporter of tests/support/main.cpp writes.
+// Texts that come from the tested code are printable.
 
 #include <string>
 #include <vector>
@@ -27,9 +28,15 @@ struct TestCase {
     std::vector<FailedAssertion> failures;
 };
 
-// The test cases that were begun, in their order. The lines may end anywhere, as when a program was
-// killed, and other lines may be among them, which the tested code printed.
-std::vector<TestCase> read_report(const std::string& lines);
+struct Report {
+    std::vector<TestCase> tests{};     // that were begun, in their order
+    std::vector<TestCase> compiled{};  // all that the program has, as far as is known before a run
+    bool exited = false;               // the tested code called exit()
+};
+
+// Each line begins with the secret word of the run; others do not count, since the tested code
+// wrote them. The lines may end anywhere, as when a program was killed.
+Report read_report(const std::string& lines, const std::string& secret = "");
 
 // The exercise whose rt::todo ended a test case, such as "01.3"; empty if none did.
 std::string missing_exercise(const TestCase& test);

@@ -266,6 +266,12 @@ std::string what_is_wrong(const Checked& checked) {
                          "\n  To find the line:  ./course check " + checked.exercise.id +
                          " --sanitize\n" + before_that(failing_cases(crashed.tests));
               },
+              [&](const Left& left) {
+                  return "Your code ended the program" + where(left.tests) +
+                         "\n  A function returns to its caller: it does not call std::exit, "
+                         "std::_Exit or the like.\n" +
+                         warned(checked) + before_that(failing_cases(left.tests));
+              },
               [&](const Endless& endless) {
                   return "It was stopped: " + endless.cause + where(endless.tests) +
                          "\n  Which loop or recursion never ends?\n" + warned(checked) +

@@ -10,6 +10,8 @@
 #include <companion/check/sanitized.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/commands/compared_picture.hpp>
+#include <companion/commands/judged_lines.hpp>
 #include <companion/commands/next_step.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/own/standing.hpp>
@@ -115,11 +117,18 @@ class Examination {
         }
     }
 
-    // The verdict on the learner's own program, as `own judge` left it.
-    void take_own_verdict() {
+    // The verdict on the learner's own program: if it passed, it is judged once more, on other
+    // scenes.
+    void judge_own_again() {
         const auto rungs = chapter_of_rungs(course_);
         if (!rungs) return;
-        const OwnRecord own = read_state(course_).own;
+        OwnRecord own = read_state(course_).own;
+        if (own_passes(own)) {
+            print("Judging your own ray tracer again takes a few minutes.\n");
+            JudgedLines lines;
+            judge_own(course_, own.folder, scenes_seed({}), "", lines);
+            own = read_state(course_).own;
+        }
         note(own_passes(own), rungs->number(), "a ray tracer from an empty folder, judged",
              standing_of(own), "rungs 1 to 6 pass");
         note(own_stars_pass(own), rungs->number(), "the rest of its verdict", standing_of(own),
@@ -186,12 +195,11 @@ class Examination {
             for (const bool star : {false, true}) {
                 std::string found;
                 for (const Exercise& exercise : exercises(course_, chapter)) {
-                    const Result result =
-                        run_process({.command = command_of(checked,
-                                                           {.exercise = exercise.id,
-                                                            .which = star ? "[hard]" : "~[hard]"},
-                                                           false),
-                                     .timeout = patience});
+                    const Result result = run_process(
+                        {.command = command_of(
+                             checked, {.exercise = exercise.id,
+                                       .part = star ? Cases::Part::stars : Cases::Part::core}),
+                         .timeout = patience});
                     if (found.empty()) found = sanitizer_report(chapter, result.output);
                     if (found.empty() && !result.ok())
                         found = exercise.id + ": " + how_it_ended(result);
@@ -224,10 +232,12 @@ class Examination {
                                          "--out", (folder / chapter.picture()).string()},
                              .timeout = 900});
             char seconds[32];
-            std::snprintf(seconds, sizeof seconds, "%.1f s", result.seconds);
-            note(result.ok(), "", "picture of " + chapter.name + ", all your code",
-                 result.ok() ? seconds : how_it_ended(result), "drawn");
-            if (result.ok()) certificate_.pictures.push_back("certificate/" + chapter.picture());
+            std::snprintf(seconds, sizeof seconds, "%.1f s, ", result.seconds);
+            const auto [is_right, words] = compared(chapter);
+            note(result.ok() && is_right, "", "picture of " + chapter.name + ", all your code",
+                 result.ok() ? seconds + words : how_it_ended(result), "the solution's");
+            if (result.ok() && is_right)
+                certificate_.pictures.push_back("certificate/" + chapter.picture());
         }
     }
 
@@ -245,6 +255,16 @@ class Examination {
         if (one.passes())
             note(open == 0, "", "stars of " + one.chapter.name,
                  std::to_string(stars - open) + " of " + std::to_string(stars), "all", true);
+    }
+    // Whether a chapter's picture is the solution's, and in words.
+    std::pair<bool, std::string> compared(const Chapter& chapter) const try {
+        const ComparedPicture picture = compare_picture(course_, chapter);
+        if (picture.found.bit_for_bit) return {true, "the solution's bit for bit"};
+        if (picture.found.same) return {true, "the solution's within the noise"};
+        if (picture.is_right()) return {true, "differs as open stars and other right answers may"};
+        return {false, "not the solution's: ./course compare " + chapter.number()};
+    } catch (const app::Failure& failed) {
+        return {false, failed.what()};
     }
     static bool is_in(const std::string& id, const std::vector<std::string>& ids) {
         return std::count(ids.begin(), ids.end(), id) > 0;
@@ -273,7 +293,7 @@ int certify(const Course& course, const Given&) {
     Examination examination{course};
     const std::vector<CheckedChapter> checked = check_all_chapters(course);
     const bool written = examination.check_exercises_of(checked);
-    examination.take_own_verdict();
+    examination.judge_own_again();
     examination.show_electives();
     if (written) {
         std::puts("Every exercise is written. Building them all from scratch takes a few minutes.");

@@ -1,7 +1,12 @@
 #include <unistd.h>
 
+#include <app/cores.hpp>
+#include <companion/build/build.hpp>
 #include <companion/commands/judged_lines.hpp>
+#include <companion/model/state.hpp>
+#include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
+#include <ctime>
 #include <random>
 
 namespace companion {
@@ -19,6 +24,33 @@ void JudgedLines::operator()(const JudgedLine& line) {
     if (line.passed) return;
     print(wrapped("expected: " + line.expected, "    ") + '\n');
     if (!line.suggestion.empty()) print(wrapped(line.suggestion, "    ") + '\n');
+}
+
+bool judge_own(const Course& course, const fs::path& folder, std::uint64_t seed,
+               const std::string& part, JudgedLines& lines) {
+    must_build(course, "09_own_solution");
+    // Of what is judged, whatever is typed meanwhile.
+    const std::string hash = fs::exists(folder / "build.sh") ? hash_of_own(folder) : "";
+    JudgeRequest request{folder, course.program("09_own_solution"), seed, part,
+                         app::physical_cores()};
+    request.begins = lines.begins;
+    bool core = true;
+    judge(request, [&](const JudgedLine& line) {
+        lines(line);
+        // Without build.sh's program, there are no other lines.
+        if (is_core(line) || line.what == "build.sh") core = core && line.passed;
+    });
+    if (part.empty())
+        change_state(course, [&](State& state) {
+            const bool first = core && state.own.first_passed == 0;
+            state.own = {folder.string(),
+                         hash,
+                         lines.lines,
+                         lines.passed,
+                         first ? std::time(nullptr) : state.own.first_passed,
+                         core};
+        });
+    return core;
 }
 
 std::uint64_t scenes_seed(const Given& given) {

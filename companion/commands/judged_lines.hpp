@@ -19,6 +19,11 @@ class JudgedLines {
     bool on_terminal_;
 };
 
+// Judges the learner's own ray tracer in a folder, or one part of it, and remembers a whole
+// verdict. Returns whether the core passes.
+bool judge_own(const Course& course, const fs::path& folder, std::uint64_t seed,
+               const std::string& part, JudgedLines& lines);
+
 // The seed that --seed asks for, or any.
 std::uint64_t scenes_seed(const Given& given);
 

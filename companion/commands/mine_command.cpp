@@ -20,7 +20,7 @@ int mine(const Course& course, const Given&) {
     const Result result =
         run_process({.command = {course.program(last.name + "_mine").string(), "--out", "mine.png"},
                      .folder = course.out(),
-                     .output = Output::shown,
+                     .output = Output::printable,
                      .passes_signals = true,
                      .timeout = 900});
     if (result.passed_on) return app::stopped_by + result.passed_on;

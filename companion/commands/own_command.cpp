@@ -1,12 +1,10 @@
 #include <algorithm>
-#include <app/cores.hpp>
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
 #include <companion/commands/judged_lines.hpp>
 #include <companion/own/judge.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
-#include <ctime>
 
 namespace companion {
 namespace {
@@ -45,33 +43,13 @@ int own_new(const Course& course, const Given& given) {
 
 int own_judge(const Course& course, const Given& given) {
     const std::string &folder = *given.named, part = asked_part(given);
-    must_build(course, "09_own_solution");
     const std::uint64_t seed = scenes_seed(given);
     print("Scenes of seed " + std::to_string(seed) +
           (part.empty() ? "; this takes a few minutes" : "") + ".\n");
 
     const fs::path path = fs::absolute(folder).lexically_normal();
-    const std::string hash = hash_of_own(path);  // of what is judged, whatever is typed meanwhile
     JudgedLines lines;
-    JudgeRequest request{path, course.program("09_own_solution"), seed, part,
-                         app::physical_cores()};
-    request.begins = lines.begins;
-    bool core = true;
-    judge(request, [&](const JudgedLine& line) {
-        lines(line);
-        // Without build.sh's program, there are no other lines.
-        if (is_core(line) || line.what == "build.sh") core = core && line.passed;
-    });
-    if (part.empty())
-        change_state(course, [&](State& state) {
-            const bool first = core && state.own.first_passed == 0;
-            state.own = {path.string(),
-                         hash,
-                         lines.lines,
-                         lines.passed,
-                         first ? std::time(nullptr) : state.own.first_passed,
-                         core};
-        });
+    const bool core = judge_own(course, path, seed, part, lines);
     print("\n" + std::to_string(lines.passed) + " of " + std::to_string(lines.lines) +
           " lines pass. To repeat the same scenes: --seed " + std::to_string(seed) + "\n");
     if (part.empty() && core)

@@ -5,6 +5,7 @@
 #include <companion/check/yours.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/system/process.hpp>
+#include <companion/system/terminal.hpp>
 #include <cstdio>
 
 namespace companion {
@@ -35,6 +36,21 @@ std::string picture_name(const Chapter& chapter, const std::vector<std::string>&
     return chapter.name + "_mine.png";
 }
 
+// What a program that was built before says against these options; empty if it takes them, or if
+// there is none yet. So a slip need not wait for the build.
+std::string objection(const Course& course, const Chapter& chapter,
+                      const std::vector<std::string>& options) {
+    for (const char* const whose : {"_mine", "_solution"}) {
+        std::vector<std::string> command{course.program(chapter.name + whose).string()};
+        if (!fs::exists(command[0])) continue;
+        command.insert(command.end(), options.begin(), options.end());
+        command.push_back("--describe");
+        const Result result = run_process({.command = command, .timeout = 5});
+        return result.exit_code == app::bad_input ? printable(result.output) : "";
+    }
+    return "";
+}
+
 }  // namespace
 
 int run(const Course& course, const Given& given) {
@@ -42,6 +58,10 @@ int run(const Course& course, const Given& given) {
     // It may stand among the program's options, too, of which none has its name.
     const bool all = given.has("--mine") || std::erase(options, "--mine") > 0;
     const Chapter chapter = find_chapter(course, *given.named);
+    if (const std::string why = objection(course, chapter, options); !why.empty()) {
+        std::fputs(why.c_str(), stderr);
+        return app::bad_input;
+    }
     const Chapter last = draws_by_elective(options) ? chapters(course).back() : chapter;
     const Yours yours =
         all ? put_all_yours_in_place(course, last) : put_yours_in_place(course, last);
@@ -56,7 +76,7 @@ int run(const Course& course, const Given& given) {
     }
     command.insert(command.end(), options.begin(), options.end());
     const Result result =
-        run_process({.command = command, .output = Output::shown, .passes_signals = true});
+        run_process({.command = command, .output = Output::printable, .passes_signals = true});
     if (result.passed_on && result.signal) return app::stopped_by + result.signal;
     if (result.signal != 0)
         throw app::Failure(chapter.name + " crashed, " + how_it_ended(result) +

@@ -31,13 +31,14 @@ int study(const Course& course, const Given& given) {
     if (given.named) chosen = {find_chapter(course, *given.named)};
     std::string words = "The solution's code was measured.";
     const Whose shown = mine ? Whose::mine : Whose::solution;
-    if (mine) {
-        words = put_yours_in_place(course, chosen.back()).words();
-        for (const Chapter& chapter : chosen)
-            for (const Whose whose : {Whose::mine, Whose::solution})
+    if (mine) words = put_yours_in_place(course, chosen.back()).words();
+    std::puts("Building the programs; the first time, this takes a few minutes.");
+    std::fflush(stdout);
+    for (const Chapter& chapter : chosen)
+        for (const Whose whose : {Whose::mine, Whose::solution})
+            if (mine || whose == Whose::solution)
                 for (const std::string& program : study_programs(chapter, whose))
                     must_build(course, program);
-    }
     const auto draw = [&](const Chapter& chapter, Whose whose) {
         draw_plots(study_folder(course, whose) / chapter.table(), study_folder(course, whose));
     };

@@ -102,8 +102,15 @@ class Watch {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
             later = written(course_, all_);
         }
+        // An editor may be about to write a file anew that it has removed.
+        const auto is_gone = [&](const auto& file) { return !now.count(file.first); };
+        for (int i = 0; i < 10 && std::any_of(seen_.begin(), seen_.end(), is_gone); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
+            now = written(course_, all_);
+        }
         const auto differs = [&](const fs::path& file) {
-            return now.count(file) && (!seen_.count(file) || seen_.at(file) != now.at(file));
+            return now.count(file) != seen_.count(file) ||
+                   (now.count(file) && seen_.at(file) != now.at(file));
         };
         const auto is_touched = [&](const Exercise& exercise) {
             return std::any_of(exercise.files.begin(), exercise.files.end(), differs);

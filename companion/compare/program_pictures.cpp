@@ -1,12 +1,11 @@
-#include <unistd.h>
-
 #include <app/json.hpp>
 #include <atomic>
 #include <cmath>
 #include <companion/compare/program_pictures.hpp>
+#include <companion/system/files.hpp>
+#include <companion/system/scratch_folder.hpp>
+#include <companion/system/terminal.hpp>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -19,15 +18,6 @@ constexpr double patience = 20;         // seconds for a picture
 constexpr double many_pixels = 36'864;  // 256 x 144
 constexpr int few_samples = 9;          // 3 x 3 cells, so that jitter matters
 constexpr int few_bounces = 5;          // so that the ending of a path at its limit is visible
-
-// A file that is removed when this object is destroyed.
-struct TemporaryFile {
-    fs::path path;
-    ~TemporaryFile() {
-        std::error_code ignored;
-        fs::remove(path, ignored);
-    }
-};
 
 std::string last_line(const std::string& text) {
     const auto end = text.find_last_not_of('\n');
@@ -42,8 +32,9 @@ Result run_for(const std::vector<std::string>& command) {
     if (result.ok()) return result;
     const std::string name = fs::path{command[0]}.filename().string();
     const bool explained = result.signal == 0 && !result.timed_out && !result.output.empty();
-    throw DrawingFailed(explained ? last_line(result.output) : name + ": " + how_it_ended(result),
-                        result);
+    throw DrawingFailed(
+        explained ? printable(last_line(result.output)) : name + ": " + how_it_ended(result),
+        result);
 }
 
 }  // namespace
@@ -73,10 +64,9 @@ DrawingOptions for_comparison(DrawingOptions options) {
 
 Picture draw_with(const fs::path& program, const DrawingOptions& options, std::uint64_t seed) {
     static std::atomic<int> count = 0;
-    const TemporaryFile file{
-        fs::temp_directory_path() /
-        ("course-compare-" + std::to_string(::getpid()) + '-' + std::to_string(++count) + ".ppm")};
-    std::vector<std::string> command{program.string(), "--quiet", "--out", file.path.string()};
+    static const ScratchFolder scratch{"course-compare"};
+    const fs::path file = scratch.path() / (std::to_string(++count) + ".ppm");
+    std::vector<std::string> command{program.string(), "--quiet", "--out", file.string()};
     const auto add = [&](const char* name, std::uint64_t value) {
         command.insert(command.end(), {name, std::to_string(value)});
     };
@@ -86,8 +76,9 @@ Picture draw_with(const fs::path& program, const DrawingOptions& options, std::u
     if (options.depth > 0) add("--depth", static_cast<std::uint64_t>(options.depth));
     if (options.has_seed) add("--seed", seed);
     run_for(command);
-    std::ifstream in{file.path, std::ios::binary};
-    return parse_ppm({std::istreambuf_iterator<char>{in}, {}});
+    const std::string picture = read_file(file);
+    fs::remove(file);
+    return parse_ppm(picture);
 }
 
 TwoPrograms two_programs(const fs::path& mine, const fs::path& solution) {

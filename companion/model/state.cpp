@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/model/state.hpp>
@@ -33,8 +34,24 @@ void add_time(json& record, bool passed) {
     if (!record.contains("first_passed")) record["first_passed"] = passed ? unknown_time : 0;
 }
 
+// Whether each number is one that a course writes: a whole number, and a small one unless it is a
+// time.
+bool has_fitting_numbers(const json& value, bool is_time = false) {
+    if (value.is_number()) {
+        constexpr std::int64_t most = 1'000'000'000, latest = std::int64_t{1} << 40;
+        return value.is_number_integer() && value >= -1 && value <= (is_time ? latest : most);
+    }
+    if (!value.is_structured()) return true;
+    const auto items = value.items();
+    return std::all_of(items.begin(), items.end(), [&](const auto& item) {
+        return has_fitting_numbers(
+            item.value(), is_time || item.key() == "first_passed" || item.key() == "grafts");
+    });
+}
+
 State parse(const std::string& text) try {
     json all = json::parse(text);
+    if (!has_fitting_numbers(all)) throw app::Failure("it holds a number that is out of range");
     if (const int written_as = all.at("version"); written_as != version)
         throw app::Failure("it has version " + std::to_string(written_as) + ", not " +
                            std::to_string(version));

@@ -6,6 +6,7 @@
 #include <companion/own/scenes.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/own/trial.hpp>
+#include <companion/system/terminal.hpp>
 #include <optional>
 
 namespace companion {
@@ -109,6 +110,7 @@ void judge_sanitized(const Trial& trial) {
                    [&, option = option](JudgedLine& line) {
                        OwnProgram own{trial.request.folder, {"-O1", "-g", option}};
                        own.before = at_fixed_addresses();
+                       own.may_start_others = true;
                        const Options threads{"--threads", "4"};
                        for (const Result& result :
                             {own.draw(small, {"--list"}).result, own.draw(small, threads).result,
@@ -126,7 +128,8 @@ void look_at_refusal(const Result& result, JudgedLine& line) {
     line.passed = result.exit_code > 0 && !result.timed_out && result.signal == 0 && lines == 1 &&
                   result.output.size() > 1;
     line.actual = how_it_ended(result) + ", " + std::to_string(lines) +
-                  (lines == 1 ? " line" : " lines") + (lines == 1 ? ": " + result.output : "");
+                  (lines == 1 ? " line" : " lines") +
+                  (lines == 1 ? ": " + printable(result.output, 300) : "");
     if (line.actual.back() == '\n') line.actual.pop_back();
 }
 

@@ -1,24 +1,30 @@
-#include <unistd.h>
 #include <app/errors.hpp>
 #include <atomic>
-#include <cerrno>
 #include <companion/own/own_program.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/files.hpp>
-#include <cstdlib>
-#include <cstring>
+#include <companion/system/terminal.hpp>
 #include <fstream>
 #include <sstream>
 
 namespace companion {
 namespace {
 
-fs::path new_folder() {
-    std::string name = fs::temp_directory_path() / "own-XXXXXX";
-    if (!::mkdtemp(name.data()))
-        throw app::Failure("cannot make a folder in " + fs::temp_directory_path().string() + ": " +
-                           std::strerror(errno));
-    return name;
+constexpr std::size_t most_said = 300;  // bytes of what it printed, in a line
+
+std::string first_line(const std::string& said) {
+    return printable(said.substr(0, said.find('\n')), most_said);
+}
+
+// A name for the copy of a folder that can be built.
+std::string name_of_copy(const fs::path& folder) {
+    if (!fs::is_directory(folder))
+        throw app::Failure("there is no folder " + folder.string() +
+                           "; ./course own new FOLDER makes one");
+    if (!fs::exists(folder / "build.sh"))
+        throw app::Failure("there is no build.sh in " + folder.string() +
+                           "; ./course own new FOLDER makes a folder that has one");
+    return "own";
 }
 
 // What a compiler or linker said, in one line: its first error.
@@ -38,42 +44,40 @@ std::string first_error_of(const std::string& output) {
 }  // namespace
 
 OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& options)
-    : work_{new_folder()}, program_{work_ / "copy/own"} {
-    if (!fs::is_directory(folder))
-        throw app::Failure("there is no folder " + folder.string() +
-                           "; ./course own new FOLDER makes one");
-    if (!fs::exists(folder / "build.sh"))
-        throw app::Failure("there is no build.sh in " + folder.string() +
-                           "; ./course own new FOLDER makes a folder that has one");
+    : scratch_{name_of_copy(folder)}, work_{scratch_.path()}, program_{work_ / "copy/own"} {
     for (const fs::path& source : own_sources(folder)) {
         fs::create_directories((work_ / "copy" / source).parent_path());
         fs::copy_file(folder / source, work_ / "copy" / source);
     }
-    std::vector<std::string> command{"sh", "build.sh"};
+    // What a compiler leaves behind when it is interrupted goes with the copy.
+    std::vector<std::string> command{"env", "TMPDIR=" + work_.string(), "sh", "build.sh"};
     command.insert(command.end(), options.begin(), options.end());
-    const Result built =
-        run_process({.command = command, .folder = work_ / "copy", .timeout = 300});
+    const Result built = run_process({.command = command,
+                                      .folder = work_ / "copy",
+                                      .timeout = most_compiling,
+                                      .most_memory = memory_of_compiler()});
     if (!built.ok())
         throw app::Failure("build.sh: " + how_it_ended(built) +
-                           (built.output.empty() ? "" : ": " + first_error_of(built.output)));
+                           (built.output.empty()
+                                ? ""
+                                : ": " + printable(first_error_of(built.output), most_said)));
     if (!fs::exists(program_))
         throw app::Failure("build.sh ran but did not make a program named own");
 }
 
 OwnProgram::OwnProgram(Existing, const fs::path& program)
-    : work_{new_folder()}, program_{fs::absolute(program)} {}
-
-OwnProgram::~OwnProgram() {
-    std::error_code ignored;
-    fs::remove_all(work_, ignored);
-}
+    : scratch_{"own"}, work_{scratch_.path()}, program_{fs::absolute(program)} {}
 
 Result OwnProgram::call(const std::vector<std::string>& words) const {
     std::vector<std::string> command = before;
     command.push_back(program_);
     command.insert(command.end(), words.begin(), words.end());
-    const Result result = run_process(
-        {.command = command, .folder = work_, .timeout = patience, .most_output = 1 << 20});
+    const Result result = run_process({.command = command,
+                                       .folder = work_,
+                                       .may_start_others = may_start_others,
+                                       .timeout = patience,
+                                       .most_file = most_picture,
+                                       .most_output = 1 << 20});
     times_out_ += result.timed_out;
     return result;
 }
@@ -105,7 +109,7 @@ OwnProgram::Drawn OwnProgram::picture(const std::string& scene,
     const std::string& said = drawn.result.output;
     if (!drawn.result.ok())
         throw app::Failure(program_.filename().string() + ": " + how_it_ended(drawn.result) +
-                           (said.empty() ? "" : ": " + said.substr(0, said.find('\n'))));
+                           (said.empty() ? "" : ": " + first_line(said)));
     return drawn;
 }
 

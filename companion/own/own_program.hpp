@@ -4,6 +4,7 @@
 #include <atomic>
 #include <companion/compare/picture.hpp>
 #include <companion/system/process.hpp>
+#include <companion/system/scratch_folder.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,6 +12,9 @@
 namespace companion {
 
 namespace fs = std::filesystem;
+
+// The largest file that such a program may write, in bytes.
+inline constexpr std::size_t most_picture = std::size_t{64} << 20;
 
 class OwnProgram {
   public:
@@ -21,9 +25,6 @@ class OwnProgram {
     // A program that already exists.
     struct Existing {};
     OwnProgram(Existing, const fs::path& program);
-    ~OwnProgram();
-    OwnProgram(const OwnProgram&) = delete;
-    OwnProgram& operator=(const OwnProgram&) = delete;
 
     struct Drawn {
         Result result;
@@ -35,15 +36,18 @@ class OwnProgram {
     Drawn draw(const std::string& scene, const std::vector<std::string>& options) const;
     // The same for a scene that it must draw: throws app::Failure if it does not.
     Drawn picture(const std::string& scene, const std::vector<std::string>& options) const;
-    // Calls it with any words. The folder that it runs in is empty.
+    // Calls it with any words. The folder that it runs in is empty. It may start no other process,
+    // and write no file larger than 64 MB.
     Result call(const std::vector<std::string>& words) const;
 
     double patience = 60;                         // seconds that a call may take
     std::vector<std::string> before{};            // its name on the command line
+    bool may_start_others = false;                // as sanitizers do
     int times_out() const { return times_out_; }  // how often it did not end
 
   private:
-    fs::path work_;  // for the copy, scenes and pictures
+    ScratchFolder scratch_;  // for the copy, scenes and pictures
+    fs::path work_;          // its path
     fs::path program_;
     mutable std::atomic<int> times_out_ = 0;
 };

@@ -9,10 +9,12 @@
 namespace companion {
 
 // The files of a folder that a person wrote, relative to it. The program, pictures, hidden files,
-// folders named build, and files that hold a zero byte, such as object files, are not among them.
+// folders named build, files of more than a megabyte, and files that hold a zero byte, such as
+// object files, are not among them. Throws app::Failure if the folder holds too much to be that of
+// one program.
 std::vector<fs::path> own_sources(const fs::path& folder);
 
-// A hash over these files; empty if the folder is gone.
+// A hash over these files; empty if the folder is gone or holds too much.
 std::string hash_of_own(const fs::path& folder);
 
 // Whether a line of a verdict belongs to the core: rungs 1 to 6.

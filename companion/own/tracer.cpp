@@ -3,14 +3,18 @@
 #include <companion/build/build.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/check/compiler_words.hpp>
+#include <companion/own/own_program.hpp>
 #include <companion/own/tracer.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/process.hpp>
+#include <companion/system/terminal.hpp>
 #include <cstdio>
 #include <sstream>
 
 namespace companion {
 namespace {
+
+constexpr std::size_t most_words = std::size_t{1} << 20;  // of the compiler, in bytes
 
 // The command without its input and output, as the preprocessor wants it, too.
 std::vector<std::string> compiler_words(const Course& course, const Chapter& last) {
@@ -56,17 +60,20 @@ std::vector<std::string> tracer_command(const Course& course, const Chapter& las
 }
 
 void compile_tracer(const Course& course, const Chapter& last) {
-    const Result result =
-        run_process({.command = tracer_command(course, last), .folder = course.root});
+    const Result result = run_process({.command = tracer_command(course, last),
+                                       .folder = course.root,
+                                       .most_cpu = most_compiling,
+                                       .most_memory = memory_of_compiler()});
     const fs::path file = tracer_file(course).lexically_relative(course.root);
     if (result.ok()) {
-        if (const std::string warning = first_warning(course, result.output, {file});
+        if (const std::string warning =
+                first_warning(course, printable(result.output, most_words), {file});
             !warning.empty())
             std::fprintf(stderr, "The compiler warns: %s\n%s\n", warning.c_str(),
                          plain_words(warning).c_str());
         return;
     }
-    const std::string error = first_error(course, result.output, {file});
+    const std::string error = first_error(course, printable(result.output, most_words), {file});
     if (error.empty()) throw app::Failure("tracer.cpp does not compile: " + how_it_ended(result));
     const std::string words = plain_words(error);
     std::fprintf(stderr, "%s\n%s%s\n", error.c_str(),
@@ -96,14 +103,16 @@ Drawn draw_by_tracer(const Course& course, const fs::path& program,
     const Result result = run_process({.command = command,
                                        .folder = course.root,
                                        .passes_signals = true,
-                                       .most_output = std::size_t{64} << 20});
+                                       .most_file = most_picture,
+                                       .most_output = most_picture});
     const std::string name = program.filename().string();
     if (!result.ok())
-        throw app::Failure(name + ": " + how_it_ended(result) +
-                           (result.output.empty() || result.output[0] == 'P'
-                                ? ""
-                                : ": " + result.output.substr(0, result.output.find('\n'))));
-    if (fs::exists(picture)) return {parse_ppm(read_file(picture)), result.output};
+        throw app::Failure(
+            name + ": " + how_it_ended(result) +
+            (result.output.empty() || result.output[0] == 'P'
+                 ? ""
+                 : ": " + printable(result.output.substr(0, result.output.find('\n')), 300)));
+    if (fs::exists(picture)) return {parse_ppm(read_file(picture)), printable(result.output)};
     if (result.output.empty()) throw app::Failure(name + " printed no picture and wrote none");
     app::replace_file(picture, result.output);
     return {parse_ppm(result.output), {}};

@@ -23,7 +23,7 @@ void measure(const Course& course, const Chapter& chapter, bool show_tables, Who
     fs::remove(folder / chapter.table());  // an older one must not be taken for this one
     for (const std::string& program : study_programs(chapter, whose)) {
         Run run{.command = {course.program(program).string(), "--study", folder.string()},
-                .output = show_tables ? Output::shown : Output::errors_shown};
+                .output = show_tables ? Output::printable : Output::errors_shown};
         if (!show_tables) run.command.push_back("--quiet");
         const Result result = run_process(run);
         if (!result.ok())

@@ -53,6 +53,29 @@ std::string dim(const std::string& text) {
     return colored("2", text);
 }
 
+std::string printable(const std::string& text, std::size_t most) {
+    std::string kept;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = [&](std::size_t at) {
+            return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u;
+        };
+        if (kept.size() >= most) return kept + "...";
+        if (byte(i) == 0x1b && byte(i + 1) == '[') {  // up to its last byte
+            for (i += 2; i < text.size() && (byte(i) < 0x40 || byte(i) > 0x7e);) ++i;
+        } else if (byte(i) == 0x1b && byte(i + 1) == ']') {  // up to the bell or another escape
+            for (i += 2; i < text.size() && byte(i) != '\a' && byte(i) != 0x1b;) ++i;
+            if (byte(i) == 0x1b && byte(i + 1) != '\\') --i;
+        } else if (byte(i) == 0x1b) {
+            ++i;
+        } else if (byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xa0) {
+            ++i;  // the control characters of Unicode's second row
+        } else if (text[i] == '\n' || text[i] == '\t' || (byte(i) >= 0x20 && byte(i) != 0x7f)) {
+            kept += text[i];
+        }
+    }
+    return kept;
+}
+
 std::string bar(int part, int whole, int width) {
     const int filled = whole > 0 ? part * width / whole : 0;
     return '[' + std::string(static_cast<std::size_t>(filled), '#') +

@@ -16,6 +16,10 @@ std::string yellow(const std::string& text);
 std::string bold(const std::string& text);
 std::string dim(const std::string& text);
 
+// A text that somebody else wrote, without what a terminal would obey: escape sequences and control
+// characters other than the line's end and the tab. Of more than this many bytes the rest is cut.
+std::string printable(const std::string& text, std::size_t most = 4000);
+
 // "[#####.....]": how much of a whole is done.
 std::string bar(int part, int whole, int width);
 

@@ -96,7 +96,10 @@ void speed_up(Certificate& certificate) {
     }
     const std::string what = "speed-up of " + std::to_string(threads) + " threads on " +
                              std::to_string(cores) + (cores == 1 ? " core" : " cores");
-    certificate.at_least("06.3", what.c_str(), best, 0.8 * cores, "");
+    if (threads == 1)  // there is nothing to gain
+        certificate.shows("06.3", what.c_str(), best, "");
+    else
+        certificate.at_least("06.3", what.c_str(), best, 0.8 * cores, "");
 }
 
 }  // namespace

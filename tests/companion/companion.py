@@ -24,6 +24,7 @@ CHECK = r"""#!/bin/sh
 # check.sh ID FILE: stands in for compiler and checkpoint. The words in FILE say how it goes.
 id=$1 file=$2
 say() { printf '%s\n' "$*"; }  # echo would turn \n into the end of a line
+event() { say "printf '%s\n' \"\$COURSE_EVENTS \"'$*' >&3"; }
 if grep -q 'syntax error' "$file"; then
     echo "FAILED: $id.o"
     echo "$file:3:5: error: expected ';'"
@@ -36,42 +37,52 @@ fi
 mkdir -p check
 {
     echo '#!/bin/sh'
-    say 'case $3 in "[hard]"*) ;; *)' "cat <<'EVENTS'"
-    say '{"event":"begins","name":"'"$id"' the answer is right"}'
+    cases='{"name":"'"$id"' the answer is right"}'
+    for name in $(sed -n 's/^star \([a-z]*\) .*/\1/p' "$file"); do
+        cases=$cases',{"name":"'"${id%.float} star $name"'","hard":true}'
+    done
+    ! grep -q '^one less' "$file" || cases=$cases',{"name":"another","hard":false}'
+    ! grep -q '^at once' "$file" || echo 'exit 0'
+    event '{"event":"cases","cases":['"$cases"']}'
+    say 'case $3 in "[hard]"*) ;; *)'
+    event '{"event":"begins","name":"'"$id"' the answer is right"}'
     failed='{"event":"ends","passed":false,"output":""}'
     narrow=no
     case $id in *.float) grep -q 'not in float' "$file" && narrow=yes ;; esac
     if grep -q wrong "$file" || [ $narrow = yes ]; then
-        say '{"event":"failed","macro":"CHECK","expression":"a == b","expanded":"3 == 2",' \
+        event '{"event":"failed","macro":"CHECK","expression":"a == b","expanded":"3 == 2",' \
             '"messages":["expected 2, but yours gives 3.\nHint: count once more"]}'
-        say "$failed"
+        event "$failed"
     elif grep -q 'needs 01.2' "$file"; then
-        say '{"event":"failed","exception":"there","missing":"01.2","messages":[]}'
-        say "$failed"
+        event '{"event":"failed","exception":"there","missing":"01.2","messages":[]}'
+        event "$failed"
     elif grep -q 'needs 01.1' "$file"; then
-        say '{"event":"failed","exception":"there","missing":"01.1",' \
+        event '{"event":"failed","exception":"there","missing":"01.1",' \
             '"messages":["Hint: is it the function that was declared?"]}'
-        say "$failed"
+        event "$failed"
     elif grep -q '^endless\|^crash\|, then crash\|chatter' "$file"; then
         :
+    elif grep -q '^leaves' "$file"; then
+        say 'exit 0'
     else
-        say '{"event":"ends","passed":true,"output":""}'
+        event '{"event":"ends","passed":true,"output":""}'
     fi
-    say EVENTS
     say ';; esac'
     # The hard cases, where the file speaks of stars: "star one open", "star two open in float", "star
     # one crash". $3 may ask for the core alone, or for these but for those that it names.
     say '[ "$3" != "~[hard]" ] || exit 0'
     for name in $(sed -n 's/^star \([a-z]*\) .*/\1/p' "$file"); do
-        say 'case $3 in *"star '"$name"'"*) ;; *)' "cat <<'EVENTS'"
-        say '{"event":"begins","name":"'"${id%.float} star $name"'","hard":true}'
+        say 'case $3 in *"star '"$name"'"*) ;; *)'
+        event '{"event":"begins","name":"'"${id%.float} star $name"'","hard":true}'
         if grep -q "star $name crash" "$file"; then
-            say EVENTS
             say 'kill -SEGV $$ ;; esac'
             continue
         fi
+        if grep -q "star $name leaves" "$file"; then
+            say 'exit 0 ;; esac'
+            continue
+        fi
         if grep -q "star $name endless" "$file"; then
-            say EVENTS
             say 'exec sleep 60 ;; esac'
             continue
         fi
@@ -79,10 +90,9 @@ mkdir -p check
         ! grep -q "star $name open$" "$file" || passed=false
         case $id in *.float) ! grep -q "star $name open in float$" "$file" || passed=false ;; esac
         [ $passed = true ] ||
-            say '{"event":"failed","macro":"CHECK","expression":"c == d","expanded":"8 == 7",' \
+            event '{"event":"failed","macro":"CHECK","expression":"c == d","expanded":"8 == 7",' \
                 '"messages":["expected 7, but yours gives 8"]}'
-        say '{"event":"ends","passed":'$passed',"output":""}'
-        say EVENTS
+        event '{"event":"ends","passed":'$passed',"output":""}'
         say ';; esac'
     done
     grep -q chatter "$file" && echo 'yes without end'
@@ -116,7 +126,7 @@ class Companion(unittest.TestCase):
         for program in ("01_tiny_mine", "01_tiny_mine_float", "01_tiny_solution", "01_tiny_solution_float",
                         "09_own_solution"):
             cmake += (f"add_custom_target({program} COMMAND ${{CMAKE_COMMAND}} -E make_directory bin "
-                      f"COMMAND ${{CMAKE_COMMAND}} -E copy ${{CMAKE_SOURCE_DIR}}/program.sh bin/{program})\n")
+                      f"COMMAND ${{CMAKE_COMMAND}} -E copy ${{CMAKE_SOURCE_DIR}}/program.sh bin/{program} VERBATIM)\n")
         cmake += "add_custom_target(own_start)\n"
         for target in ("02.1", "02.1.float"):
             cmake += self.answer(target, "02_more/rt/three.hpp")
@@ -251,7 +261,8 @@ class Companion(unittest.TestCase):
         (self.root / "empty").mkdir()
         self.course("own", "new", str(self.root / "empty"))
         self.course("own", code=2)
-        self.course("own", "judge", str(folder), "--rung", "10", code=2)
+        for words in (["--rung", "10"], ["--rung", "0"], ["--rung", "-1"], ["--seed", "-1"], ["--seed", "x"]):
+            self.assertEqual(self.course("own", "judge", str(folder), *words, code=2).count("\n"), 1)
         self.assertIn("rung1, rung2", self.course("own", "judge", str(folder), "--part", "x", code=2))
         self.assertIn("own judge", self.course("check", "09", code=2))
 
@@ -283,6 +294,53 @@ class Companion(unittest.TestCase):
         self.assertIn("] %s pass, 1.0 hours" % lines, self.course())
         self.put("tracer/main.cpp", "changed\n")
         self.assertIn("changed since it was judged", self.course())
+
+    def test_own_judge_leaves_nothing_behind(self):
+        self.add_own_chapter()
+        scratch = self.root / "scratch"
+        scratch.mkdir()
+        self.environment["TMPDIR"] = str(scratch)
+        self.course("own", "judge", str(self.root / "missing"), code=1)
+        self.course("own", "judge", "/", code=1)
+        folder = self.root / "tracer"
+        self.course("own", "new", str(folder))
+        self.put("tracer/build.sh", "echo x >../started; sleep 60\n")
+        process = subprocess.Popen([COURSE, "own", "judge", str(folder)], env=self.environment,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.wait_for(lambda: (self.root / "started").exists() or any(scratch.rglob("started")))
+        self.assertTrue(any(scratch.iterdir()))
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(20), -signal.SIGINT)
+        self.wait_for(lambda: not any(scratch.iterdir()))
+
+    def wait_for(self, what):
+        for _ in range(400):
+            if what():
+                return
+            time.sleep(0.05)
+        self.fail("it does not come")
+
+    def test_certify_believes_no_record_of_the_own_program(self):
+        self.add_own_chapter()
+        folder = self.root / "tracer"
+        self.course("own", "new", str(folder))
+        self.put("tracer/build.sh", "cp '%s' own && chmod +x own\n" % (self.root / "program.sh"))
+        self.course("own", "judge", str(folder), code=1)
+        state = self.root / ".course/state.json"
+        record = json.loads(state.read_text())
+        self.assertFalse(record["own"]["core"])
+        record["own"].update(core=True, passed=record["own"]["lines"])
+        state.write_text(json.dumps(record))
+        self.assertIn("your own ray tracer passes", self.course())
+        said = self.course("certify", code=3)
+        self.assertIn("x rung 3: --seed\n", said)
+        self.assertFalse(json.loads(state.read_text())["own"]["core"])
+        for name in ("", "gone"):
+            record["own"].update(hash="", folder=str(self.root / name))
+            state.write_text(json.dumps(record))
+            said = self.course("certify", code=3)
+            self.assertNotIn("rung", said.replace("rungs", ""))
+            self.assertIn("not judged yet", said)
 
     def test_own_chapter_comes_after_the_exercises(self):
         self.add_own_chapter()
@@ -439,6 +497,26 @@ class Companion(unittest.TestCase):
         self.write("two", "needs 01.2\n")  # the linker took the definition that throws
         self.assertIn("the checkpoints do not call your function", self.course("check", "01.2", code=1))
 
+    def test_check_tells_of_code_that_ends_the_program(self):
+        for word, where in (("leaves", " in the test case\n  01.1 the answer is right\n"), ("at once", "\n")):
+            self.write("one", word + "\n")
+            said = self.course("check", "01.1", code=1)
+            self.assertRegex(said, r"x 01.1 .* ends the program\n")
+            self.assertIn("Your code ended the program" + where + "  A function returns to its caller", said)
+        # A test case that was compiled does not run.
+        self.write("one", "one less\n")
+        self.assertRegex(self.course("check", "01.1", code=1), r"x 01.1 .* ends the program\n")
+        # It prints what the reporter writes, in place of what was compiled.
+        check = (self.root / "check.sh").read_text()
+        self.put("check.sh", check.replace(">&3", ""))
+        self.write("one", "right\n")
+        self.assertRegex(self.course("check", "01.1", code=1), r"x 01.1 .* ends the program\n")
+        self.put("check.sh", check)
+        self.write("one", "star one leaves\nstar two open\n")
+        said = self.course("check", "01.1", "--stars")
+        self.assertIn("Star: 01.1 star one\n    the code ended the program.\n", said)
+        self.assertIn("core passes, 2 stars open", said)
+
     def test_check_stops_what_never_ends(self):
         self.write("one", "endless\n")
         self.write("two", "right\n")
@@ -590,6 +668,9 @@ class Companion(unittest.TestCase):
         self.stub("one").unlink()
         self.stub("one").symlink_to("/nowhere/one.hpp")
         refused("is a link to /nowhere/one.hpp, which is missing")
+        self.stub("one").unlink()
+        self.write("one", "")  # which was never checked
+        self.assertRegex(self.course("list"), r"[?] 01.1 .* not checked")
 
     def test_line_ends_do_not_count(self):
         def end_lines_as_windows_does(path):
@@ -724,6 +805,15 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         # What the program says of a stub ends as usual.
         self.course("run", "01", "--mine", "--fail", code=3)
 
+    def test_a_slip_is_refused_before_the_build(self):
+        self.put("build/bin/01_tiny_mine", '#!/bin/sh\ncase "$*" in *nonsense*) echo no such option >&2; exit 2 ;; esac\n')
+        os.chmod(self.root / "build/bin/01_tiny_mine", 0o755)
+        self.assertEqual(self.course("run", "01", "--nonsense", code=2), "no such option\n")
+        self.assertFalse((self.root / "build/yours").exists())
+        for words in (["study", "99"], ["study", "--mine", "99"], ["run", "99"]):
+            self.course(*words, code=2)
+            self.assertFalse((self.root / "build/yours").exists())
+
     def test_run_passes_options_on(self):
         said = self.course("run", "01", "--width", "9")
         self.assertIn(f"program --out {self.root}/out/01_tiny_mine.png --width 9", said)
@@ -733,6 +823,17 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.assertEqual(crashed.returncode, 1)
         self.assertIn("./course check 01", crashed.stderr)
+
+    def test_what_a_program_prints_does_not_rule_the_terminal(self):
+        self.put("program.sh", "#!/bin/sh\nprintf 'so \\033[2J\\033]0;title\\007far\\a\\nit goes'; "
+                 "[ \"$3\" = --all ] && yes goes on 2>/dev/null | head -c 1300000; echo; echo end\n")
+        with Terminal([COURSE, "run", "01"], self.environment) as terminal:
+            terminal.expect("so far\r\nit goes\r\nend\r\n")
+            self.assertEqual(terminal.end(), 0)
+        with Terminal([COURSE, "run", "01", "--all"], self.environment) as terminal:
+            terminal.expect(r"\n\.\.\. and more, which is not shown\.\r\n")
+            self.assertEqual(terminal.end(), 0)
+            self.assertEqual(terminal.said, "")
 
     def test_ctrl_c_reaches_what_runs(self):
         started = self.root / "out/started"
@@ -946,6 +1047,22 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.course("list")
         self.assertEqual((self.root / ".course/state.broken-1.json").read_text(), "{broken")
 
+    def test_a_state_with_odd_numbers_is_set_aside(self):
+        self.course("hint", "01.1")
+        state = self.root / ".course/state.json"
+        good = state.read_text()
+        for number in ("1e99", "-7", "1.5", "99999999999", "1e3"):
+            state.write_text(good.replace('"hints":1', '"hints":' + number))
+            self.assertIn("hint 1 of 3", self.course("hint", "01.1"))
+        self.assertEqual(len([p for p in state.parent.iterdir() if "broken" in p.name]), 5)
+
+    def test_a_file_that_cannot_be_written_is_named(self):
+        self.write("one", "right\n")
+        done = subprocess.run(["sh", "-c", 'ulimit -f 0; exec "$0" check 01.1', COURSE], env=self.environment,
+                              text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stderr, r"^course: cannot write /.+: File too large\n$")
+
     def test_a_state_that_is_no_file_is_set_aside(self):
         self.write("one", "right\n")
         state = self.root / ".course/state.json"
@@ -980,7 +1097,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         with open(self.root / "CMakeLists.txt", "a") as cmake:
             cmake.write("file(GLOB none CONFIGURE_DEPENDS none/*)\n"  # as the course has some
                         "add_custom_target(course COMMAND ${CMAKE_COMMAND} -E make_directory bin "
-                        "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/wrapper bin/course)\n")
+                        "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/wrapper bin/course VERBATIM)\n")
         (self.root / "build/bin/course").rename(self.root / "wrapper")
         self.put("CMakePresets.json", json.dumps({"version": 3, "configurePresets": [
             {"name": "release", "binaryDir": "${sourceDir}/build"}]}))
@@ -1061,7 +1178,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertIn("the web book needs Node.js 18", self.script("book", code=1))
 
     def test_a_folder_that_cmake_cannot_build_in_is_said(self):
-        for name in ('a"b', "a;b", "a#b", "a$b", "a\\b", "a[b", "a]b", "a<b", "a>b", "a|b", "a\nb", "a\n"):
+        for name in ('a"b', "a;b", "a#b", "a$b", "a\\b", "a[b", "a]b", "a<b", "a>b", "a|b", "a?b", "a:b", "a\nb", "a\n"):
             self.put(name + "/course", Path(SCRIPT).read_text())
             self.put(name + "/companion/commands/commands.inc", DECLARED.read_text())
             for script, folder in ((self.root / name / "course", "."), ("./course", self.root / name)):
@@ -1073,6 +1190,28 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                 self.assertEqual(done.stdout, "")
                 self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
                 self.assertIn("CMake cannot build in a folder whose name", done.stderr)
+
+    def test_a_read_only_course_is_named(self):
+        if os.geteuid() == 0:
+            self.skipTest("root may write everywhere")
+        self.use_script()
+        (self.root / "build").chmod(0o555)
+        said = self.script("demo", code=1)
+        (self.root / "build").chmod(0o755)
+        self.assertEqual(said, f"course: cannot write to the folder {self.root}/build\n")
+
+    def test_odd_folder_names_build_once(self):
+        self.use_script()
+        self.write("one", "right\n")
+        shutil.rmtree(self.root / "build")
+        for name in ("o'neil", "a&b", "a*b", "a`b", "a^b"):
+            self.environment["COURSE_TEST_FOLDER"] = str(self.root / name)
+            shutil.copytree(self.root, self.root / name, ignore=shutil.ignore_patterns("o?neil", "a?b"))
+            done = subprocess.run(["sh", str(self.root / name / "course"), "check", "01.1"], env=self.environment,
+                                  text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            # ninja reads no dependency in such a folder.
+            self.assertFalse((self.root / name / "build/build.ninja").exists(), name)
 
     # ---- watch -------------------------------------------------------------------------------
 
@@ -1130,6 +1269,20 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
             terminal.press("q")
             self.assertEqual(terminal.end(), 0)
             self.assertTrue(terminal.echoes())
+
+    def test_watch_says_that_a_file_has_gone(self):
+        with self.watched("01") as terminal:
+            terminal.expect("q quit")
+            self.stub("one").unlink()
+            terminal.expect(r"one\.hpp is missing; \./course reset 01\.1")
+            self.write("one", "right\n")
+            terminal.expect("01.1 .*done")
+            # An editor that removes a file before it writes it anew is no trouble.
+            self.stub("two").unlink()
+            time.sleep(0.3)
+            self.write("two", "right\n")
+            terminal.expect("01.2 .*done")
+            self.assertNotIn("is missing", terminal.said)
 
     def test_watch_restores_the_terminal(self):
         for how in ("q", "\x03", signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
@@ -1212,7 +1365,7 @@ class Terminal:
                 self.said = self.said[found.end():]
                 return
             self.read(0.1)
-        raise AssertionError(f"{pattern!r} did not come; instead: {self.said!r}")
+        raise AssertionError(f"{pattern!r} did not come; instead: {self.said[-2000:]!r}")
 
     def press(self, key):
         os.write(self.here, key.encode())

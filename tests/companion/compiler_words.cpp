@@ -14,6 +14,9 @@ bool says(const std::string& error, const std::string& part) {
 
 // What g++ 12 and clang++ 14 said of the same slips.
 TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_words]") {
+    CHECK(plain_words("cc1plus: out of memory allocating 2147483664 bytes").find("without end") !=
+          std::string::npos);
+    CHECK(says("CPU time limit exceeded signal terminated program cc1plus", "too much time"));
     CHECK(says("expected '}' at end of input", "{ needs its own }"));
     CHECK(says("function definition is not allowed here", "{ needs its own }"));
     CHECK(says("expected ';' before 'return'", "semicolon"));

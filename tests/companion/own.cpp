@@ -1,6 +1,7 @@
 // Judging a ray tracer of the learner's own: what is made up, what is read, what is remembered.
 // tests/support/own_mistakes.cpp tests that wrong programs are stopped.
 
+#include <app/errors.hpp>
 #include <companion/own/accuracy.hpp>
 #include <companion/own/judge.hpp>
 #include <companion/own/own_program.hpp>
@@ -113,8 +114,22 @@ TEST_CASE("a program that draws nothing fails line by line", "[own]") {
                 "different size"));
 }
 
+#ifdef __linux__
+TEST_CASE("a program that runs another is refused", "[own]") {
+    for (const char* const script : {"cp /dev/null $2", "exec cp /dev/null $2", "(exit 4)"})
+        CHECK(verdict_on(program(script), "rung1").at(0).actual ==
+              "own: it was stopped where it started another process");
+}
+#endif
+
+TEST_CASE("a program cannot write a picture of any size", "[own]") {
+    const std::string blocks = std::to_string(most_picture / 512);  // as the shell counts
+    CHECK(verdict_on(program("ulimit -f; exit 4"), "rung1").at(0).actual ==
+          "own: exit code 4: " + blocks);
+}
+
 TEST_CASE("a program that does not end is not waited for forever", "[own]") {
-    const auto lines = verdict_on(program("sleep 60"), "hard");
+    const auto lines = verdict_on(program("while :; do :; done"), "hard");
     REQUIRE(lines.size() == 3);
     CHECK(holds(lines[0].actual, "it timed out"));
     CHECK(holds(lines[1].actual, "it timed out"));
@@ -200,7 +215,28 @@ TEST_CASE("a verdict holds until the sources change", "[own]") {
     CHECK(own_passes(most));
     CHECK_FALSE(own_stars_pass(most));
     CHECK(standing_of({}) == "not judged yet");
+    for (const fs::path& unjudged : {folder.path(), folder / "gone"}) {
+        const OwnRecord no_hash{unjudged.string(), "", 40, 40, 1, true};
+        CHECK(standing_of(no_hash) == "not judged yet");
+        CHECK_FALSE(own_passes(no_hash));
+        CHECK_FALSE(own_stars_pass(no_hash));
+    }
     CHECK_FALSE(own_passes({(folder / "gone").string(), hash, 40, 40, 1, true}));
+}
+
+TEST_CASE("a folder that is not that of one program is not read whole", "[own]") {
+    const TemporaryFolder folder;
+    write_file(folder / "main.cpp", "int main() {}\n");
+    write_file(folder / "picture.exr", std::string((1 << 20) + 1, 'x'));
+    CHECK(own_sources(folder.path()) == std::vector<fs::path>{"main.cpp"});
+    for (int i = 0; i < 10'000; ++i) write_file(folder / std::to_string(i), "");
+    CHECK_THROWS_AS(own_sources(folder.path()), app::Failure);
+    CHECK(hash_of_own(folder.path()) == "");
+    write_file(folder / "build.sh", "true\n");
+    std::vector<JudgedLine> lines;
+    judge({folder.path(), our_program()}, [&](const JudgedLine& line) { lines.push_back(line); });
+    REQUIRE(lines.size() == 1);
+    CHECK(holds(lines[0].actual, "holds too much for one program"));
 }
 
 TEST_CASE("the core of chapter 09 is rungs 1 to 6", "[own]") {

@@ -78,6 +78,54 @@ TEST_CASE("a process that leaves a child behind with its output open has still e
     CHECK(result.seconds < 2);
 }
 
+#ifdef __linux__
+TEST_CASE("nothing that a process started outlives it, wherever it hides", "[process]") {
+    const TemporaryFolder folder;
+    const std::string late =
+        "setsid sh -c 'trap \"\" TERM; (setsid sleep 1; echo x >late) & wait' &";
+    CHECK(run_process({.command = {"sh", "-c", late}, .folder = folder.path()}).seconds < 0.9);
+    const auto stopped =
+        run_process({.command = {"sh", "-c", "trap '' TERM; " + late + " while :; do :; done"},
+                     .folder = folder.path(),
+                     .timeout = 0.2});
+    CHECK(stopped.timed_out);
+    CHECK(stopped.signal == SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    CHECK(folder.count() == 0);
+}
+
+TEST_CASE("a process that may not start another is ended where it does", "[process]") {
+    const auto run = [](const std::string& words) {
+        return run_process({.command = {"/bin/sh", "-c", words}, .may_start_others = false});
+    };
+    const auto alone = run("echo alone; exit 3");
+    CHECK(alone.output == "alone\n");
+    CHECK(alone.exit_code == 3);
+    CHECK_FALSE(alone.started_other);
+    for (const char* const words : {"/bin/true; exit 0", "exec /bin/true", "(exit 0); exit 0"}) {
+        const auto other = run(words);
+        CHECK(other.started_other);
+        CHECK(how_it_ended(other) == "it was stopped where it started another process");
+    }
+}
+#endif
+
+TEST_CASE("a process has limits of time and files", "[process]") {
+    const TemporaryFolder folder;
+    CHECK(run_process({.command = {"sh", "-c", "while :; do :; done"}, .most_cpu = 1}).signal ==
+          SIGXCPU);
+    CHECK(run_process(
+              {.command = {"cp", "/bin/sh", "copy"}, .folder = folder.path(), .most_file = 1000})
+              .signal == SIGXFSZ);
+}
+
+TEST_CASE("a process's events come through a descriptor of their own", "[process]") {
+    const auto result =
+        run_process({.command = {"sh", "-c", "echo out; echo event >&3"}, .has_events = true});
+    CHECK(result.output == "out\n");
+    CHECK(result.events == "event\n");
+}
+
 TEST_CASE("a program is looked up in PATH", "[process]") {
     CHECK(companion::is_installed("sh"));
     CHECK_FALSE(companion::is_installed("no-such-program-here"));

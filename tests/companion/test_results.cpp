@@ -3,14 +3,20 @@
 #include <companion/system/process.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <rt/todo.hpp>
 
 #include "catch.hpp"
-
-using companion::read_report;
+#if __has_include(<catch2/internal/catch_test_failure_exception.hpp>)
+#include <catch2/internal/catch_test_failure_exception.hpp>
+#endif
 
 namespace {
+
+std::vector<companion::TestCase> read_report(const std::string& lines) {
+    return companion::read_report(lines).tests;
+}
 
 const std::string report = R"(
 {"event":"begins","name":"01.1 a < b"}
@@ -70,6 +76,34 @@ TEST_CASE("a report that ends anywhere is read as far as it goes", "[test_result
     CHECK(read_report(report.substr(report.find("{\"event\":\"failed\""))).size() == 1);
 }
 
+TEST_CASE("lines without the secret word of the run do not count", "[test_results]") {
+    const auto of = [](const std::string& lines) { return companion::read_report(lines, "s3"); };
+    const std::string cases = R"({"event":"cases","cases":[{"name":"a","hard":false},)"
+                              R"({"name":"b","hard":true}]})",
+                      begins = R"({"event":"begins","name":"a","hard":false})";
+    const auto theirs = of(cases + "\ns4 " + begins + "\ns3" + begins + "\n s3 " + begins + '\n');
+    CHECK(theirs.tests.empty());
+    CHECK(theirs.compiled.empty());
+    const auto ours = of("noise\ns3 " + cases + "\ns3 " + begins + "\ns3 {\"event\":\"exits\"}\n");
+    CHECK(ours.tests.size() == 1);
+    CHECK(ours.exited);
+    REQUIRE(ours.compiled.size() == 2);
+    CHECK(ours.compiled[1].name == "b");
+    CHECK(ours.compiled[1].hard);
+}
+
+TEST_CASE("what the tested code says is not obeyed by a terminal", "[test_results]") {
+    const auto tests = read_report(R"({"event":"begins","name":"x"}
+{"event":"failed","exception":"\u001b[31mred\u001b]0;title\u0007","messages":["\u001b[2J\u009bgone\b"]}
+{"event":"ends","passed":false,"output":")" +
+                                   std::string(100'000, 'x') + "\"}");
+    REQUIRE(tests.size() == 1);
+    REQUIRE(tests[0].failures.size() == 1);
+    CHECK(tests[0].failures[0].exception == "red");
+    CHECK(tests[0].failures[0].messages.at(0) == "gone");
+    CHECK(tests[0].output.size() < 5'000);
+}
+
 TEST_CASE("a crash is told with the test case in which it came", "[test_results]") {
     const auto tests = read_report(R"({"event":"begins","name":"01.1 x"}
 {"event":"crashes","cause":"SIGSEGV - Segmentation violation signal"}
@@ -82,6 +116,7 @@ TEST_CASE("a crash is told with the test case in which it came", "[test_results]
 
 // What the reporter itself writes: the test cases below run in a process of their own.
 TEST_CASE("events: passes and prints", "[.events]") {
+    CHECK(true);
     std::printf("no line of its own");
     std::cout << "printed \"so\"\n";
 }
@@ -136,6 +171,50 @@ TEST_CASE("the reporter's lines say all, also of a crash", "[test_results]") {
     CHECK(tests[4].crash.find("SIGSEGV") == 0);
     CHECK(tests[4].failures.size() == 2);
 #endif
+}
+
+// Ways to end a test case in which nothing has failed.
+TEST_CASE("ends: nothing is checked", "[.ends]") {}
+TEST_CASE("ends: as Catch2 ends it", "[.ends]") {
+    CHECK(true);
+    throw Catch::TestFailureException{};
+}
+TEST_CASE("ends: exit", "[.ends]") {
+    CHECK(true);
+    std::exit(0);
+}
+TEST_CASE("ends: all is well", "[.ends]") {
+    SECTION("one") {
+        CHECK(true);
+    }
+    SECTION("two") {
+        CHECK(true);
+    }
+}
+
+TEST_CASE("a test case passes only if it came to its end", "[test_results]") {
+    const auto ran = [](const std::string& name) {
+        const auto result = companion::run_process(
+            {.command = {"env", "COURSE_EVENTS=secret",
+                         companion::this_course().program("companion_test"), name, "-r", "events"},
+             .has_events = true});
+        CHECK(result.output == "");
+        CHECK(result.signal == 0);
+        return companion::read_report(result.events, "secret");
+    };
+    for (const char* const name : {"ends: nothing is checked", "ends: as Catch2 ends it"}) {
+        const auto found = ran(name);
+        REQUIRE(found.tests.size() == 1);
+        CHECK(found.tests[0].ended);
+        CHECK_FALSE(found.tests[0].passed);
+        CHECK(found.tests[0].failures.size() == 1);
+        CHECK(found.compiled.size() > 100);
+    }
+    const auto exits = ran("ends: exit");
+    CHECK(exits.exited);
+    REQUIRE(exits.tests.size() == 1);
+    CHECK_FALSE(exits.tests[0].ended);
+    CHECK(ran("ends: all is well").tests.at(0).passed);
 }
 
 #if !defined(RT_SANITIZED) && !__has_include(<catch2/catch_test_macros.hpp>)

@@ -162,10 +162,9 @@ int races(const std::string& chapter) {
             if (!answer.mistake.remarks.count(remark)) continue;
             const Cases cases{.exercise = exercise.id,
                               .answer = answer.folder,
-                              .which = answer.mistake.remarks.at(remark)};
+                              .only = answer.mistake.remarks.at(remark)};
             std::vector<std::string> command = at_fixed_addresses();
-            for (std::string& word : command_of(course, cases, false))
-                command.push_back(std::move(word));
+            for (std::string& word : command_of(course, cases)) command.push_back(std::move(word));
             outcomes.push_back(answer.build.ok ? expect(run_process({.command = command}).output,
                                                         "WARNING: ThreadSanitizer: data race")
                                                : Outcome{"", answer.build.output});

@@ -1,0 +1,55 @@
+#include <companion/build/build.hpp>
+#include <companion/commands/compared_picture.hpp>
+#include <companion/compare/program_pictures.hpp>
+#include <cstdio>
+
+namespace companion {
+namespace {
+
+Comparison compared(const Course& course, const Chapter& chapter) {
+    must_build(course, chapter.name + "_mine");
+    return compare(two_programs(course.program(chapter.name + "_mine"),
+                                course.program(chapter.name + "_solution")));
+}
+
+// Whether right answers alone make the difference: open stars, or another right answer than ours.
+// Then it is gone with the solution's code for them. Those with several right answers are tried
+// first, then those of this chapter, then all. Empty if they do not explain it.
+std::vector<std::string> explained(const Course& course, const Chapter& chapter,
+                                   const Yours& yours) {
+    std::set<std::string> several, here, all;
+    for (const auto& [id, reason] : yours.may_differ) {
+        all.insert(id);
+        if (id.rfind(chapter.number() + '.', 0) == 0) here.insert(id);
+        if (find_exercise(course, id).several_answers) several.insert(id);
+    }
+    std::set<std::set<std::string>> tried{{}};
+    for (const std::set<std::string>& some : {several, here, all}) {
+        if (!tried.insert(some).second) continue;
+        std::fprintf(stderr,
+                     "It differs. Drawing it with the solution's code for %zu %s, to see why ...\n",
+                     some.size(), some.size() == 1 ? "exercise" : "exercises");
+        put_yours_in_place_except(course, chapter, some);
+        if (!compared(course, chapter).same) continue;
+        std::vector<std::string> words{"It differs from the solution's, which is no mistake here:"};
+        for (const std::string& id : some)
+            words.push_back(id + ' ' + yours.may_differ.at(id) + '.');
+        words.push_back(some.size() == 1
+                            ? "With the solution's code for it, the pictures are the same."
+                            : "With the solution's code for these, the pictures are the same.");
+        return words;
+    }
+    return {};
+}
+
+}  // namespace
+
+ComparedPicture compare_picture(const Course& course, const Chapter& chapter) {
+    ComparedPicture picture{put_yours_in_place(course, chapter), {}, {}};
+    must_build(course, chapter.name + "_solution");
+    picture.found = compared(course, chapter);
+    if (!picture.found.same) picture.excused = explained(course, chapter, picture.yours);
+    return picture;
+}
+
+}  // namespace companion
