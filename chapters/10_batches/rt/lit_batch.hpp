@@ -23,7 +23,7 @@ struct FoundHit {
 // ray is kept.
 struct AskedLater {
     std::optional<PathRecord>& shadow_ray;
-    int& material;
+    int& light;
 };
 template <class AnyRay>
 bool sees_light(const AskedLater& world, const AnyRay& ray, const ChosenLight& light) {
@@ -31,7 +31,7 @@ bool sees_light(const AskedLater& world, const AnyRay& ray, const ChosenLight& l
     world.shadow_ray->origin = ray.origin;
     world.shadow_ray->direction = ray.direction;
     world.shadow_ray->t = light.sample.distance;
-    world.material = light.light->material;
+    world.light = light.light->number;
     return true;
 }
 
@@ -76,8 +76,7 @@ class LitBatch {
         rays += count + shadow_rays_.size();
         search_.find_nearest(shadow_rays_);
         for (std::size_t i = 0; i < shadows_.size(); ++i)
-            if (const auto hit = found(shadow_rays_[i]);
-                !hit || hit->material == shadows_[i].material)
+            if (const auto hit = found(shadow_rays_[i]); !hit || hit->light == shadows_[i].number)
                 light[index(shadow_rays_[i])] += shadows_[i].light;
         for (const auto& [sample, last] : ends_) light[sample] += last;
         return left;
@@ -90,8 +89,8 @@ class LitBatch {
         Real drawn = 0;
     };
     struct Shadow {
-        Color light;  // that arrives if nothing is in the way
-        int material = 0;
+        Color light;     // that arrives if nothing is in the way
+        int number = 0;  // the light's
     };
 
     static std::size_t index(const PathRecord& path) {
@@ -104,7 +103,8 @@ class LitBatch {
         if (path.sphere < 0) return {};
         const auto number = static_cast<std::size_t>(path.sphere);
         Hit hit = surface_hit(surfaces_.sphere(number), {path.origin, path.direction}, path.t);
-        hit.material = surfaces_.numbers[number];
+        hit.material = surfaces_.materials[number];
+        hit.light = surfaces_.lights[number];
         return hit;
     }
 
@@ -146,14 +146,14 @@ class LitBatch {
     template <class AnyRay, class Place>
     void look_for_light(PathRecord& path, const AnyRay& ray, const Place& place, bool goes_on) {
         std::optional<PathRecord> shadow_ray;
-        int material = 0;
+        int number = 0;
         const Color share =
-            path.throughput * direct_light(ray, AskedLater{shadow_ray, material}, scene_.lights,
+            path.throughput * direct_light(ray, AskedLater{shadow_ray, number}, scene_.lights,
                                            place, goes_on, path.random);
         if (!shadow_ray) return;
         shadow_ray->sample = path.sample;
         shadow_rays_.push_back(*shadow_ray);
-        shadows_.push_back({share, material});
+        shadows_.push_back({share, number});
     }
 
     const ReadyScene<effects>& scene_;
