@@ -90,6 +90,25 @@ class SceneLights {
     std::vector<Light> lights_;
 };
 
+// Where a ray to a light ends: there it meets the shape of this number in the tree, or none.
+struct LightEnd {
+    Real t;
+    int in_tree;
+};
+
+// The light itself is not in its own way. So the ray ends where it meets the light by the same
+// formula as any other shape, and not at a distance that was rounded in another way.
+inline LightEnd light_end(const ChosenLight& chosen, const Ray& ray) {
+    const Light& light = *chosen.light;
+    const Interval way{0, chosen.sample.distance};
+    if (light.in_tree >= 0) {
+        const auto of_shape = [&](const auto& shape) { return hit_light(shape, ray, way); };
+        if (const std::optional<Real> t = std::visit(of_shape, light.shape))
+            return {*t, light.in_tree};
+    }
+    return {way.max, -1};
+}
+
 // True if nothing is between a ray's origin and the light along it. A world that can say whether
 // anything is in the way is asked no more than that; others are asked for the nearest hit.
 template <class World, class AnyRay>
@@ -98,13 +117,8 @@ bool sees_light(const World& world, const AnyRay& ray, const ChosenLight& chosen
     const Interval way{0, chosen.sample.distance};
     if constexpr (requires { world.occluded(ray, way, light.in_tree); })
         if (light.in_tree >= 0) {
-            // The light itself is not in its own way. So the ray ends where it meets the light by
-            // the same formula as any other shape, and not at a distance that was rounded in
-            // another way.
-            const Ray plain{ray.origin, ray.direction};
-            const auto of_shape = [&](const auto& shape) { return hit_light(shape, plain, way); };
-            const std::optional<Real> t = std::visit(of_shape, light.shape);
-            return t ? !world.occluded(ray, {0, *t}, light.in_tree) : !world.occluded(ray, way, -1);
+            const LightEnd end = light_end(chosen, {ray.origin, ray.direction});
+            return !world.occluded(ray, {0, end.t}, end.in_tree);
         }
     const std::optional<Hit> hit = world.hit(ray, way);
     return !hit || hit->light == light.number;
