@@ -227,7 +227,7 @@ void check_hits(const SceneDescription& scene, const std::vector<Ray>& rays) {
     BatchSearch{wide}.find_nearest(paths);
     const auto same = [](const std::optional<Hit>& a, const std::optional<Hit>& b) {
         return a ? b && a->t == b->t && a->point == b->point && a->normal == b->normal &&
-                       a->material == b->material
+                       a->material == b->material && a->light == b->light
                  : !b;
     };
     for (std::size_t i = 0; i < rays.size(); ++i) {
