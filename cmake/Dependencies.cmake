@@ -86,3 +86,18 @@ if(NOT STB_INCLUDE_DIR)
 endif()
 # As system headers: their warnings are not ours.
 target_include_directories(course_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
+
+# COURSE_PYTHON, for the tests that read C++ with libclang, if COURSE_PYTHON_HAS_CLANG: /usr/bin/python3 may have the
+# libclang that another python3 lacks.
+set(COURSE_PYTHON_HAS_CLANG OFF)
+find_package(Python3 QUIET COMPONENTS Interpreter)
+foreach(candidate ${Python3_EXECUTABLE} /usr/bin/python3)
+  if(COURSE_ALL_TESTS AND NOT COURSE_PYTHON_HAS_CLANG)
+    set(COURSE_PYTHON ${candidate})
+    execute_process(COMMAND ${candidate} -c "import clang.cindex" RESULT_VARIABLE lacks_clang
+                    OUTPUT_QUIET ERROR_QUIET)
+    if(lacks_clang EQUAL 0)
+      set(COURSE_PYTHON_HAS_CLANG ON)
+    endif()
+  endif()
+endforeach()

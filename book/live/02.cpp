@@ -99,75 +99,83 @@ int ring(const rt::Ray& ray) {
 }
 constexpr Ink ring_inks[] = {rgb(0xd8432f), rgb(0xfff4e6), rgb(0xd8432f)};
 
-}  // namespace
+// What both panels show.
+struct ChosenPixel {
+    rt::Camera camera;
+    rt::Vec2 place;  // in pixels from the viewport's top left corner
+    int column, row;
+    rt::Vec2 offset;
+    rt::Ray ray;
 
-void draw(const PixelControls& c, Drawing& out) {
-    const PixelLayout layout = pixel_layout(out.width);
-    out.height = layout.height;
-    const rt::Camera camera = rt::make_camera(
-        {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, rt::radians(c.fov)}, pixel_columns, pixel_rows);
-    const int column = std::min(static_cast<int>(c.x), pixel_columns - 1),
-              row = std::min(static_cast<int>(c.y), pixel_rows - 1);
-    const rt::Vec2 offset{c.x - column, c.y - row};
-    const rt::Ray ray = primary_ray(camera, column, row, offset);
-    const Space space{layout.space, {0, 0, -1.35}, c.turn, c.up, layout.scale};
-    const auto on_viewport = [&](double x, double y) {
+    explicit ChosenPixel(const PixelControls& c)
+        : camera{rt::make_camera({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, rt::radians(c.fov)},
+                                 pixel_columns, pixel_rows)},
+          place{c.x, c.y},
+          column{std::min(static_cast<int>(c.x), pixel_columns - 1)},
+          row{std::min(static_cast<int>(c.y), pixel_rows - 1)},
+          offset{c.x - column, c.y - row},
+          ray{primary_ray(camera, column, row, offset)} {}
+
+    rt::Vec3 on_viewport(double x, double y) const {
         const rt::Vec2 p = pixel_to_viewport(camera, 0, 0, {x, y});
-        return rt::Vec3{p.x, p.y, -1};
-    };
-    const auto pixel_corners = [&](int i, int k) {
-        return space.corners({on_viewport(i, k), on_viewport(i + 1, k), on_viewport(i + 1, k + 1),
-                              on_viewport(i, k + 1)});
-    };
-    const Point eye = space.to_page(rt::Vec3{0, 0, 0});
+        return {p.x, p.y, -1};
+    }
+};
 
-    const auto draw_target = [&] {
-        for (int i = rings; i-- > 0;) {
-            std::vector<Point> rim;
-            for (int k = 0; k < 48; ++k) {
-                const double angle = 2 * rt::pi * k / 48, radius = (i + 1) * ring_width;
-                rim.push_back(space.to_page(
-                    target + rt::Vec3{radius * std::cos(angle), radius * std::sin(angle), 0}));
-            }
-            out.polygon(rim, ring_inks[i]);
+void draw_target(const Space& space, Drawing& out) {
+    for (int i = rings; i-- > 0;) {
+        std::vector<Point> rim;
+        for (int k = 0; k < 48; ++k) {
+            const double angle = 2 * rt::pi * k / 48, radius = (i + 1) * ring_width;
+            rim.push_back(space.to_page(
+                target + rt::Vec3{radius * std::cos(angle), radius * std::sin(angle), 0}));
         }
+        out.polygon(rim, ring_inks[i]);
+    }
+}
+
+void draw_viewport(const ChosenPixel& chosen, const Space& space, Drawing& out) {
+    const auto corner = [&](int i, int k) { return chosen.on_viewport(i, k); };
+    const auto fill = [&](int i, int k, Ink color) {
+        out.polygon(
+            space.corners({corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1)}),
+            color);
     };
-    const auto draw_viewport = [&] {
-        // What each pixel shows: one ray through its middle.
-        for (int k = 0; k < pixel_rows; ++k)
-            for (int i = 0; i < pixel_columns; ++i) {
-                const int shows = ring(primary_ray(camera, i, k, {0.5, 0.5}));
-                out.polygon(pixel_corners(i, k), thin(shows < rings ? ring_inks[shows] : accent,
-                                                      shows < rings ? 0.75 : 0.1));
-            }
-        for (int i = 0; i <= pixel_columns; ++i)
-            out.line(space.to_page(on_viewport(i, 0)), space.to_page(on_viewport(i, pixel_rows)),
-                     {thin(accent, 0.6), 1});
-        for (int k = 0; k <= pixel_rows; ++k)
-            out.line(space.to_page(on_viewport(0, k)), space.to_page(on_viewport(pixel_columns, k)),
-                     {thin(accent, 0.6), 1});
-        out.polygon(pixel_corners(column, row), thin(amber, 0.7));
-        for (const int i : {0, pixel_columns})
-            for (const int k : {0, pixel_rows})
-                out.line(eye, space.to_page(on_viewport(i, k)), {muted, 1, 4});
+    // What each pixel shows: one ray through its middle.
+    for (int k = 0; k < pixel_rows; ++k)
+        for (int i = 0; i < pixel_columns; ++i) {
+            const int shows = ring(primary_ray(chosen.camera, i, k, {0.5, 0.5}));
+            fill(i, k, shows < rings ? thin(ring_inks[shows], 0.75) : thin(accent, 0.1));
+        }
+    const auto line = [&](rt::Vec3 from, rt::Vec3 to, Pen stroke) {
+        out.line(space.to_page(from), space.to_page(to), stroke);
     };
+    for (int i = 0; i <= pixel_columns; ++i)
+        line(corner(i, 0), corner(i, pixel_rows), {thin(accent, 0.6), 1});
+    for (int k = 0; k <= pixel_rows; ++k)
+        line(corner(0, k), corner(pixel_columns, k), {thin(accent, 0.6), 1});
+    fill(chosen.column, chosen.row, thin(amber, 0.7));
+    for (const int i : {0, pixel_columns})
+        for (const int k : {0, pixel_rows}) line({0, 0, 0}, corner(i, k), {muted, 1, 4});
+}
+
+// The eye, the viewport and the target, from the side.
+void draw_space(const ChosenPixel& chosen, const Space& space, Drawing& out) {
+    const Point eye = space.to_page(rt::Vec3{0, 0, 0}), end = space.to_page(on_wall(chosen.ray)),
+                through = space.to_page(chosen.on_viewport(chosen.place.x, chosen.place.y));
     // What is farther away comes first.
-    const bool target_is_behind = space.toward(target) < space.toward({0, 0, -1});
-    const rt::Vec3 end = on_wall(ray);
-    const rt::Vec3 through = on_viewport(c.x, c.y);
-    if (target_is_behind) {
-        draw_target();
-        out.arrow(space.to_page(through), space.to_page(end), {ink, 2.5});
-    }
-    draw_viewport();
-    if (target_is_behind) {
-        out.line(eye, space.to_page(through), {ink, 2.5});
+    if (space.toward(target) < space.toward({0, 0, -1})) {
+        draw_target(space, out);
+        out.arrow(through, end, {ink, 2.5});
+        draw_viewport(chosen, space, out);
+        out.line(eye, through, {ink, 2.5});
     } else {
-        out.arrow(eye, space.to_page(end), {ink, 2.5});
-        draw_target();
+        draw_viewport(chosen, space, out);
+        out.arrow(eye, end, {ink, 2.5});
+        draw_target(space, out);
     }
-    out.dot(space.to_page(end), ink, 4);
-    out.dot(space.to_page(through), amber, 4);
+    out.dot(end, ink, 4);
+    out.dot(through, amber, 4);
 
     const auto axis = [&](rt::Vec3 along, std::string_view name, Ink color) {
         out.arrow(eye, space.to_page(0.6 * along), {color, 2.5});
@@ -175,20 +183,21 @@ void draw(const PixelControls& c, Drawing& out) {
         out.text(space.to_page(0.75 * along), name, color);
         out.bold = false;
     };
-    axis(camera.basis.u, "u", orange);
-    axis(camera.basis.v, "v", green);
-    axis(camera.basis.w, "w", blue);
+    axis(chosen.camera.basis.u, "u", orange);
+    axis(chosen.camera.basis.v, "v", green);
+    axis(chosen.camera.basis.w, "w", blue);
     out.dot(eye, ink, 5);
-    out.handle_everywhere();
+}
 
-    // The viewport as the eye sees it, sharp: many rays a pixel.
-    const auto [corner, pixel] = std::pair{layout.corner, layout.pixel};
-    const Point opposite = corner + pixel * Point{pixel_columns, pixel_rows};
+// The viewport as the eye sees it, sharp: many rays a pixel.
+void draw_seen(const ChosenPixel& chosen, const PixelLayout& layout, Drawing& out) {
+    const auto at = [&](double x, double y) { return layout.corner + layout.pixel * Point{x, y}; };
+    const Point corner = layout.corner, opposite = at(pixel_columns, pixel_rows);
     constexpr int fine = 16;
     Bytes& seen = out.picture(fine * pixel_columns, fine * pixel_rows);
     for (int y = 0; y < seen.rows; ++y)
         for (int x = 0; x < seen.columns; ++x) {
-            const int shows = ring(primary_ray(camera, x / fine, y / fine,
+            const int shows = ring(primary_ray(chosen.camera, x / fine, y / fine,
                                                {(x % fine + 0.5) / fine, (y % fine + 0.5) / fine}));
             seen.set(x, y,
                      rt::from_hex(shows == rings ? 0xc9dcf3
@@ -196,28 +205,36 @@ void draw(const PixelControls& c, Drawing& out) {
                                                  : 0xd8432f));
         }
     out.show(seen, corner, opposite);
-    for (int i = 0; i <= pixel_columns; ++i)
-        out.line(corner + pixel * Point{double(i), 0},
-                 corner + pixel * Point{double(i), pixel_rows}, {thin(rgb(0x24406e), 0.35), 1});
-    for (int k = 0; k <= pixel_rows; ++k)
-        out.line(corner + pixel * Point{0, double(k)},
-                 corner + pixel * Point{pixel_columns, double(k)}, {thin(rgb(0x24406e), 0.35), 1});
-    out.frame(corner + pixel * Point{double(column), double(row)},
-              corner + pixel * Point{column + 1.0, row + 1.0}, {amber, 3});
-    out.text({(corner.x + opposite.x) / 2, corner.y - 14}, "the viewport, seen from the eye",
-             muted);
-    const Point place = corner + pixel * Point{c.x, c.y};
-    out.handle(place);
+    const Pen grid{thin(rgb(0x24406e), 0.35), 1};
+    for (int i = 0; i <= pixel_columns; ++i) out.line(at(i, 0), at(i, pixel_rows), grid);
+    for (int k = 0; k <= pixel_rows; ++k) out.line(at(0, k), at(pixel_columns, k), grid);
+    out.frame(at(chosen.column, chosen.row), at(chosen.column + 1, chosen.row + 1), {amber, 3});
+    const double middle = (corner.x + opposite.x) / 2;
+    out.text({middle, corner.y - 14}, "the viewport, seen from the eye", muted);
+    out.handle(at(chosen.place.x, chosen.place.y));
 
-    const rt::Vec2 p = pixel_to_viewport(camera, column, row, offset);
+    const rt::Vec2 p = pixel_to_viewport(chosen.camera, chosen.column, chosen.row, chosen.offset);
     const double line = out.is_narrow() ? 18 : 20;
-    const Point words{(corner.x + opposite.x) / 2, opposite.y + line};
+    const Point words{middle, opposite.y + line};
     out.text(words, "x = {.3}, y = {.3}", ink, Align::middle, p.x, p.y);
     out.text(words + Point{0, line}, "x u + y v − w", muted);
+}
+
+}  // namespace
+
+void draw(const PixelControls& c, Drawing& out) {
+    const PixelLayout layout = pixel_layout(out.width);
+    out.height = layout.height;
+    const ChosenPixel chosen{c};
+    draw_space(chosen, {layout.space, {0, 0, -1.35}, c.turn, c.up, layout.scale}, out);
+    out.handle_everywhere();
+    draw_seen(chosen, layout, out);
+    const rt::Vec3 direction = chosen.ray.direction;
     out.say(
         "Column {}, row {}, offset ({.2}, {.2}): the ray's direction, normalized, is ({.3}, {.3}, "
         "{.3}).",
-        column, row, offset.x, offset.y, ray.direction.x, ray.direction.y, ray.direction.z);
+        chosen.column, chosen.row, chosen.offset.x, chosen.offset.y, direction.x, direction.y,
+        direction.z);
 }
 
 void drag(PixelControls& c, const Drag& to) {

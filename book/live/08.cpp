@@ -119,7 +119,8 @@ Night make_night(double lamp_radius) {
     std::vector<rt::SceneSphere> spheres;
     night.materials.materials = {rt::Lambertian{rt::from_hex(0xc9c4bd)},
                                  rt::Lambertian{rt::from_hex(0xf2ece2)},
-                                 rt::Metal{rt::from_hex(0xe8dcc8), 0.15}};
+                                 rt::Metal{rt::from_hex(0xe8dcc8), 0.15}, rt::Lambertian{}};
+    constexpr int black = 3;  // lamps reflect nothing
     const auto add = [&](rt::Vec3 center, double radius, int material) {
         spheres.push_back({{center, radius}, material});
     };
@@ -143,14 +144,12 @@ Night make_night(double lamp_radius) {
                            Lamp{{0.3, 2.7, -1.9}, {0.13, 0.47, 1.3}},
                            Lamp{{2.4, 1.5, 1.1}, {1.25, 0.12, 0.33}}};
     for (const Lamp& lamp : lamps) {
-        // A light has a material of its own, which reflects nothing.
-        const auto material = static_cast<int>(night.materials.materials.size());
-        night.materials.materials.emplace_back(rt::Lambertian{});
-        const auto number = static_cast<int>(spheres.size());
-        add(lamp.center, lamp_radius, material);
+        const auto number = static_cast<int>(night.lights.all().size());
+        const auto in_tree = static_cast<int>(spheres.size());
+        const rt::Sphere shape{lamp.center, lamp_radius};
+        spheres.push_back({shape, black, number});
         const double strength = 1.7 / (lamp_radius * lamp_radius);
-        night.lights.add(
-            {rt::Sphere{lamp.center, lamp_radius}, strength * lamp.light, material, number});
+        night.lights.add({shape, strength * lamp.light, number, in_tree});
     }
     night.world = rt::make_wide_tree(spheres);
     return night;

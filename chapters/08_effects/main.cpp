@@ -1,5 +1,9 @@
-// Chapter 08: a scene file, or the course's final scene (final_scene.cpp), drawn by the narrowest
-// renderer that has all the effects that it needs.
+// Chapter 08: a scene file, or the course's final scene, drawn by the narrowest renderer that has
+// all the effects that it needs.
+//
+// To read in five minutes: final_scene() at the end of final_scene.cpp says what is in the picture,
+// the camera first; draw() below shares out the picture's tiles; of each pixel, Renderer in
+// rt/renderer.hpp averages the paths.
 
 #include <algorithm>
 #include <app/errors.hpp>
@@ -57,9 +61,36 @@ effects::TileRenderer make_renderer(const SceneDescription& scene, const app::Se
     return effects::make_narrowest(needed_effects(scene), scene, width, height, quality);
 }
 
+// The picture, tile by tile, each thread with a worker of its own.
+app::Picture draw(const effects::TileRenderer& renderer, const RenderSettings& chosen, int threads,
+                  app::Progress& progress) {
+    Image image = Canvas<Color>{chosen.width, chosen.height};
+    app::draw_unfinished(image);
+    std::atomic<std::uint64_t> all_rays = 0;
+    std::atomic<std::int64_t> pixels_done = 0;
+    const app::Interruption interruption;
+    const TileGrid grid{chosen.width, chosen.height, renderer.tile_side};
+    progress.start(tile_count(grid));
+    std::vector<effects::DrawTile> workers(static_cast<std::size_t>(threads));
+    render_tiles(grid, threads, [&](const Tile& tile, int worker) {
+        if (app::Interruption::signal() != 0) return;
+        effects::DrawTile& draw_tile = workers[static_cast<std::size_t>(worker)];
+        if (!draw_tile) draw_tile = renderer.make_worker();
+        std::uint64_t rays = 0;
+        pixels_done += draw_tile(tile, chosen.seed, image, rays);
+        all_rays += rays;
+        progress.step();
+    });
+    app::Picture picture{std::move(image), all_rays};
+    if (const int signal = interruption.signal()) {
+        const auto all = static_cast<double>(picture.image.pixels().size());
+        picture.stopped = {signal, static_cast<double>(pixels_done) / all};
+    }
+    return picture;
+}
+
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = open_scene(settings);
-    const RenderSettings& chosen = scene.settings;
     if (by_sobol(settings) && in_batches(settings))
         throw app::UsageError(
             "--batches and --sampler sobol exclude each other: batches are drawn with jittered "
@@ -72,39 +103,17 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const bool refines = !settings.numbers.empty();
     if (!settings.show.empty() && !(refines && settings.show == "samples"))
         return effects::show_scene(scene, settings, progress);
+    app::Picture picture;
     if (refines) {
-        app::Picture picture = effects::refine(scene, settings, explain, progress);
-        picture.words = [words = picture.words, note = effects::note_on(scene)] {
-            return words() + note;
-        };
-        return picture;
+        picture = effects::refine(scene, settings, explain, progress);
+    } else {
+        const effects::TileRenderer renderer = make_renderer(scene, settings);
+        explain(renderer.choice);
+        picture = draw(renderer, scene.settings, settings.threads, progress);
     }
-    const effects::TileRenderer renderer = make_renderer(scene, settings);
-    explain(renderer.choice);
-
-    Image image = Canvas<Color>{chosen.width, chosen.height};
-    app::draw_unfinished(image);
-    std::atomic<std::uint64_t> all_rays = 0;
-    std::atomic<std::int64_t> pixels_done = 0;
-    const app::Interruption interruption;
-    const TileGrid grid{chosen.width, chosen.height, renderer.tile_side};
-    progress.start(tile_count(grid));
-    std::vector<effects::DrawTile> workers(static_cast<std::size_t>(settings.threads));
-    render_tiles(grid, settings.threads, [&](const Tile& tile, int worker) {
-        if (app::Interruption::signal() != 0) return;
-        effects::DrawTile& draw = workers[static_cast<std::size_t>(worker)];
-        if (!draw) draw = renderer.make_worker();
-        std::uint64_t rays = 0;
-        pixels_done += draw(tile, chosen.seed, image, rays);
-        all_rays += rays;
-        progress.step();
-    });
-    app::Picture picture{std::move(image), all_rays};
-    picture.words = [note = effects::note_on(scene)] { return note; };
-    if (const int signal = interruption.signal()) {
-        const auto all = static_cast<double>(picture.image.pixels().size());
-        picture.stopped = {signal, static_cast<double>(pixels_done) / all};
-    }
+    picture.words = [words = picture.words, note = effects::note_on(scene)] {
+        return words ? words() + note : note;
+    };
     return picture;
 }
 

@@ -1,5 +1,9 @@
 #pragma once
 // Reading JSON files that people write: every error says where it is and what is allowed.
+//
+// nlohmann::json alone says at which byte it stopped, and which tokens it would have taken there.
+// It does not say which common slip that is (a comment, single quotes, one comma too many), keeps
+// the last of two values with the same key without a word, and goes as deep as a file does.
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>

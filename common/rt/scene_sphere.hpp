@@ -7,6 +7,7 @@ namespace rt {
 struct SceneSphere {
     Sphere shape;
     int material = 0;
+    int light = -1;  // chapter 08: which of the scene's lights it is; -1: none
 };
 
 }  // namespace rt

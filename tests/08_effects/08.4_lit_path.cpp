@@ -45,9 +45,10 @@ struct Lit {
         materials.materials.push_back(material);
     }
     void add_light(const rt::Sphere& sphere, Color radiance) {
-        const int material = static_cast<int>(materials.materials.size());
+        const auto number = static_cast<int>(lights.all().size());
         add(sphere, rt::Lambertian{});
-        lights.add({sphere, radiance, material});
+        world.spheres.back().light = number;
+        lights.add({sphere, radiance, number});
     }
     template <class Lights, class Ending>
     Mean mean(const Ray& ray, const Lights& found, const Ending& ending, int depth, int count,
@@ -133,15 +134,15 @@ struct Direct {
     bool goes_on = true;
     int asked = 0;
 
-    // In this direction, of this density; the light is the sphere of material 7.
+    // In this direction, of this density.
     Direct(Vec3 direction, Real distance, Real density) {
         lit.add(floor_ball, white);
         const rt::Sphere bulb{distance * rt::normalize(direction), Real(0.01)};
-        light = {bulb, {2, 3, 4}, 7};
+        light = {bulb, {2, 3, 4}};
         lights.add(light);
         lights.sample =
             rt::ChosenLight{{rt::normalize(direction), distance, density}, {2, 3, 4}, &light};
-        lit.world.spheres.push_back({bulb, 7});
+        lit.world.spheres.push_back({bulb, 7, 0});
     }
     Color operator()() {
         const AtThatTime world{lit.world};
@@ -238,9 +239,9 @@ TEST_CASE("08.4 light that was collected is never lost", "[08.4]") {
 
 TEST_CASE("08.4 light that was collected stays where a path is absorbed", "[08.4]") {
     // A white floor under a light; whatever leaves the floor is absorbed by a wall around it.
-    const rt::SphereList world{{{floor_ball, 0}, {{{0, 0, 0}, 1000}, 1}, {{{0, 40, 0}, 1}, 2}}};
+    const rt::SphereList world{{{floor_ball, 0}, {{{0, 0, 0}, 1000}, 1}, {{{0, 40, 0}, 1}, 2, 0}}};
     const rt::MaterialSet<rt::Lambertian, Absorbing> materials{{white, Absorbing{}, white}};
-    const rt::SceneLights lights{{{rt::Sphere{{0, 40, 0}, 1}, {2, 2, 2}, 2}}};
+    const rt::SceneLights lights{{{rt::Sphere{{0, 40, 0}, 1}, {2, 2, 2}}}};
     Mean mean;
     rt::Rng random{9, 8};
     for (int i = 0; i < 4000; ++i)
@@ -258,7 +259,7 @@ TEST_CASE("08.4 a bounce draws the numbers for its light and a mirror draws none
         Lit lit;
         lit.add(floor_ball, material);
         OneSample lights;
-        lights.add({rt::Sphere{{0, 40, 0}, 1}, {2, 2, 2}, 1});
+        lights.add({rt::Sphere{{0, 40, 0}, 1}, {2, 2, 2}});
         rt::Rng random{4, 4}, expected = random;
         rt::lit_path_radiance(down, lit.world, lit.materials, lit.sky, lights, rt::NoFog{},
                               rt::SkyEnding{}, 1, random);

@@ -30,61 +30,59 @@ def exercises(root):
             yield chapter["name"], exercise["id"], exercise["files"]
 
 
-def without_comments(source):
-    return re.sub(r"//[^\n]*", "", source)
+def functions(root, kind, files):
+    """The functions that these headers define: path, what identifies the function, its cursor and its body's."""
+    from clang import cindex
+    headers = subprocess.run(["clang++", "-print-resource-dir"], capture_output=True, text=True, check=True).stdout
+    folders = [*sorted((root / kind).iterdir()), *sorted((root / "chapters").iterdir()), root / "common"]
+    unit = cindex.Index.create().parse(
+        "all.cpp", args=["-std=c++20", "-w", "-DRT_REAL=double", "-isystem", headers.strip() + "/include",
+                         *(f"-I{folder}" for folder in folders)],
+        unsaved_files=[("all.cpp", "".join(f"#include <{file}>\n" for _, file in files))])
+    errors = [str(d) for d in unit.diagnostics if d.severity >= cindex.Diagnostic.Error]
+    if errors:
+        sys.exit("\n".join(errors))
+    paths = {str(root / kind / chapter / file) for chapter, file in files}
 
-
-def stub_signatures(source, exercise):
-    """The name and the parameters, "dot(Vec3 a, Vec3 b)", of each function that is to be written."""
-    source = without_comments(source)
-    for todo in re.finditer(r'rt::todo\("%s"' % re.escape(exercise), source):
-        close = source.rindex(")", 0, source.rindex("{", 0, todo.start()))
-        opened, depth = close, 1
-        while depth > 0:
-            opened -= 1
-            depth += {")": 1, "(": -1}.get(source[opened], 0)
-        name = re.search(r"(\w+|operator\W{1,3})\s*$", source[:opened]).group(1)
-        yield name + source[opened:close + 1]
-
-
-def pattern_of(signature):
-    """Finds the same signature, however its lines are broken and its parameters named, up to the
-    body's brace."""
-    tokens = re.findall(r"\w+|[^\w\s]", signature)
-    parts = [r"(?:\w+|/\*\w+\*/)?" if re.match(r"\w", token) and after in ",)" else re.escape(token)
-             for token, after in zip(tokens, tokens[1:] + ["{"])]
-    member = r"\w+\{[^{}]*\}"
-    return re.compile(r"\b" + r"\s*".join(parts) +
-                      rf"(?:[^;{{}}]*?[^:]:\s*{member}(?:,\s*{member})*\s*|[^;{{}}]*)\{{")
-
-
-def instrumented(source, stub, exercise, file):
-    for signature in dict.fromkeys(stub_signatures(stub, exercise)):
-        found = list(pattern_of(signature).finditer(source))
-        if len(found) != 1:
-            sys.exit(f"{file}: {signature} of {exercise}: expected one definition in the solution, "
-                     f"actual: {len(found)}")
-        end = found[0].end()
-        line = source.rfind("\n", 0, found[0].start()) + 1
-        head = source[line:end].replace("constexpr ", "inline ").replace(" noexcept", "")
-        source = (source[:line] + head +
-                  f' if (course::is_stub("{exercise}")) rt::todo("{exercise}");' + source[end:])
-    return source
+    def below(cursor):
+        for child in cursor.get_children():
+            if cursor == unit.cursor and str(child.location.file) not in paths:
+                continue
+            bodies = [c for c in child.get_children() if c.kind == cindex.CursorKind.COMPOUND_STMT]
+            if bodies:
+                yield str(child.location.file), child.get_usr(), child, bodies[-1]
+            else:
+                yield from below(child)
+    return below(unit.cursor)
 
 
 def make(root, folder):
-    (folder / "rt").mkdir(parents=True, exist_ok=True)
-    for chapter, exercise, files in exercises(root):
-        for file in files:
-            if not file.startswith("rt/") or not file.endswith(".hpp"):
-                continue
-            made = folder / file
-            source = (root / "solutions" / chapter / file).read_text()
-            source = source.replace("#pragma once", "#pragma once\n#include <rt/is_stub.hpp>", 1)
-            source = instrumented(source, (root / "exercises" / chapter / file).read_text(), exercise,
-                                  f"solutions/{chapter}/{file}")
-            if not made.exists() or made.read_text() != source:
-                made.write_text(source)
+    root = root.resolve()
+    files = [(chapter, file) for chapter, _, files in exercises(root) for file in files if file.endswith(".hpp")]
+    written = {}  # which exercise asks for a function
+    for path, name, _, body in functions(root, "exercises", files):
+        extent = body.extent
+        text = pathlib.Path(path).read_bytes()[extent.start.offset:extent.end.offset].decode()
+        if todo := re.search(r'rt::todo\("([\d.]+)"', text):
+            written[name] = todo[1]
+    made = {root / "solutions" / chapter / file: [] for chapter, file in files}
+    for path, name, whole, body in functions(root, "solutions", files):
+        if name in written:
+            made[pathlib.Path(path)].append((whole, body, written.pop(name)))
+    if written:
+        sys.exit(f"no solution has {', '.join(written)}")
+    for path, own in made.items():
+        source = path.read_bytes()
+        for whole, body, exercise in sorted(own, key=lambda f: -f[1].extent.start.offset):
+            begin, brace = whole.extent.start.offset, body.extent.start.offset
+            head = source[begin:brace].replace(b"constexpr ", b"inline ").replace(b" noexcept", b"")
+            stub = f'{{ if (course::is_stub("{exercise}")) rt::todo("{exercise}");'
+            source = source[:begin] + head + stub.encode() + source[brace + 1:]
+        source = source.replace(b"#pragma once", b"#pragma once\n#include <rt/is_stub.hpp>", 1)
+        copy = folder / "rt" / path.name
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        if not copy.exists() or copy.read_bytes() != source:
+            copy.write_bytes(source)
 
 
 def run(root, program):

@@ -87,7 +87,7 @@ configure() {
     esac
     cmake -S . -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
         -DRT_OPTIMIZE="$level" -DRT_NATIVE=$native -DRT_WERROR=ON \
-        -DCOURSE_ALL_TESTS=ON -DCOURSE_MISTAKES=OFF "${flags[@]}"
+        -DCOURSE_ALL_TESTS=ON "${flags[@]}"
 }
 
 # check NAME BUILD

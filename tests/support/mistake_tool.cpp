@@ -174,8 +174,9 @@ int races(const std::string& chapter) {
 }
 
 int program(const std::string& names, const std::string& target, const fs::path& file) {
-    const fs::path folder = below / ("program " + names);
+    const fs::path folder = below / ("program " + file.filename().string());
     fs::remove_all(folder);
+    app::make_folder(folder);
     std::istringstream list{names};
     for (std::string name; std::getline(list, name, '+');) {
         if (fs::is_directory(name)) {

@@ -227,7 +227,7 @@ void check_hits(const SceneDescription& scene, const std::vector<Ray>& rays) {
     BatchSearch{wide}.find_nearest(paths);
     const auto same = [](const std::optional<Hit>& a, const std::optional<Hit>& b) {
         return a ? b && a->t == b->t && a->point == b->point && a->normal == b->normal &&
-                       a->material == b->material
+                       a->material == b->material && a->light == b->light
                  : !b;
     };
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -245,6 +245,14 @@ void check_hits(const SceneDescription& scene, const std::vector<Ray>& rays) {
                 (nearest ? static_cast<PackInteger>(nearest->number) : PackInteger{-1}));
         REQUIRE(paths[i].t == (nearest ? nearest->t : infinity));
     }
+    // Nothing is in the way before the nearest hit, and something is if nothing is known of it.
+    std::vector<PathRecord> shadows = paths;
+    BatchSearch{wide}.find_any(shadows);
+    for (std::size_t i = 0; i < rays.size(); ++i) REQUIRE(shadows[i].t == paths[i].t);
+    for (PathRecord& shadow : shadows) shadow.sphere = -1;
+    BatchSearch{wide}.find_any(shadows);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        REQUIRE((shadows[i].t == BatchSearch::stopped) == (paths[i].sphere >= 0));
 }
 
 std::vector<Color> light_along(const SceneDescription& description, const std::vector<Ray>& rays,

@@ -12,6 +12,7 @@ namespace rt {
 inline Hit surface_hit(const SceneSphere& sphere, const Ray& ray, Real t) {
     Hit hit = surface_hit(sphere.shape, ray, t);
     hit.material = sphere.material;
+    hit.light = sphere.light;
     return hit;
 }
 

@@ -40,7 +40,7 @@ struct alignas(64) WideLeaf<SceneSphere> {
     // Unused lanes have NaN as their radius: no ray hits them.
     Lanes<Real> x{}, y{}, z{}, radius;
     Lanes<std::int32_t> number{};
-    Lanes<std::int32_t> material{};
+    Lanes<std::int32_t> material{}, light{};
 
     WideLeaf() { radius.fill(nothing); }
 
@@ -51,13 +51,14 @@ struct alignas(64) WideLeaf<SceneSphere> {
         radius[place] = sphere.shape.radius;
         number[place] = its_number;
         material[place] = sphere.material;
+        light[place] = sphere.light;
     }
     bool is_used(std::size_t i) const { return !std::isnan(radius[i]); }
     Sphere sphere(std::size_t i) const { return {{x[i], y[i], z[i]}, radius[i]}; }
 
     RT_INLINED Hit hit(std::int32_t place, const Ray& ray, Real t) const {
         const auto i = static_cast<std::size_t>(place);
-        return surface_hit(SceneSphere{sphere(i), material[i]}, ray, t);
+        return surface_hit(SceneSphere{sphere(i), material[i], light[i]}, ray, t);
     }
 };
 using SphereLeaf = WideLeaf<SceneSphere>;

@@ -98,10 +98,12 @@ struct WideTreeOf {
     }
 
     // True if anything is hit within the interval, whatever it is: the search ends at the first hit
-    // that it comes to. If the ray meets the shape of this number at within.max, the question is
-    // whether it meets another one before, by the rules of hit().
+    // that it comes to, and may begin at any node or leaf. If the ray meets the shape of this
+    // number at within.max, the question is whether it meets another one before, by the rules of
+    // hit().
     template <class AnyRay>
-    bool occluded(const AnyRay& any_ray, Interval within, std::int32_t number = -1) const {
+    bool occluded(const AnyRay& any_ray, Interval within, std::int32_t number = -1,
+                  WideChild child = WideChild::node(0)) const {
         if (nodes.empty()) return false;
         const Ray& ray = any_ray;  // not a copy, if it is a plain one
         const WideHit end{within.max, number};
@@ -109,9 +111,9 @@ struct WideTreeOf {
         const auto min = static_cast<Number>(with_origin(within).min * wide.scale);
         const auto max = static_cast<Number>(with_origin(within).max * wide.scale);
         std::array<WideChild, (lanes - 1) * most_nodes + 1> stack;
-        stack[0] = WideChild::node(0);
+        stack[0] = child;
         for (std::size_t waiting = 1; waiting > 0;) {
-            const WideChild child = stack[--waiting];
+            child = stack[--waiting];
             const auto index = static_cast<std::size_t>(child.number());
             if (child.is_leaf()) {
                 if (any_in_leaf(leaves[index], ray, within.min, end)) return true;

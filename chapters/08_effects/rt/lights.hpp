@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <rt/color.hpp>
 #include <rt/hit.hpp>
@@ -9,6 +8,7 @@
 #include <rt/interval.hpp>
 #include <rt/ray.hpp>
 #include <rt/sphere_light.hpp>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -27,8 +27,8 @@ inline std::optional<Real> hit_light(const Sphere& shape, const Ray& ray, Interv
 struct Light {
     LightShape shape;
     Color radiance;
-    int material = 0;  // nothing else has this material, so it tells which light was hit
-    int number = -1;   // of a sphere, among those that stand still
+    int number = 0;    // among the scene's lights, as Hit says
+    int in_tree = -1;  // a sphere's number among those that stand still; -1 for another shape
 };
 
 // A sample of one of a scene's lights.
@@ -53,25 +53,16 @@ struct NoLights {
 class SceneLights {
   public:
     SceneLights() = default;
-    explicit SceneLights(std::vector<Light> all) {
-        for (const Light& light : all) add(light);
-    }
-
-    void add(const Light& light) {
-        const auto material = static_cast<std::size_t>(light.material);
-        if (material >= light_of_.size()) light_of_.resize(material + 1, none);
-        light_of_[material] = static_cast<std::int32_t>(lights_.size());
-        lights_.push_back(light);
-    }
+    // In the order of their numbers, from 0 on.
+    explicit SceneLights(std::vector<Light> all) : lights_{std::move(all)} {}
+    void add(const Light& light) { lights_.push_back(light); }
 
     bool empty() const { return lights_.empty(); }
     const std::vector<Light>& all() const { return lights_; }
 
     // The light that was hit; null if it was not a light.
     const Light* find(const Hit& hit) const {
-        const auto material = static_cast<std::size_t>(hit.material);
-        if (material >= light_of_.size() || light_of_[material] == none) return nullptr;
-        return &lights_[static_cast<std::size_t>(light_of_[material])];
+        return hit.light < 0 ? nullptr : &lights_[static_cast<std::size_t>(hit.light)];
     }
 
     // The probability density with which choose() takes a direction in which this light is seen.
@@ -96,10 +87,27 @@ class SceneLights {
     }
 
   private:
-    static constexpr std::int32_t none = -1;
     std::vector<Light> lights_;
-    std::vector<std::int32_t> light_of_;  // of each material, or none
 };
+
+// Where a ray to a light ends: there it meets the shape of this number in the tree, or none.
+struct LightEnd {
+    Real t;
+    int in_tree;
+};
+
+// The light itself is not in its own way. So the ray ends where it meets the light by the same
+// formula as any other shape, and not at a distance that was rounded in another way.
+inline LightEnd light_end(const ChosenLight& chosen, const Ray& ray) {
+    const Light& light = *chosen.light;
+    const Interval way{0, chosen.sample.distance};
+    if (light.in_tree >= 0) {
+        const auto of_shape = [&](const auto& shape) { return hit_light(shape, ray, way); };
+        if (const std::optional<Real> t = std::visit(of_shape, light.shape))
+            return {*t, light.in_tree};
+    }
+    return {way.max, -1};
+}
 
 // True if nothing is between a ray's origin and the light along it. A world that can say whether
 // anything is in the way is asked no more than that; others are asked for the nearest hit.
@@ -107,18 +115,13 @@ template <class World, class AnyRay>
 bool sees_light(const World& world, const AnyRay& ray, const ChosenLight& chosen) {
     const Light& light = *chosen.light;
     const Interval way{0, chosen.sample.distance};
-    if constexpr (requires { world.occluded(ray, way, light.number); })
-        if (light.number >= 0) {
-            // The light itself is not in its own way. So the ray ends where it meets the light by
-            // the same formula as any other shape, and not at a distance that was rounded in
-            // another way.
-            const Ray plain{ray.origin, ray.direction};
-            const auto of_shape = [&](const auto& shape) { return hit_light(shape, plain, way); };
-            const std::optional<Real> t = std::visit(of_shape, light.shape);
-            return t ? !world.occluded(ray, {0, *t}, light.number) : !world.occluded(ray, way, -1);
+    if constexpr (requires { world.occluded(ray, way, light.in_tree); })
+        if (light.in_tree >= 0) {
+            const LightEnd end = light_end(chosen, {ray.origin, ray.direction});
+            return !world.occluded(ray, {0, end.t}, end.in_tree);
         }
     const std::optional<Hit> hit = world.hit(ray, way);
-    return !hit || hit->material == light.material;
+    return !hit || hit->light == light.number;
 }
 
 }  // namespace rt

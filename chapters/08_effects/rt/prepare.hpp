@@ -17,7 +17,7 @@ struct Prepared {
     std::vector<SceneSphere> still;  // lights, too
     std::vector<MovingSphere> moving;
     std::vector<Instance> instances;
-    std::vector<Light> lights;  // their materials come after those of the scene
+    std::vector<Light> lights;
 };
 
 inline Prepared prepare_shapes(const SceneDescription& scene) {
@@ -30,10 +30,10 @@ inline Prepared prepare_shapes(const SceneDescription& scene) {
             const Mat4& map = scene.maps[static_cast<std::size_t>(sphere.map)];
             prepared.instances.push_back(make_instance(map, sphere.material));
         } else if (emitter && emitter->radiance != Color{}) {
-            const auto own = static_cast<int>(scene.materials.size() + prepared.lights.size());
-            const auto number = static_cast<int>(prepared.still.size());
-            prepared.still.push_back({sphere.shape, own});
-            prepared.lights.push_back({sphere.shape, emitter->radiance, own, number});
+            const auto light = static_cast<int>(prepared.lights.size());
+            const auto in_tree = static_cast<int>(prepared.still.size());
+            prepared.still.push_back({sphere.shape, sphere.material, light});
+            prepared.lights.push_back({sphere.shape, emitter->radiance, light, in_tree});
         } else if (shutter > 0 && sphere.velocity != Vec3{}) {
             prepared.moving.push_back({sphere.shape, shutter * sphere.velocity, sphere.material});
         } else {
@@ -61,9 +61,9 @@ inline ReadyMaterial ready(const Emitter&, const std::vector<Image>&) {
 }
 
 // The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet. If the
-// renderer does not have a material's type, nothing is made of it. Each light has one of its own.
+// renderer does not have a material's type, nothing is made of it.
 template <class Materials>
-Materials prepare_materials(const SceneDescription& scene, std::size_t lights = 0) {
+Materials prepare_materials(const SceneDescription& scene) {
     using Element = typename decltype(Materials::materials)::value_type;
     Materials prepared;
     const auto add = [&](const auto& material) {
@@ -75,7 +75,6 @@ Materials prepare_materials(const SceneDescription& scene, std::size_t lights = 
     for (const MaterialDescription& description : scene.materials)
         std::visit([&](const auto& material) { std::visit(add, ready(material, scene.images)); },
                    description);
-    for (std::size_t i = 0; i < lights; ++i) prepared.materials.emplace_back(Lambertian{});
     return prepared;
 }
 

@@ -69,7 +69,7 @@ struct ReadyScene {
   private:
     ReadyScene(const SceneDescription& scene, const Prepared& shapes, int width, int height)
         : world{make_world<effects>(scene, shapes)},
-          materials{prepare_materials<typename Types::Materials>(scene, shapes.lights.size())},
+          materials{prepare_materials<typename Types::Materials>(scene)},
           sky{scene.sky} {
         set_camera(camera, scene.camera, width, height, !shapes.moving.empty());
         if constexpr (effects.lights) lights = SceneLights{shapes.lights};

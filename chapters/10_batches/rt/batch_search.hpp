@@ -12,8 +12,8 @@
 
 namespace rt {
 
-// Finds which spheres of a tree the rays of a batch meet first (given). It takes lists of rays down
-// the tree, and finds the hits of WideTree, bit for bit.
+// Finds which spheres of a tree the rays of a batch meet first, or whether they meet any (given).
+// It takes lists of rays down the tree, and finds what WideTree finds, bit for bit.
 class BatchSearch {
   public:
     // The tree must outlive the search.
@@ -29,22 +29,12 @@ class BatchSearch {
     }
 
     // Sets t and sphere of these paths, within [0, t].
-    void find_nearest(std::span<PathRecord> paths) {
-        if (tree_.nodes.empty()) return;
-        paths_ = paths.data();
-        make_room(paths.size());
-        for (std::size_t i = 0; i < paths.size(); i += pack_size)
-            make_ready(i, std::min(pack_size, paths.size() - i));
-        // Rays of one octant meet the planes of all boxes in the same order.
-        const auto first = sort_by_kind<octants>(std::span{octants_}.first(paths.size()),
-                                                 std::span{lists_}.first(paths.size()));
-        for (octant_ = 0; octant_ < octants; ++octant_) {
-            const std::size_t count = first[octant_ + 1] - first[octant_];
-            if (count > 0)
-                descend(*this, 0, PathList{lists_.data() + first[octant_], count},
-                        {lists_.data() + paths.size(), masks_.data()});
-        }
-    }
+    void find_nearest(std::span<PathRecord> paths) { search(paths, false); }
+
+    // Sets t of those paths to `stopped` that meet anything before the hit that they come with, at
+    // t on a sphere or, if that is -1, on none. Once a path is stopped, nothing is searched for it.
+    void find_any(std::span<PathRecord> paths) { search(paths, true); }
+    static constexpr Real stopped = -1;
 
     // The functions that descend() calls.
     unsigned test(std::int32_t node, PathList list, std::uint8_t* masks);
@@ -95,6 +85,23 @@ class BatchSearch {
         return order;
     }
 
+    void search(std::span<PathRecord> paths, bool any) {
+        if (tree_.nodes.empty()) return;
+        any_ = any;
+        paths_ = paths.data();
+        make_room(paths.size());
+        for (std::size_t i = 0; i < paths.size(); i += pack_size)
+            make_ready(i, std::min(pack_size, paths.size() - i));
+        // Rays of one octant meet the planes of all boxes in the same order.
+        const auto first = sort_by_kind<octants>(std::span{octants_}.first(paths.size()),
+                                                 std::span{lists_}.first(paths.size()));
+        for (octant_ = 0; octant_ < octants; ++octant_) {
+            const std::size_t count = first[octant_ + 1] - first[octant_];
+            if (count > 0)
+                descend(*this, 0, PathList{lists_.data() + first[octant_], count},
+                        {lists_.data() + paths.size(), masks_.data()});
+        }
+    }
     void make_room(std::size_t paths) {
         if (rays_.size() >= paths) return;
         rays_.resize(paths);
@@ -113,7 +120,14 @@ class BatchSearch {
         ray.max = static_cast<float>(t * static_cast<Real>(ray.scale));
     }
 
+    // No ray ends before it begins: it meets no box and no sphere any more.
+    void stop(std::uint32_t path) {
+        paths_[path].t = stopped;
+        rays_[path].max = stopped;
+    }
+
     const WideTree& tree_;
+    bool any_ = false;  // what is searched for: any hit, or the nearest
     std::vector<std::array<Order, octants>> orders_;
     std::vector<std::uint8_t> leaf_sizes_;
     PathRecord* paths_ = nullptr;
@@ -188,12 +202,16 @@ inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
     const SphereLeaf& spheres = tree_.leaves[leaf];
     const std::size_t size = leaf_sizes_[leaf];  // 1 or more
     RayPack rays = load_rays(paths_, list);
+    const PackMask before = rays.sphere;
     PackMask hit{};
     std::size_t i = 0;
     do hit |= hit_pack(spheres.sphere(i), spheres.number[i], rays);
     while (++i < size);
-    for_each_bit(bits_of(hit) & first_bits(list.size()),
-                 [&](std::size_t k) { set_hit(list[k], rays.t[k], rays.sphere[k]); });
+    const PackBits bits = bits_of(hit) & first_bits(list.size());
+    if (any_)
+        for_each_bit(bits & bits_of(rays.sphere != before), [&](std::size_t k) { stop(list[k]); });
+    else
+        for_each_bit(bits, [&](std::size_t k) { set_hit(list[k], rays.t[k], rays.sphere[k]); });
 }
 
 // The search of chapter 07, from a node or leaf on, for one ray after the other.
@@ -202,6 +220,10 @@ inline void BatchSearch::search_alone(WideChild child, PathList list) {
         const PathRecord& path = paths_[i];
         const Ray ray{path.origin, path.direction};
         const auto before = static_cast<std::int32_t>(path.sphere);
+        if (any_) {
+            if (path.t >= 0 && tree_.occluded(ray, {0, path.t}, before, child)) stop(i);
+            continue;
+        }
         WideHit best{path.t, before};
         if (child.is_leaf())
             hit_leaf(tree_.leaves[static_cast<std::size_t>(child.number())], ray, 0, best);

@@ -20,18 +20,19 @@ struct FoundHit {
 };
 
 // A world that is searched later: direct_light() goes on as if the light were seen, and its shadow
-// ray is kept.
+// ray is kept, with its end, and the light to which it leads.
 struct AskedLater {
-    std::optional<PathRecord>& shadow_ray;
-    int& material;
+    PathRecord& shadow_ray;
+    const Light*& light;
 };
 template <class AnyRay>
-bool sees_light(const AskedLater& world, const AnyRay& ray, const ChosenLight& light) {
-    world.shadow_ray.emplace();
-    world.shadow_ray->origin = ray.origin;
-    world.shadow_ray->direction = ray.direction;
-    world.shadow_ray->t = light.sample.distance;
-    world.material = light.light->material;
+bool sees_light(const AskedLater& world, const AnyRay& ray, const ChosenLight& chosen) {
+    const LightEnd end = light_end(chosen, {ray.origin, ray.direction});
+    world.shadow_ray.origin = ray.origin;
+    world.shadow_ray.direction = ray.direction;
+    world.shadow_ray.t = end.t;
+    world.shadow_ray.sphere = end.in_tree;
+    world.light = chosen.light;
     return true;
 }
 
@@ -63,7 +64,7 @@ class LitBatch {
     std::size_t bounce(std::size_t count, bool is_last, std::uint64_t& rays) {
         search_.find_nearest(std::span{paths}.first(count));
         shadow_rays_.clear();
-        shadows_.clear();
+        aims_.clear();
         ends_.clear();
         std::size_t left = 0;
         for (std::size_t i = 0; i < count; ++i) {
@@ -74,11 +75,10 @@ class LitBatch {
             paths[left++] = path;
         }
         rays += count + shadow_rays_.size();
-        search_.find_nearest(shadow_rays_);
-        for (std::size_t i = 0; i < shadows_.size(); ++i)
-            if (const auto hit = found(shadow_rays_[i]);
-                !hit || hit->material == shadows_[i].material)
-                light[index(shadow_rays_[i])] += shadows_[i].light;
+        search_.find_any(shadow_rays_);
+        for (std::size_t i = 0; i < shadow_rays_.size(); ++i)
+            if (arrives(shadow_rays_[i], *aims_[i]))
+                light[index(shadow_rays_[i])] += shadow_rays_[i].throughput;
         for (const auto& [sample, last] : ends_) light[sample] += last;
         return left;
     }
@@ -88,10 +88,6 @@ class LitBatch {
     struct Origin {
         Vec3 from;
         Real drawn = 0;
-    };
-    struct Shadow {
-        Color light;  // that arrives if nothing is in the way
-        int material = 0;
     };
 
     static std::size_t index(const PathRecord& path) {
@@ -104,8 +100,19 @@ class LitBatch {
         if (path.sphere < 0) return {};
         const auto number = static_cast<std::size_t>(path.sphere);
         Hit hit = surface_hit(surfaces_.sphere(number), {path.origin, path.direction}, path.t);
-        hit.material = surfaces_.numbers[number];
+        hit.material = surfaces_.materials[number];
+        hit.light = surfaces_.lights[number];
         return hit;
+    }
+
+    // True if nothing is in the way of a shadow ray: sees_light, after the search through the tree.
+    bool arrives(const PathRecord& shadow_ray, const Light& aim) const {
+        if (shadow_ray.t == BatchSearch::stopped) return false;
+        const auto ray = ray_of<effects>(shadow_ray, times);
+        const Interval way{0, shadow_ray.t};
+        if (aim.in_tree >= 0) return !other_part_occludes(scene_.world, ray, way);
+        const auto hit = hit_other_part(scene_.world, ray, way);
+        return !hit || hit->light == aim.number;
     }
 
     void end(const PathRecord& path, Color last) { ends_.push_back({index(path), last}); }
@@ -145,23 +152,24 @@ class LitBatch {
 
     template <class AnyRay, class Place>
     void look_for_light(PathRecord& path, const AnyRay& ray, const Place& place, bool goes_on) {
-        std::optional<PathRecord> shadow_ray;
-        int material = 0;
+        PathRecord shadow_ray;
+        const Light* aim = nullptr;
         const Color share =
-            path.throughput * direct_light(ray, AskedLater{shadow_ray, material}, scene_.lights,
-                                           place, goes_on, path.random);
-        if (!shadow_ray) return;
-        shadow_ray->sample = path.sample;
-        shadow_rays_.push_back(*shadow_ray);
-        shadows_.push_back({share, material});
+            path.throughput * direct_light(ray, AskedLater{shadow_ray, aim}, scene_.lights, place,
+                                           goes_on, path.random);
+        if (!aim) return;
+        shadow_ray.throughput = share;
+        shadow_ray.sample = path.sample;
+        shadow_rays_.push_back(shadow_ray);
+        aims_.push_back(aim);
     }
 
     const ReadyScene<effects>& scene_;
     Surfaces<typename RendererTypes<effects>::Materials> surfaces_;
     BatchSearch search_;
     std::vector<Origin> origins_;
-    std::vector<PathRecord> shadow_rays_;
-    std::vector<Shadow> shadows_;
+    std::vector<PathRecord> shadow_rays_;  // throughput: the light, if nothing is in the way
+    std::vector<const Light*> aims_;       // of the shadow rays
     std::vector<std::pair<std::size_t, Color>> ends_;
 };
 

@@ -113,7 +113,7 @@ class PlainBatch {
     Color attenuation(const PathRecord& path, const Arrivals& at, std::size_t i) const {
         const auto sphere = static_cast<std::size_t>(path.sphere);
         if constexpr (requires(const Material& m, Hit hit) { albedo_at(m, hit); }) {
-            const auto number = static_cast<std::size_t>(surfaces_.numbers[sphere]);
+            const auto number = static_cast<std::size_t>(surfaces_.materials[sphere]);
             Hit hit;
             hit.point = get(at.point, i);
             hit.normal = get(at.normal, i);

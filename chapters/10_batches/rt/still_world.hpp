@@ -30,6 +30,18 @@ std::optional<Hit> hit_other_part(const Aggregate<First, Second>& world, const A
     const std::optional<Hit> in_second = world.second.hit(ray, within);
     return in_second ? in_second : in_first;
 }
+
+// True if a ray meets anything but the tree's spheres.
+template <class AnyRay>
+bool other_part_occludes(const WideTree&, const AnyRay&, Interval) {
+    return false;
+}
+template <class First, class Second, class AnyRay>
+bool other_part_occludes(const Aggregate<First, Second>& world, const AnyRay& ray,
+                         Interval within) {
+    return other_part_occludes(world.first, ray, within) || world.second.occluded(ray, within);
+}
+
 // The ray of a path, with the time of its sample if anything moves.
 template <Effects effects>
 auto ray_of(const PathRecord& path, const std::vector<Real>& times) {

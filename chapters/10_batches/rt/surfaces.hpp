@@ -54,10 +54,10 @@ struct Surfaces {
     using Types = MaterialTypes<Materials>;
     static constexpr std::size_t sky = std::tuple_size_v<typename Types::All>;
     std::vector<Surface> all;
-    std::vector<std::uint8_t> kinds;    // [0]: sky, for no sphere; [i + 1]: sphere i's type
-    std::vector<std::int32_t> numbers;  // each sphere's material
+    std::vector<std::uint8_t> kinds;  // [0]: sky, for no sphere; [i + 1]: sphere i's type
+    std::vector<std::int32_t> materials, lights;  // each sphere's, as in SceneSphere
 
-    Surfaces(const WideTree& tree, const Materials& materials) {
+    Surfaces(const WideTree& tree, const Materials& set) {
         resize(0);
         for (const SphereLeaf& leaf : tree.leaves)
             for (std::size_t i = 0; i < lanes && leaf.is_used(i); ++i) {
@@ -65,8 +65,9 @@ struct Surfaces {
                 if (number >= all.size()) resize(number + 1);
                 const Sphere sphere = leaf.sphere(i);
                 all[number] = {sphere.center, sphere.radius, 0, {}};
-                numbers[number] = leaf.material[i];
-                set_material(number, materials);
+                materials[number] = leaf.material[i];
+                lights[number] = leaf.light[i];
+                set_material(number, set);
             }
     }
 
@@ -76,10 +77,11 @@ struct Surfaces {
     void resize(std::size_t size) {
         all.resize(size);
         kinds.resize(size + 1, sky);
-        numbers.resize(size);
+        materials.resize(size);
+        lights.resize(size);
     }
-    void set_material(std::size_t number, const Materials& materials) {
-        const auto& element = materials.materials[static_cast<std::size_t>(numbers[number])];
+    void set_material(std::size_t number, const Materials& set) {
+        const auto& element = set.materials[static_cast<std::size_t>(materials[number])];
         kinds[number + 1] = static_cast<std::uint8_t>(Types::index(element));
         if constexpr (std::tuple_size_v<typename Types::All> == 1)
             describe(all[number], element);

@@ -40,9 +40,10 @@ struct Lit {
         materials.materials.push_back(material);
     }
     void add_light(const rt::Sphere& sphere, Color radiance) {
-        const int material = static_cast<int>(materials.materials.size());
+        const auto number = static_cast<int>(lights.all().size());
         add(sphere, rt::Lambertian{});
-        lights.add({sphere, radiance, material});
+        world.spheres.back().light = number;
+        lights.add({sphere, radiance, number});
     }
     template <class Lights, class Ending>
     Mean mean(const Ray& ray, const Lights& found, const Ending& ending, int depth, int count,

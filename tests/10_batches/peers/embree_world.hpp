@@ -27,9 +27,9 @@ class EmbreeWorld {
         auto* numbers = static_cast<float*>(
             rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
                                     4 * sizeof(float), spheres.size()));
-        for (const auto& [sphere, material] : spheres)
+        for (const auto& [shape, material, light] : spheres)
             for (const float number :
-                 {sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius})
+                 {shape.center.x, shape.center.y, shape.center.z, shape.radius})
                 *numbers++ = number;
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene_, geometry);
@@ -61,6 +61,7 @@ class EmbreeWorld {
         const rt::SceneSphere& sphere = spheres_[found.hit.primID];
         rt::Hit hit = surface_hit(sphere.shape, ray, found.ray.tfar);
         hit.material = sphere.material;
+        hit.light = sphere.light;
         return hit;
     }
 
