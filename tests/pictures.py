@@ -286,7 +286,10 @@ def nan_as_black():
     program = folder / "nan_as_black"
     black = edited("04_normals_aa", "rt/jitter.hpp", "    return sum.mean(samples);\n",
                    "    const Color mean = sum.mean(samples);\n    return is_finite(mean) ? mean : Color{};\n")
-    names = f"{black}+05.3_forgets_total_reflection+05.4_root_of_negative"
+    schlick = edited("05_metal_glass", "rt/dielectric.hpp", "glass.index, fresnel_reflectance,",
+                     "glass.index, schlick_reflectance,")
+    untested = edited("05_metal_glass", "rt/fresnel.hpp", "    if (eta > 1) {\n", "    if (false) {\n")
+    names = f"{black}+{schlick}+{untested}+05.3_forgets_total_reflection"
     subprocess.run([build / "bin/mistake_tool", "program", names, "08_effects_solution", program], check=True)
     return draw(program, 360, 240, "docs/hard-cases/bubble.json", "--spp", "64")
 
