@@ -78,7 +78,7 @@ class Subject {
     }
 
     void measure_all() {
-        const auto& [camera, world, materials, sky, lights, fog] = scene_;
+        const auto& [camera, world, materials, sky, lights, fog, haze] = scene_;
         using World = std::decay_t<decltype(world)>;
         const auto sobol = [](std::uint64_t seed, int n) { return SobolSamples{seed, n}; };
         const auto add_singly = [&](const char* setting, const auto& in, const auto& of,
