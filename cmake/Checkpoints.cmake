@@ -156,6 +156,15 @@ function(course_exercise chapter id)
     endif()
   endforeach()
 
+  # The plain answers of a chapter pass its cores.
+  set(plain ${CMAKE_SOURCE_DIR}/tests/plain/${chapter})
+  if(COURSE_ALL_TESTS AND EXISTS ${plain} AND EXISTS ${CMAKE_SOURCE_DIR}/tests/${chapter}/${id}/answer.cpp)
+    course_answer(plain.${id} double plain/double ${chapter} ${id} ${plain} ${folders})
+    add_test(NAME plain.${id} COMMAND check.${id} "[${id}]~[hard]")
+    set_tests_properties(plain.${id} PROPERTIES LABELS solution TIMEOUT 120 FAIL_REGULAR_EXPRESSION "No tests ran")
+    course_with_answers(plain.${id} plain/double)
+  endif()
+
   # For those who do without ./course.
   foreach(part core stars)
     set(tags "[${id}]~[hard]")

@@ -371,13 +371,24 @@ TEST_CASE("the texts and checkpoints have the exercises of course.json", "[struc
         for (const auto& exercise : companion::exercises(here, chapter)) {
             ids.insert(exercise.id);
             INFO(chapter.text << " needs one section '### " << exercise.id
-                              << " ...', and the minutes in "
-                              << "its heading are those of course.json, with the stars'");
+                              << " ...', with course.json's minutes of the core in its heading, "
+                                 "and those of the star, if it has ★ folds, in their summaries");
             const std::string heading = "\n### " + exercise.id + " ([^\n]*)";
             const auto headings = matches(text, heading.c_str());
             REQUIRE(headings.size() == 1);
-            for (const std::string& minutes : matches(headings[0], "([0-9]+) minutes"))
-                CHECK(minutes == std::to_string(exercise.minutes + exercise.star_minutes));
+            const int shown = exercise.is_star() ? exercise.star_minutes : exercise.minutes;
+            CHECK(matches(headings[0], "about ([0-9]+) minutes\\)$") ==
+                  std::vector{std::to_string(shown)});
+            if (!chapter.core) continue;
+            const auto begin = text.find("\n### " + exercise.id + ' ');
+            const std::string section = text.substr(
+                begin, std::min(text.find("\n## ", begin), text.find("\n### ", begin + 1)) - begin);
+            int of_folds = 0;
+            const auto folds =
+                matches(section, "<summary>★ [^<]*?([0-9]*)(?: minutes\\))?</summary>");
+            for (const std::string& minutes : folds)
+                of_folds += minutes.empty() ? 0 : std::stoi(minutes);
+            CHECK((folds.empty() || of_folds == exercise.star_minutes));
         }
         INFO(chapter.name);
         CHECK(ids == exercises(chapter.name));

@@ -1,0 +1,44 @@
+#pragma once
+#include <algorithm>
+#include <memory>
+#include <rt/bounds.hpp>
+#include <rt/tree.hpp>
+#include <span>
+
+namespace rt {
+
+inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {
+    const auto count = static_cast<int>(order.size());
+    if (count <= leaf_size) return 0;
+    const auto middle = [&](int sphere) {
+        return boxes[static_cast<std::size_t>(sphere)].center();
+    };
+
+    Box middles;
+    for (const int sphere : order) middles = join(middles, {middle(sphere), middle(sphere)});
+    const int axis = longest_axis(middles);
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return along(middle(a), axis) < along(middle(b), axis); });
+    return count / 2;
+}
+
+template <class Split>
+std::unique_ptr<TreeNode> build_node(std::span<int> order, int first, std::span<const Box> boxes,
+                                     const Split& split, int level = 0) {
+    auto node = std::make_unique<TreeNode>();
+    for (const int sphere : order)
+        node->box = join(node->box, boxes[static_cast<std::size_t>(sphere)]);
+
+    const int left = split(order, boxes);
+    if (left == 0) {
+        node->first = first;
+        node->count = static_cast<int>(order.size());
+    } else {
+        const auto cut = static_cast<std::size_t>(left);
+        node->left = build_node(order.first(cut), first, boxes, split, level + 1);
+        node->right = build_node(order.subspan(cut), first + left, boxes, split, level + 1);
+    }
+    return node;
+}
+
+}  // namespace rt
