@@ -59,6 +59,9 @@ function(course_as_answer target real place chapter id)
                                                ${CMAKE_SOURCE_DIR}/tests/support)
   target_link_libraries(${target} PRIVATE answer_${real}_flags ${course_libraries_of_answer_${id}})
   target_precompile_headers(${target} REUSE_FROM answer_${real})
+  if(course_targets_of_answer_${id})
+    add_dependencies(${target} ${course_targets_of_answer_${id}})
+  endif()
   set_target_properties(${target} PROPERTIES OUTPUT_NAME answer.${id} DEFINE_SYMBOL ""
     LIBRARY_OUTPUT_DIRECTORY ${course_answers}/${place})
   course_linked_with(${target} -shared ${course_answer_linker}
