@@ -59,6 +59,9 @@ function(course_as_answer target real place chapter id)
                                                ${CMAKE_SOURCE_DIR}/tests/support)
   target_link_libraries(${target} PRIVATE answer_${real}_flags ${course_libraries_of_answer_${id}})
   target_precompile_headers(${target} REUSE_FROM answer_${real})
+  if(course_targets_of_answer_${id})
+    add_dependencies(${target} ${course_targets_of_answer_${id}})
+  endif()
   set_target_properties(${target} PROPERTIES OUTPUT_NAME answer.${id} DEFINE_SYMBOL ""
     LIBRARY_OUTPUT_DIRECTORY ${course_answers}/${place})
   course_linked_with(${target} -shared ${course_answer_linker}
@@ -155,6 +158,15 @@ function(course_exercise chapter id)
       endif()
     endif()
   endforeach()
+
+  # The plain answers of a chapter pass its cores.
+  set(plain ${CMAKE_SOURCE_DIR}/tests/plain/${chapter})
+  if(COURSE_ALL_TESTS AND EXISTS ${plain} AND EXISTS ${CMAKE_SOURCE_DIR}/tests/${chapter}/${id}/answer.cpp)
+    course_answer(plain.${id} double plain/double ${chapter} ${id} ${plain} ${folders})
+    add_test(NAME plain.${id} COMMAND check.${id} "[${id}]~[hard]")
+    set_tests_properties(plain.${id} PROPERTIES LABELS solution TIMEOUT 120 FAIL_REGULAR_EXPRESSION "No tests ran")
+    course_with_answers(plain.${id} plain/double)
+  endif()
 
   # For those who do without ./course.
   foreach(part core stars)

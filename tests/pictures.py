@@ -378,7 +378,7 @@ RECIPES = {
     "08-mistake-only_the_last": effects_scene("glass", "08.1_only_the_last"),
     "08-mistake-same_direction": effects_scene("lens", "08.2_same_direction"),
     "08-mistake-radius_for_diameter": effects_scene("lens", "08.2_radius_for_diameter"),
-    "08-mistake-adds_both_ways": effects_scene("lights", "08.3_adds_both_ways"),
+    "08-mistake-counts_twice": effects_scene("lights", "08.4_counts_twice"),
     "08-mistake-area_for_solid_angle": effects_scene("lights", "08.3_area_for_solid_angle"),
     "11-mistake-same_points": of_edit("11_samples", 400, 225, "rt/sobol.hpp", "    return reversed_bits(x);\n",
                                       "    return fraction;\n"),

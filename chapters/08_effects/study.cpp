@@ -6,6 +6,7 @@
 #include <rt/effects_of.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/light_sample.hpp>
+#include <rt/shared_weight.hpp>
 #include <rt/sphere_light.hpp>
 #include <study/classic.hpp>
 #include <study/double_double.hpp>

@@ -2,6 +2,7 @@
 #include <companion/commands/commands.hpp>
 #include <companion/model/exercise.hpp>
 #include <companion/model/hints.hpp>
+#include <companion/model/progress.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
@@ -17,11 +18,17 @@ std::string solution_of(const Exercise& exercise) {
     return files;
 }
 
+// Markdown's code marks are not needed on a terminal.
+std::string words_of(std::string hint) {
+    std::erase(hint, '`');
+    return hint;
+}
+
 }  // namespace
 
 int hint(const Course& course, const Given& given) {
     const Exercise exercise = find_exercise(course, *given.named);
-    std::vector<std::string> all = hints(course, exercise);
+    const std::vector<std::string> all = hints(course, exercise);
     if (all.empty())
         throw app::Failure("there are no hints for " + exercise.id + "; read " +
                            exercise.section());
@@ -31,7 +38,13 @@ int hint(const Course& course, const Given& given) {
         number = shown;
         if (shown < static_cast<int>(all.size())) ++shown;
     });
+    // A star is out of sight until the core passes.
+    const bool stars =
+        exercise.is_star() || passes(progress_of(course, read_state(course), exercise));
     if (number < 0 || number >= static_cast<int>(all.size())) {
+        for (const std::string& hint : all)
+            if (const std::string star = parts_of(hint).star; stars && !star.empty())
+                std::printf("%s\n", words_of(star).c_str());
         std::printf(
             "There are no more hints for %s: all three are in %s. Read %s again. The "
             "solution is in %s.\n",
@@ -39,13 +52,12 @@ int hint(const Course& course, const Given& given) {
             exercise.section().c_str(), solution_of(exercise).c_str());
         return app::done;
     }
-    std::string& words = all[static_cast<std::size_t>(number)];
-    std::erase(words, '`');  // Markdown's code marks are not needed here
+    const std::string& words = all[static_cast<std::size_t>(number)];
     std::printf("%s\n%s\n",
                 bold(exercise.id + ' ' + exercise.title + ", hint " + std::to_string(number + 1) +
                      " of " + std::to_string(all.size()))
                     .c_str(),
-                words.c_str());
+                words_of(stars ? words : parts_of(words).core).c_str());
     return app::done;
 }
 

@@ -117,16 +117,16 @@ void look_into_texts(const Course& course, const Exercise& exercise, Lines& wron
         return;
     }
     const std::string title = found[2], after = found.suffix(),
-                      minutes =
-                          std::to_string(exercise.minutes + exercise.star_minutes) + " minutes";
+                      minutes = std::to_string(exercise.is_star() ? exercise.star_minutes
+                                                                  : exercise.minutes) +
+                                " minutes";
     if (std::regex_search(after, heading))
         wrong.push_back(exercise.chapter.text.string() + " has two sections '### " + exercise.id +
                         '\'');
     if (std::regex_search(title, std::regex{"[0-9]+ minutes"}) &&
         title.find(' ' + minutes) == std::string::npos)
         wrong.push_back(exercise.chapter.text.string() + ": the heading '### " + exercise.id + ' ' +
-                        title + "' should say " + minutes +
-                        ", as course.json does with the stars'");
+                        title + "' should say " + minutes + ", as course.json does for the core");
 }
 
 // Why the known mistakes cannot be made; empty if they can.

@@ -33,4 +33,11 @@ std::vector<std::string> hints(const Course& course, const Exercise& exercise) {
     return found;
 }
 
+HintParts parts_of(const std::string& hint) {
+    if (hint.rfind("★", 0) == 0) return {"", hint};
+    const auto star = hint.find("\n\n★");
+    if (star == std::string::npos) return {hint, ""};
+    return {hint.substr(0, star), hint.substr(star + 2)};
+}
+
 }  // namespace companion

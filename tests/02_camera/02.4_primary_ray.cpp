@@ -79,8 +79,9 @@ void for_rays_of_any_angle(Check check) {
     }
 }
 
-// A camera turned anywhere, of any size and angle, and one of its rays.
-void check_any_ray(rt::Rng& rng, Real far) {
+// A camera turned anywhere, of any size and angle, and one of its rays. The plain formula of 02.1
+// may be off by a few roundings of the viewport's size.
+void check_any_ray(rt::Rng& rng, Real far, bool plain) {
     const auto upto = [&](int n) { return static_cast<int>(rng() % static_cast<unsigned>(n)); };
     Camera camera = any_camera(rng);
     camera.eye = any_vector(rng, -far, far);
@@ -103,7 +104,9 @@ void check_any_ray(rt::Rng& rng, Real far) {
     }
     HINT(expected, ray.direction,
          "x u + y v - w, normalized; x and y are those of pixel_to_viewport for this offset");
-    REQUIRE(error_in_ulp_of_1(ray.direction, expected) <= 7);
+    const double size =
+        static_cast<double>(std::max(camera.viewport.width, camera.viewport.height));
+    REQUIRE(error_in_ulp_of_1(ray.direction, expected) <= 7 + (plain ? 4 * size : 0));
 }
 
 }  // namespace
@@ -169,7 +172,7 @@ TEST_CASE("02.4 the direction has length 1", "[02.4]") {
 
 TEST_CASE("02.4 any pixel of any camera", "[02.4]") {
     rt::Rng rng{24, 1};
-    for (int i = 0; i < 1000; ++i) check_any_ray(rng, 1);
+    for (int i = 0; i < 1000; ++i) check_any_ray(rng, 1, true);
 }
 
 TEST_CASE("02.4 directions from 0.001 to 179.9 degrees and of one pixel", "[02.4][hard]") {
@@ -190,5 +193,5 @@ TEST_CASE("02.4 directions from 0.001 to 179.9 degrees and of one pixel", "[02.4
 
 TEST_CASE("02.4 directions do not depend on how far away the eye is", "[02.4][hard]") {
     rt::Rng rng{24, 2};
-    for (int i = 0; i < 1000; ++i) check_any_ray(rng, for_this_precision<Real>(30, 200));
+    for (int i = 0; i < 1000; ++i) check_any_ray(rng, for_this_precision<Real>(30, 200), false);
 }

@@ -315,29 +315,6 @@ TEST_CASE("08.3 a facing light gives the irradiance of the textbook", "[08.3]") 
     }
 }
 
-TEST_CASE("08.3 two ways to find the same light count once in total", "[08.3]") {
-    const auto check = [](Real density, Real other, Real expected) {
-        INFO("densities " << text(density) << " and " << text(other));
-        HINT(exact(expected), rt::shared_weight(density, other),
-             density != 0 && other != 0
-                 ? "density^2 / (density^2 + other^2)"
-                 : "divide the smaller density by the larger, because one of them may be 0");
-        check_near(rt::shared_weight(density, other), expected, 4 * rt::epsilon);
-    };
-    check(2, 2, Real(0.5));
-    check(3, 1, Real(0.9));
-    check(1, 3, Real(0.1));
-    check(1, 0, 1);
-    check(0, 1, 0);
-    for (int i = 1; i < 40; ++i) {
-        const Real a = static_cast<Real>(i), b = static_cast<Real>(i * i % 17 + 1);
-        const Real total = rt::shared_weight(a, b) + rt::shared_weight(b, a);
-        INFO("the weights of " << a << " and " << b << " must add up to 1, but yours to "
-                               << text(total));
-        check_near(total, 1, 4 * rt::epsilon);
-    }
-}
-
 TEST_CASE("08.3 small and far lights keep their digits", "[08.3][hard]") {
     for (Real distance = 2; distance < for_this_precision(Real(1e15), Real(1e100)); distance *= 7)
         check_height(1, distance);
@@ -503,31 +480,5 @@ TEST_CASE("08.3 a light too small for a number is not looked for", "[08.3][hard]
         }
         INFO("where light_density is 0, sample_light gives no sample");
         CHECK_FALSE(rt::sample_light(star, {0, 0, 0}, {Real(0.5), Real(0.5)}).has_value());
-    }
-}
-
-TEST_CASE("08.3 weights of huge and tiny densities are numbers", "[08.3][hard]") {
-    const Real huge = std::numeric_limits<Real>::max(), tiny = std::numeric_limits<Real>::min();
-    const Real power = for_this_precision(Real(37), Real(307));
-    rt::Rng rng{83, 3};
-    const auto check = [](Real density, Real other) {
-        const Real ratio = density < other ? density / other : other / density;
-        const Real lesser = ratio * ratio / (1 + ratio * ratio);
-        const Real expected = density < other ? lesser : 1 - lesser;
-        const Real weight = rt::shared_weight(density, other);
-        const bool is_near = std::abs(weight - expected) <= 8 * rt::epsilon;
-        INFO("densities " << text(density) << " and " << text(other));
-        HINT(exact(expected), weight, "square the ratio of the two, the smaller by the larger");
-        REQUIRE(is_near);
-    };
-    for (const Real density : {huge, tiny}) check(density, density);
-    check(huge, tiny);
-    check(tiny, huge);
-    check(huge, 0);
-    check(0, tiny);
-    for (int i = 0; i < 2000; ++i) {
-        const Real density = any_size(rng, -power, power);
-        check(density, any_size(rng, -power, power));
-        check(density, std::min(huge, density * any_size(rng, -1, 1)));
     }
 }

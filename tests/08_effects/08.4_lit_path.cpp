@@ -177,16 +177,24 @@ TEST_CASE("08.4 one sample of direct light counts what the formula says", "[08.4
     const Color radiance{2, 3, 4};
     for (const Real density : {Real(0.1), Real(0.5), Real(40)}) {
         Direct direct{up, 5, density};
+        direct.goes_on = false;
+        INFO("the place has the density " << text(toward) << ", the sample " << text(density));
+        check_direct(direct(), toward / density * radiance,
+                     "density of the place / density of the sample * radiance; if you have written "
+                     "weights, the weight is 1 where the path does not go on");
+        CHECK(direct.asked == 1);
+    }
+}
+
+TEST_CASE("08.4 a sample counts its part if the path goes on", "[08.4][hard]") {
+    const Real toward = Real(0.8) / rt::pi;
+    for (const Real density : {Real(0.1), Real(0.5), Real(40)}) {
+        Direct direct{{Real(0.6), Real(0.8), 0}, 5, density};
         INFO("the place has the density " << text(toward) << ", the sample " << text(density));
         const Real weight = density * density / (density * density + toward * toward);
-        check_direct(direct(), toward / density * weight * radiance,
-                     "density of the place / density of the sample * weight, and the weight is "
-                     "that of the sample: shared_weight(sample.density, density of the place)");
-        CHECK(direct.asked == 1);
-        direct.goes_on = false;
-        check_direct(
-            direct(), toward / density * radiance,
-            "where the path does not go on, nothing else finds the light: the weight is 1");
+        check_direct(direct(), toward / density * weight * Color{2, 3, 4},
+                     "times the weight, which is that of the sample: shared_weight(sample.density, "
+                     "density of the place)");
     }
 }
 
@@ -196,9 +204,9 @@ TEST_CASE("08.4 what is in the way or behind the surface gives no light", "[08.4
     direct.lit.world.spheres.push_back({{{0, 3, 0}, Real(0.5)}, 0});
     check_direct(direct(), black, "a sphere is between the place and the light: sees_light");
     Direct behind{{0, 1, 0}, 5, 1};
+    behind.goes_on = false;
     behind.lit.world.spheres.push_back({{{0, 8, 0}, Real(0.5)}, 0});
-    check_direct(behind(), Color{2, 3, 4} * Real(1 / (1 + 1 / (rt::pi * rt::pi))) / rt::pi,
-                 "what is behind the light is not in the way");
+    check_direct(behind(), Color{2, 3, 4} / rt::pi, "what is behind the light is not in the way");
     Direct below{{1, Real(-0.5), 0}, 5, 1};
     check_direct(below(), black, "the light lies below the floor: the place's density is 0 there");
     CHECK(below.asked == 0);
@@ -325,6 +333,9 @@ TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
         const auto sine = static_cast<double>(1 / distance);
         const double expected = 2 * sine * sine;
         INFO("distance " << text(distance));
+        INFO(
+            "Hint: a bounce from a place where the light was sampled may meet it, too. Do not "
+            "count it twice: after such a bounce, the light brings nothing more");
         // The light sample alone, it and the bounce, and the bounce alone.
         check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 1, 8000, 1), expected);
         check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 2, 8000, 2), expected);
@@ -332,8 +343,8 @@ TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
         check_mean(lit.mean(ray, chance, rt::SkyEnding{}, 2, 40000, 3), expected);
         {
             INFO(
-                "paths end by roulette, in black: they, too, might have met the light, so the "
-                "sample shares with them");
+                "paths end by roulette. With weights: those that ended might have met the light, "
+                "too, so the sample shares with them");
             check_mean(lit.mean(ray, lit.lights, rt::RouletteEnding{Real(0.5)}, 1, 40000, 6),
                        expected);
         }
@@ -366,35 +377,50 @@ TEST_CASE("08.4 a furnace whose light comes from lights alone stays white", "[08
     }
 }
 
-TEST_CASE("08.4 looking for lights and finding them by chance agree within noise", "[08.4][hard]") {
-    const auto check = [](const Lit& lit, const Ray& ray, int count) {
-        const FoundByChance chance{lit.lights};
-        const Mean direct = lit.mean(ray, lit.lights, rt::RouletteEnding{}, 4, count, 11);
-        const Mean pure = lit.mean(ray, chance, rt::RouletteEnding{}, 4, 8 * count, 12);
-        INFO("variance a sample: " << direct.variance() << " direct, " << pure.variance()
-                                   << " pure");
-        check_same(direct, pure);
-    };
-    const auto scene = [](bool foggy) {
-        Lit lit;
-        lit.add(floor_ball, gray_matte);
-        lit.add({{Real(1.2), Real(0.7), 0}, Real(0.7)}, rt::Metal{{1, 1, 1}, Real(0.3)});
-        lit.add({{-1, Real(0.5), Real(0.3)}, Real(0.5)}, rt::Dielectric{});
-        lit.add({{0, Real(0.3), -1}, Real(0.3)}, rt::CheckeredMatte{{1, 1, 1}, {0, 0, 0}, 1});
-        lit.add_light({{0, 3, 0}, 1}, {2, 3, 4});
-        lit.add_light({{2, 1, 2}, Real(0.5)}, {1, 1, 0});
-        if (foggy) lit.fog = {{{{0, 0, 0}, 5}, Real(0.2), {1, Real(0.9), 1}, Real(0.5)}};
-        return lit;
-    };
-    const Ray to_floor{{0, 1, 2}, rt::normalize(Vec3{Real(0.1), -1, -2})};
-    const Ray to_glass{{0, 1, 2}, rt::normalize(Vec3{-1, Real(-0.5), Real(-1.7)})};
-    const Ray to_metal{{0, 1, 2}, rt::normalize(Vec3{Real(1.2), Real(-0.3), -2})};
-    const Ray to_nothing{{0, 1, 2}, {0, 0, 1}};
-    for (const Ray& ray : {to_floor, to_glass, to_metal}) check(scene(false), ray, 5000);
-    for (const Ray& ray : {to_floor, to_glass, to_nothing}) check(scene(true), ray, 5000);
+namespace {
+
+// Lights of all sizes over a floor, beside metal and glass.
+Lit varied(bool foggy) {
+    Lit lit;
+    lit.add(floor_ball, gray_matte);
+    lit.add({{Real(1.2), Real(0.7), 0}, Real(0.7)}, rt::Metal{{1, 1, 1}, Real(0.3)});
+    lit.add({{-1, Real(0.5), Real(0.3)}, Real(0.5)}, rt::Dielectric{});
+    lit.add({{0, Real(0.3), -1}, Real(0.3)}, rt::CheckeredMatte{{1, 1, 1}, {0, 0, 0}, 1});
+    lit.add_light({{0, 3, 0}, 1}, {2, 3, 4});
+    lit.add_light({{2, 1, 2}, Real(0.5)}, {1, 1, 0});
+    if (foggy) lit.fog = {{{{0, 0, 0}, 5}, Real(0.2), {1, Real(0.9), 1}, Real(0.5)}};
+    return lit;
+}
+const Ray to_floor{{0, 1, 2}, rt::normalize(Vec3{Real(0.1), -1, -2})};
+const Ray to_glass{{0, 1, 2}, rt::normalize(Vec3{-1, Real(-0.5), Real(-1.7)})};
+const Ray to_metal{{0, 1, 2}, rt::normalize(Vec3{Real(1.2), Real(-0.3), -2})};
+const Ray to_nothing{{0, 1, 2}, {0, 0, 1}};
+
+void check_both_ways(const Lit& lit, const Ray& ray, int count) {
+    const FoundByChance chance{lit.lights};
+    const Mean direct = lit.mean(ray, lit.lights, rt::RouletteEnding{}, 4, count, 11);
+    const Mean pure = lit.mean(ray, chance, rt::RouletteEnding{}, 4, 8 * count, 12);
+    INFO("variance a sample: " << direct.variance() << " direct, " << pure.variance() << " pure");
+    check_same(direct, pure);
 }
 
-TEST_CASE("08.4 what a mirror shows of a light counts in full", "[08.4][hard]") {
+}  // namespace
+
+TEST_CASE("08.4 looking for lights and finding them by chance agree within noise", "[08.4]") {
+    for (const Ray& ray : {to_floor, to_glass, to_metal}) check_both_ways(varied(false), ray, 5000);
+    // A gray room, where much light comes by way of several walls: each takes its share.
+    Lit room;
+    room.add({{0, 0, 0}, 4}, gray_matte);
+    room.add_light({{0, 2, 0}, 1}, {2, 3, 4});
+    check_both_ways(room, to_floor, 5000);
+}
+
+TEST_CASE("08.4 in fog looking for lights and finding them by chance agree", "[08.4][hard]") {
+    for (const Ray& ray : {to_floor, to_glass, to_nothing})
+        check_both_ways(varied(true), ray, 5000);
+}
+
+TEST_CASE("08.4 what a mirror shows of a light counts in full", "[08.4]") {
     // Most light comes to the floor by way of the mirror around it: a matte bounce, then a mirror,
     // for which no light was looked for, then the light.
     Lit lit;
@@ -406,7 +432,7 @@ TEST_CASE("08.4 what a mirror shows of a light counts in full", "[08.4][hard]") 
     const Mean direct = lit.mean(ray, lit.lights, rt::RouletteEnding{}, 6, 6000, 21);
     const Mean pure = lit.mean(ray, chance, rt::RouletteEnding{}, 6, 20000, 22);
     INFO(
-        "the light is looked for, and found by chance alone. Mirrors give a density of 0: then "
-        "what the path finds is all there is, with weight 1");
+        "the light is looked for, and found by chance alone. A mirror gives a density of 0, so no "
+        "light is sampled there: what the path finds after it counts in full");
     check_same(direct, pure);
 }

@@ -700,6 +700,20 @@ class Companion(unittest.TestCase):
         self.assertIn("solutions/01_tiny/rt/one.hpp", said[4])
         self.assertIn("idea", self.course("hint", "1.2"))
 
+    def test_hints_for_stars_wait_for_the_core(self):
+        self.put("docs/hints/01-tiny.md", "# Hints\n" + "".join(
+            f"\n## 01.{number}\n\n1. idea\n\n   ★ above\n2. formula\n3. shape\n\n   ★ below\n" for number in (1, 2)))
+        self.write("one", "wrong")
+        self.course("check", "01.1", code=1)
+        said = [self.course("hint", "01.1") for _ in range(4)]
+        self.assertNotIn("★", "".join(said))
+        self.write("one", "fine")
+        self.course("check", "01.1")
+        self.assertRegex(self.course("hint", "01.1"), "(?s)★ above.*★ below.*no more hints")
+        self.write("two", "fine")
+        self.course("check", "01.2")
+        self.assertIn("idea\n\n★ above", self.course("hint", "01.2"))
+
     def test_reset_keeps_what_was_there(self):
         self.assertIn("as it was shipped", self.course("reset", "01.1"))
         for text in ("first\n", "second\n"):

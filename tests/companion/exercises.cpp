@@ -1,14 +1,10 @@
 #include <algorithm>
 #include <app/errors.hpp>
-#include <cmath>
 #include <companion/model/exercise.hpp>
 #include <companion/model/source.hpp>
 #include <companion/model/stubs.hpp>
 #include <companion/system/files.hpp>
-#include <iterator>
-#include <regex>
 #include <set>
-#include <sstream>
 
 #include "catch.hpp"
 #include "temporary_folder.hpp"
@@ -71,126 +67,6 @@ TEST_CASE("every exercise has minutes and stubs that say so", "[exercises]") {
     for (const char* const name :
          {"", "1", "01", "01.99", "99.1", "x", ".", "01.1 ", "exercises/none.hpp"})
         CHECK_THROWS_AS(find_exercise(here, name), app::UsageError);
-}
-
-namespace {
-
-// Formulas on lines of their own, or within a line where they say that things are equal or how they
-// compare; a single symbol within a line is read like a word.
-struct Reading {
-    int words = 0, formulas = 0, figures = 0;
-
-    double minutes() const { return words / 130.0 + formulas / 2.0 + figures / 2.0; }
-};
-
-// What folds is for the stars.
-std::string without_folds(std::string text) {
-    for (auto begin = text.find("<details>"); begin != std::string::npos;
-         begin = text.find("<details>"))
-        text.erase(begin, text.find("</details>", begin) - begin + 10);
-    return text;
-}
-
-Reading reading_of(const std::string& markdown) {
-    Reading found;
-    // What is not shown is not read.
-    std::istringstream lines{
-        std::regex_replace(without_folds(markdown), std::regex{"<!--[^>]*-->"}, "")};
-    bool in_formula = false;
-    for (std::string line; std::getline(lines, line);) {
-        const bool is_mark = line.rfind("$$", 0) == 0;
-        if (is_mark && line.find("$$", 2) != std::string::npos) {  // all of it on this line
-            ++found.formulas;
-            continue;
-        }
-        if (is_mark || (in_formula && line.find("$$") != std::string::npos)) {
-            found.formulas += !in_formula;
-            in_formula = !in_formula;
-            continue;
-        }
-        if (in_formula) continue;
-        for (auto at = line.find("!["); at != std::string::npos; at = line.find("![", at + 2))
-            ++found.figures;
-        for (auto open = line.find('$'); open != std::string::npos;
-             open = line.find('$', open + 1)) {
-            const auto close = line.find('$', open + 1);
-            if (close == std::string::npos) break;
-            const std::string inner = line.substr(open + 1, close - open - 1);
-            for (const char* const relation : {"=", "<", ">", "\\le", "\\ge", "\\approx"})
-                if (inner.find(relation) != std::string::npos) {
-                    ++found.formulas;
-                    break;
-                }
-            line.replace(open, close + 1 - open, "x");
-        }
-        std::istringstream words{line};
-        for (std::string word; words >> word;) ++found.words;
-    }
-    return found;
-}
-
-// Lines of code of the answer that are not in the stub; braces alone do not count.
-int lines_to_write(const std::string& stub, const std::string& answer) {
-    const auto lines_of = [](const std::string& source) {
-        std::multiset<std::string> lines;
-        std::istringstream code{code_of(source, true)};
-        for (std::string line; std::getline(code >> std::ws, line);)
-            if (line != "}" && line.rfind("#include", 0) != 0) lines.insert(line);
-        return lines;
-    };
-    const auto had = lines_of(stub), has = lines_of(answer);
-    std::vector<std::string> written;
-    std::set_difference(has.begin(), has.end(), had.begin(), had.end(),
-                        std::back_inserter(written));
-    return static_cast<int>(written.size());
-}
-
-}  // namespace
-
-TEST_CASE("reading is counted in words, formulas and figures", "[exercises]") {
-    const Reading some = reading_of(
-        "Two <!-- no --> words, $x$ and $a = b$.\n$$c$$\n<details>\na star\n</details>"
-        "\n$$\nd\n+ e\n$$\nend $5\n![](a.svg)");
-    CHECK(some.words == 8);
-    CHECK(some.formulas == 3);
-    CHECK(some.figures == 1);
-}
-
-TEST_CASE("the minutes for reading are those of the text", "[exercises]") {
-    const Course here = this_course();
-    for (const Chapter& chapter : every_chapter(here)) {
-        const double counted = reading_of(read_file(here.root / chapter.text)).minutes();
-        INFO(chapter.name << ": reading should be " << 5 * std::lround(counted / 5)
-                          << " minutes in course.json");
-        // Rounding to 5 minutes, and 10 percent.
-        CHECK(std::abs(chapter.reading - counted) <= 2.5 + 0.1 * counted);
-    }
-}
-
-// Eight minutes to read the stub, think and mend what a failed check shows, and one and a half for
-// each line of the answer that the stub does not have. Some lines are easy, so the sum counts.
-TEST_CASE("the minutes for writing are those of the answers", "[stubs]") {
-    const Course here = this_course();
-    double stated = 0, counted = 0;
-    for (const Exercise& exercise : exercises(here)) {
-        if (!exercise.chapter.core || exercise.is_star()) continue;
-        stated += exercise.minutes;
-        counted += 8;
-        for (const fs::path& stub : exercise.files)
-            counted += 1.5 * lines_to_write(read_file(here.root / stub),
-                                            read_file(here.root / "solutions" /
-                                                      stub.lexically_relative("exercises")));
-    }
-    INFO(stated << " minutes in course.json, " << counted << " by the lines");
-    CHECK(std::abs(stated - counted) <= 0.1 * counted);
-}
-
-TEST_CASE("the core of the course takes at most 35 hours", "[exercises]") {
-    int minutes = 0;
-    for (const Chapter& chapter : every_chapter(this_course()))
-        if (chapter.core) minutes += chapter.minutes;
-    INFO(minutes << " minutes");
-    CHECK(minutes <= 35 * 60);
 }
 
 // Only where nobody has written into the exercises.

@@ -14,6 +14,10 @@ TEST_CASE("every exercise has three hints", "[hints]") {
         CHECK(all.size() == 3);
         for (const std::string& hint : all) {
             CHECK(hint.size() > 20);
+            const HintParts parts = parts_of(hint);
+            INFO("what is for the stars is a paragraph of its own, after what is for the core");
+            CHECK((exercise.is_star() || parts.core.size() > 20));
+            CHECK(parts.core.find("★") == parts.core.npos);
             // A terminal shows it as it is: no formula needs a translator. Code may have anything.
             std::istringstream lines{hint};
             for (std::string line; std::getline(lines, line);)
@@ -35,4 +39,14 @@ TEST_CASE("hints are the items of the exercise's own list", "[hints]") {
           std::vector<std::string>{"one\nmore", "two:\n\n    code;\n      deep;", "three"});
     exercise.id = "01.2";
     CHECK(hints(course, exercise).empty());
+}
+
+TEST_CASE("what is for the stars in a hint comes last", "[hints]") {
+    const auto parts = [](const char* hint) {
+        const HintParts found = parts_of(hint);
+        return found.core + '|' + found.star;
+    };
+    CHECK(parts("a\nb") == "a\nb|");
+    CHECK(parts("a\n\n    code;\n\n★ b\n\n    c;") == "a\n\n    code;|★ b\n\n    c;");
+    CHECK(parts("★ a") == "|★ a");
 }

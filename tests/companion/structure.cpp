@@ -9,6 +9,7 @@
 #include <regex>
 #include <set>
 #include <source_text.hpp>
+#include <sstream>
 
 #include "catch.hpp"
 
@@ -204,6 +205,52 @@ TEST_CASE("the stubs of a chapter are those of its exercises", "[stubs]") {
     }
 }
 
+// A comment block of a stub; given code is not commented at such length, either.
+static void check_comment(const fs::path& stub, const std::vector<std::string>& lines) {
+    const auto begins = [](const std::string& line, const char* word) {
+        return line.rfind(std::string{"// "} + word, 0) == 0;
+    };
+    std::string core, rest;
+    int count = 0;
+    for (const std::string& line : lines) {
+        if (!rest.empty() || begins(line, "Star:") || begins(line, "Source:")) {
+            rest += line + '\n';
+            continue;
+        }
+        core += line + '\n';
+        ++count;
+    }
+    INFO(name(stub) << " says\n" << core << rest);
+    {
+        INFO("the core's contract comes first, in at most five lines");
+        CHECK(count <= 5);
+    }
+    INFO("lines that begin with // Star: or // Source: come after it, and bounds belong there");
+    for (const char* const word : {"Star:", "Source:", "epsilon", "units in the last place"})
+        CHECK(core.find(word) == core.npos);
+    const auto star = rest.find("// Star:"), source = rest.find("// Source:");
+    CHECK((star == rest.npos || source == rest.npos || star < source));
+}
+
+TEST_CASE("a stub gives the core's contract in at most five plain lines", "[stubs]") {
+    int blocks = 0;
+    for (const fs::path& stub : files(root / "exercises", {".hpp", ".cpp"})) {
+        std::vector<std::string> block;
+        std::istringstream text{read(stub) + '\n'};
+        for (std::string line; std::getline(text, line);) {
+            line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
+            if (line.rfind("//", 0) == 0) {
+                block.push_back(line);
+                continue;
+            }
+            if (!block.empty()) check_comment(stub, block);
+            blocks += !block.empty();
+            block.clear();
+        }
+    }
+    CHECK(blocks > 100);
+}
+
 TEST_CASE("no chapter uses what comes after it, and common uses no chapter", "[structure]") {
     for (const fs::path& path : files(root / "common", {".hpp", ".cpp"})) check_includes(path, "");
     for (const auto& chapter : chapters()) {
@@ -371,13 +418,24 @@ TEST_CASE("the texts and checkpoints have the exercises of course.json", "[struc
         for (const auto& exercise : companion::exercises(here, chapter)) {
             ids.insert(exercise.id);
             INFO(chapter.text << " needs one section '### " << exercise.id
-                              << " ...', and the minutes in "
-                              << "its heading are those of course.json, with the stars'");
+                              << " ...', with course.json's minutes of the core in its heading, "
+                                 "and those of the star, if it has ★ folds, in their summaries");
             const std::string heading = "\n### " + exercise.id + " ([^\n]*)";
             const auto headings = matches(text, heading.c_str());
             REQUIRE(headings.size() == 1);
-            for (const std::string& minutes : matches(headings[0], "([0-9]+) minutes"))
-                CHECK(minutes == std::to_string(exercise.minutes + exercise.star_minutes));
+            const int shown = exercise.is_star() ? exercise.star_minutes : exercise.minutes;
+            CHECK(matches(headings[0], "about ([0-9]+) minutes\\)$") ==
+                  std::vector{std::to_string(shown)});
+            if (!chapter.core) continue;
+            const auto begin = text.find("\n### " + exercise.id + ' ');
+            const std::string section = text.substr(
+                begin, std::min(text.find("\n## ", begin), text.find("\n### ", begin + 1)) - begin);
+            int of_folds = 0;
+            const auto folds =
+                matches(section, "<summary>★ [^<]*?([0-9]*)(?: minutes\\))?</summary>");
+            for (const std::string& minutes : folds)
+                of_folds += minutes.empty() ? 0 : std::stoi(minutes);
+            CHECK((folds.empty() || of_folds == exercise.star_minutes));
         }
         INFO(chapter.name);
         CHECK(ids == exercises(chapter.name));

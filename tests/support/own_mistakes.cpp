@@ -1,9 +1,9 @@
-// own_mistakes REFERENCE START SOLUTION [FILE.md [NAME]]: judges each mistake of our answer to
-// chapter 09 in the file, or the one of this name, as `course own judge --part` does. Exactly
-// the lines that the file names must fail: "caught by", and those of "also fails", with "; "
-// between them, or "all the part". Without a file it judges our answer, which must pass: all but
-// the page on accuracy, whose figures are those of one machine. Lines that a busy machine cannot
-// judge do not count.
+// own_mistakes REFERENCE START SOLUTION [--core | FILE.md [NAME]]: judges each mistake of our
+// answer to chapter 09 in the file, or the one of this name, as `course own judge --part` does.
+// Exactly the lines that the file names must fail: "caught by", and those of "also fails", with ";
+// " between them, or "all the part". Without a file it judges the answer in SOLUTION, which must
+// pass: with --core rungs 1 to 6, without it all but the page on accuracy, whose figures are those
+// of one machine. Lines that a busy machine cannot judge do not count.
 
 #include <algorithm>
 #include <app/cores.hpp>
@@ -38,13 +38,14 @@ void print(const JudgedLine& line) {
     std::fflush(stdout);
 }
 
-bool passes_all(const fs::path& reference, const fs::path& start, const fs::path& solution) {
+bool passes_all(const fs::path& reference, const fs::path& start, const fs::path& solution,
+                bool core) {
     const checkpoint::TemporaryFolder folder;
     fs::copy(start, folder.path(), fs::copy_options::recursive);
     fs::copy_file(solution / "main.cpp", folder / "main.cpp", fs::copy_options::overwrite_existing);
     bool passed = true;
     for (const std::string& part : judge_parts())
-        if (part != "accuracy")
+        if (core ? part >= "rung1" && part <= "rung6" : part != "accuracy")
             judge({folder.path(), reference, 1, part, app::physical_cores()},
                   [&](const JudgedLine& line) {
                       passed = passed && (line.passed || line.busy_machine);
@@ -98,8 +99,11 @@ bool is_stopped(const Mistake& mistake, const fs::path& reference, const fs::pat
 
 int main(int argc, char** argv) try {
     if (argc < 4)
-        throw app::UsageError("usage: own_mistakes REFERENCE START SOLUTION [FILE.md [NAME]]");
-    if (argc == 4) return passes_all(argv[1], argv[2], argv[3]) ? app::done : app::could_not;
+        throw app::UsageError(
+            "usage: own_mistakes REFERENCE START SOLUTION [--core | FILE.md [NAME]]");
+    const bool core = argc == 5 && std::string{argv[4]} == "--core";
+    if (argc == 4 || core)
+        return passes_all(argv[1], argv[2], argv[3], core) ? app::done : app::could_not;
     bool all = true;
     for (const Mistake& mistake : read_mistakes(argv[4]))
         if (argc == 5 || mistake.name == argv[5])

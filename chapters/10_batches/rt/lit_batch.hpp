@@ -3,6 +3,7 @@
 #include <rt/batch_search.hpp>
 #include <rt/lit_path.hpp>
 #include <rt/ready_scene.hpp>
+#include <rt/shared_weight.hpp>
 #include <rt/still_world.hpp>
 #include <rt/surface_hit.hpp>
 #include <rt/surfaces.hpp>

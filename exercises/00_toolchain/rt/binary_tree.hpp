@@ -10,31 +10,34 @@ namespace rt {
 // Node is any type with two members std::unique_ptr<Node> left, right, such as rt::RangeNode. An
 // empty tree is nullptr.
 
-// Exercise 00.4. A balanced tree over the numbers first, first + 1, ... last - 1. Its root is made
-// by std::make_unique<Node>(first, last). If that is more than one number, the left child is the
-// tree over the first half of them, and the right child is the tree over the rest, which is one
-// larger when their count is odd. If last equals first, there are no numbers, and the tree is
-// empty. The numbers may be below 0. last is never below first, and last - first fits an int.
+// Exercise 00.4. A balanced tree over the numbers first ... last - 1, which may be below 0. Its
+// root is std::make_unique<Node>(first, last). If that is more than one number, the left child is
+// the tree over the first half of them, and the right child the tree over the rest, which is one
+// more when their count is odd. If last equals first, the tree is empty. last is never below first,
+// and last - first fits an int.
 template <class Node>
 std::unique_ptr<Node> make_tree(int first, int last) {
     return rt::todo("00.4", first, last);
 }
 
-// Exercise 00.4. The number of nodes. Star: a tree may be a million nodes deep.
+// Exercise 00.4. The number of nodes.
+// Star: a tree may be a million nodes deep.
 template <class Node>
 int count_nodes(const Node* root) {
     return rt::todo("00.4", root);
 }
 
 // Exercise 00.4. The number of nodes on the longest path from the root to a leaf: 0 for an empty
-// tree, 1 for a root alone. Star: a tree may be a million nodes deep.
+// tree, 1 for a root alone.
+// Star: a tree may be a million nodes deep.
 template <class Node>
 int depth_of(const Node* root) {
     return rt::todo("00.4", root);
 }
 
-// Exercise 00.4. Destroys a tree. Star: node by node, so that no node's destructor runs inside
-// another node's, however deep the tree is.
+// Exercise 00.4. Destroys a tree.
+// Star: node by node, so that no node's destructor runs inside another node's, however deep the
+// tree is.
 template <class Node>
 void take_apart(std::unique_ptr<Node> root) {
     rt::todo("00.4", root);

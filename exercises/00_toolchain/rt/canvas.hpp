@@ -15,7 +15,8 @@ template <class Pixel>
 class Canvas {
   public:
     // Exercise 00.3, the constructor. Allocate size() pixels on the heap and give all of them the
-    // color `fill`. Star: throw std::invalid_argument unless both sides are at least 1.
+    // color `fill`.
+    // Star: throw std::invalid_argument unless both sides are at least 1.
     Canvas(int width, int height, const Pixel& fill = {}) { rt::todo("00.3", width, height, fill); }
 
     // Exercise 00.3, the destructor. Release the pixels. (A destructor must not throw, so there is
@@ -64,15 +65,16 @@ class Canvas {
 
 // Exercise 00.3. The canvas upside down: its first row becomes the last. Takes and returns a value:
 // a canvas that is moved into it comes out with the same memory, and no other row or canvas is made
-// on the way. std::swap(a, b) exchanges two pixels. Star: an empty canvas stays empty.
+// on the way. std::swap(a, b) exchanges two pixels.
+// Star: an empty canvas stays empty.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
     return rt::todo("00.3", canvas);
 }
 
 // Exercise 00.3. The largest pixel, compared by <, of a canvas that is not empty. The result is a
-// reference: the pixel itself, not a copy, valid for as long as the canvas lives. Star: of several
-// that are equally large, the first.
+// reference: the pixel itself, not a copy, valid for as long as the canvas lives.
+// Star: of several that are equally large, the first.
 template <class Pixel>
 const Pixel& largest(const Canvas<Pixel>& canvas) {
     rt::todo("00.3", canvas);

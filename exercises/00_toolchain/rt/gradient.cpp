@@ -7,11 +7,6 @@ namespace rt {
 // with a body { ... } in place of the semicolon. Mix the two upper corners by `across`, the two
 // lower corners by `across`, and the two results by `down`. mix(a, b, t), given in rt/color.hpp,
 // goes from color a to color b as t goes from 0 to 1.
-//
-// As long as there is no definition, the linker takes another one, from a library, whose body says
-// that this exercise is still to be written. It also does so if yours is not the function that was
-// declared, and then the check tells you: compare name, namespace and parameters with gradient.hpp,
-// down to each const and &. It must be neither inline nor static (known in this file alone).
 
 // Replace these three lines with your definition. Nothing calls them: they only mark where it goes.
 [[maybe_unused]] static void still_to_be_written() {

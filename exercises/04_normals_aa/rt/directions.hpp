@@ -13,17 +13,17 @@ namespace rt {
 // <rt/sine_cosine.hpp>, which gives the same bits with every library.
 // Star: the length is within 2 epsilon of 1, even at the corners of the square.
 
-// Every direction is equally likely. Source: Archimedes, "On the sphere and cylinder": slices of
-// equal thickness have equal surface.
-// Star: near the poles the distance from the axis is small, but it keeps all its digits.
+// Every direction is equally likely.
+// Star: near the poles the distance from the axis is small, but it keeps all its digits. Source:
+// Archimedes, "On the sphere and cylinder": slices of equal thickness have equal surface.
 inline Vec3 uniform_direction(Vec2 place) {
     return rt::todo("04.3", place);
 }
 
 // A direction on the normal's side, distributed by its cosine with the normal: probability density
 // cos / pi. The normal must have length 1.
-// Source: Malley's method: points spread evenly over a disk, lifted up to the hemisphere.
-// Star: the cosine is always greater than 0.
+// Star: the cosine is always greater than 0. Source: Malley's method: points spread evenly over a
+// disk, lifted up to the hemisphere.
 inline Vec3 cosine_direction(Vec3 normal, Vec2 place) {
     return rt::todo("04.3", normal, place);
 }

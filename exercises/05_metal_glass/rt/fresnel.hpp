@@ -11,15 +11,15 @@ namespace rt {
 // the light that arrives, in [0, 1]. eta, greater than 0, is the index of refraction on the side
 // that the light comes from, divided by the index behind the surface.
 // Star: a cosine that rounding has put above 1 counts as 1. None of the functions loses digits,
-// however close eta is to 1, or the angle to the critical angle.
+// however close eta is to 1, or the angle to the critical angle. For eta = 1 nothing is reflected.
 
 // The cosine of the angle behind the surface. None at total reflection.
 inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
     return rt::todo("05.4", cosine, eta);
 }
 
-// The share of unpolarized light that is reflected, in [0, 1]. 0 for eta = 1, 1 at total
-// reflection. Source: Fresnel's equations.
+// The share of unpolarized light that is reflected, in [0, 1]; 1 at total reflection.
+// Source: Fresnel's equations.
 inline Real fresnel_reflectance(Real cosine, Real eta) {
     return rt::todo("05.4", cosine, eta);
 }

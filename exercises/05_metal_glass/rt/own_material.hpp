@@ -20,16 +20,8 @@ struct OwnMaterial {
 
 // Exercise 05.6. How a path goes on from the material that you invent; return {} if the light is
 // absorbed. `incoming` has length 1. Light may arrive on both sides of the surface. Any design
-// passes that obeys these rules:
-//   - The direction has length 1 and does not run exactly along the surface.
-//   - No more light leaves than arrives: each channel of each attenuation is in [0, 1].
-//   - All randomness comes from `random`, and nothing is remembered from one call to the next: the
-//     same arguments and the same random numbers give the same result.
-//   - It can be seen: for a light color, some light comes back.
-//   - Each of the color's three channels changes something.
-//   - It is not one of the given materials under another name: not always what Lambertian, Metal
-//     with a fuzz of 0, 1 or `amount`, or Dielectric of index 1.5 would do.
-// [[maybe_unused]] keeps the compiler from warning about an argument that a design does not use.
+// passes that obeys the six rules of the text. [[maybe_unused]] keeps the compiler from warning
+// about an argument that a design does not use.
 template <class Random>
 std::optional<Scatter> scatter(const OwnMaterial& material, [[maybe_unused]] Vec3 incoming,
                                [[maybe_unused]] const Hit& hit, [[maybe_unused]] Random& random) {

@@ -16,11 +16,9 @@ void try_shape(int number, AnySearch& search) {
 }
 
 // Exercise 07.4. Tries every shape below a node that may give a nearer hit than the nearest so
-// far. If the ray does not meet a box, by search.meets(box), everything in it is skipped; a leaf
-// has a box, too. Test each box once, before everything below it. Go to the right child only after
-// the left child and everything below it, because a hit there shortens the search on the right. A
-// leaf has no children, and holds the shapes search.order[i] for i = first, first + 1, ... count
-// of them.
+// far. If the ray does not meet a box, by search.meets(box), everything in it is skipped. Test each
+// box once, a leaf's too, before what is below it, and the right child's after all below the left
+// one. A leaf holds the shapes search.order[i] for the `count` numbers i = first, first + 1, ...
 // Star: trees have up to most_levels + 20 levels, and many threads search them at the same time.
 template <class AnySearch>
 void find_nearest(const TreeNode& node, AnySearch& search) {

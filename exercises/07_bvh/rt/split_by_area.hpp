@@ -15,14 +15,11 @@ inline Real surface_area(const Box& box) {
 
 // Exercise 07.5. Sorts the numbers of spheres so that the best split is between the first k of them
 // and the rest, and returns k, or 0 if no split is cheaper than a leaf. Candidates are all splits
-// of the spheres sorted by the middles of their boxes along x, along y and along z. The cost of a
-// split is the number of tests to expect for a ray that meets the box A around this part:
-//     1 + (k area(left box) + (count - k) area(right box)) / area(A)
-// The cost of a leaf is count. As in build.hpp, only boxes[number] of the numbers in order count.
-// order has at least one number.
-// Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
+// of the spheres sorted by the middles of their boxes along x, along y and along z; the text has
+// their cost, and a leaf's. order has at least one number, and only boxes[number] of those count.
 // Star: equal middles may come in any order, as long as the order that you leave is the one whose
-// cost was the least. The time grows as count log(count).
+// cost was the least. The time grows as count log(count). Source: MacDonald and Booth, "Heuristics
+// for ray tracing using space subdivision", 1990.
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     return rt::todo("07.5", order, boxes);
 }

@@ -19,8 +19,7 @@ inline Real cone_height(Real radius, Real distance) {
 }
 
 // Exercise 08.3. The probability density, per solid angle, with which sample_light chooses a
-// direction: evenly among those in which the light is seen, so 1 / (2 pi cone_height). Seen from
-// inside the light, or from a point on its surface, it is 1 / (4 pi): all directions are chosen.
+// direction: 1 / (2 pi cone_height). Inside the light or on its surface, it is 1 / (4 pi).
 // Star: it is 0 if cone_height is less than std::numeric_limits<Real>::min(), because
 // 1 / cone_height may then be infinite: such a light is not sampled.
 inline Real light_density(const Sphere& light, Vec3 from) {
@@ -28,27 +27,16 @@ inline Real light_density(const Sphere& light, Vec3 from) {
 }
 
 // Exercise 08.3. A direction to a sphere that shines, of length 1, the distance to the sphere's
-// surface along it, and light_density. None if that density is 0. `place` is a sample
-// point of the unit square, 0 <= x, y < 1: x says how far the direction is from the middle (0)
-// toward the rim (1), spread evenly over the cap's height; y is the share of a turn around the
-// middle, starting wherever you like, in either direction.
-// Source: Wang, "Physically correct direct lighting for distribution ray tracing", Graphics Gems
-// III, 1992.
-// Star: from inside, or from a point on the surface, any way to make all directions equally likely
-// will do. The length is 1 within 5 epsilon. The distance leads to the surface within
-// rounding_bound(60) * (d + r), where d is that of the middle and r the radius; for x = 0 it is
-// d - r within rounding_bound(30) of itself.
+// surface along it, and light_density. `place` is a sample point, 0 <= x, y < 1: x says how far the
+// direction is from the middle (0) toward the rim (1), in the cap's height; y is the share of a
+// turn around the middle, from wherever you like. None if the point is not outside of the light.
+// Star: also from inside, or from a point on the surface, in any way that makes all directions
+// equally likely; and none where the density is 0. The length is 1 within 5 epsilon. The distance
+// leads to the surface within rounding_bound(60) * (d + r), where d is that of the middle and r the
+// radius; for x = 0 it is d - r within rounding_bound(30) of itself. Source: Wang, "Physically
+// correct direct lighting for distribution ray tracing", Graphics Gems III, 1992.
 inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, Vec2 place) {
     return rt::todo("08.3", light, from, place);
-}
-
-// Exercise 08.3. The weight of a way to find light that chose a direction with this density, if the
-// other way would have chosen it with density `other`: density^2 / (density^2 + other^2). Both are
-// 0 or more, finite, and not both 0. Source: the power heuristic of Veach and Guibas, "Optimally
-// combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995.
-// Star: no square may overflow, and nothing may become 0 / 0. Within 8 epsilon.
-inline Real shared_weight(Real density, Real other) {
-    return rt::todo("08.3", density, other);
 }
 
 }  // namespace rt

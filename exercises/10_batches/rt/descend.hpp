@@ -10,8 +10,10 @@ namespace rt {
 // Exercise 10.2. Takes the list of rays that meet a node, one ray or more, down the tree. For
 // each child whose box at least one of them meets, the list of those that do, in the same
 // order, goes on: to tree.leaf(the child's number, that list), or farther down. Visit the
-// children in the order of tree.order(node), nearest first, and finish a child, with everything
-// below it, before the next one.
+// children in the order of tree.order(node), nearest first, each with everything below it.
+// Star: a node's list and masks must still be intact when its second child's turn comes, in chains
+// of a hundred nodes and for lists of a hundred thousand rays. So put a child's list and masks
+// behind them in the scratch, and pass the room behind those on. The tree's functions:
 //   tree.test(node, list, masks)   writes a mask for each ray of the list: bit k is set if the ray
 //                                  meets the box of child number k. Returns the bits that any ray
 //                                  has. Call it once for a node, when its turn comes: hits found
@@ -19,9 +21,6 @@ namespace rt {
 //   tree.order(node)               the numbers of the children, 0 to 7, each once
 //   tree.child(node, place)        child number `place`, a WideChild: child.is_leaf() tells whether
 //                                  it is a leaf or a node, and child.number() which one
-// A node's list and masks must still be intact when its second child's turn comes. So put a child's
-// list and masks behind them in the scratch, and pass the room behind those on. Expect chains of a
-// hundred nodes and lists of a hundred thousand rays.
 template <class Tree>
 void descend(Tree& tree, std::int32_t node, PathList list, Scratch scratch) {
     rt::todo("10.2", tree, node, list, scratch);

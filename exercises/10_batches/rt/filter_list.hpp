@@ -8,9 +8,10 @@ namespace rt {
 
 // Exercise 10.1. Copies the paths of a list whose mask has this bit, 0 to 7, to `to`, in the same
 // order, and returns how many they are. masks[i] belongs to list[i]; its other bits do not matter.
-// A path is any number of 32 bits; the list may be empty, or hold more than a hundred thousand
-// paths. `to` has room for as many paths as the list has, and no more; it does not overlap the
-// list. The contents of that room beyond the copies do not matter; nothing outside it may change.
+// `to` has room for as many paths as the list has, and does not overlap it.
+// Star: a path is any number of 32 bits; the list may be empty, or hold more than a hundred
+// thousand paths. The contents of the room beyond the copies do not matter; nothing outside it may
+// change.
 inline std::size_t filter_list(PathList list, const std::uint8_t* masks, unsigned bit,
                                std::uint32_t* to) {
     return rt::todo("10.1", list, masks, bit, to);

@@ -21,17 +21,19 @@ inline Real luminance(const Color& color) {
 
 // The brightness that a screen shows for a luminance, which is finite and not negative:
 // L (1 + L / white^2) / (1 + L). Dark tones hardly change, bright tones are compressed, and
-// `white`, greater than 0, becomes 1; anything brighter gets more than 1. If white is infinite, the
-// curve is L / (1 + L), which never reaches 1. A luminance or a white of 1e30 in float and of 1e200
-// in double is not too bright, and a luminance as small is not too dark. A white may be as dark as
-// 1e-25 in float and 1e-170 in double: it becomes 1, too. Source: Reinhard, Stark, Shirley and
+// `white`, greater than 0, becomes 1; anything brighter gets more than 1.
+// Star: if white is infinite, the curve is L / (1 + L), which never reaches 1. A luminance or a
+// white of 1e30 in float and of 1e200 in double is not too bright, and a luminance as small is not
+// too dark. A white may be as dark as 1e-25 in float and 1e-170 in double: it becomes 1, too.
+// Source: Reinhard, Stark, Shirley and
 // Ferwerda, "Photographic tone reproduction for digital images", SIGGRAPH 2002.
 inline Real tone_curve(Real luminance, Real white) {
     return rt::todo("11.5", luminance, white);
 }
 
 // The color with its luminance sent through the curve. All three channels get the same factor, so
-// the hue stays the same; this may take one channel of a vivid color above 1. Black stays black.
+// the hue stays the same; this may take one channel of a vivid color above 1.
+// Star: black stays black.
 inline Color tone_mapped(const Color& color, Real white) {
     return rt::todo("11.5", color, white);
 }

@@ -68,18 +68,4 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
     return LightSample{direction, near, 1 / (2 * pi * whole)};
 }
 
-// The weight of a way to find light, from the density with which it chose a direction and the
-// density with which the other way would have chosen it: light that both find counts once in total.
-// Both are 0 or more, not both 0; one may be infinite. Source: the power heuristic of Veach and
-// Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995.
-inline Real shared_weight(Real density, Real other) {
-    // Computed from the ratio, so that no square overflows.
-    if (density < other) {
-        const Real ratio = density / other;
-        return ratio * ratio / (1 + ratio * ratio);
-    }
-    const Real ratio = other / density;
-    return 1 / (1 + ratio * ratio);
-}
-
 }  // namespace rt

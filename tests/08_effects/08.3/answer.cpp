@@ -16,8 +16,4 @@ std::optional<rt::LightSample> sample_light(const rt::Sphere& light, rt::Vec3 fr
     return rt::sample_light(light, from, place);
 }
 
-rt::Real shared_weight(rt::Real density, rt::Real other) {
-    return rt::shared_weight(density, other);
-}
-
 }  // namespace EXPORTED

@@ -12,7 +12,6 @@ namespace answer {
 rt::Real cone_height(rt::Real radius, rt::Real distance);
 rt::Real light_density(const rt::Sphere& light, rt::Vec3 from);
 std::optional<rt::LightSample> sample_light(const rt::Sphere& light, rt::Vec3 from, rt::Vec2 place);
-rt::Real shared_weight(rt::Real density, rt::Real other);
 
 }  // namespace answer
 
@@ -21,6 +20,5 @@ namespace rt {
 using answer::cone_height;
 using answer::light_density;
 using answer::sample_light;
-using answer::shared_weight;
 
 }  // namespace rt
