@@ -88,5 +88,5 @@ int main(int argc, char** argv) {
          .defaults = defaults,
          .render = render,
          .study = metal_glass_study::run,
-         .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
+         .shows = rt::shown_of_paths()});
 }

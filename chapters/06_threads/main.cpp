@@ -120,5 +120,5 @@ int main(int argc, char** argv) {
                       "What the maps, bars and curves count: rays (the same on every machine), or "
                       "seconds of this machine",
                       {"rays", "seconds"}}},
-         .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
+         .shows = rt::shown_of_paths()});
 }

@@ -86,5 +86,5 @@ int main(int argc, char** argv) {
                      .defaults = defaults,
                      .render = render,
                      .study = bvh::run_study,
-                     .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
+                     .shows = rt::shown_of_paths()});
 }

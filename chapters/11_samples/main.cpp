@@ -7,6 +7,7 @@
 #include <rt/canvas.hpp>
 #include <rt/denoise.hpp>
 #include <rt/portable.hpp>
+#include <rt/show_description.hpp>
 #include <rt/standard_error.hpp>
 #include <rt/tone_curve.hpp>
 #include <sstream>
@@ -137,6 +138,8 @@ std::string comparison(const Drawn& jittered, const Drawn& worth, int samples) {
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription description = make_scene(*settings.view);
+    if (!settings.show.empty())
+        return show_description<scene_effects>(description, settings, progress);
     const ReadyScene<scene_effects> scene{description, settings.width, settings.height};
     const Quality quality{settings.spp, settings.depth, *settings.seed};
     const Renderer<scene_effects> renderer{description, settings.width, settings.height, quality};
@@ -207,5 +210,6 @@ int main(int argc, char** argv) {
                               "many where they are worth it, and without noise",
                      .defaults = defaults,
                      .render = render,
-                     .study = samples::run_study});
+                     .study = samples::run_study,
+                     .shows = shown_of_paths()});
 }

@@ -83,10 +83,10 @@ void draw(const Course& course, const Graft& graft) {
 // Draws the learner's scene in the false colors that a word of --show asks for.
 int draw_false_colors(const Course& course, const std::string& word) {
     const std::vector<std::string> headers = headers_of_tracer(course);
-    if (std::find(headers.begin(), headers.end(), "shown_image.hpp") == headers.end())
+    if (std::find(headers.begin(), headers.end(), "false_color_image.hpp") == headers.end())
         throw app::Failure(
-            "your tracer has no --show yet; docs/04-normals_aa.md, section Graft, says how to give "
-            "it one");
+            "your tracer has no --show yet; docs/03-sphere.md, section Graft, says how to give it "
+            "one");
     const fs::path file = course.out() / "tracer_show.ppm",
                    shown = course.out() / "tracer_show.png";
     app::make_folder(course.out());
