@@ -32,10 +32,10 @@ inline std::array<Panel, columns * rows> all() {
              {"FOV 50*", view(south, 50)},
              {"FOV 90*", view(south, 90)},
              {"FOV 140*", view(south, 140)},
-             {"LEFT 90*", view(dome::toward(90, 7), 90)},
-             {"UP 40*", view(dome::toward(180, 47), 90)},
-             {"ROLL 25*", view(south, 90, tilted)},
-             {"STRAIGHT UP", view({0, 1, 0}, 90)}}};
+             {"Left 90*", view(dome::toward(90, 7), 90)},
+             {"Up 40*", view(dome::toward(180, 47), 90)},
+             {"Roll 25*", view(south, 90, tilted)},
+             {"Straight up", view({0, 1, 0}, 90)}}};
 }
 
 // The pixels of one panel along one axis.

@@ -123,7 +123,7 @@ void draw_counts(app::Figure map, const Canvas<int>& counts, const Strip& strip,
 
 std::string error_text(Real error) {
     std::ostringstream out;
-    out << "ERROR " << std::fixed << std::setprecision(3) << error;
+    out << "Error " << std::fixed << std::setprecision(3) << error;
     return std::isfinite(error) ? out.str() : "";
 }
 
@@ -175,10 +175,10 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     app::Figure figure{image, 960, 540};
     const std::string number = std::to_string(settings.spp);
     const std::array<std::array<std::string, 2>, 4> words{
-        {{number + " JITTERED", error_text(jittered.error)},
-         {number + " SOBOL", error_text(sobol.error)},
-         {number + " ON AVERAGE", error_text(worth.error)},
-         {"DENOISED", "ERROR UNKNOWN"}}};
+        {{number + " jittered", error_text(jittered.error)},
+         {number + " Sobol", error_text(sobol.error)},
+         {number + " on average", error_text(worth.error)},
+         {"Denoised", "Error unknown"}}};
     const Color ink = from_hex(0xf4ead5);
     for (int i = 0; i < 4; ++i) {
         const Real left = static_cast<Real>(240 * i);
