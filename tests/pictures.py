@@ -229,9 +229,31 @@ def chapter(name, width, height):
 
 
 def own():
-    out = folder / "picture.ppm"
-    subprocess.run([build / "bin/09_own_solution", build / "own_start/scenes/many.txt", out], check=True)
+    """With 128 samples, as tests/09_own/same_image.sh."""
+    scene, out = folder / "many.txt", folder / "picture.ppm"
+    many = (build / "own_start/scenes/many.txt").read_text()
+    scene.write_text(re.sub(r"^(picture \d+ \d+) \d+", r"\1 128", many, flags=re.M))
+    subprocess.run([build / "bin/09_own_solution", scene, out], check=True)
     return read_ppm(out)
+
+
+def own_mistake(mistake):
+    """Three balls, drawn by our answer to chapter 09 with a mistake in it."""
+    def picture():
+        text = (ROOT / "solutions/09_own/main.cpp").read_text()
+        known = (ROOT / "tests/mistakes/09_own/rungs.md").read_text()
+        section = re.search(rf"^## {mistake}\n(.*?)(?=^## |\Z)", known, re.M | re.S)[1]
+        for before, after in re.findall(r"```cpp\n(.*?)```\nwith\n```cpp\n(.*?)```", section, re.S):
+            assert text.count(before) == 1, f"{mistake} does not match"
+            text = text.replace(before, after)
+        source, program, scene, out = (folder / f"{mistake}.{end}" for end in ("cpp", "program", "txt", "ppm"))
+        source.write_text(text)
+        start = (ROOT / "chapters/09_own/start/scenes/three.txt").read_text()
+        scene.write_text(re.sub(r"^picture .*", "picture 400 225 400 50", start, flags=re.M))
+        subprocess.run(["c++", "-std=c++20", "-O3", "-pthread", source, "-o", program], check=True)
+        subprocess.run([program, scene, out], check=True)
+        return read_ppm(out)
+    return picture
 
 
 def of_mistake(name, mistake, width, height, times):
@@ -362,6 +384,7 @@ RECIPES = {
     "08_effects": chapter("08_effects", 640, 360),
     "08-haze": lambda: draw("08_effects_solution", 640, 360, "chapters/08_effects/scenes/haze.json"),
     "09_own": own,
+    "09-mistake-total_reflection_lost": own_mistake("rungs_total_reflection_lost"),
     "10_batches": chapter("10_batches", 640, 360),
     "11_samples": chapter("11_samples", 800, 450),
     "final": lambda: draw("08_effects_solution", 1280, 720, "--spp", "1024"),

@@ -36,7 +36,7 @@ inline void draw_arc(Figure& figure, Real from, Real to, Real base, Real height,
 
 // Every step of the chain is an arc from one link's position in memory to the next one's.
 inline void draw_chain(Figure& figure, const app::Box& box) {
-    draw_panel(figure, box, "ONE CHAIN IN TWO MEMORIES");
+    draw_panel(figure, box, "One chain in two memories");
     const ScatteredChain chain{48};
     const std::vector<Link> links = gathered(chain.first());
     const Real left = box.left + 18, pitch = (box.width - 36) / 47, base = box.top + 152,
@@ -66,8 +66,8 @@ inline void draw_chain(Figure& figure, const app::Box& box) {
     };
     draw(chain.links, base, 1);
     draw(links, lower, -1);
-    figure.words({left - 4, box.top + 28}, "SCATTERED", {6, ink});
-    figure.words({left - 4, lower + 14}, "GATHERED", {6, ink});
+    figure.words({left - 4, box.top + 28}, "Scattered", {6, ink});
+    figure.words({left - 4, lower + 14}, "Gathered", {6, ink});
 }
 
 }  // namespace toolchain

@@ -64,17 +64,17 @@ inline Segments draw_segments(Figure& figure, const app::Box& panel) {
         figure.words({b.left + 12, b.top + 9}, name, {8, color});
         // Beside the name, where no arrow comes down; otherwise below it.
         if (height < 100)
-            figure.words({b.left + 12 + app::width_of(name, 8) + 12, b.top + 11}, what, {5, faint});
+            figure.words({b.left + 12 + app::width_of(name, 8) + 12, b.top + 11}, what, {6, faint});
         else
-            figure.words({b.left + 14, b.bottom() - 13}, what, {5, faint});
+            figure.words({b.left + 14, b.bottom() - 13}, what, {6, faint});
         return b;
     };
-    figure.words_before({panel.right() - 12, panel.top + 13}, "HIGH ADDRESSES", {5, faint});
-    figure.words_before({panel.right() - 12, panel.bottom() - 8}, "LOW ADDRESSES", {5, faint});
-    return {segment(28, 86, "STACK", "GROWS DOWN WITH EVERY CALL", gold),
-            segment(138, 170, "HEAP", "WHAT NEW TAKES AND DELETE GIVES BACK", mint),
-            segment(322, 62, "STATIC", "AS LONG AS THE PROGRAM", sky_blue),
-            segment(394, 62, "CODE", "WHAT THE COMPILER MADE", rose)};
+    figure.words_before({panel.right() - 12, panel.top + 13}, "High addresses", {6, faint});
+    figure.words_before({panel.right() - 12, panel.bottom() - 8}, "Low addresses", {6, faint});
+    return {segment(28, 86, "Stack", "grows down with every call", gold),
+            segment(138, 170, "Heap", "what new takes and delete gives back", mint),
+            segment(322, 62, "Static", "as long as the program", sky_blue),
+            segment(394, 62, "Code", "what the compiler made", rose)};
 }
 
 // The stack grows down and the heap grows up, as a rule: an arrow of each in the gap between them.
@@ -83,8 +83,8 @@ inline void draw_growth(Figure& figure, const app::Box& stack) {
     const Real down = stack.left + 114, up = stack.left + 126;
     figure.arrow({down, gap}, {down, gap}, {down, gap + 8}, {down, gap + 18}, gold, 1);
     figure.arrow({up, gap + 20}, {up, gap + 20}, {up, gap + 12}, {up, gap + 2}, mint, 1);
-    figure.words_before({down - 8, gap + 8}, "STACK", {5, gold});
-    figure.words({up + 8, gap + 8}, "HEAP", {5, mint});
+    figure.words_before({down - 8, gap + 8}, "Stack", {6, gold});
+    figure.words({up + 8, gap + 8}, "Heap", {6, mint});
 }
 
 // The pixels themselves, small. Returns where they are drawn.
@@ -104,10 +104,10 @@ inline app::Box draw_pixels(Figure& figure, const app::Box& heap, const Canvas<C
                              place((p.y - pixels.top) / pixels.height, canvas.height()));
         });
     figure.frame(pixels, mint, Real(0.8), 1);
-    figure.words({pixels.left, pixels.bottom() + 9}, std::to_string(canvas.size()) + " PIXELS",
+    figure.words({pixels.left, pixels.bottom() + 9}, std::to_string(canvas.size()) + " pixels",
                  {6, mint});
     figure.words({pixels.left, pixels.bottom() + 21},
-                 std::to_string(canvas.size() * sizeof(Color)) + " BYTES", {6, faint});
+                 std::to_string(canvas.size() * sizeof(Color)) + " bytes", {6, faint});
     return pixels;
 }
 
@@ -116,7 +116,7 @@ inline app::Box draw_nodes(Figure& figure, const app::Box& heap, const RangeNode
     draw_tree(figure, root, tree, 4);
     figure.words_around(
         {tree.center().x, tree.bottom() + 21},
-        std::to_string(count_nodes(root)) + " NODES -- " + std::to_string(depth_of(root)) + " DEEP",
+        std::to_string(count_nodes(root)) + " nodes -- " + std::to_string(depth_of(root)) + " deep",
         {6, mint});
     return tree;
 }
@@ -130,7 +130,7 @@ inline app::Box draw_corners(Figure& figure, const app::Box& fixed, const Canvas
     for (int i = 0; i < 4; ++i)
         figure.box({corners.left + 22 * static_cast<Real>(i) + 2, corners.top + 2, 18, 16},
                    colors[i], 1, 1);
-    figure.words({corners.right() + 10, corners.top + 7}, "FOUR CORNERS", {6, sky_blue});
+    figure.words({corners.right() + 10, corners.top + 7}, "Four corners", {6, sky_blue});
     return corners;
 }
 
@@ -138,7 +138,7 @@ inline app::Box draw_corners(Figure& figure, const app::Box& fixed, const Canvas
 inline app::Box draw_functions(Figure& figure, const app::Box& code) {
     app::Box last;
     Real x = code.left + 14;
-    for (const char* const name : {"MAIN", "RENDER", "GRADIENT"}) {
+    for (const char* const name : {"main", "render", "gradient"}) {
         last = draw_cells(figure, x, code.top + 25, "", {name}, rose);
         x = last.right() + 12;
     }
@@ -156,10 +156,10 @@ inline Places draw_things(Figure& figure, const Segments& in, const Canvas<Color
                               const std::vector<std::string>& parts) {
         return draw_cells(figure, in.stack.left + across, in.stack.top + 36, name, parts, gold);
     };
-    return {on_stack(14, "CANVAS",
+    return {on_stack(14, "canvas",
                      {std::to_string(canvas.width()), std::to_string(canvas.height()), ""}),
-            on_stack(176, "ROOT", {""}),
-            on_stack(300, "PAINT", {""}),
+            on_stack(176, "root", {""}),
+            on_stack(300, "paint", {""}),
             draw_pixels(figure, in.heap, canvas),
             draw_nodes(figure, in.heap, root),
             draw_corners(figure, in.fixed, canvas),
@@ -194,7 +194,7 @@ inline void draw_addresses(Figure& figure, const Places& at,
 
 inline void draw_memory(Figure& figure, const app::Box& panel, const Canvas<Color>& canvas,
                         const RangeNode* root, const std::vector<std::string>& addresses) {
-    draw_panel(figure, panel, "WHERE THINGS LIVE");
+    draw_panel(figure, panel, "Where things live");
     const Segments segments = draw_segments(figure, panel);
     draw_growth(figure, segments.stack);
     const Places places = draw_things(figure, segments, canvas, root);

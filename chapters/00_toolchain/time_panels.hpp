@@ -12,7 +12,7 @@ namespace toolchain {
 
 inline void draw_steps(Figure& figure, const app::Box& box, const std::vector<Steps>& all,
                        bool by_machine) {
-    draw_panel(figure, box, by_machine ? "TIME OF A STEP HERE" : "TIME OF A STEP -- MODEL");
+    draw_panel(figure, box, by_machine ? "Time of a step here" : "Time of a step -- model");
     const app::Box plot{box.left + 40, box.top + 40, box.width - 58, box.height - 74};
     const int powers = 4;  // of ten, above a tenth of a nanosecond
     const auto place = [&](double bytes, double ns) {
@@ -28,14 +28,14 @@ inline void draw_steps(Figure& figure, const app::Box& box, const std::vector<St
         const std::string label = times[i];
         figure.words_before({plot.left - 8, y - 3}, label, {6, faint});
     }
-    figure.words({plot.left - 28, plot.top - 14}, "NS", {6, faint});
+    figure.words({plot.left - 28, plot.top - 14}, "ns", {6, faint});
     const char* const sizes[] = {"1K", "16K", "256K", "4M", "64M"};
     for (int i = 0; i < 5; ++i) {
         const Real x = plot.left + plot.width * static_cast<Real>(i) / 4;
         figure.words_around({x, plot.bottom() + 13}, sizes[i], {6, faint});
     }
-    figure.words_around({plot.left + plot.width / 2, plot.bottom() + 25}, "BYTES OF THE CHAIN",
-                        {5, faint});
+    figure.words_around({plot.left + plot.width / 2, plot.bottom() + 25}, "Bytes of the chain",
+                        {6, faint});
     if (!by_machine)
         for (const Level& level : levels) {
             if (level.bytes > largest_size) continue;
@@ -52,16 +52,16 @@ inline void draw_steps(Figure& figure, const app::Box& box, const std::vector<St
     };
     curve(&Steps::gathered, mint);
     curve(&Steps::scattered, rose);
-    figure.words({plot.left + 12, plot.bottom() - 26}, "GATHERED", {6, mint});
+    figure.words({plot.left + 12, plot.bottom() - 26}, "Gathered", {6, mint});
     const Vec2 middle = place(1 << 18, 1);
     // Between two lines of the grid and two levels of the caches.
-    figure.words({middle.x + 40, plot.top + plot.height * Real(0.61)}, "SCATTERED", {6, rose});
+    figure.words({middle.x + 40, plot.top + plot.height * Real(0.61)}, "Scattered", {6, rose});
 }
 
 inline void draw_objects(Figure& figure, const app::Box& box, const Objects& objects,
                          bool by_machine) {
-    draw_panel(figure, box, by_machine ? "NS AN OBJECT" : "CALLS OF NEW");
-    const char* const names[] = {"STACK", "HEAP", "AT ONCE"};
+    draw_panel(figure, box, by_machine ? "ns an object" : "Calls of new");
+    const char* const names[] = {"Stack", "Heap", "At once"};
     const Color colors[] = {gold, rose, mint};
     const double values[] = {by_machine ? objects.stack : 0, by_machine ? objects.heap : 1000,
                              by_machine ? objects.together : 1};
@@ -77,7 +77,7 @@ inline void draw_objects(Figure& figure, const app::Box& box, const Objects& obj
         figure.words_around({left + pitch / 2, base - height - 9}, text, {7, ink});
         figure.words_around({left + pitch / 2, base + 12}, names[i], {6, faint});
     }
-    if (!by_machine) figure.words({box.left + 12, box.top + 26}, "FOR 1000 OBJECTS", {5, faint});
+    if (!by_machine) figure.words({box.left + 12, box.top + 26}, "For 1000 objects", {6, faint});
 }
 
 }  // namespace toolchain

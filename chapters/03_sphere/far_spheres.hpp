@@ -54,7 +54,7 @@ inline constexpr int exponents[] = {1, std::is_same_v<Real, float> ? 3 : 7,
 
 // Where they are: two columns of four under a line of words. All in pixels.
 struct Panels {
-    int gap, dot, top, side;  // letters are made of dots
+    int gap, dot, top, side;  // a line of words is 7 dots high
 
     explicit Panels(int height)
         : gap{height / 60},
@@ -73,19 +73,20 @@ struct Panels {
         const auto place = [&](int x, int y) {
             return rt::Vec2{pixels(x) + Real(0.5), pixels(y) + Real(0.5)};
         };
-        const app::Lettering letters{pixels(4 * dot), ink, Real(0.3)};
+        const app::Lettering letters{Real(6.5) * pixels(dot), ink, Real(0.3)},
+            small{5 * pixels(dot), ink, Real(0.3)};
         for (int column = 0; column < 2; ++column) {
             const int x = left + gap + column * (side + gap);
             figure.part(app::pixel_box(x, 0, side, top))
-                .words(place(0, gap), column ? "STABLE" : "TEXTBOOK", letters);
+                .words(place(0, gap), column ? "Stable" : "Textbook", letters);
             for (int row = 0; row < 4; ++row) {
                 app::Figure panel =
                     figure.part(app::pixel_box(x, top + row * (side + gap), side, side));
                 draw_far_sphere(panel, rt::portable::pow(Real(10), pixels(exponents[row])),
                                 column ? rt::hit_sphere : variants::textbook);
-                panel.words(place(3 * dot, side - 7 * dot), "10", letters);
-                panel.words(place(10 * dot, side - 10 * dot), std::to_string(exponents[row]),
-                            letters);
+                panel.words(place(3 * dot, side - 9 * dot), "10", letters);
+                panel.words(place(12 * dot, side - 12 * dot), std::to_string(exponents[row]),
+                            small);
             }
         }
     }

@@ -79,5 +79,5 @@ int main(int argc, char** argv) {
          .render = render,
          .study = spheres::run_study,
          .encode_ppm = encode_ppm,
-         .shows = {"distance", "sphere"}});
+         .shows = rt::shown_of_hits()});
 }

@@ -149,5 +149,5 @@ int main(int argc, char** argv) {
                      .choices = {{"ending",
                                   "What happens to a path at the depth limit",
                                   {"sky", "black", "roulette"}}},
-                     .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
+                     .shows = rt::shown_of_paths()});
 }

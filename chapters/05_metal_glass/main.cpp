@@ -48,7 +48,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Camera panel_camera =
         make_camera({{0, Real(0.6), 14}, {}, {0, 1, 0}, radians(Real(12.8))}, panel_width,
                     std::max(1, strip_height));
-    constexpr std::string_view names[] = {"SCHLICK", "EXACT", "DIFFERENCE TIMES 20"};
+    constexpr std::string_view names[] = {"Schlick", "Exact", "Difference times 20"};
     for (int i = 0; i < 3; ++i) {
         const int left = i * panel_width, right = i < 2 ? left + panel_width : settings.width;
         app::Figure panel =
@@ -88,5 +88,5 @@ int main(int argc, char** argv) {
          .defaults = defaults,
          .render = render,
          .study = metal_glass_study::run,
-         .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
+         .shows = rt::shown_of_paths()});
 }

@@ -28,7 +28,7 @@ Schedules count_rays(const RayCounts& rays, const TileGrid& grid) {
     Schedules all{slices_by_rays(rays, grid, shown_workers),
                   tiles_by_rays(rays, grid, shown_workers),
                   {{{}, slices_color}, {{}, tiles_color}},
-                  "RAYS"};
+                  "rays"};
     const double alone = slices_by_rays(rays, grid, 1).end();
     for (int workers = 1; workers <= most_workers; ++workers) {
         all.curves[0].speed_up.push_back(alone / slices_by_rays(rays, grid, workers).end());
@@ -42,7 +42,7 @@ Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers
     Schedules all{by_seconds(render_slices, grid, workers, shader),
                   by_seconds(render_tiles, grid, workers, shader),
                   {{{}, slices_color}, {{}, tiles_color}},
-                  "SECONDS"};
+                  "seconds"};
     for (const SpeedUp& row : speed_ups(shader.scene, workers)) {
         if (row.strategy != "slices" && row.strategy != "tiles") continue;
         auto& speed_up = all.curves[row.strategy == "tiles"].speed_up;
@@ -120,5 +120,5 @@ int main(int argc, char** argv) {
                       "What the maps, bars and curves count: rays (the same on every machine), or "
                       "seconds of this machine",
                       {"rays", "seconds"}}},
-         .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
+         .shows = rt::shown_of_paths()});
 }

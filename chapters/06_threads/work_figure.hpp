@@ -105,7 +105,7 @@ inline void draw_speed_up(Figure& figure, const Box& box, const std::vector<Curv
         figure.line(at, {at.x, at.y + 3}, dim, Real(0.8));
         figure.words_around({at.x, at.y + 10}, std::to_string(i), letters);
     }
-    figure.words_around({box.center().x, box.bottom() + 23}, "WORKERS", letters);
+    figure.words_around({box.center().x, box.bottom() + 23}, "Workers", letters);
     figure.line(place(1, 1), place(most, most), dim);
     for (const Curve& curve : curves) {
         Vec2 last{};
@@ -123,19 +123,19 @@ inline void draw_figure(Figure& figure, const Image& scene, const Schedules& sho
     figure.part(scene_box).fill([&](int x, int y) { return scene.at(x, y); });
     const double longest = std::max(shown.slices.end(), shown.tiles.end());
     for (const auto& [name, schedule, color, map, bars] :
-         {std::tuple{"SLICES", &shown.slices, slices_color, slices_map, slices_bars},
-          std::tuple{"TILES", &shown.tiles, tiles_color, tiles_map, tiles_bars}}) {
+         {std::tuple{"Slices", &shown.slices, slices_color, slices_map, slices_bars},
+          std::tuple{"Tiles", &shown.tiles, tiles_color, tiles_map, tiles_bars}}) {
         draw_map(figure.part(map), scene, *schedule);
         char waiting[32];
-        std::snprintf(waiting, sizeof waiting, "WAITING %.2f OF THE TIME", schedule->waiting());
+        std::snprintf(waiting, sizeof waiting, "waiting %.2f of the time", schedule->waiting());
         figure.words({map.left, map.top - 16}, name, {9, color});
         figure.words_before({map.right(), map.top - 15}, waiting, {Real(7.2), dim});
         draw_bars(figure, bars, *schedule, longest);
         figure.words({20, bars.center().y - Real(4.5)}, name, {9, color});
     }
     draw_speed_up(figure, plot, shown.curves);
-    figure.words({plot.left + 8, plot.top - 4}, "SPEED-UP", {Real(7.2), ink});
-    figure.words({plot.left + 8, plot.top + 8}, "BY " + shown.clock, {Real(6.3), dim});
+    figure.words({plot.left + 8, plot.top - 4}, "Speed-up", {Real(7.2), ink});
+    figure.words({plot.left + 8, plot.top + 8}, "By " + shown.clock, {Real(6.3), dim});
 }
 
 }  // namespace threads

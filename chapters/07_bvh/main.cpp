@@ -63,9 +63,9 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     };
     // The list tests every sphere for every ray: no ray is needed to know that.
     const auto all = static_cast<Real>(scene.spheres.size());
-    draw_map(0, "LINEAR LIST", [&](const Ray&) { return all; });
-    draw_map(1, "SORTED TREE", [&](const Ray& ray) { return tests_in(sorted, ray); });
-    draw_map(2, "TREE BY AREA", [&](const Ray& ray) { return tests_in(by_area, ray); });
+    draw_map(0, "Linear list", [&](const Ray&) { return all; });
+    draw_map(1, "Sorted tree", [&](const Ray& ray) { return tests_in(sorted, ray); });
+    draw_map(2, "Tree by area", [&](const Ray& ray) { return tests_in(by_area, ray); });
     draw_legend(figure);
     return {std::move(image), rays};
 }
@@ -86,5 +86,5 @@ int main(int argc, char** argv) {
                      .defaults = defaults,
                      .render = render,
                      .study = bvh::run_study,
-                     .shows = {"normal", "distance", "sphere", "bounces", "samples"}});
+                     .shows = rt::shown_of_paths()});
 }

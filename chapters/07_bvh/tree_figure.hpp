@@ -96,7 +96,7 @@ inline void draw_level(const Figure& figure, const app::Box& where, const Scene&
             panel.line(project(camera, a, where), project(camera, b, where), color, 1, share);
         });
     });
-    panel.words({letter_height / 2, letter_height / 2}, "LEVEL " + std::to_string(level),
+    panel.words({letter_height / 2, letter_height / 2}, "Level " + std::to_string(level),
                 {letter_height, color});
 }
 
@@ -128,7 +128,7 @@ void draw_heat_map(const Figure& figure, const app::Box& where, const std::strin
 // The scale of the heat maps, marked at the powers of ten.
 inline void draw_legend(const Figure& figure) {
     Figure panel = figure.part(legend);
-    panel.words({0, letter_height / 4}, "TESTS A PIXEL", {letter_height, ink});
+    panel.words({letter_height / 8, letter_height / 4}, "Tests a pixel", {letter_height, ink});
     const app::Box bar{legend.left + 161, legend.top, 736, 11};
     Figure scale = figure.part(bar);
     scale.fill([&](int x, int) {

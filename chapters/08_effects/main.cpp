@@ -11,6 +11,7 @@
 #include <app/run.hpp>
 #include <atomic>
 #include <rt/canvas.hpp>
+#include <rt/false_colors.hpp>
 #include <rt/needed_effects.hpp>
 #include <rt/render_tiles.hpp>
 #include <thread>
@@ -146,7 +147,7 @@ int main(int argc, char** argv) {
                "1)"},
               {"time-budget",
                "Refine for this many seconds, and draw the best picture possible in that time"}},
-         .shows = {"normal", "distance", "sphere", "bounces", "samples"},
+         .shows = rt::shown_of_paths(),
          .reads = "The scene file, .json; without it the final scene is drawn",
          .explains = true,
          .can_be_stopped = true});

@@ -5,7 +5,7 @@
 namespace effects {
 
 // What --show asks for, drawn by the renderer that has every effect.
-app::Picture show_scene(rt::SceneDescription scene, app::Settings settings,
+app::Picture show_scene(const rt::SceneDescription& scene, app::Settings settings,
                         app::Progress& progress);
 
 }  // namespace effects

@@ -6,6 +6,7 @@
 #include <rt/batch_renderer.hpp>
 #include <rt/canvas.hpp>
 #include <rt/render_tiles.hpp>
+#include <rt/show_description.hpp>
 #include <thread>
 
 #include "scene.hpp"
@@ -17,6 +18,8 @@ using namespace batches;
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription description = make_scene(100'000, *settings.view);
+    if (!settings.show.empty())
+        return show_description<scene_effects>(description, settings, progress);
     const ReadyScene<scene_effects> scene{description, settings.width, settings.height};
     const Quality quality{settings.spp, settings.depth, *settings.seed};
 
@@ -63,5 +66,6 @@ int main(int argc, char** argv) {
                      .defaults = defaults,
                      .render = render,
                      .study = batches::run_study,
+                     .shows = shown_of_paths(),
                      .can_be_stopped = true});
 }

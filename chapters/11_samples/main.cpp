@@ -7,6 +7,7 @@
 #include <rt/canvas.hpp>
 #include <rt/denoise.hpp>
 #include <rt/portable.hpp>
+#include <rt/show_description.hpp>
 #include <rt/standard_error.hpp>
 #include <rt/tone_curve.hpp>
 #include <sstream>
@@ -122,7 +123,7 @@ void draw_counts(app::Figure map, const Canvas<int>& counts, const Strip& strip,
 
 std::string error_text(Real error) {
     std::ostringstream out;
-    out << "ERROR " << std::fixed << std::setprecision(3) << error;
+    out << "Error " << std::fixed << std::setprecision(3) << error;
     return std::isfinite(error) ? out.str() : "";
 }
 
@@ -137,6 +138,8 @@ std::string comparison(const Drawn& jittered, const Drawn& worth, int samples) {
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription description = make_scene(*settings.view);
+    if (!settings.show.empty())
+        return show_description<scene_effects>(description, settings, progress);
     const ReadyScene<scene_effects> scene{description, settings.width, settings.height};
     const Quality quality{settings.spp, settings.depth, *settings.seed};
     const Renderer<scene_effects> renderer{description, settings.width, settings.height, quality};
@@ -172,10 +175,10 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     app::Figure figure{image, 960, 540};
     const std::string number = std::to_string(settings.spp);
     const std::array<std::array<std::string, 2>, 4> words{
-        {{number + " JITTERED", error_text(jittered.error)},
-         {number + " SOBOL", error_text(sobol.error)},
-         {number + " ON AVERAGE", error_text(worth.error)},
-         {"DENOISED", "ERROR UNKNOWN"}}};
+        {{number + " jittered", error_text(jittered.error)},
+         {number + " Sobol", error_text(sobol.error)},
+         {number + " on average", error_text(worth.error)},
+         {"Denoised", "Error unknown"}}};
     const Color ink = from_hex(0xf4ead5);
     for (int i = 0; i < 4; ++i) {
         const Real left = static_cast<Real>(240 * i);
@@ -207,5 +210,6 @@ int main(int argc, char** argv) {
                               "many where they are worth it, and without noise",
                      .defaults = defaults,
                      .render = render,
-                     .study = samples::run_study});
+                     .study = samples::run_study,
+                     .shows = shown_of_paths()});
 }

@@ -46,9 +46,7 @@ Box pixel_box(int left, int top, int width, int height) {
 }
 
 Real width_of(std::string_view text, Real letter_height) {
-    // The last letter is 2 of its grid's columns wide, and nothing follows it.
-    return (static_cast<Real>(text.size()) * letter_advance - (letter_advance - 2)) *
-           letter_height / 4;
+    return width_of(text) * letter_height / 4;
 }
 
 Color average_of_nine(int column, int row, const std::function<Color(Real x, Real y)>& shade) {
@@ -174,7 +172,7 @@ void Figure::words(Vec2 top_left, std::string_view text, const Lettering& letter
     if (unit * scale_ < Real(0.75)) return;
     paint(
         {top_left.x - unit, top_left.y - unit, width_of(text, letters.height) + 2 * unit,
-         letters.height + 2 * unit},
+         letters.height + (descent + 2) * unit},
         [&](Vec2 p) {
             const Vec2 on_grid{(p.x - top_left.x) / unit, (p.y - top_left.y) / unit};
             return unit * (distance_to_text(on_grid, text) - letters.weight);

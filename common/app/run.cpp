@@ -308,6 +308,17 @@ void add_view(CLI::App& options, rt::View& view) {
         ->default_str(text_of(view.vertical_fov * 180 / rt::pi));
 }
 
+// One of the words that --show knows in this program.
+CLI::Validator shown_word(const std::vector<std::string>& known) {
+    std::string list;
+    for (const std::string& word : known) list += (list.empty() ? "" : ", ") + word;
+    return {[=](const std::string& text) -> std::string {
+                if (std::count(known.begin(), known.end(), text) > 0) return {};
+                return "this program cannot show '" + text + "', only: " + list;
+            },
+            list, "shown word"};
+}
+
 // All options, in the order in which --help lists them. The request must stay where it is until
 // they are parsed.
 void add_options(CLI::App& options, Request& request, const Program& program) {
@@ -328,7 +339,7 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
         options
             .add_option("--show", settings.show,
                         "Draw in false colors what the code computes, instead of the picture")
-            ->check(CLI::IsMember(program.shows));
+            ->check(shown_word(program.shows));
     for (const Number& number : program.numbers)
         options
             .add_option_function<std::string>(

@@ -19,12 +19,24 @@ using Shown = std::variant<std::monostate, Vec3, int, Real>;
 // The words of --show, and what each stands for.
 inline const std::map<std::string, std::string>& shown_words() {
     static const std::map<std::string, std::string> all{
+        {"direction", "the ray's direction"},
         {"normal", "the normal"},
         {"distance", "the distance to the first hit"},
         {"sphere", "the spheres"},
         {"bounces", "how often a path bounces, on average over the samples"},
         {"samples", "how far a sample's light is from the pixel's average (standard deviation)"}};
     return all;
+}
+
+// Those that a program knows which makes rays, finds what they hit, or follows paths.
+inline std::vector<std::string> shown_of_rays() {
+    return {"direction"};
+}
+inline std::vector<std::string> shown_of_hits() {
+    return {"direction", "normal", "distance", "sphere"};
+}
+inline std::vector<std::string> shown_of_paths() {
+    return {"direction", "normal", "distance", "sphere", "bounces", "samples"};
 }
 
 inline const Color nothing_color = from_hex(0x46565c);

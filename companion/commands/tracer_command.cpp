@@ -58,7 +58,8 @@ int begin_from(const Course& course, const std::string& name) {
 }
 
 // Draws the learner's scene, or what the program draws without one, or says why it cannot.
-void draw(const Course& course, const Graft& graft) {
+void draw(const Course& course, const Chapter& chapter) {
+    const Graft& graft = *chapter.graft;
     app::make_folder(course.out());
     const fs::path file = course.out() / "tracer.ppm";
     std::vector<std::string> words;
@@ -68,12 +69,14 @@ void draw(const Course& course, const Graft& graft) {
     const fs::path shown = course.out() / "tracer.png";
     app::replace_file(shown, rt::encode_png(mean_of({picture})));
     print("Your picture: " + relative(course, shown) + '\n');
-    if (graft.reads != Graft::Reads::scene || graft.still) return;
-    must_build(course, "09_own_solution");
+    if (graft.reads != Graft::Reads::scene) return;
+    // A tracer that follows no paths yet draws other light than the whole program.
+    const std::string answer = graft.still ? "tracer." + chapter.number() : "09_own_solution";
+    must_build(course, answer);
     const fs::path other = course.out() / "tracer_ours.ppm";
     words.back() = relative(course, other);
     const Picture ours =
-        draw_by_tracer(course, course.program("09_own_solution"), words, other).picture;
+        draw_by_tracer(course, course.program(answer), words, other).picture;
     if (ours.width != picture.width || ours.height != picture.height) return;
     const fs::path beside = course.out() / "tracer_beside_ours.png";
     app::replace_file(beside, rt::encode_png(side_by_side(mean_of({picture}), mean_of({ours}))));
@@ -83,10 +86,10 @@ void draw(const Course& course, const Graft& graft) {
 // Draws the learner's scene in the false colors that a word of --show asks for.
 int draw_false_colors(const Course& course, const std::string& word) {
     const std::vector<std::string> headers = headers_of_tracer(course);
-    if (std::find(headers.begin(), headers.end(), "shown_image.hpp") == headers.end())
+    if (std::find(headers.begin(), headers.end(), "false_color_image.hpp") == headers.end())
         throw app::Failure(
-            "your tracer has no --show yet; docs/04-normals_aa.md, section Graft, says how to give "
-            "it one");
+            "your tracer has no --show yet; docs/03-sphere.md, section Graft, says how to give it "
+            "one");
     const fs::path file = course.out() / "tracer_show.ppm",
                    shown = course.out() / "tracer_show.png";
     app::make_folder(course.out());
@@ -130,7 +133,7 @@ int tracer(const Course& course, const Given& given) {
     if (given.has("--show")) return draw_false_colors(course, given.options.at("--show"));
 
     try {
-        draw(course, graft);
+        draw(course, chapter);
     } catch (const app::Failure& failure) {
         print(yellow(std::string{"No picture: "} + failure.what()) + '\n');
     }

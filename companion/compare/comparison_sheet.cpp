@@ -68,7 +68,7 @@ void write(Image& sheet, int left, std::string_view text) {
         for (int x = std::max(0, left - 4); x < sheet.width(); ++x) {
             const rt::Vec2 p{(static_cast<Real>(x - left) + Real(0.5)) / unit,
                              (static_cast<Real>(y - 8) + Real(0.5)) / unit};
-            if (p.x > app::letter_advance * static_cast<Real>(text.size())) break;
+            if (p.x > app::width_of(text) + 1) break;
             const Real cover =
                 std::clamp(Real(1.3) - unit * app::distance_to_text(p, text), Real(0), Real(1));
             sheet.at(x, y) = mix(sheet.at(x, y), ink, cover);
@@ -80,7 +80,7 @@ void write(Image& sheet, int left, std::string_view text) {
 Image side_by_side(const Image& mine, const Image& ours) {
     Image sheet{2 * mine.width() + 3 * gap, mine.height() + head + gap, paper};
     int left = gap;
-    for (const auto& [image, name] : {std::pair{&mine, "YOURS"}, {&ours, "OURS"}}) {
+    for (const auto& [image, name] : {std::pair{&mine, "Yours"}, {&ours, "Ours"}}) {
         for (int y = 0; y < image->height(); ++y)
             for (int x = 0; x < image->width(); ++x) sheet.at(left + x, head + y) = image->at(x, y);
         write(sheet, left, name);
@@ -96,8 +96,8 @@ Image comparison_sheet(const Comparison& comparison) {
                                               : heat_map(comparison, mine, solution);
     const int scale = (479 + width) / width;  // small pictures are shown with large pixels
     const Image* const shown[] = {&mine, &solution, &map};
-    const char* const names[] = {"YOURS", "SOLUTION",
-                                 comparison.same ? "NO DIFFERENCE" : "DIFFERENCE"};
+    const char* const names[] = {"Yours", "Solution",
+                                 comparison.same ? "No difference" : "Difference"};
     Image sheet{3 * width * scale + 4 * gap, height * scale + head + gap, paper};
     for (int i = 0; i < 3; ++i) {
         const int left = gap + i * (width * scale + gap);

@@ -7,6 +7,7 @@
 #include <rt/nearest_sphere.hpp>
 #include <rt/ppm.hpp>
 #include <rt/primary_ray.hpp>
+#include <rt/shown_hits.hpp>
 #include <rt/tracer_call.hpp>
 
 using namespace rt;
@@ -30,6 +31,7 @@ int main(int count, char** words) try {
         }
         image.at(column, row) = color;
     });
+    if (!call.show.empty()) image = shown_hits(call, scene, camera);
     std::ofstream file{call.picture};
     write_ppm(file, image);
 } catch (const std::exception& error) {

@@ -116,3 +116,41 @@ TEST_CASE("words that are too small to be read are left out", "[figure]") {
     Figure{image}.words({3, 3}, "TINY", {2, white});
     CHECK(painted(image) == 0);
 }
+
+TEST_CASE("no two letters look alike", "[figure]") {
+    // Where a letter has ink, on a grid of points that is as wide and high as any letter.
+    const auto ink = [](char letter) {
+        std::vector<bool> points;
+        for (int row = -1; row < 22; ++row)
+            for (int column = -1; column < 10; ++column)
+                points.push_back(app::distance_to_text(
+                                     {static_cast<Real>(column) / 4, static_cast<Real>(row) / 4},
+                                     {&letter, 1}) < Real(0.3));
+        return points;
+    };
+    const std::string letters =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789*-+=/.,:";
+    for (const char one : letters) {
+        const std::vector<bool> points = ink(one);
+        INFO(one);
+        CHECK(app::width_of(one) <= 2);
+        CHECK(std::count(points.begin(), points.end(), true) > 0);
+        for (const char other : letters) {
+            if (other <= one) continue;
+            int apart = 0;
+            const std::vector<bool> more = ink(other);
+            for (std::size_t i = 0; i < points.size(); ++i) apart += points[i] != more[i];
+            INFO(other);
+            CHECK(apart >= 5);
+        }
+    }
+}
+
+TEST_CASE("small letters reach below the line and are drawn whole", "[figure]") {
+    Image image{40, 40};
+    Figure{image}.words({10, 10}, "gy", {16, white});
+    Color below;
+    for (int column = 0; column < 40; ++column) below += image.at(column, 29);
+    CHECK(below.r > 0);
+    CHECK(app::width_of("ii") < app::width_of("mm"));
+}

@@ -1029,6 +1029,30 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertIn("All questions of chapter 02 are answered", self.course("ask", "02"))
         self.assertIn("All questions of chapter 01 are answered", self.course("ask", "01"))
 
+    def test_tracer_draws_beside_ours_and_in_false_colors(self):
+        chapter = self.chapter("01_tiny", self.facts)
+        chapter["graft"] = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "rungs": [1], "headers": ["one.hpp"]}
+        self.put_course(chapter)
+        self.put("CMakeLists.txt", (self.root / "CMakeLists.txt").read_text() +
+                 "add_custom_target(tracer.01 COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/ours.sh bin/tracer.01)\n")
+        self.put("ours.sh", "#!/bin/sh\nprintf 'P3\\n2 1\\n255\\n9 9 9 9 9 9\\n' >\"$2\"\n")
+        os.chmod(self.root / "ours.sh", 0o755)
+        self.put("exercises/tracer/my.txt", "picture 2 1 1 1\n")
+        program = '#include <fstream>\nint main(int, char** w) { std::ofstream{w[2]} << "P3\\n2 1\\n255\\n1 2 3 4 5 6\\n"; }\n'
+        self.put("exercises/tracer/tracer.cpp", program)
+
+        def tracer(*words):
+            done = subprocess.run([COURSE, "tracer", *words], env=self.environment, text=True, timeout=60,
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            return done.stdout + done.stderr
+
+        self.assertIn("Beside ours:  out/tracer_beside_ours.png", tracer())
+        self.assertTrue((self.root / "out/tracer_beside_ours.png").exists())
+        self.assertIn("your tracer has no --show yet", tracer("--show", "normal"))
+        self.put("chapters/01_tiny/rt/false_color_image.hpp", "#pragma once\n")
+        self.put("exercises/tracer/tracer.cpp", "#include <rt/false_color_image.hpp>\n" + program)
+        self.assertIn("Your picture: out/tracer_show.png", tracer("--show", "normal"))
+
     def test_study_measures_what_passes(self):
         self.write("one", "right\n")
         said = self.course("study", "01", "--mine")

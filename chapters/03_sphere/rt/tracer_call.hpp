@@ -29,7 +29,7 @@ inline TracerCall read_call(int count, char** words) {
             call.list = true;
         } else if (word == "--show") {
             expect(++i < count && shown_words().count(words[i]) > 0,
-                   "normal, distance, sphere, bounces or samples after --show");
+                   "direction, normal, distance, sphere, bounces or samples after --show");
             call.show = words[i];
         } else if (word == "--threads" || word == "--seed") {
             expect(++i < count, "a number after " + word);

@@ -1,8 +1,7 @@
 #pragma once
-#include <iostream>
+#include <rt/false_color_image.hpp>
 #include <rt/length.hpp>
 #include <rt/shown_pixel.hpp>
-#include <rt/tracer_call.hpp>
 
 namespace rt {
 
@@ -29,8 +28,8 @@ struct NumberedWorld {
     }
 };
 
-// What --show asks a tracer for (given): its picture in false colors. The words that explain them
-// are printed. The arguments are the call, the scene and those of render_pixel.
+// What --show asks for, of a tracer that follows paths (given). The arguments are the call, the
+// scene and those of render_pixel.
 template <class AnyCamera, class World, class Materials, class Sky>
 Image shown_image(const TracerCall& call, const SceneText& scene, const AnyCamera& camera,
                   const World& world, const Materials& materials, const Sky& sky,
@@ -40,19 +39,13 @@ Image shown_image(const TracerCall& call, const SceneText& scene, const AnyCamer
         return path_radiance(ray, counting, materials, sky, BlackEnding{}, quality.depth, random);
     };
     const NumberedWorld<World> numbered{world, scene.spheres};
-    std::vector<Shown> pixels;
-    for (int y = 0; y < scene.height; ++y)
-        for (int x = 0; x < scene.width; ++x) {
-            const auto shown = [&](const auto& any_world) {
-                return shown_pixel(call.show, camera, any_world, path, quality.samples_per_pixel,
-                                   quality.seed, x, y);
-            };
-            pixels.push_back(call.show == "sphere" ? shown(numbered) : shown(world));
-        }
-    const FalseColors made =
-        false_colors(scene.width, scene.height, pixels, shown_words().at(call.show));
-    std::cout << made.words;
-    return made.image;
+    return false_color_image(call, scene, [&](int x, int y) {
+        const auto shown = [&](const auto& any_world) {
+            return shown_pixel(call.show, camera, any_world, path, quality.samples_per_pixel,
+                               quality.seed, x, y);
+        };
+        return call.show == "sphere" ? shown(numbered) : shown(world);
+    });
 }
 
 }  // namespace rt

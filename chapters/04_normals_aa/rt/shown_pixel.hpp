@@ -25,9 +25,10 @@ struct HitCounter {
     }
 };
 
-// What the ray through the middle of a pixel meets first.
+// What the ray through the middle of a pixel meets first, or where it goes.
 template <class AnyRay, class World>
 Shown show_hit(const std::string& word, const AnyRay& ray, const World& world) {
+    if (word == "direction") return ray.direction;
     const std::optional<Hit> hit = world.hit(ray, Interval{0, infinity});
     if (!hit) return {};
     if (word == "normal") return hit->normal;

@@ -34,7 +34,7 @@ app::Picture show(const std::string& word, int spp) {
 
 }  // namespace
 
-TEST_CASE("a hit is shown by its normal, its distance or its sphere", "[show]") {
+TEST_CASE("a ray is shown by its direction, or by its hit", "[show]") {
     const SphereList world = two_spheres();
     const Ray at_second{{2, 0, 5}, {0, 0, -1}}, past{{0, 0, 5}, {0, 0, -1}};
     CHECK(std::get<Vec3>(show_hit("normal", at_second, world)) == Vec3{0, 0, 1});
@@ -43,6 +43,7 @@ TEST_CASE("a hit is shown by its normal, its distance or its sphere", "[show]") 
     number_materials(numbered);
     CHECK(std::get<int>(show_hit("sphere", at_second, SphereList{numbered})) == 1);
     CHECK(show_hit("distance", past, world) == Shown{});
+    CHECK(std::get<Vec3>(show_hit("direction", past, world)) == Vec3{0, 0, -1});
 }
 
 TEST_CASE("each sphere is shown in its own color", "[show]") {
