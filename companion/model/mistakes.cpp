@@ -73,9 +73,9 @@ class Reader {
         mistake.explanation = paragraph();
         if (mistake.explanation.empty()) fail(mistake.name + " needs words for the learner here");
         for (skip_blank(); !at_end() && !starts_with("## "); skip_blank())
-            mistake.edits.push_back(edit());
+            read_edits(mistake.edits);
         if (mistake.edits.empty())
-            fail(mistake.name + " needs an edit here: 'Replace in `rt/file.hpp`'");
+            fail(mistake.name + " needs an edit here: '```diff rt/file.hpp'");
         return mistake;
     }
 
@@ -104,36 +104,39 @@ class Reader {
     // Everything up to the first edit or the next heading.
     std::string paragraph() {
         std::string text;
-        for (; !at_end() && !starts_with("Replace in ") && !starts_with("## "); ++at_)
+        for (; !at_end() && !starts_with("```") && !starts_with("## "); ++at_)
             if (!line().empty()) text += (text.empty() ? "" : " ") + line();
         return text;
     }
 
-    Edit edit() {
-        Edit edit;
-        edit.file = between("Replace in `", "`");
+    // The edits of one file.
+    void read_edits(std::vector<Edit>& edits) {
+        const std::string file = between("```diff ", "");
         // In rt/, except for a separate program, which is in the chapter's folder.
-        if (edit.file.empty() ||
-            (edit.file.rfind("rt/", 0) != 0 && edit.file.find('/') != std::string::npos))
-            fail("expected 'Replace in `rt/file.hpp`', actual: '" + line() + '\'');
-        ++at_;
-        edit.place = place();
-        edit.before = code();
-        expect("with");
-        edit.after = code();
+        if (file.empty() || (file.rfind("rt/", 0) != 0 && file.find('/') != std::string::npos))
+            fail("expected '```diff rt/file.hpp', actual: '" + line() + '\'');
+        do {
+            ++at_;
+            edits.push_back(edit(file));
+        } while (line() == "@@");
+        expect("```");
+    }
+
+    Edit edit(const std::string& file) {
+        Edit edit{file, "", "", place()};
+        for (; !at_end() && line() != "```" && line() != "@@"; ++at_) {
+            const char kind = line().empty() ? ' ' : line()[0];
+            if (kind != ' ' && kind != '-' && kind != '+')
+                fail("expected a line with ' ', '-' or '+' before it, actual: '" + line() + '\'');
+            const std::string code = (line().empty() ? "" : line().substr(1)) + '\n';
+            if (kind != '+') edit.before += code;
+            if (kind != '-') edit.after += code;
+        }
         if (edit.before.empty())
             throw app::Failure(edit.place + ": expected lines to replace, actual: none");
         if (edit.before == edit.after)
             throw app::Failure(edit.place + ": this edit changes nothing");
         return edit;
-    }
-
-    std::string code() {
-        expect("```cpp");
-        std::string text;
-        for (; !at_end() && line() != "```"; ++at_) text += line() + '\n';
-        expect("```");
-        return text;
     }
 
     fs::path file_;

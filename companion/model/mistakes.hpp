@@ -11,13 +11,12 @@
 //
 //   The explanation, for the learner.
 //
-//   Replace in `rt/file.hpp`
-//   ```cpp
-//   whole lines of the solution
-//   ```
-//   with
-//   ```cpp
-//   what the mistake has instead; it may be nothing
+//   ```diff rt/file.hpp
+//    a whole line of the solution that stays, to find the place
+//   -whole lines of the solution
+//   +what the mistake has instead
+//   @@
+//   -the lines of another edit of this file
 //   ```
 //
 // A mistake may have several edits, each of which starts from the result of the one before.

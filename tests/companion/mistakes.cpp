@@ -10,8 +10,7 @@ namespace {
 
 const std::string solution = "int f() {\n    return 1;\n}\nint g() {\n    return 1;\n}\n";
 
-const std::string edit =
-    "Replace in `rt/f.hpp`\n```cpp\nint f() {\n```\nwith\n```cpp\nint f(int) {\n```\n";
+const std::string edit = "```diff rt/f.hpp\n-int f() {\n+int f(int) {\n```\n";
 
 const std::string keys = "title: takes a number\ncaught by: 01.1 f takes nothing\n";
 
@@ -49,8 +48,7 @@ std::string error(const std::string& text) {
 }
 
 std::string error_of_edit(const std::string& replaced, const std::string& in = "rt/f.hpp") {
-    return error(with_heading(keys + "\nWords.\n\nReplace in `" + in + "`\n```cpp\n" + replaced +
-                              "```\nwith\n```cpp\n```\n"));
+    return error(with_heading(keys + "\nWords.\n\n```diff " + in + '\n' + replaced + "```\n"));
 }
 
 }  // namespace
@@ -73,29 +71,26 @@ TEST_CASE("a mistake has words for the learner and edits of the solution", "[mis
 }
 
 TEST_CASE("an edit starts from what the one before has made", "[mistakes]") {
-    const Written written{
-        with_heading(keys + "\nWords.\n\n" + edit +
-                     "\nReplace in `rt/f.hpp`\n```cpp\nint f(int) {\n    return 1;\n```\n"
-                     "with\n```cpp\nint f(int) {\n```\n")};
-    CHECK(written.edited().at("rt/f.hpp") == "int f(int) {\n}\nint g() {\n    return 1;\n}\n");
+    const Written written{with_heading(
+        keys + "\nWords.\n\n" + edit +
+        "\n```diff rt/f.hpp\n int f(int) {\n-    return 1;\n@@\n }\n+\n int g() {\n```\n")};
+    CHECK(written.edited().at("rt/f.hpp") == "int f(int) {\n}\n\nint g() {\n    return 1;\n}\n");
 }
 
 TEST_CASE("an edit that does not match exactly once is an error", "[mistakes]") {
-    CHECK(error_of_edit("int f() {\n") == "no error");
+    CHECK(error_of_edit("-int f() {\n") == "no error");
     CHECK(
-        error_of_edit("    return 1;\n") ==
+        error_of_edit("-    return 1;\n") ==
         "01.1.md:10: these lines appear 2 times in rt/f.hpp; add a line before or after that tells "
         "them apart");
     const std::string never =
         "01.1.md:10: these lines are not in rt/f.hpp; copy whole lines from there exactly, as "
         "they are after the earlier edits";
-    CHECK(error_of_edit("    return 2;\n") == never);
-    CHECK(error_of_edit("f() {\n") == never);  // not a whole line
-    CHECK(error_of_edit("int f() {\n", "rt/g.hpp") == "01.1.md:10: there is no rt/g.hpp");
+    CHECK(error_of_edit("-    return 2;\n") == never);
+    CHECK(error_of_edit("-f() {\n") == never);  // not a whole line
+    CHECK(error_of_edit("-int f() {\n", "rt/g.hpp") == "01.1.md:10: there is no rt/g.hpp");
     CHECK(error_of_edit("") == "01.1.md:10: expected lines to replace, actual: none");
-    CHECK(error(with_heading(keys + "\nWords.\n\nReplace in `rt/f.hpp`\n```cpp\nint f() {\n```\n"
-                                    "with\n```cpp\nint f() {\n```\n")) ==
-          "01.1.md:10: this edit changes nothing");
+    CHECK(error_of_edit(" int f() {\n") == "01.1.md:10: this edit changes nothing");
 }
 
 TEST_CASE("what is wrong with a mistake is said with file and line", "[mistakes]") {
@@ -113,19 +108,19 @@ TEST_CASE("what is wrong with a mistake is said with file and line", "[mistakes]
     CHECK(error(with_heading(keys + "\n" + edit)) ==
           "01.1.md:7: 01.1_takes needs words for the learner here");
     CHECK(error(with_heading(keys + words)) ==
-          "01.1.md:8: 01.1_takes needs an edit here: 'Replace in `rt/file.hpp`'");
-    CHECK(error(with_heading(keys + words + "Replace in rt/f.hpp\n")) ==
-          "01.1.md:9: expected 'Replace in `rt/file.hpp`', actual: 'Replace in rt/f.hpp'");
-    CHECK(error(with_heading(keys + words + "Replace in `rt/f.hpp`\n```cpp\nint f() {\n```\n")) ==
-          "01.1.md:12: expected the line 'with', actual: the end of the file");
-    CHECK(error(with_heading(keys + words + "Replace in `rt/f.hpp`\nint f() {\n")) ==
-          "01.1.md:10: expected the line '```cpp', actual: 'int f() {'");
+          "01.1.md:8: 01.1_takes needs an edit here: '```diff rt/file.hpp'");
+    CHECK(error(with_heading(keys + words + "```cpp\n")) ==
+          "01.1.md:9: expected '```diff rt/file.hpp', actual: '```cpp'");
+    CHECK(error(with_heading(keys + words + "```diff rt/f.hpp\n-int f() {\n")) ==
+          "01.1.md:10: expected the line '```', actual: the end of the file");
+    CHECK(error(with_heading(keys + words + "```diff rt/f.hpp\nint f() {\n")) ==
+          "01.1.md:10: expected a line with ' ', '-' or '+' before it, actual: 'int f() {'");
     CHECK(error("# Mistakes of 01.1\n\n## 01.2_takes\n" + keys + words + edit) ==
           "01.1.md:3: expected a heading '## 01.1_name', actual: '## 01.2_takes'");
     CHECK(error("# Mistakes\n") ==
           "01.1.md:1: expected the line '# Mistakes of 01.1', actual: '# Mistakes'");
     CHECK(error(with_heading(keys + words + edit + "\n## 01.1_takes\n" + keys + words + edit)) ==
-          "01.1.md:18: another mistake is called 01.1_takes; each needs a name of its own");
+          "01.1.md:14: another mistake is called 01.1_takes; each needs a name of its own");
     CHECK(error(with_heading(keys + "changes picture: no\n" + words + edit)) ==
           "01.1.md:6: expected 'changes picture: yes' or no such line, actual: 'changes picture: "
           "no'");
