@@ -7,7 +7,7 @@
 
 namespace rt {
 
-inline std::optional<Roots> roots_from_discriminant(Real a, Real b, Real c, Real discriminant) {
+inline std::optional<Roots> roots_from_discriminant(Real a, Real b, Real, Real discriminant) {
     if (discriminant < 0) return {};
     const Real root = std::sqrt(discriminant);
     const Real one = (-b - root) / (2 * a), other = (-b + root) / (2 * a);
