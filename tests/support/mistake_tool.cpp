@@ -177,6 +177,7 @@ int races(const std::string& chapter) {
 int program(const std::string& names, const std::string& target, const fs::path& file) {
     const fs::path folder = below / ("program " + names);
     fs::remove_all(folder);
+    app::make_folder(folder.parent_path());  // a name may be a path
     std::istringstream list{names};
     for (std::string name; std::getline(list, name, '+');) {
         if (fs::is_directory(name)) {
