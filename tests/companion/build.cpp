@@ -1,8 +1,10 @@
 #include <companion/build/build.hpp>
 
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 using namespace companion;
+using checkpoint::TemporaryFolder, checkpoint::write_file;
 
 namespace {
 
@@ -42,6 +44,60 @@ TEST_CASE("an error in the learner's file goes before others", "[build]") {
                           "/c/exercises/01_x/rt/a.hpp:4:14: note: to match this '{'\n",
                       mine) ==
           "exercises/01_x/rt/a.hpp:4:14: error: the brace { here is never closed");
+}
+
+TEST_CASE("a copy constructor that takes no const is named, and not what calls it", "[build]") {
+    const std::string mine_at = "/c/exercises/01_x/rt/a.hpp:31:20", source = "   31 |  C(C& other)";
+    // g++
+    CHECK(
+        first_error(here,
+                    "/c/tests/answer.cpp:32:26: error: binding reference of type 'C&' to 'const C' "
+                    "discards qualifiers\n   32 |  return C{other};\n      | ^\n" +
+                        mine_at + ": note:   initializing argument 1 of 'C(C&)'\n" + source + '\n',
+                    mine) ==
+        "exercises/01_x/rt/a.hpp:31:20: error: binding reference of type 'C&' to 'const C' "
+        "discards "
+        "qualifiers\n" +
+            source);
+    // clang++
+    CHECK(
+        first_error(here,
+                    "/c/tests/answer.cpp:32:26: error: no matching constructor for 'C'\n    return "
+                    "C{other};\n    ^\n" +
+                        mine_at +
+                        ": note: candidate constructor not viable: 1st argument ('const C') would "
+                        "lose const qualifier\n" +
+                        source + '\n',
+                    mine) ==
+        "exercises/01_x/rt/a.hpp:31:20: error: candidate constructor not viable: 1st argument "
+        "('const C') would lose const qualifier\n" +
+            source);
+    // Another error with a note is left as it is.
+    CHECK(first_error(here,
+                      "/c/tests/answer.cpp:3:2: error: cannot convert 'C' to 'int'\n" + mine_at +
+                          ": note:   initializing argument 1 of 'f(int)'\n" + source + '\n',
+                      mine) == "tests/answer.cpp:3:2: error: cannot convert 'C' to 'int'");
+}
+
+TEST_CASE("a struct that lacks its semicolon is named by the line of its brace", "[build]") {
+    const TemporaryFolder folder;
+    const Course course{folder.path(), folder.path() / "build"};
+    const auto told = [&](const std::string& text, int line) {
+        write_file(folder.path() / "exercises/01_x/rt/a.hpp", text);
+        return first_error(
+            course,
+            (folder.path() / "exercises/01_x/rt/a.hpp").string() + ':' + std::to_string(line) +
+                ":5: error: expected initializer before 'operator'\n    8 | Vec op\n",
+            mine);
+    };
+    const std::string words = "the } in line 3 ends a struct: it lacks its ;";
+    const auto has_words = [&](const std::string& text) {
+        return text.find(words) != std::string::npos;
+    };
+    CHECK(has_words(told("struct Vec {\n    double x{};\n}\n\n// {\nVec operator+(Vec a);\n", 6)));
+    CHECK(has_words(told("struct Vec\n{\n}\nVec operator+(Vec a);\n", 4)));
+    CHECK_FALSE(has_words(told("struct Vec {\n    double x;\n};\nVec operator+(Vec a);\n", 4)));
+    CHECK_FALSE(has_words(told("int f() {\n    return 1;\n}\nVec operator+(Vec a);\n", 4)));
 }
 
 TEST_CASE("of the warnings the one that explains a crash goes first", "[build]") {
