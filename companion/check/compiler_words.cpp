@@ -91,9 +91,8 @@ const Meaning meanings[]{
      "The loop's last part changes nothing: `i + 1` only computes, `i++` and `i += 2` change i."},
     {"assignment used as truth value|using the result of an assignment as a condition",
      "`=` changes the left side; `==` compares."},
-    {"(statement has no effect|value computed is not used|expression result unused|ignoring return "
-     "value|unused "
-     "result|comparison result unused)",
+    {"statement has no effect|value computed is not used|expression result unused|"
+     "ignoring return(ed)? value|unused result|comparison result unused",
      "The result is computed and thrown away. Should it be stored, `x = ...` or `x *= ...`, or "
      "returned?"},
     {"(float|double).*(may change value|changes value|turns floating-point)|implicit conversion.*"

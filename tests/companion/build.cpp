@@ -1,4 +1,7 @@
 #include <companion/build/build.hpp>
+#include <companion/build/remake.hpp>
+#include <companion/check/compiler_words.hpp>
+#include <companion/system/files.hpp>
 
 #include "catch.hpp"
 #include "temporary_folder.hpp"
@@ -124,4 +127,26 @@ TEST_CASE("a warning of a variable without a value leads to its declaration", "[
     const std::string other = "/c/tests/t.cpp:9:1: warning: unused [-Wunused]\n";
     CHECK(first_warning(here, other + declared, mine).empty());
     CHECK(first_warning(here, used + other + declared, mine).empty());
+}
+
+TEST_CASE("a fraction that is dropped and a color that is thrown away are warned of", "[build]") {
+    const Course course = this_course();
+    const TemporaryFolder folder;
+    const fs::path file = folder / "rt/hit_sphere.hpp";
+    const auto warning = [&](const std::string& line, const std::string& becomes) {
+        std::string code =
+            companion::read_file(course.root / "solutions/03_sphere/rt/hit_sphere.hpp");
+        const auto at = code.find(line);
+        REQUIRE(at != std::string::npos);
+        write_file(file, "#include <rt/color.hpp>\n" + code.replace(at, line.size(), becomes));
+        const BuildResult built =
+            Remake{course, "yours.03.2"}(folder.path(), folder / "answer/libanswer.so");
+        CHECK(built.ok);
+        return plain_words(first_warning(course, built.output, {file}));
+    };
+    const std::string line = "    const Real c = dot(f, f) - r_squared;\n";
+    CHECK(warning("const Real c =", "const int c =").find("fraction") != std::string::npos);
+    for (const char* const product : {"Color{} * Color{};", "Real(2) * Color{};", "a * d;"})
+        CHECK(warning(line, line + product + '\n').find("thrown away") != std::string::npos);
+    CHECK(warning(line, line).empty());
 }

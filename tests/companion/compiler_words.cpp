@@ -154,6 +154,11 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
             "push_back");
     says_of("return c.x;", "'struct rt::Color' has no member named 'x'", "r, g and b");
     says_of("x * y;", "statement has no effect [-Wunused-value]", "thrown away");
+    says_of("x * y;",
+            "ignoring returned value of type 'rt::Color', declared with attribute 'nodiscard'",
+            "thrown away");
+    says_of("x * y;", "ignoring return value of function declared with 'nodiscard' attribute",
+            "thrown away");
     says_of("return 0 < x < 1;",
             "comparisons like 'X<=Y<=Z' do not have their mathematical meaning", "alone");
     says_of("if (x = 1)", "suggest parentheses around assignment used as truth value", "compares");
