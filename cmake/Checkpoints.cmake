@@ -134,6 +134,8 @@ function(course_exercise chapter id)
     course_answer(${answer} ${real} solution/${real} ${chapter} ${id} ${folders})
     course_answer(${yours} ${real} yours/${real} ${chapter} ${id} ${CMAKE_SOURCE_DIR}/exercises/${chapter} ${folders})
     course_of_learner(${yours})
+    # A fraction that is dropped unasked is told, as in `int c = dot(f, f)`.
+    target_compile_options(${yours} PRIVATE -Wfloat-conversion)
     course_checkpoint(${check} ${real} ${source}
                       INCLUDE ${CMAKE_SOURCE_DIR}/tests/${chapter}/${id} ${folders})
     set_target_properties(${check} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/check

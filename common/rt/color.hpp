@@ -15,12 +15,22 @@ struct Color {
 
     friend constexpr bool operator==(const Color&, const Color&) = default;
 
-    friend constexpr Color operator+(Color p, Color q) { return {p.r + q.r, p.g + q.g, p.b + q.b}; }
-    friend constexpr Color operator-(Color p, Color q) { return {p.r - q.r, p.g - q.g, p.b - q.b}; }
-    friend constexpr Color operator*(Color p, Color q) { return {p.r * q.r, p.g * q.g, p.b * q.b}; }
-    friend constexpr Color operator*(Color c, Real s) { return {c.r * s, c.g * s, c.b * s}; }
-    friend constexpr Color operator*(Real s, Color c) { return c * s; }
-    friend constexpr Color operator/(Color c, Real s) { return {c.r / s, c.g / s, c.b / s}; }
+    [[nodiscard]] friend constexpr Color operator+(Color p, Color q) {
+        return {p.r + q.r, p.g + q.g, p.b + q.b};
+    }
+    [[nodiscard]] friend constexpr Color operator-(Color p, Color q) {
+        return {p.r - q.r, p.g - q.g, p.b - q.b};
+    }
+    [[nodiscard]] friend constexpr Color operator*(Color p, Color q) {
+        return {p.r * q.r, p.g * q.g, p.b * q.b};
+    }
+    [[nodiscard]] friend constexpr Color operator*(Color c, Real s) {
+        return {c.r * s, c.g * s, c.b * s};
+    }
+    [[nodiscard]] friend constexpr Color operator*(Real s, Color c) { return c * s; }
+    [[nodiscard]] friend constexpr Color operator/(Color c, Real s) {
+        return {c.r / s, c.g / s, c.b / s};
+    }
 
     constexpr Color& operator+=(Color c) { return *this = *this + c; }
     constexpr Color& operator*=(Color c) { return *this = *this * c; }

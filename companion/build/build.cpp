@@ -2,10 +2,13 @@
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
 #include <companion/build/stale.hpp>
+#include <companion/model/source.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/file_lock.hpp>
+#include <companion/system/files.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/terminal.hpp>
+#include <regex>
 #include <sstream>
 #include <string_view>
 #include <thread>
@@ -17,6 +20,43 @@ constexpr std::size_t most_words = std::size_t{4} << 20;  // bytes of what a bui
 
 bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
+}
+
+// "\n  the } in line 7 ends a struct: it lacks its ;", where the error is that a struct's
+// end lacks it; empty otherwise. g++ shows what follows the struct.
+std::string missing_semicolon(const Course& course, const std::string& error) {
+    std::smatch place;
+    if (!has(error, "expected initializer before") ||
+        !std::regex_search(error, place, std::regex{"^([^:\n]+):(\\d+):"}))
+        return "";
+    const fs::path file = course.root / place[1].str();
+    if (!fs::exists(file)) return "";
+    const std::string text = read_file(file);
+    if (has(text, "/*")) return "";  // code_of() drops the lines within
+    std::istringstream in{code_of(text)};
+    std::vector<std::string> lines;
+    const auto before = static_cast<std::size_t>(std::stoul(place[2]) - 1);
+    for (std::string line; lines.size() < before && std::getline(in, line);) lines.push_back(line);
+    const auto is_blank = [](const std::string& line) {
+        return line.find_first_not_of(" \t\r") == std::string::npos;
+    };
+    while (!lines.empty() && is_blank(lines.back())) lines.pop_back();
+    if (lines.empty() || lines.back()[lines.back().find_last_not_of(" \t\r")] != '}') return "";
+    // Up to the brace that it closes.
+    int open = 0;
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+        for (auto at = line->rbegin(); at != line->rend(); ++at)
+            if ((open += *at == '}' ? 1 : *at == '{' ? -1 : 0) == 0 && *at == '{') {
+                const bool alone = std::next(line) != lines.rend() &&
+                                   line->find_first_not_of(" \t") == line->find('{');
+                const bool is_struct = std::regex_search(alone ? *std::next(line) : *line,
+                                                         std::regex{"\\b(struct|class|enum)\\b"});
+                return is_struct ? "\n  the } in line " + std::to_string(lines.size()) +
+                                       " ends a struct: it lacks its ;"
+                                 : "";
+            }
+    }
+    return "";
 }
 
 }  // namespace
@@ -74,10 +114,12 @@ std::string first_error(const Course& course, const std::string& output,
         std::string text;
         std::string came_from;  // "file:line" of the learner's, if that led to it
         bool is_within = false;
+        std::string meant{};  // the learner's parameter that does not take a const, as an error
     };
     std::vector<Error> errors;
     std::string linker, came_from, open_brace;
-    int shown = 0;  // lines of source that were shown
+    int shown = 0;              // lines of source that were shown
+    bool takes_source = false;  // of the note before it
     // The "file:line" of one of the files in a line of output.
     const auto place_in = [&](const std::string& line) -> std::string {
         for (const fs::path& file : files)
@@ -95,14 +137,31 @@ std::string first_error(const Course& course, const std::string& output,
         // "file:line:column: error: what"
         if (has(line, ": error: ") || has(line, ": fatal error: ") || has(line, "out of memory")) {
             errors.push_back({line, came_from, is_within});
+            takes_source = false;
             came_from.clear();
             shown = 0;
+        } else if (takes_source && line.rfind(' ', 0) == 0) {
+            errors.back().meant += '\n' + line;
+            takes_source = false;
         } else if (!errors.empty() && line.rfind(' ', 0) == 0 && shown < 2) {
             errors.back().text += '\n' + line;
             ++shown;
         } else {
             shown = 2;
             if (is_within && has(line, "to match this")) open_brace = line;
+            const bool is_refusal = has(line, "would lose const") ||
+                                    (has(line, "initializing argument") && !errors.empty() &&
+                                     has(errors.back().text, "discards qualifiers"));
+            if (is_within && is_refusal && !errors.empty() && errors.back().meant.empty()) {
+                const auto note = line.find(": note: ");
+                const std::string& text = errors.back().text;
+                const auto what = text.find(": error: ");
+                errors.back().meant =
+                    has(line, "would lose const")
+                        ? line.substr(0, note) + ": error: " + line.substr(note + 8)
+                        : line.substr(0, note) + text.substr(what, text.find('\n') - what);
+                takes_source = true;
+            }
             if (is_in_files && (has(line, "from ") || has(line, "required "))) came_from = place;
         }
         if (linker.empty() &&
@@ -111,11 +170,13 @@ std::string first_error(const Course& course, const std::string& output,
             linker = "the linker says: " + line.substr(line.find_first_of("uUm", line.rfind(": ")));
     }
     for (const Error& error : errors)
-        if (error.is_within) return error.text;
+        if (error.is_within) return error.text + missing_semicolon(course, error.text);
     // After a brace that is never closed, every error is misleading, and this is the last message.
     if (!open_brace.empty())
         return open_brace.substr(0, open_brace.find(": note: ")) +
                ": error: the brace { here is never closed";
+    for (const Error& error : errors)
+        if (!error.meant.empty()) return error.meant;
     for (const Error& error : errors)
         if (!error.came_from.empty()) return error.text + "\n  which came from " + error.came_from;
     return errors.empty() ? linker : errors.front().text;

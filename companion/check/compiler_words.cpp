@@ -17,6 +17,10 @@ struct Habit {
 };
 
 const Habit habits[]{
+    {"discards qualifiers|would lose const|invalid constructor|copy constructor must",
+     "\\b(\\w+)\\(\\1 ?&? ?\\w*\\)",
+     "A copy constructor takes `const Canvas& other`, with the name of your class: a reference, "
+     "since a copy is what it makes, and const, since the original stays as it is."},
     {"unary .\\*|indirection requires|no match for .operator\\*.*operand type is",
      "\\w\\)? ?\\*\\* ?[\\w(]",
      "`**` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
@@ -33,7 +37,10 @@ const Habit habits[]{
      "length, and std::cout << x to print."},
     {"invalid operands", "[\\w)] ?\\^ ?[\\w(]",
      "`^` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
-    {"conver|initialize|constant|error", "'[^'\\\\]([^']+)'",
+    // A literal of several characters, after none, or some of one character. Apostrophes within
+    // words and in comments are none.
+    {"conver|initialize|constant",
+     "^([^'/]|/(?!/)|'([^'\\\\]|\\\\.)')*[^'\\w]'([^'\\\\]|\\\\.){2,}'",
      "Text stands in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
     {"invalid use of void expression|argument type .void. is incomplete|no matching",
      "emplace_back\\(\\w+\\(",
@@ -69,23 +76,30 @@ const Meaning meanings[]{
     {"out of memory|signal terminated program|unable to execute command",
      "The compiler was stopped, because it took too much time or memory. What does the code ask it "
      "to read or to compute without end?"},
-    {"operator\\^", "`^` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
+    {"operator\\^|operand of .\\^|exponentiation",
+     "`^` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
     {"character constant|unclosed|missing terminating",
      "Text stands in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
     {"comparisons like .X<=Y<=Z|chained comparison",
      "Each comparison stands alone: `a < b && b < c`."},
+    {"(constant|expression) .*(with|of) (boolean expression|type .bool.)",
+     "One side is a comparison already, and so true or false. Each comparison stands alone: `a < b "
+     "&& b < c`."},
+    {"infinite recursion|all paths through this function will call itself",
+     "The function calls itself in every case, without end. One case must return before it does."},
+    {"for increment expression has no effect",
+     "The loop's last part changes nothing: `i + 1` only computes, `i++` and `i += 2` change i."},
     {"assignment used as truth value|using the result of an assignment as a condition",
      "`=` changes the left side; `==` compares."},
-    {"(statement has no effect|value computed is not used|expression result unused|ignoring return "
-     "value|unused "
-     "result|comparison result unused)",
+    {"statement has no effect|value computed is not used|expression result unused|"
+     "ignoring return(ed)? value|unused result|comparison result unused",
      "The result is computed and thrown away. Should it be stored, `x = ...` or `x *= ...`, or "
      "returned?"},
     {"(float|double).*(may change value|changes value|turns floating-point)|implicit conversion.*"
      "(float|double).* to .*int",
      "A number with a fraction becomes one that holds less. If that is meant, say so: `int(x)` "
      "drops the fraction, "
-     "`Real(x)` makes a Real."},
+     "`Real(x)` makes a Real. `abs` is for int alone: numbers have `std::abs`."},
     {"promotion|increases floating-point precision|implicit conversion from .float. to .double.",
      "In float, this would be computed in double. Give both numbers the type Real: `Real(5)` "
      "instead of 5."},

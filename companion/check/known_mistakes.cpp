@@ -3,6 +3,7 @@
 #include <app/files.hpp>
 #include <companion/build/remake.hpp>
 #include <companion/check/known_mistakes.hpp>
+#include <companion/model/source.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/parallel.hpp>
 #include <nlohmann/json.hpp>
@@ -127,12 +128,17 @@ LooksLike what_it_looks_like(const Course& course, const Exercise& exercise,
                              const std::vector<TestCase>& tests) {
     const Signature signature = signature_of(tests);
     if (signature.where.empty()) return {};
+    std::string code;
+    for (const fs::path& one : exercise.files) code += code_of(read_file(course.root / one));
     LooksLike all;
     for (const LookAlikes& names :
          recognize(signatures_of(course, exercise), exercise.id, signature)) {
-        all.emplace_back();
+        std::vector<Mistake> alike;
         for (const std::string& name : names)
-            all.back().push_back(read_mistake(course, exercise.chapter, name));
+            if (Mistake mistake = read_mistake(course, exercise.chapter, name);
+                may_be(mistake, code))
+                alike.push_back(std::move(mistake));
+        if (!alike.empty()) all.push_back(std::move(alike));
     }
     return all;
 }

@@ -343,7 +343,7 @@ std::string open_stars(const Checked& checked, const LooksLike& looks_like, bool
         text += describe_all(star.test);
         if (!all) break;
     }
-    text += looks_like_text(looks_like);
+    text += warned(checked) + looks_like_text(looks_like);
     const std::string& id = checked.exercise.id;
     const auto left = static_cast<int>(passed->open_stars.size()) - 1;
     if (!all && left > 0)

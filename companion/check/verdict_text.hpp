@@ -17,8 +17,8 @@ std::string float_lines(const std::vector<Checked>& all);
 // where to read. Several lines.
 std::string details(const Checked& checked, const LooksLike& looks_like);
 
-// For an exercise whose core passes: the stars that are open, all of them or the
-// first. Empty if none is open.
+// For an exercise whose core passes: the stars that are open, all of them or the first, and what
+// the compiler warned of. Empty if none is open.
 std::string open_stars(const Checked& checked, const LooksLike& looks_like, bool all);
 
 // "2 stars open".

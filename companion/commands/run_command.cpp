@@ -19,6 +19,22 @@ bool says_where(const std::vector<std::string>& options) {
     });
 }
 
+// A picture's bare name, as in "--out mine.png", is meant in out/, where the other pictures are.
+void place_in_out(const Course& course, std::vector<std::string>& options) {
+    const auto placed = [&](const std::string& name) {
+        if (name.empty() || name.find('/') != std::string::npos) return name;
+        app::make_folder(course.out());
+        return (course.out() / name).string();
+    };
+    const std::string with_name = "--out=";
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        if (options[i].rfind(with_name, 0) == 0)
+            options[i] = with_name + placed(options[i].substr(with_name.size()));
+        else if (options[i] == "--out" && i + 1 < options.size())
+            options[i + 1] = placed(options[i + 1]);
+    }
+}
+
 // Whether code from an elective helps to draw the picture.
 bool draws_by_elective(const std::vector<std::string>& options) {
     return std::any_of(options.begin(), options.end(), [](const std::string& option) {
@@ -68,6 +84,7 @@ int run(const Course& course, const Given& given) {
     must_build(course, chapter.name + "_mine");
     std::fprintf(stderr, "%s\n", yours.words().c_str());
 
+    place_in_out(course, options);
     std::vector<std::string> command{course.program(chapter.name + "_mine").string()};
     if (!says_where(options)) {
         app::make_folder(course.out());

@@ -2,6 +2,7 @@
 #include <app/errors.hpp>
 #include <companion/model/mistakes.hpp>
 #include <companion/system/files.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -13,6 +14,7 @@ const std::set<std::string> yes_only{"changes picture", "compiler warns",
                                      "certificate fails"};  // a line of `course certify`
 const std::set<std::string> with_value{
     "address sanitizer reports",  // a pattern of its report
+    "only if the answer has",     // a pattern of its code, without which the mistake is no guess
     "data race in",               // the test case in which the thread sanitizer reports one
     "also fails"};                // of a program of chapter 09: further lines of the verdict
 
@@ -175,6 +177,11 @@ Mistake read_mistake(const Course& course, const Chapter& chapter, const std::st
     for (const Mistake& mistake : read_mistakes(file))
         if (mistake.name == name) return mistake;
     throw app::Failure(file.string() + " does not describe " + name);
+}
+
+bool may_be(const Mistake& mistake, const std::string& code) {
+    const auto needed = mistake.remarks.find("only if the answer has");
+    return needed == mistake.remarks.end() || std::regex_search(code, std::regex{needed->second});
 }
 
 std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs::path& solution) {

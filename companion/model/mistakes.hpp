@@ -53,6 +53,10 @@ std::vector<Mistake> read_mistakes(const Course& course, const Chapter& chapter)
 // A mistake by its name. Throws app::Failure if there is none.
 Mistake read_mistake(const Course& course, const Chapter& chapter, const std::string& name);
 
+// Whether code can be this mistake, given the answer's code without comments: a mistake in what it
+// does not have is none.
+bool may_be(const Mistake& mistake, const std::string& code);
+
 // The files that a mistake changes, by name ("rt/refract.hpp"), made from those in a folder. Throws
 // app::Failure if the lines to be replaced do not occur exactly once.
 std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs::path& solution);

@@ -199,8 +199,17 @@ Sphere any_sphere(rt::Rng& rng) {
 }  // namespace
 
 TEST_CASE("03.2 from outside the near side is hit", "[03.2]") {
-    check({{0, 0, -5}, 1}, forward, ahead, Real(4), "4 is the near side, 6 the far one");
+    check(
+        {{0, 0, -5}, 1}, forward, ahead, Real(4),
+        "the line meets it at t = 4 and 6. If you find -6 and -4, f points the wrong way: it leads "
+        "from the center to the ray's origin");
     check({{0, 3, -9}, 5}, forward, ahead, Real(5), "half of the chord is 4: 3, 4, 5");
+}
+
+TEST_CASE("03.2 numbers need not be whole", "[03.2]") {
+    const char* const hint = "a, b and c are of the type Real: an int drops the fraction";
+    check({{0, 0, -2}, Real(1.5)}, forward, ahead, Real(0.5), hint);
+    check({{0, 0, Real(-1.25)}, 1}, forward, ahead, Real(0.25), hint);
 }
 
 TEST_CASE("03.2 the center of the sphere counts", "[03.2]") {

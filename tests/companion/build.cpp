@@ -1,8 +1,13 @@
 #include <companion/build/build.hpp>
+#include <companion/build/remake.hpp>
+#include <companion/check/compiler_words.hpp>
+#include <companion/system/files.hpp>
 
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 using namespace companion;
+using checkpoint::TemporaryFolder, checkpoint::write_file;
 
 namespace {
 
@@ -44,6 +49,60 @@ TEST_CASE("an error in the learner's file goes before others", "[build]") {
           "exercises/01_x/rt/a.hpp:4:14: error: the brace { here is never closed");
 }
 
+TEST_CASE("a copy constructor that takes no const is named, and not what calls it", "[build]") {
+    const std::string mine_at = "/c/exercises/01_x/rt/a.hpp:31:20", source = "   31 |  C(C& other)";
+    // g++
+    CHECK(
+        first_error(here,
+                    "/c/tests/answer.cpp:32:26: error: binding reference of type 'C&' to 'const C' "
+                    "discards qualifiers\n   32 |  return C{other};\n      | ^\n" +
+                        mine_at + ": note:   initializing argument 1 of 'C(C&)'\n" + source + '\n',
+                    mine) ==
+        "exercises/01_x/rt/a.hpp:31:20: error: binding reference of type 'C&' to 'const C' "
+        "discards "
+        "qualifiers\n" +
+            source);
+    // clang++
+    CHECK(
+        first_error(here,
+                    "/c/tests/answer.cpp:32:26: error: no matching constructor for 'C'\n    return "
+                    "C{other};\n    ^\n" +
+                        mine_at +
+                        ": note: candidate constructor not viable: 1st argument ('const C') would "
+                        "lose const qualifier\n" +
+                        source + '\n',
+                    mine) ==
+        "exercises/01_x/rt/a.hpp:31:20: error: candidate constructor not viable: 1st argument "
+        "('const C') would lose const qualifier\n" +
+            source);
+    // Another error with a note is left as it is.
+    CHECK(first_error(here,
+                      "/c/tests/answer.cpp:3:2: error: cannot convert 'C' to 'int'\n" + mine_at +
+                          ": note:   initializing argument 1 of 'f(int)'\n" + source + '\n',
+                      mine) == "tests/answer.cpp:3:2: error: cannot convert 'C' to 'int'");
+}
+
+TEST_CASE("a struct that lacks its semicolon is named by the line of its brace", "[build]") {
+    const TemporaryFolder folder;
+    const Course course{folder.path(), folder.path() / "build"};
+    const auto told = [&](const std::string& text, int line) {
+        write_file(folder.path() / "exercises/01_x/rt/a.hpp", text);
+        return first_error(
+            course,
+            (folder.path() / "exercises/01_x/rt/a.hpp").string() + ':' + std::to_string(line) +
+                ":5: error: expected initializer before 'operator'\n    8 | Vec op\n",
+            mine);
+    };
+    const std::string words = "the } in line 3 ends a struct: it lacks its ;";
+    const auto has_words = [&](const std::string& text) {
+        return text.find(words) != std::string::npos;
+    };
+    CHECK(has_words(told("struct Vec {\n    double x{};\n}\n\n// {\nVec operator+(Vec a);\n", 6)));
+    CHECK(has_words(told("struct Vec\n{\n}\nVec operator+(Vec a);\n", 4)));
+    CHECK_FALSE(has_words(told("struct Vec {\n    double x;\n};\nVec operator+(Vec a);\n", 4)));
+    CHECK_FALSE(has_words(told("int f() {\n    return 1;\n}\nVec operator+(Vec a);\n", 4)));
+}
+
 TEST_CASE("of the warnings the one that explains a crash goes first", "[build]") {
     const std::string file = "/c/exercises/01_x/rt/a.hpp";
     const std::string unused = file + ":3:5: warning: unused variable 'x' [-Wunused-variable]\n";
@@ -68,4 +127,26 @@ TEST_CASE("a warning of a variable without a value leads to its declaration", "[
     const std::string other = "/c/tests/t.cpp:9:1: warning: unused [-Wunused]\n";
     CHECK(first_warning(here, other + declared, mine).empty());
     CHECK(first_warning(here, used + other + declared, mine).empty());
+}
+
+TEST_CASE("a fraction that is dropped and a color that is thrown away are warned of", "[build]") {
+    const Course course = this_course();
+    const TemporaryFolder folder;
+    const fs::path file = folder / "rt/hit_sphere.hpp";
+    const auto warning = [&](const std::string& line, const std::string& becomes) {
+        std::string code =
+            companion::read_file(course.root / "solutions/03_sphere/rt/hit_sphere.hpp");
+        const auto at = code.find(line);
+        REQUIRE(at != std::string::npos);
+        write_file(file, "#include <rt/color.hpp>\n" + code.replace(at, line.size(), becomes));
+        const BuildResult built =
+            Remake{course, "yours.03.2"}(folder.path(), folder / "answer/libanswer.so");
+        CHECK(built.ok);
+        return plain_words(first_warning(course, built.output, {file}));
+    };
+    const std::string line = "    const Real c = dot(f, f) - r_squared;\n";
+    CHECK(warning("const Real c =", "const int c =").find("fraction") != std::string::npos);
+    for (const char* const product : {"Color{} * Color{};", "Real(2) * Color{};", "a * d;"})
+        CHECK(warning(line, line + product + '\n').find("thrown away") != std::string::npos);
+    CHECK(warning(line, line).empty());
 }

@@ -831,7 +831,11 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
     def test_run_passes_options_on(self):
         said = self.course("run", "01", "--width", "9")
         self.assertIn(f"program --out {self.root}/out/01_tiny_mine.png --width 9", said)
-        self.assertIn("program --out a.png", self.course("run", "1", "--out", "a.png"))
+        for option in (["--out", "a.png"], ["--out=a.png"]):  # a bare name is meant in out/
+            self.assertRegex(self.course("run", "1", *option),
+                             f"program --out[ =]{self.root}/out/a.png")
+        for path in ("./a.png", f"{self.root}/a.png"):
+            self.assertIn(f"program --out {path}\n", self.course("run", "1", "--out", path))
         self.course("run", "01", "--fail", code=3)
         crashed = subprocess.run([COURSE, "run", "01", "--crash"], env=self.environment, text=True,
                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)

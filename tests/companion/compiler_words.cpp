@@ -40,6 +40,17 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("use of deleted function 'std::unique_ptr<T>::unique_ptr(const T&)'", "std::move"));
     CHECK(says("assignment of read-only variable 'x'", "const"));
     CHECK(says("no match for 'operator+' (operand types are 'rt::Vec3' and 'int')", "two types"));
+    CHECK(says("suggest parentheses around comparison in operand of '^' [-Wparentheses]",
+               "no power"));
+    CHECK(says("infinite recursion detected [-Winfinite-recursion]", "in every case"));
+    CHECK(says("all paths through this function will call itself", "in every case"));
+    CHECK(says("for increment expression has no effect [-Wunused-value]", "i += 2"));
+    CHECK(
+        says("comparison of constant '3' with boolean expression is always true", "stands alone"));
+    CHECK(says("result of comparison of constant 3 with expression of type 'bool' is always true",
+               "stands alone"));
+    CHECK(says("conversion from 'double' to 'int' may change value [-Wfloat-conversion]",
+               "`std::abs`"));
     CHECK(says("no return statement in function returning non-void [-Wreturn-type]", "return"));
     CHECK(plain_words("a.hpp:1:2: error: a thing that nobody has seen") == "");
 }
@@ -143,6 +154,11 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
             "push_back");
     says_of("return c.x;", "'struct rt::Color' has no member named 'x'", "r, g and b");
     says_of("x * y;", "statement has no effect [-Wunused-value]", "thrown away");
+    says_of("x * y;",
+            "ignoring returned value of type 'rt::Color', declared with attribute 'nodiscard'",
+            "thrown away");
+    says_of("x * y;", "ignoring return value of function declared with 'nodiscard' attribute",
+            "thrown away");
     says_of("return 0 < x < 1;",
             "comparisons like 'X<=Y<=Z' do not have their mathematical meaning", "alone");
     says_of("if (x = 1)", "suggest parentheses around assignment used as truth value", "compares");
@@ -150,7 +166,37 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
             "double quotes");
     says_of("const char* s = 'P3';", "invalid conversion from 'int' to 'const char*'",
             "double quotes");
+    says_of("const char* s = 'P3' + '\\n';", "invalid conversion from 'int' to 'const char*'",
+            "double quotes");
+    says_of("const char* s = ' ' + 'P3';", "invalid conversion from 'int' to 'const char*'",
+            "double quotes");
+    says_of("char c = word + ' ' + 'x' + ' ';", "cannot convert 'std::string' to 'char'",
+            "different type");
+    says_of("Vec3 d = cross(a, b) * 2;  // a's and b's", "cannot convert 'double' to 'rt::Vec3'",
+            "different type");
+    says_of("return dot(a);  // not 'a' and 'b', but 'P3'", "could not convert 'a' to 'double'",
+            "different type");
+    says_of("out << c.x << '\\n' << c.y << '\\n';", "'struct rt::Color' has no member named 'x'",
+            "r, g and b");
+    says_of("out << 'a' << c.x << 'P3';", "'struct rt::Color' has no member named 'x'",
+            "r, g and b");
     says_of("file << '\\n' + x;", "no match for 'operator+' (operand types are 'A' and 'B')",
             "two types");
+    says_of("Canvas(Canvas& other)",
+            "binding reference of type 'rt::Canvas<int>&' to 'const rt::Canvas<int>' discards "
+            "qualifiers",
+            "const Canvas&");
+    says_of("Canvas(Canvas& other)",
+            "candidate constructor not viable: 1st argument ('const rt::Canvas<int>') would lose "
+            "const qualifier",
+            "const Canvas&");
+    says_of("Canvas(Canvas other)",
+            "invalid constructor; you probably meant 'rt::Canvas<Pixel> (const "
+            "rt::Canvas<Pixel>&)'",
+            "const Canvas&");
+    says_of("Canvas(Canvas other)", "copy constructor must pass its first argument by reference",
+            "const Canvas&");
+    says_of("width(canvas) = 2;", "passing 'const Canvas' as 'this' argument discards qualifiers",
+            "It is const");
     says_of("int operator+(S a, S b) {", "expected initializer before 'operator'", "struct ends");
 }

@@ -125,3 +125,11 @@ TEST_CASE("what is wrong with a mistake is said with file and line", "[mistakes]
           "01.1.md:6: expected 'changes picture: yes' or no such line, actual: 'changes picture: "
           "no'");
 }
+
+TEST_CASE("a mistake in code that the answer does not have is no guess", "[mistakes]") {
+    Mistake mistake;
+    CHECK(may_be(mistake, ""));
+    mistake.remarks["only if the answer has"] = "shadow|light";
+    CHECK(may_be(mistake, "bool shadow = false;"));
+    CHECK_FALSE(may_be(mistake, "double t = hit(sphere, eye, direction);"));
+}

@@ -121,4 +121,11 @@ TEST_CASE("stars are told once the core passes", "[verdict_text]") {
     CHECK(has(all, "another, in float\n"));
     CHECK(has(all, "it divided by 0.\n"));
     CHECK_FALSE(has(all, "more:"));
+
+    CHECK_FALSE(has(first, "warned"));
+    checked.warning = "a.hpp:3: suggest parentheses around assignment used as truth value";
+    const std::string with_warning = open_stars(checked, {}, false);
+    CHECK(has(with_warning, "The compiler warned:\n    a.hpp:3: suggest"));
+    CHECK(has(with_warning, "`==` compares"));
+    CHECK(has(open_stars(checked, {}, true), "The compiler warned"));
 }

@@ -8,7 +8,7 @@
 namespace rt {
 
 // Operators that are made of those of exercise 01.1.
-inline Vec3 operator*(Real s, Vec3 v) {
+[[nodiscard]] inline Vec3 operator*(Real s, Vec3 v) {
     return v * s;
 }
 inline Vec3& operator+=(Vec3& a, Vec3 b) {
@@ -25,7 +25,7 @@ inline Vec3& operator/=(Vec3& v, Real s) {
 }
 
 // The products of the components, each with its partner: neither the dot nor the cross product.
-inline Vec3 operator*(Vec3 a, Vec3 b) {
+[[nodiscard]] inline Vec3 operator*(Vec3 a, Vec3 b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
