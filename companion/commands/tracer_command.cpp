@@ -75,8 +75,7 @@ void draw(const Course& course, const Chapter& chapter) {
     must_build(course, answer);
     const fs::path other = course.out() / "tracer_ours.ppm";
     words.back() = relative(course, other);
-    const Picture ours =
-        draw_by_tracer(course, course.program(answer), words, other).picture;
+    const Picture ours = draw_by_tracer(course, course.program(answer), words, other).picture;
     if (ours.width != picture.width || ours.height != picture.height) return;
     const fs::path beside = course.out() / "tracer_beside_ours.png";
     app::replace_file(beside, rt::encode_png(side_by_side(mean_of({picture}), mean_of({ours}))));

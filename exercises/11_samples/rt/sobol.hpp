@@ -30,13 +30,13 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // before it, and on no bit after it. If two fractions agree in their first n bits and differ in the
 // next one, so do their results.
 // Star: flips after different leading bits are unrelated, and over all seeds each happens half of
-// the time. The seed has 32 bits, and all of them count: seed + 1 gives another scrambling, in which
-// a flip may be the opposite of that with seed, as the first one is here. This needs a hash, and any
-// good one will do. This one (Vegdahl's) works on x, the fraction with its bits reversed. There, the
-// bits before a bit are those to its right, and a product or a sum carries only to the left. In this
-// order: x ^= x * 0x3d20adea, x += seed, x *= (seed >> 16 | 1), x ^= x * 0x05526c56,
-// x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as
-// a hash: Laine and Karras, "Stratified sampling for stochastic transparency", EGSR 2011; these
+// the time. The seed has 32 bits, and all of them count: seed + 1 gives another scrambling, in
+// which a flip may be the opposite of that with seed, as the first one is here. This needs a hash,
+// and any good one will do. This one (Vegdahl's) works on x, the fraction with its bits reversed.
+// There, the bits before a bit are those to its right, and a product or a sum carries only to the
+// left. In this order: x ^= x * 0x3d20adea, x += seed, x *= (seed >> 16 | 1), x ^= x * 0x05526c56,
+// x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995;
+// as a hash: Laine and Karras, "Stratified sampling for stochastic transparency", EGSR 2011; these
 // numbers: Vegdahl, "Building a better LK hash", 2021.
 inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     return rt::todo("11.4", fraction, seed);

@@ -39,7 +39,8 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // before it, and on no bit after it. If two fractions agree in their first n bits and differ in the
 // next one, so do their results. Flips after different leading bits are unrelated, and over all
 // seeds each happens half of the time. The seed has 32 bits, and all of them count: seed + 1 gives
-// another scrambling, in which a flip may be the opposite of that with seed, as the first one is here.
+// another scrambling, in which a flip may be the opposite of that with seed, as the first one is
+// here.
 //
 // This needs a hash, and any good one will do. This one (Vegdahl's) works on x, the fraction with
 // its bits reversed. There, the bits before a bit are those to its right, and a product or a sum
