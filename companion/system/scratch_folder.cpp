@@ -20,9 +20,9 @@ ScratchFolder::ScratchFolder(const std::string& name) {
                            std::strerror(errno));
     path_ = made;
     for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
-    sigset_t all, before;
+    sigset_t all, usual;
     sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before);
+    ::pthread_sigmask(SIG_SETMASK, &all, &usual);
     remover_ = ::fork();
     if (remover_ == 0) {  // only system calls are allowed here
         ::setsid();       // away from the terminal and its Ctrl-C
@@ -31,11 +31,11 @@ ScratchFolder::ScratchFolder(const std::string& name) {
         char nothing = 0;
         while (::read(ends[0], &nothing, 1) < 0 && errno == EINTR) {
         }
-        ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+        ::pthread_sigmask(SIG_SETMASK, &usual, nullptr);
         ::execlp("rm", "rm", "-rf", "--", made.c_str(), static_cast<char*>(nullptr));
         ::_exit(127);
     }
-    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    ::pthread_sigmask(SIG_SETMASK, &usual, nullptr);
     ::close(ends[0]);
     pipe_ = ends[1];
 }
