@@ -1,3 +1,6 @@
+// The test cases compare with the pixel_to_viewport that the answer calls.
+#include "02.1/answer.cpp"
+
 #include <answer.hpp>
 #include <rt/primary_ray.hpp>
 
