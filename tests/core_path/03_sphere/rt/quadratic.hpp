@@ -1,0 +1,20 @@
+#pragma once
+#include <cmath>
+#include <optional>
+#include <rt/real.hpp>
+#include <rt/roots.hpp>
+
+namespace rt {
+inline std::optional<Roots> roots_from_discriminant(Real a, Real b, Real c, Real discriminant) {
+    (void)c;
+    if (discriminant < 0) return {};
+    const Real root = std::sqrt(discriminant);
+    const Real one = (-b - root) / (2 * a);
+    const Real other = (-b + root) / (2 * a);
+    if (one < other) return Roots{one, other};
+    return Roots{other, one};
+}
+inline std::optional<Roots> solve_quadratic(Real a, Real b, Real c) {
+    return roots_from_discriminant(a, b, c, b * b - 4 * a * c);
+}
+}  // namespace rt

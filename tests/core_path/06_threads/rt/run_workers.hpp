@@ -1,0 +1,14 @@
+#pragma once
+#include <rt/join_guard.hpp>
+#include <thread>
+#include <vector>
+
+namespace rt {
+template <class Work>
+void run_workers(int workers, const Work& work) {
+    std::vector<std::thread> threads;
+    JoinGuard guard{threads};
+    for (int worker = 0; worker < workers; ++worker)
+        threads.emplace_back([&work, worker] { work(worker); });
+}
+}  // namespace rt
