@@ -2,11 +2,15 @@
 """The core alone: answers in the plain form that the texts show first pass every core.
 
 For each chapter, compiles each exercise's answer with the plain headers of tests/plain in place of
-the solutions', in both precisions, and runs the core of its test cases. Then again with some of the
-chapter's exercises as in the solutions, as for a learner who has taken some stars. An exercise
+the solutions', in both precisions, and runs the core of its test cases. Then twice more, with some of
+the chapter's exercises as in the solutions, as for a learner who has taken some stars. An exercise
 without a plain header there or an edit here has no simpler form than the solution.
 
-core_path.py BUILD [NN_topic...]     Needs the programs check.NN.k and mistake_tool of the build.
+With the plain headers of all chapters so far, a chapter's program draws a small picture, no line of
+its certificate fails but those of stars, and our answer to its graft passes.
+
+core_path.py BUILD [NN_topic...]     Needs the programs check.NN.k, tracer.NN, mistake_tool and
+                                     graft_mistakes of the build.
 """
 
 import concurrent.futures
@@ -14,6 +18,7 @@ import json
 import os
 import pathlib
 import random
+import re
 import shutil
 import subprocess
 import sys
@@ -40,6 +45,10 @@ EDITS = {
     "07_bvh/rt/build.hpp": [(
         "level < most_levels ? split(order, boxes) : split_in_half(order, boxes)", "split(order, boxes)")],
 }
+
+SMALL = ["--quiet", "--width", "96", "--height", "54"]
+# These take half a minute to compile. 08's headers are in tracer.08, those of 06 and 07 in their programs.
+SLOW = {"08_effects_solution", "tracer.06", "tracer.07"}
 
 
 def plain_files(chapter):
@@ -78,6 +87,26 @@ def check(build, folder, overlay, exercise, precision):
     return ""
 
 
+def run_program(build, folder, overlay, target):
+    """Compiles a program of the build with plain headers and runs it; returns what failed, or nothing."""
+    folder.mkdir(parents=True)
+    if target.startswith("tracer."):
+        graft = subprocess.run([build / "bin/graft_mistakes", target[len("tracer."):], overlay],
+                               capture_output=True, text=True)
+        return graft.stdout + graft.stderr if graft.returncode else ""
+    program = folder / f"{target}.plain"
+    built = subprocess.run([build / "bin/mistake_tool", "program", overlay, target, program],
+                           capture_output=True, text=True)
+    if built.returncode:
+        return built.stdout + built.stderr
+    words = ["--no-timing"] if target.startswith("certify.") else SMALL + ["--out", folder / "picture.ppm"]
+    run = subprocess.run([program, *words], capture_output=True, text=True, timeout=300, cwd=folder)
+    said = run.stdout + run.stderr
+    if target.startswith("certify."):  # the line of a star, such as 01.4*, may fail
+        return said if "holds\t" not in said or re.search(r"FAILS\t[\d.]+\t", said) else ""
+    return said[-2000:] if run.returncode else ""
+
+
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     chapters = [c for c in json.loads((ROOT / "course.json").read_text())["chapters"]
@@ -87,13 +116,14 @@ def main():
     jobs = []
     for chapter in chapters:
         files = plain_files(chapter["name"])
-        exercises = [e for e in chapter["exercises"]
+        exercises = [e for e in chapter.get("exercises", [])
                      if (ROOT / "tests" / chapter["name"] / e["id"] / "answer.cpp").exists()]
         if not files:
             continue
         rng = random.Random(chapter["name"])
-        stars = rng.sample(exercises, len(exercises) // 2)
-        for way, solved in ("plain", []), ("some_stars", stars):
+        half = len(exercises) // 2
+        for way, solved in ("plain", []), ("stars", rng.sample(exercises, half)), (
+                "other_stars", rng.sample(exercises, half)):
             overlay = below / f"{chapter['name']}_{way}"
             overlay.mkdir(parents=True)
             for name, text in files.items():
@@ -105,13 +135,30 @@ def main():
                 jobs += [(below / f"{way}_{chapter['name']}", overlay, e["id"], precision)
                          for e in exercises if e not in solved]
     failed = 0
+    programs = []
+    together = below / "together"  # the plain answers of all chapters so far
+    together.mkdir(parents=True)
+    for chapter in [c for c in chapters if (PLAIN / c["name"]).exists()]:
+        for name, text in plain_files(chapter["name"]).items():
+            (together / name).parent.mkdir(parents=True, exist_ok=True)
+            (together / name).write_text(text)
+        overlay = below / f"{chapter['name']}_so_far"
+        shutil.copytree(together, overlay)
+        number = chapter["name"][:2]
+        for target in f"{chapter['name']}_solution", f"certify.{chapter['name']}_solution", f"tracer.{number}":
+            if (build / "link" / f"{target}.txt").exists() and target not in SLOW:
+                programs.append((below / target, overlay, target))
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         for job, wrong in zip(jobs, pool.map(lambda job: check(build, *job), jobs)):
             if wrong:
                 failed += 1
                 print(f"FAILS: {job[2]} in {job[3]}, {job[0].name}:\n{wrong}")
+        for job, wrong in zip(programs, pool.map(lambda job: run_program(build, *job), programs)):
+            if wrong:
+                failed += 1
+                print(f"FAILS: {job[2]} with all plain answers:\n{wrong}")
     shutil.rmtree(below, ignore_errors=True)
-    print(f"core_path: {len(jobs)} cores, {failed} fail")
+    print(f"core_path: {len(jobs)} cores, {len(programs)} programs, {failed} fail")
     return 1 if failed or not jobs else 0
 
 
