@@ -1,6 +1,8 @@
 // graft_mistakes NN: our answer to a graft passes; the one to the graft before it does not, and no
 // mistake of tests/mistakes/tracer/NN.md does: each fails at the line that it names. Lines that a
 // busy machine cannot judge do not count.
+//
+// graft_mistakes NN FOLDER: our answer passes with the headers of this folder, too.
 
 #include <app/errors.hpp>
 #include <companion/build/remake.hpp>
@@ -56,9 +58,18 @@ bool report(bool as_it_should, const std::string& what) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-    if (argc != 2) throw app::UsageError("usage: graft_mistakes NN");
+    if (argc != 2 && argc != 3) throw app::UsageError("usage: graft_mistakes NN [FOLDER]");
     const Course course = this_course();
     const Chapter chapter = find_chapter(course, argv[1]);
+    if (argc == 3) {
+        const TemporaryFolder folder;
+        const BuildResult built =
+            Remake{course, "tracer." + chapter.number()}(argv[2], folder / "tracer");
+        if (!built.ok) throw app::Failure("does not compile:\n" + built.output);
+        return report(!fails(course, chapter, folder / "tracer", false), "our answer passes")
+                   ? app::done
+                   : app::could_not;
+    }
     fs::path before = course.root / "solutions/00_toolchain/first.cpp";
     for (const Chapter& other : grafts(course))
         if (other.name < chapter.name) before = tracer_answer(course, other);

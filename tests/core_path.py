@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""The core alone: answers in the plain form that the texts show first pass every core.
+
+For each chapter, compiles each exercise's answer with the plain headers of tests/plain in place of
+the solutions', in both precisions, and runs the core of its test cases. Then twice more, with some of
+the chapter's exercises as in the solutions, as for a learner who has taken some stars. An exercise
+without a plain header there or an edit here has no simpler form than the solution.
+
+With the plain headers of all chapters so far, a chapter's program draws a small picture, no line of
+its certificate fails but those of stars, and our answer to its graft passes.
+
+core_path.py BUILD [NN_topic...]     Needs the programs check.NN.k, tracer.NN, mistake_tool and
+                                     graft_mistakes of the build.
+"""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+PLAIN = ROOT / "tests" / "plain"
+
+# Solutions that become plain by another line.
+EDITS = {
+    "00_toolchain/rt/canvas.hpp": [
+        ("Canvas(Canvas&& other) noexcept", "Canvas(Canvas&& other)"),
+        ("operator=(Canvas other) noexcept", "operator=(Canvas other)"), (
+        "        // Before any memory is allocated: an object whose constructor throws is never destroyed.\n"
+        "        if (width < 1 || height < 1)\n"
+        '            throw std::invalid_argument("a canvas needs at least 1x1 pixels");\n', "")],
+    "03_sphere/rt/ppm.hpp": [(
+        '        if (!is_finite(c)) throw std::logic_error("a pixel\'s color is not finite: this is a bug");\n',
+        "")],
+    "06_threads/rt/render_tiles.hpp": [(
+        "    return pixels / tile_size + (pixels % tile_size != 0);",
+        "    return (pixels + tile_size - 1) / tile_size;")],
+    "06_threads/rt/sample_rng.hpp": [
+        ("#include <rt/color_sum.hpp>", "#include <rt/color.hpp>"),
+        ("    ColorSum sum;", "    Color sum;"), ("sum.add(draw(sample, random))", "sum += draw(sample, random)"),
+        ("return sum.mean(samples)", "return sum / static_cast<Real>(samples)")],
+    "07_bvh/rt/build.hpp": [(
+        "level < most_levels ? split(order, boxes) : split_in_half(order, boxes)", "split(order, boxes)")],
+}
+
+SMALL = ["--quiet", "--width", "96", "--height", "54"]
+# These take half a minute to compile. 08's headers are in tracer.08, those of 06 and 07 in their programs.
+SLOW = {"08_effects_solution", "tracer.06", "tracer.07"}
+
+
+def plain_files(chapter):
+    """The plain answers of a chapter: text by name, such as rt/cross.hpp."""
+    files = {str(f.relative_to(PLAIN / chapter)): f.read_text() for f in (PLAIN / chapter).rglob("*.hpp")}
+    for name, edits in EDITS.items():
+        if not name.startswith(chapter + "/"):
+            continue
+        text = (ROOT / "solutions" / name).read_text()
+        for before, after in edits:
+            if text.count(before) != 1:
+                sys.exit(f"core_path: {name}: not once: {before}")
+            text = text.replace(before, after)
+        files[name.split("/", 1)[1]] = text
+    return files
+
+
+def check(build, folder, overlay, exercise, precision):
+    """Runs the core of an exercise's test cases; returns what failed, or nothing."""
+    target = "answer." + exercise + (".float" if precision == "float" else "")
+    place = folder / target
+    place.mkdir(parents=True)
+    library = place / f"libanswer.{exercise}.so"
+    made = place / f"{folder.name} {target}"  # mistake_tool works in a folder of this name
+    built = subprocess.run([build / "bin/mistake_tool", "program", overlay, target, made],
+                           capture_output=True, text=True)
+    if built.returncode:
+        return built.stdout + built.stderr
+    made.rename(library)
+    program = build / "check" / target.replace("answer.", "check.")
+    run = subprocess.run([program, "~[hard]"], capture_output=True, text=True, timeout=300,
+                         env=dict(os.environ, LD_LIBRARY_PATH=str(place), COURSE_ANSWER=str(place)))
+    shutil.rmtree(place)
+    if run.returncode or "No tests ran" in run.stdout:
+        return run.stdout[-3000:] + run.stderr[-2000:]
+    return ""
+
+
+def run_program(build, folder, overlay, target):
+    """Compiles a program of the build with plain headers and runs it; returns what failed, or nothing."""
+    folder.mkdir(parents=True)
+    if target.startswith("tracer."):
+        graft = subprocess.run([build / "bin/graft_mistakes", target[len("tracer."):], overlay],
+                               capture_output=True, text=True)
+        return graft.stdout + graft.stderr if graft.returncode else ""
+    program = folder / f"{target}.plain"
+    built = subprocess.run([build / "bin/mistake_tool", "program", overlay, target, program],
+                           capture_output=True, text=True)
+    if built.returncode:
+        return built.stdout + built.stderr
+    words = ["--no-timing"] if target.startswith("certify.") else SMALL + ["--out", folder / "picture.ppm"]
+    run = subprocess.run([program, *words], capture_output=True, text=True, timeout=300, cwd=folder)
+    said = run.stdout + run.stderr
+    if target.startswith("certify."):  # the line of a star, such as 01.4*, may fail
+        return said if "holds\t" not in said or re.search(r"FAILS\t[\d.]+\t", said) else ""
+    return said[-2000:] if run.returncode else ""
+
+
+def main():
+    build = pathlib.Path(sys.argv[1]).resolve()
+    chapters = [c for c in json.loads((ROOT / "course.json").read_text())["chapters"]
+                if not sys.argv[2:] or c["name"] in sys.argv[2:]]
+    below = build / "core_path"
+    shutil.rmtree(below, ignore_errors=True)
+    jobs = []
+    for chapter in chapters:
+        files = plain_files(chapter["name"])
+        exercises = [e for e in chapter.get("exercises", [])
+                     if (ROOT / "tests" / chapter["name"] / e["id"] / "answer.cpp").exists()]
+        if not files:
+            continue
+        rng = random.Random(chapter["name"])
+        half = len(exercises) // 2
+        for way, solved in ("plain", []), ("stars", rng.sample(exercises, half)), (
+                "other_stars", rng.sample(exercises, half)):
+            overlay = below / f"{chapter['name']}_{way}"
+            overlay.mkdir(parents=True)
+            for name, text in files.items():
+                if any(name in e["files"] for e in solved):
+                    continue
+                (overlay / name).parent.mkdir(parents=True, exist_ok=True)
+                (overlay / name).write_text(text)
+            for precision in ("double", "float") if way == "plain" and chapter["uses_real"] else ("double",):
+                jobs += [(below / f"{way}_{chapter['name']}", overlay, e["id"], precision)
+                         for e in exercises if e not in solved]
+    failed = 0
+    programs = []
+    together = below / "together"  # the plain answers of all chapters so far
+    together.mkdir(parents=True)
+    for chapter in [c for c in chapters if (PLAIN / c["name"]).exists()]:
+        for name, text in plain_files(chapter["name"]).items():
+            (together / name).parent.mkdir(parents=True, exist_ok=True)
+            (together / name).write_text(text)
+        overlay = below / f"{chapter['name']}_so_far"
+        shutil.copytree(together, overlay)
+        number = chapter["name"][:2]
+        for target in f"{chapter['name']}_solution", f"certify.{chapter['name']}_solution", f"tracer.{number}":
+            if (build / "link" / f"{target}.txt").exists() and target not in SLOW:
+                programs.append((below / target, overlay, target))
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        for job, wrong in zip(jobs, pool.map(lambda job: check(build, *job), jobs)):
+            if wrong:
+                failed += 1
+                print(f"FAILS: {job[2]} in {job[3]}, {job[0].name}:\n{wrong}")
+        for job, wrong in zip(programs, pool.map(lambda job: run_program(build, *job), programs)):
+            if wrong:
+                failed += 1
+                print(f"FAILS: {job[2]} with all plain answers:\n{wrong}")
+    shutil.rmtree(below, ignore_errors=True)
+    print(f"core_path: {len(jobs)} cores, {len(programs)} programs, {failed} fail")
+    return 1 if failed or not jobs else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
