@@ -22,7 +22,8 @@ inline Real surface_area(const Box& box) {
 // order has at least one number.
 // Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
 // Star: equal middles may come in any order, as long as the order that you leave is the one whose
-// cost was the least. The time grows as count log(count).
+// cost was the least. The time grows as count log(count). If area(A) is 0, nothing is cheaper than
+// a leaf.
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     return rt::todo("07.5", order, boxes);
 }

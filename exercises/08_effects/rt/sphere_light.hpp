@@ -46,7 +46,8 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
 // other way would have chosen it with density `other`: density^2 / (density^2 + other^2). Both are
 // 0 or more, finite, and not both 0. Source: the power heuristic of Veach and Guibas, "Optimally
 // combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995.
-// Star: no square may overflow, and nothing may become 0 / 0. Within 8 epsilon.
+// Star: no square may overflow, and nothing may become 0 / 0. Off by at most 8 epsilon, which may
+// be all of a small weight.
 inline Real shared_weight(Real density, Real other) {
     return rt::todo("08.3", density, other);
 }
