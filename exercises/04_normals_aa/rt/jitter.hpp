@@ -19,7 +19,8 @@ inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
 
 // Exercise 04.5. The average color of a pixel over this many samples, 1 or more. sample(offset) is
 // called with one random offset in each cell of the finest n x n grid that the samples suffice for,
-// and with offsets anywhere in the pixel for the rest of them. The samples may come in any order.
+// and with offsets anywhere in the pixel for the rest of them, each with a random place of its own.
+// The samples may come in any order.
 // Star: the average of a million samples is not off in float, either. ColorSum, from
 // rt/color_sum.hpp, adds them up in double.
 template <class Random, class Sample>

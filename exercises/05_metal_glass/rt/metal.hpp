@@ -23,7 +23,8 @@ inline Vec3 metal_direction(Vec3 incoming, Vec3 normal, Real fuzz, Vec2 place) {
 }
 
 // Exercise 05.2, the third part. How a path goes on from metal: it always does, and its light
-// is multiplied by the albedo. Use random_place(random) and facing_normal(hit).
+// is multiplied by the albedo. Use random_place(random), which a mirror may do without, and
+// facing_normal(hit).
 template <class Random>
 std::optional<Scatter> scatter(const Metal& material, Vec3 incoming, const Hit& hit,
                                Random& random) {

@@ -18,8 +18,8 @@ inline Real surface_area(const Box& box) {
 // of the spheres sorted by the middles of their boxes along x, along y and along z; the text has
 // their cost, and a leaf's. order has at least one number, and only boxes[number] of those count.
 // Star: equal middles may come in any order, as long as the order that you leave is the one whose
-// cost was the least. The time grows as count log(count). Source: MacDonald and Booth, "Heuristics
-// for ray tracing using space subdivision", 1990.
+// cost was the least. The time grows as count log(count). If area(A) is 0, nothing is cheaper than
+// a leaf. Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     return rt::todo("07.5", order, boxes);
 }

@@ -9,7 +9,7 @@ namespace rt {
 // ray meets it at a t in [0, rays.t], both ends included, rays.t becomes the smallest such t and
 // rays.sphere the number. Returns a mask: -1 for the rays that take this hit, and 0 for the others;
 // nothing else in the rays changes. It is hit_sphere of 03.2, for all rays at once: the same
-// operations in the same order, so that each t has the same bits.
+// operations in the same order, so that each t has the same bits, the sign of a zero included.
 // Star: of equally near spheres the one with the highest number counts: a ray whose rays.t is the
 // same t, and whose rays.sphere is a higher number, keeps both. (With the same number it counts as
 // met.) roots_from_discriminant of 03.1 is a part of it: its q may be 0. A ray whose direction has

@@ -23,8 +23,8 @@ inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
 
 // The average color of a pixel over this many samples, 1 or more. sample(offset) is called with one
 // random offset in each cell of the finest n x n grid that the samples suffice for, and with
-// offsets anywhere in the pixel for the rest of them. ColorSum keeps the average of many samples
-// right even in float.
+// offsets anywhere in the pixel for the rest of them, all independent. ColorSum keeps the average
+// of many samples right even in float.
 template <class Random, class Sample>
 Color pixel_average(int samples, Random& random, Sample sample) {
     int n = 1;
