@@ -177,7 +177,8 @@ TEST_CASE("portable functions in float are those in double and then rounded", "[
     for (const auto& f : functions)
         for (int i = 0; i < 2000; ++i) {
             const float x = f.name == "pow" ? std::abs(any()) : any(), y = any();
-            const auto expected = static_cast<float>(f.portable(double{x}, double{y}));
+            const auto expected =
+                static_cast<float>(f.portable(static_cast<double>(x), static_cast<double>(y)));
             const bool same = f.in_float(x, y) == expected || std::isnan(expected);
             INFO(f.name << " of " << x << ", " << y);
             REQUIRE(same);
