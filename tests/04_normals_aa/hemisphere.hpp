@@ -108,7 +108,7 @@ struct Spot {
 // right on both sides of it instead, and in smaller rectangles.
 template <class Direction, class Expected>
 double area_error(const Direction& direction, const Expected& expected, const Spot& spot) {
-    double least = rt::infinity;
+    double least = std::numeric_limits<double>::infinity();
     for (Real reach = spot.reach; reach > spot.reach / 100; reach /= 8) {
         const auto error = [&](Real x, Real y) {
             const Vec2 place{x, y};
