@@ -2,6 +2,7 @@
 // Are directions spread over a hemisphere as they should be? This is tested by counting them, and
 // by how much of the sphere a small square of random numbers becomes.
 
+#include <limits>
 #include <rt/vec2.hpp>
 #include <rt/vec3.hpp>
 
