@@ -156,11 +156,11 @@ function sections(tokens, headings) {
 }
 
 // The sections of a text for a page of another form: each heading and the paragraphs below it, as they are written.
-// Code is left out, and a paragraph that leads to code.
+// Code is left out.
 export function sectionsOf(source) {
     const tokens = md.parse(source, {}), sections = [];
     tokens.forEach(({ type, content }, i) => {
-        if (type !== 'inline' || tokens[i + 2]?.type === 'fence') return;
+        if (type !== 'inline') return;
         if (tokens[i - 1].type === 'heading_open') sections.push({ heading: content, paragraphs: [] });
         else sections.at(-1)?.paragraphs.push(content);
     });
