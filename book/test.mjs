@@ -144,6 +144,7 @@ async function tryTheme() {
 async function trySlider() {
     const page = await opened('03-sphere.html');
     const figure = page.locator('.compare').first(), slider = figure.locator('input');
+    await page.locator('details:has(.compare) > summary').first().click();
     await figure.scrollIntoViewIfNeeded();
     await page.waitForFunction(() => [...document.querySelector('.compare').querySelectorAll('img')]
         .every(image => image.complete && image.naturalWidth));
