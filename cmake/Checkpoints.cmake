@@ -65,7 +65,7 @@ function(course_as_answer target real place chapter id)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME answer.${id} DEFINE_SYMBOL ""
     LIBRARY_OUTPUT_DIRECTORY ${course_answers}/${place})
   course_linked_with(${target} -shared ${course_answer_linker}
-                     $<FILTER:$<TARGET_OBJECTS:answer_${real}>,EXCLUDE,[.]gch$>
+                     $<FILTER:$<TARGET_OBJECTS:answer_${real}>,EXCLUDE,[.][gp]ch$>
                      ${course_libraries_of_answer_${id}})
 endfunction()
 

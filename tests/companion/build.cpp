@@ -141,6 +141,7 @@ TEST_CASE("a fraction that is dropped and a color that is thrown away are warned
         write_file(file, "#include <rt/color.hpp>\n" + code.replace(at, line.size(), becomes));
         const BuildResult built =
             Remake{course, "yours.03.2"}(folder.path(), folder / "answer/libanswer.so");
+        INFO(built.output);
         CHECK(built.ok);
         return plain_words(first_warning(course, built.output, {file}));
     };
