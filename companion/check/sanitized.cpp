@@ -16,10 +16,12 @@ SanitizerReport read_sanitizer_report(const std::string& output,
     for (std::string line; std::getline(in, line);) {
         line = printable(line);
         if (report.what.empty())
-            for (const std::string mark :
-                 {"ERROR: AddressSanitizer: ", "WARNING: ThreadSanitizer: ", "runtime error: "})
+            for (const std::string mark : {"ERROR: AddressSanitizer: ", "ERROR: ThreadSanitizer: ",
+                                           "WARNING: ThreadSanitizer: ", "runtime error: "})
                 if (const auto at = line.find(mark); at != std::string::npos)
                     report.what = line.substr(at + mark.size());
+        if (report.what.rfind("ABRT ", 0) == 0)
+            report.what = "the program was aborted: an exception, a thread or a library's check";
         if (report.what.empty()) continue;
         for (const fs::path& file : files) {
             // Sanitizers name files as they were given to the compiler: from the root of the disk,
@@ -61,7 +63,9 @@ SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool 
         std::vector<std::string> command =
             threads ? at_fixed_addresses() : std::vector<std::string>{};
         // If the library crashes, the learner's line is further up.
-        command.insert(command.end(), {"env", "UBSAN_OPTIONS=print_stacktrace=1"});
+        command.insert(command.end(),
+                       {"env", "UBSAN_OPTIONS=print_stacktrace=1", "ASAN_OPTIONS=handle_abort=2",
+                        "TSAN_OPTIONS=handle_abort=2"});
         for (std::string& word : command_of(
                  side,
                  {.exercise = exercise.id, .part = stars ? Cases::Part::stars : Cases::Part::core}))

@@ -162,8 +162,8 @@ bool ask_until_told(const Course& course, const Open& open) {
 }  // namespace
 
 int ask(const Course& course, const Given& given) {
-    std::vector<Chapter> chosen = chapters(course);
-    if (given.named) chosen = {find_chapter(course, *given.named)};
+    std::vector<Chapter> chosen = every_chapter(course);
+    if (given.named) chosen = {find_chapter(course, *given.named, true)};
     std::vector<Open> open = open_questions(course, chosen);
     if (given.named) open = mixed(std::move(open), reviews(course, chosen[0]));
     if (open.empty()) {

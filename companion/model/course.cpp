@@ -34,13 +34,13 @@ std::optional<Chapter> chapter_of_rungs(const Course& course) {
     return {};
 }
 
-Chapter find_chapter(const Course& course, const std::string& name) {
+Chapter find_chapter(const Course& course, const std::string& name, bool rungs_too) {
     const std::string number = name.size() == 1 ? '0' + name : name;
     std::string known;
     for (const Chapter& chapter : every_chapter(course)) {
         const std::string topic = chapter.name.substr(chapter.name.find('_') + 1);
         const bool meant = number == chapter.number() || name == chapter.name || name == topic;
-        if (meant && chapter.has_exercises()) return chapter;
+        if (meant && (chapter.has_exercises() || rungs_too)) return chapter;
         if (meant)
             throw app::UsageError("chapter " + chapter.number() +
                                   " has rungs instead of exercises: ./course own judge tests them, "

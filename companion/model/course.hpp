@@ -71,8 +71,8 @@ std::vector<Chapter> core_chapters(const Course& course);
 // The chapter of rungs; null if the course has none.
 std::optional<Chapter> chapter_of_rungs(const Course& course);
 
-// The chapter of exercises that is meant by "3", "03", "03_sphere" or "sphere". Throws
-// app::UsageError, which lists the chapters.
-Chapter find_chapter(const Course& course, const std::string& name);
+// The chapter of exercises (or of rungs, too) that is meant by "3", "03", "03_sphere" or "sphere".
+// Throws app::UsageError, which lists the chapters.
+Chapter find_chapter(const Course& course, const std::string& name, bool rungs_too = false);
 
 }  // namespace companion

@@ -1172,6 +1172,8 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                     self.assertTrue(said.startswith(f"  {' '.join(name)} "), said)
                     self.assertIn(said.split("\n")[0], whole.split("\n"))
         self.assertEqual(self.script("check", "--help").count("\n"), 3)
+        for words in (["study", "99"], ["run", "99", "--spp", "4"], ["check", "99.1"]):
+            self.assertIn("there is no chapter '99'", self.script(*words, code=2))
         self.assertFalse((self.root / "build").exists())
         for words in (["nonsense"], ["chec"], ["own_new"], ["c.*"], ["TEXT"]):
             said = self.script(*words, code=2)

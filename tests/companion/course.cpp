@@ -151,6 +151,7 @@ TEST_CASE("a chapter of rungs has minutes and a scene in place of exercises", "[
     REQUIRE(rungs);
     CHECK(rungs->name == "09_own");
     CHECK(rungs->minutes > 0);
+    CHECK(companion::find_chapter(here, "09", true).name == rungs->name);
     CHECK(companion::fs::exists(here.build / rungs->scene));
     CHECK(companion::every_chapter(here).size() == companion::chapters(here).size() + 1);
     for (const Chapter& chapter : companion::chapters(here)) CHECK(chapter.has_exercises());

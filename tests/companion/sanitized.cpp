@@ -33,5 +33,11 @@ READ of size 8 at 0x602 thread T0
         "WARNING: ThreadSanitizer: data race (pid=9)\n  #0 f /usr/include/x.h:3\n", files);
     CHECK(race.what == "data race (pid=9)");
     CHECK(race.where == "");
+    const auto aborted = read_sanitizer_report(
+        "==7==ERROR: AddressSanitizer: ABRT on unknown address 0x1 (pc 0x2)\n    #0 0x3 in abort\n"
+        "    #4 0x5 in rt::f() /c/exercises/00_x/rt/canvas.hpp:8:1\n",
+        files);
+    CHECK(aborted.what.find("was aborted") != std::string::npos);
+    CHECK(aborted.where == "exercises/00_x/rt/canvas.hpp:8");
     CHECK(read_sanitizer_report("All tests passed\n", files).what == "");
 }
