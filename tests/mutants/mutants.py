@@ -21,6 +21,7 @@ import argparse
 import collections
 import concurrent.futures
 import json
+import math
 import os
 import pathlib
 import re
@@ -453,9 +454,16 @@ inline const int rt_mutant = std::getenv("RT_MUTANT") ? std::atoi(std::getenv("R
 """
 
 
-def limits():
+def limits(seconds):
+    """For a program that may take so many seconds of processor time: an endless loop ends however busy the machine is."""
     resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+
+
+def time_of_children():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 class Answer:
@@ -510,14 +518,14 @@ class Answer:
                               cwd=self.build, capture_output=True, text=True)
         return done.stderr if done.returncode else ""
 
-    def passes(self, number, seconds):
+    def passes(self, number, seconds, processor_seconds=300):
         """Do all checkpoints pass?"""
         environment = dict(os.environ, RT_MUTANT=str(number), COURSE_ANSWER=str(self.place),
                            LD_LIBRARY_PATH=str(self.place), DYLD_LIBRARY_PATH=str(self.place))
         try:
             done = subprocess.run([str(self.checkpoint), "--abort"], cwd=self.folder, env=environment,
                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                  timeout=seconds, preexec_fn=limits)
+                                  timeout=seconds, preexec_fn=lambda: limits(processor_seconds))
         except subprocess.TimeoutExpired:
             return False
         return done.returncode == 0
@@ -613,17 +621,17 @@ def run_exercise(exercise, build, float_too, log):
     errors = answer.compile(edited)
     if errors:
         raise RuntimeError(f"{exercise.id}: the mutants do not compile:\n{errors[:3000]}")
-    begun = time.time()
+    begun, used = time.time(), time_of_children()
     if not answer.passes(0, 300):
         raise RuntimeError(f"{exercise.id}: the solution itself does not pass")
-    seconds = max(5.0, 8 * (time.time() - begun))
+    patience = max(5.0, 8 * (time.time() - begun)), 1 + math.ceil(8 * (time_of_children() - used))
 
     chosen = sorted((m for m in kept if m.form != "alone"), key=lambda m: m.number)
     alone = [m for m in kept if m.form == "alone"]
     allowed = exercise.allowed()
     surviving, stopped = [], 0
     for mutant in chosen:
-        if answer.passes(mutant.number, seconds):
+        if answer.passes(mutant.number, *patience):
             surviving.append(mutant)
         else:
             stopped += 1
@@ -638,7 +646,7 @@ def run_exercise(exercise, build, float_too, log):
         lonely = Answer(build, exercise.id, "double", single.parent)
         if lonely.compile(single):
             uncompiled.add(mutant)
-        elif lonely.passes(0, seconds):
+        elif lonely.passes(0, *patience):
             surviving.append(mutant)
         else:
             stopped += 1
@@ -653,7 +661,7 @@ def run_exercise(exercise, build, float_too, log):
         elif narrow.passes(0, 300):
             left = []
             for mutant in surviving:
-                if mutant.form == "alone" or mutant.key in allowed or narrow.passes(mutant.number, seconds):
+                if mutant.form == "alone" or mutant.key in allowed or narrow.passes(mutant.number, *patience):
                     left.append(mutant)
                 else:
                     stopped += 1
