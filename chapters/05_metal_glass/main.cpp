@@ -19,12 +19,9 @@ using namespace rt;
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const scene::Scene evening = scene::evening();
     const int strip_height = settings.height * 5 / 18, view_height = settings.height - strip_height;
-    if (!settings.show.empty()) {
-        app::Settings view_alone = settings;
-        view_alone.height = view_height;
-        return show_paths(view_alone, progress, evening.world, evening.set, scene::EveningSky{},
+    if (!settings.show.empty())
+        return show_paths(settings, progress, evening.world, evening.set, scene::EveningSky{},
                           SkyEnding{});
-    }
     std::uint64_t rays = 0;
     const CountingWorld<SphereList> world{evening.world, rays};
     const Quality quality{settings.spp, settings.depth, *settings.seed};

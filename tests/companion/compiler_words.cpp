@@ -51,6 +51,8 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
                "stands alone"));
     CHECK(says("conversion from 'double' to 'int' may change value [-Wfloat-conversion]",
                "`std::abs`"));
+    CHECK(says("conversion from 'double' to 'rt::Real' {aka 'float'} changes the value of '6.7e-1'",
+               "`Real(x)`"));
     CHECK(says("no return statement in function returning non-void [-Wreturn-type]", "return"));
     CHECK(plain_words("a.hpp:1:2: error: a thing that nobody has seen") == "");
 }
