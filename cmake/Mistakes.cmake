@@ -18,6 +18,9 @@ function(course_mistake_tests chapter)
     add_test(NAME mistakes.certify.${chapter} COMMAND mistake_tool certify ${chapter})
     set_tests_properties(mistakes.certify.${chapter} PROPERTIES LABELS mistakes TIMEOUT 300 PROCESSORS ${cores})
   endif()
-  # For those who change `course compare`: it must see each mistake that changes the picture.
+  # What `course compare` says of some. For those who change it: `mistake_tool pictures` shows that it sees each
+  # mistake that changes the picture.
   course_linked_with(${chapter}_solution ${course_libraries_of_programs} ${course_libraries_linked_${chapter}})
+  add_test(NAME mistakes.compare.${chapter} COMMAND mistake_tool compare ${chapter})
+  set_tests_properties(mistakes.compare.${chapter} PROPERTIES LABELS mistakes TIMEOUT 600 PROCESSORS ${cores})
 endfunction()

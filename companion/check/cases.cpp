@@ -95,6 +95,8 @@ const TestCase* Tested::ended_in() const {
 }
 
 std::string Tested::trouble() const {
+    if (got_no_further())
+        return "it computed for " + std::to_string(ended_in()->computed) + " s and got no further";
     return was_stopped() ? how_it_ended(result) : cause_of(result, ended_in());
 }
 

@@ -15,7 +15,10 @@ struct Tested {
 
     // The test case in which the program crashed or was stopped; null if it ran to its end.
     const TestCase* ended_in() const;
-    bool was_stopped() const { return result.timed_out || result.too_much; }
+    // The test program ended itself, since the tested code computed for too long.
+    bool got_no_further() const { return ended_in() && ended_in()->computed > 0; }
+    bool was_stopped() const { return result.timed_out || result.too_much || got_no_further(); }
+    bool waited() const { return result.timed_out && 2 * result.cpu_seconds < result.seconds; }
     bool crashed() const { return ended_in() || result.signal != 0; }
     // What ended it, for a person.
     std::string trouble() const;

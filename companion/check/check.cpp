@@ -80,7 +80,7 @@ Verdict judge(const Course& course, const Checked& checked, const Tested& tested
             return test.hard == hard && is_failing(test);
         });
     };
-    if (tested.was_stopped()) return Endless{tests, tested.trouble()};
+    if (tested.was_stopped()) return Endless{tests, tested.trouble(), tested.waited()};
     constexpr int not_started = 127;
     if (tests.empty() && tested.result.exit_code == not_started)
         throw app::Failure("check." + checked.exercise.id +
@@ -135,7 +135,7 @@ Verdict run_tests(const Course& course, const Checked& checked) {
     std::vector<std::string> noted;
     for (; !tested.tests.empty(); tested = run_cases(course, checked, Cases::Part::stars, noted)) {
         note_stars(*passed, tested);
-        if (tested.was_stopped()) break;  // waiting for one timeout is enough
+        if (tested.was_stopped()) break;  // waiting for one of them is enough
         for (const TestCase& test : tested.tests)
             if (test.hard) noted.push_back(test.name);
     }

@@ -42,6 +42,7 @@ struct Endless {  // it was stopped
     static constexpr const char* says = "does not end";
     std::vector<TestCase> tests{};
     std::string cause{};
+    bool waits = false;  // it did not compute for most of the time
 };
 struct NotCompiled {
     static constexpr const char* says = "does not compile";

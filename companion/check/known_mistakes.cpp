@@ -70,7 +70,7 @@ std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& 
 
 WhatFails what_fails(const Course& course, const MistakenAnswer& answer) {
     Cases cases = cases_of(answer);
-    cases.timeout = 10;  // half of the course's patience: many mistakes never end
+    cases.timeout = 10;  // half of the course's patience: some wait for ever
     const auto once = [&] { return run_cases(course, cases).tests; };
     WhatFails fails{.tests = once()};
     fails.always = signature_of(fails.tests);

@@ -64,6 +64,8 @@ void read_event(const json& event, Report& report) {
     } else if (what == "crashes") {
         test.crash = text_of(event, "cause");
         test.memory = text_of(event, "memory");
+    } else if (what == "computes") {
+        test.computed = event.value("seconds", 0);
     } else if (what == "ends") {
         test.ended = true;
         test.passed = event.value("passed", false);

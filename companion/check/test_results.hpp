@@ -23,7 +23,8 @@ struct TestCase {
     bool ended = false;  // false: it was running when the program ended
     std::string crash;   // what the program died of within it, "SIGSEGV - Segmentation ..."
     std::string
-        memory;  // if it died of a use of memory, where that was: "null", "stack", or unknown
+        memory;        // if it died of a use of memory, where that was: "null", "stack", or unknown
+    int computed = 0;  // if it was ended since it got no further: for how many seconds
     std::string output;  // what it printed
     std::vector<FailedAssertion> failures;
 };

@@ -13,10 +13,11 @@ int compare(const Course& course, const Given& given) try {
     const Chapter chapter = find_chapter(course, *given.named);
     const ComparedPicture picture = compare_picture(course, chapter);
     auto words = picture.found.words();
+    // Of a right answer, only where it differs: "too dark" would call it wrong.
     if (!picture.excused.empty()) {
-        std::vector<std::string> excused = picture.excused;
-        excused.insert(excused.end(), words.begin() + 1, words.end());
-        words = excused;
+        words = picture.excused;
+        if (const std::string regions = picture.found.regions(); !regions.empty())
+            words.push_back("Where: " + regions + '.');
     }
     std::printf("%s\n", picture.yours.words().c_str());
     std::printf("%s: %s\n", chapter.name.c_str(), words[0].c_str());

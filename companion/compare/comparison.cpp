@@ -209,6 +209,15 @@ Comparison compare(const TwoPrograms& programs, std::uint64_t start) {
     return comparison;
 }
 
+std::string Comparison::regions() const {
+    std::vector<TileStatistics> tiles = light_differs_in;
+    tiles.insert(tiles.end(), noise_differs_in.begin(), noise_differs_in.end());
+    std::string text;
+    for (const std::string& region : regions_of(tiles, mine.front().width, mine.front().height))
+        text += (text.empty() ? "" : ", ") + region;
+    return text;
+}
+
 std::vector<std::string> Comparison::words() const {
     const auto number = [](const char* format, auto... values) {
         char text[200];

@@ -28,6 +28,8 @@ struct Comparison {
 
     // One sentence; then where and by how much, one line each.
     std::vector<std::string> words() const;
+    // "lower right, right": where they differ, whatever the reason.
+    std::string regions() const;
 };
 
 // Compares in two steps. The first looks at all tiles, with 8 pictures of each program, and

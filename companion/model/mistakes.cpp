@@ -14,6 +14,7 @@ const std::set<std::string> yes_only{"changes picture", "compiler warns",
                                      "certificate fails"};  // a line of `course certify`
 const std::set<std::string> with_value{
     "address sanitizer reports",  // a pattern of its report
+    "compare says",               // a pattern of the words of `course compare`
     "only if the answer has",     // a pattern of its code, without which the mistake is no guess
     "data race in",               // the test case in which the thread sanitizer reports one
     "also fails"};                // of a program of chapter 09: further lines of the verdict

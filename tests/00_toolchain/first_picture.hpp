@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,9 +21,10 @@ struct Printed {
     std::string trouble;  // why it did not finish, or empty
 };
 
-// Runs a program without input, for ten seconds at most, and takes up to 64 MiB of what it prints.
+// Runs a program without input, for three seconds of processor time and ten seconds at most, and
+// takes up to 64 MiB of what it prints.
 inline Printed run(const char* program) {
-    constexpr unsigned seconds = 10;
+    constexpr unsigned seconds = 10, computing = 3;
     constexpr std::size_t most = std::size_t{64} << 20;
     int ends[2];
     if (pipe(ends) != 0) return {"", "there was no pipe to read its output from"};
@@ -34,9 +36,11 @@ inline Printed run(const char* program) {
         dup2(ends[1], STDOUT_FILENO);
         close(ends[0]);
         close(ends[1]);
-        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM})
+        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM, SIGXCPU})
             signal(number, SIG_DFL);
         alarm(seconds);
+        const rlimit most_computing{computing, computing + 1};
+        setrlimit(RLIMIT_CPU, &most_computing);
         execl(program, program, static_cast<char*>(nullptr));
         _exit(127);
     }
@@ -56,8 +60,10 @@ inline Printed run(const char* program) {
     waitpid(child, &status, 0);
     if (!printed.trouble.empty()) return printed;
     if (WIFSIGNALED(status))
-        printed.trouble = WTERMSIG(status) == SIGALRM
-                              ? "it was still running after 10 seconds; does a loop never end?"
+        printed.trouble = WTERMSIG(status) == SIGXCPU
+                              ? "it computed for 3 seconds and did not end; does a loop never end?"
+                          : WTERMSIG(status) == SIGALRM
+                              ? "it was still running after 10 seconds; what does it wait for?"
                               : "it crashed (signal " + std::to_string(WTERMSIG(status)) +
                                     "); does it use an array past its end?";
     else if (WEXITSTATUS(status) == 127 && printed.text.empty())

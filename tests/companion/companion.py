@@ -60,7 +60,7 @@ mkdir -p check
         event '{"event":"failed","exception":"there","missing":"01.1",' \
             '"messages":["Hint: is it the function that was declared?"]}'
         event "$failed"
-    elif grep -q '^endless\|^crash\|, then crash\|chatter' "$file"; then
+    elif grep -q '^endless\|^computes\|^crash\|, then crash\|chatter' "$file"; then
         :
     elif grep -q '^leaves' "$file"; then
         say 'exit 0'
@@ -82,6 +82,11 @@ mkdir -p check
             say 'exit 0 ;; esac'
             continue
         fi
+        if grep -q "star $name computes" "$file"; then
+            event '{"event":"computes","seconds":3}'
+            say 'kill -TERM $$ ;; esac'
+            continue
+        fi
         if grep -q "star $name endless" "$file"; then
             say 'exec sleep 60 ;; esac'
             continue
@@ -97,6 +102,7 @@ mkdir -p check
     done
     grep -q chatter "$file" && echo 'yes without end'
     grep -q '^crash\|, then crash' "$file" && echo 'kill -SEGV $$'
+    grep -q '^computes' "$file" && event '{"event":"computes","seconds":3}' && echo 'kill -TERM $$'
     grep -q '^endless' "$file" && echo 'sleep 60'
     grep -q wrong "$file" && echo 'exit 1'
     [ $narrow = no ] || echo 'exit 1'
@@ -523,8 +529,19 @@ class Companion(unittest.TestCase):
         started = time.time()
         said = self.course("check", code=1)
         self.assertLess(time.time() - started, 20)
-        self.assertIn("It was stopped: it timed out after 4 s", said)
+        self.assertIn("It was stopped: it timed out after 4 s in the test case\n  01.1 the answer is right\n"
+                      "  It waited most of that time", said)
         self.assertRegex(said, r"\+ 01.2 .* done")
+
+    def test_check_tells_an_endless_loop(self):
+        self.write("one", "computes\n")
+        said = self.course("check", "01.1", code=1)
+        self.assertIn("It was stopped: it computed for 3 s and got no further in the test case\n"
+                      "  01.1 the answer is right\n  Which loop or recursion never ends?\n", said)
+        self.write("one", "star one right\nstar two computes\n")
+        said = self.course("check", "01.1")
+        self.assertRegex(said, r"\* 01.1 .* core passes, 1 star open\n")
+        self.assertIn("Star: 01.1 star two\n    it computed for 3 s and got no further.\n", said)
 
     def test_check_all_right(self):
         self.write("one", "right\n")
@@ -777,11 +794,15 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.write("two", "right, and draws 10\n")
         self.assertIn("bit for bit", compare(0))
         self.write("two", "right, but draws 99\n")
-        self.assertNotIn("no mistake", compare(1))
+        said = compare(1)
+        self.assertNotIn("no mistake", said)
+        self.assertIn("times as bright", said)
         self.write("two", "star one open\n// draws 99\n")
         said = compare(0)
         self.assertIn("It differs from the solution's, which is no mistake here:", said)
-        self.assertIn("01.2 has open stars.\n  With the solution's code for it, the pictures are the same.", said)
+        self.assertIn("01.2 has open stars.\n  With the solution's code for it, the pictures are the same."
+                      "\n  Where: middle.\n", said)
+        self.assertNotRegex(said, "too (dark|bright)|times as bright|differ by more")
         self.write("two", "right, but draws 99\n")
         self.write("one", "star one open\n")
         self.assertNotIn("no mistake", compare(1))  # with or without the open star

@@ -1,9 +1,13 @@
+#include <unistd.h>
+
 #include <companion/check/test_results.hpp>
 #include <companion/model/course.hpp>
+#include <companion/system/parallel.hpp>
 #include <companion/system/process.hpp>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <rt/todo.hpp>
 
@@ -237,7 +241,15 @@ TEST_CASE("memory: stack", "[.stack]") {
     CHECK(endless(0) == 0);
 }
 
-TEST_CASE("memory: endless", "[.endless]") {
+namespace {
+
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace
+
+TEST_CASE("endless: loop", "[.endless]") {
     INFO("Hint: which loop never ends?");
     CHECK(true);
     volatile bool on = true;
@@ -245,17 +257,52 @@ TEST_CASE("memory: endless", "[.endless]") {
     }
 }
 
+TEST_CASE("endless: loop that allocates", "[.endless]") {
+    for (volatile bool on = true; on;) std::vector<std::vector<char>>(100, std::vector<char>(2000));
+}
+
+TEST_CASE("endless: wait", "[.endless]") {
+    INFO("Hint: who unlocks it?");
+    CHECK(true);
+    while (::pause()) {
+    }
+}
+
+TEST_CASE("endless: no end for long", "[.endless]") {
+    for (double last = 0; last < 4; last += 0.5) {
+        while (processor_seconds() < last) {
+        }
+        CHECK(true);
+    }
+}
+
 TEST_CASE("what never ends is stopped, and its hints are kept", "[test_results]") {
-    const auto result =
-        companion::run_process({.command = {companion::this_course().program("companion_test"),
-                                            "[.endless]", "-r", "events"},
-                                .output = companion::Output::errors_hidden,
-                                .timeout = 1});
-    CHECK(result.timed_out);
-    const auto tests = read_report(result.output);
-    REQUIRE(tests.size() == 1);
-    REQUIRE(tests[0].failures.size() == 1);
-    CHECK(tests[0].failures[0].messages.back() == "Hint: which loop never ends?");
+    const std::vector<std::string> names{"loop", "loop that allocates", "wait", "no end for long"};
+    std::vector<companion::Result> results(names.size());
+    companion::in_parallel(names.size(), [&](std::size_t i) {
+        const std::string name = "endless: " + names[i];
+        results[i] = companion::run_process(
+            {.command = {companion::this_course().program("companion_test"), name, "-r", "events"},
+             .output = companion::Output::errors_hidden,
+             .timeout = names[i] == "wait" ? 1.0 : 60.0});
+    });
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        INFO(names[i]);
+        const companion::Result& result = results[i];
+        const auto tests = read_report(result.output);
+        REQUIRE(tests.size() == 1);
+        const bool is_loop = i < 2;
+        CHECK(result.timed_out == (names[i] == "wait"));
+        CHECK(tests[0].computed == (is_loop ? 3 : 0));
+        CHECK(tests[0].passed == (names[i] == "no end for long"));
+        if (is_loop) {
+            CHECK(result.cpu_seconds > 2.9);
+            CHECK(result.cpu_seconds < 5);
+        }
+        if (i % 2) continue;
+        REQUIRE(tests[0].failures.size() == 1);
+        CHECK(tests[0].failures[0].messages.back().rfind("Hint: ", 0) == 0);
+    }
 }
 
 TEST_CASE("a crash says which memory was used", "[test_results]") {

@@ -5,6 +5,7 @@
 //                                    recognized: as this mistake, or as one that looks the same.
 //   mistake_tool certify NN_topic    `course certify` finds it ("certificate fails").
 //   mistake_tool pictures NN_topic   `course compare` sees another picture ("changes picture").
+//   mistake_tool compare NN_topic    These are its words ("compare says").
 //   mistake_tool memory NN_topic     The address sanitizer says so ("address sanitizer reports").
 //   mistake_tool races NN_topic      The thread sanitizer reports a data race ("data race in").
 //   mistake_tool program NAMES TARGET FILE   Builds a program of the build with mistakes, with +
@@ -133,15 +134,29 @@ int certify(const std::string& chapter) {
         });
 }
 
+// How the picture of a program with a mistake differs from the solution's.
+Result difference(const std::string& chapter, const fs::path& program) {
+    return run_process(
+        {.command = {course.program("compare_programs").string(), "differ", program.string(),
+                     course.program(chapter + "_solution").string()}});
+}
+
 int pictures(const std::string& chapter) {
-    return try_in_program(
-        chapter, "changes picture", chapter + "_solution",
-        [&](const MistakenAnswer&, const fs::path& program) -> Outcome {
-            const Result seen = run_process(
-                {.command = {course.program("compare_programs").string(), "differ",
-                             program.string(), course.program(chapter + "_solution").string()}});
-            return seen.ok() ? Outcome{"seen", ""} : Outcome{"", seen.output};
-        });
+    return try_in_program(chapter, "changes picture", chapter + "_solution",
+                          [&](const MistakenAnswer&, const fs::path& program) -> Outcome {
+                              const Result seen = difference(chapter, program);
+                              return seen.ok() ? Outcome{"seen", ""} : Outcome{"", seen.output};
+                          });
+}
+
+int words(const std::string& chapter) {
+    const std::string remark = "compare says";
+    return try_in_program(chapter, remark, chapter + "_solution",
+                          [&](const MistakenAnswer& answer, const fs::path& program) -> Outcome {
+                              const Result seen = difference(chapter, program);
+                              if (!seen.ok()) return {"", seen.output};
+                              return expect(seen.output, answer.mistake.remarks.at(remark));
+                          });
 }
 
 int memory(const std::string& chapter) {
@@ -204,11 +219,13 @@ int run(const std::vector<std::string>& words) {
         if (words[0] == "check") return check(words[1]);
         if (words[0] == "certify") return certify(words[1]);
         if (words[0] == "pictures") return pictures(words[1]);
+        if (words[0] == "compare") return ::words(words[1]);
         if (words[0] == "memory") return memory(words[1]);
         if (words[0] == "races") return races(words[1]);
     }
     throw app::UsageError(
-        "usage: mistake_tool check NN.k, or certify, pictures, memory or races NN_topic, or "
+        "usage: mistake_tool check NN.k, or certify, pictures, compare, memory or races NN_topic, "
+        "or "
         "program "
         "NAMES TARGET FILE");
 }
