@@ -51,6 +51,11 @@ const Habit habits[]{
     {"has no member|no member named", "\\.append\\(", "A vector appends with `push_back(value)`."},
     {"optional", "return nullptr",
      "No value is `return {};` or `return std::nullopt;`. A null pointer is something else."},
+    {"(float|double).*(may change value|changes value|turns floating-point)|implicit conversion.*"
+     "(float|double).* to .*int",
+     "(^|[^:\\w])abs\\(",
+     "`abs` alone is for whole numbers, and drops the fraction: the absolute value of a Real is "
+     "`std::abs(x)`."},
     {"could not convert|no viable conversion|cannot convert|no matching function for call to .abs",
      "(^|[^:\\w])abs\\(", "Numbers have `std::abs`; `abs` alone may be another function."},
     {"was not declared|undeclared", "^[\\s\\d|]*\\w+ = ",
@@ -99,7 +104,7 @@ const Meaning meanings[]{
      "(float|double).* to .*int",
      "A number with a fraction becomes one that holds less. If that is meant, say so: `int(x)` "
      "drops the fraction, "
-     "`Real(x)` makes a Real. `abs` is for int alone: numbers have `std::abs`."},
+     "`Real(x)` makes a Real."},
     {"promotion|increases floating-point precision|implicit conversion from .float. to .double.",
      "In float, this would be computed in double. Give both numbers the type Real: `Real(5)` "
      "instead of 5."},

@@ -124,6 +124,12 @@ Signatures signatures_of(const Course& course, const Exercise& exercise) {
     return signatures;
 }
 
+bool is_refuted(const Mistake& mistake, const std::vector<TestCase>& tests) {
+    std::vector<std::string> failed, passed;
+    for (const TestCase& test : tests) (test.passed ? passed : failed).push_back(test.name);
+    return is_refuted(mistake, failed, passed);
+}
+
 LooksLike what_it_looks_like(const Course& course, const Exercise& exercise,
                              const std::vector<TestCase>& tests) {
     const Signature signature = signature_of(tests);
@@ -136,7 +142,7 @@ LooksLike what_it_looks_like(const Course& course, const Exercise& exercise,
         std::vector<Mistake> alike;
         for (const std::string& name : names)
             if (Mistake mistake = read_mistake(course, exercise.chapter, name);
-                may_be(mistake, code))
+                may_be(mistake, code) && !is_refuted(mistake, tests))
                 alike.push_back(std::move(mistake));
         if (!alike.empty()) all.push_back(std::move(alike));
     }

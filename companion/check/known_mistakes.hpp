@@ -44,6 +44,9 @@ Signatures signatures_of(const Course& course, const Exercise& exercise);
 // made at once; or none.
 using LooksLike = std::vector<std::vector<Mistake>>;
 
+// Whether the test cases that ended so speak against a mistake.
+bool is_refuted(const Mistake& mistake, const std::vector<TestCase>& tests);
+
 // What an answer looks like whose test cases ended so.
 LooksLike what_it_looks_like(const Course& course, const Exercise& exercise,
                              const std::vector<TestCase>& tests);

@@ -10,7 +10,7 @@ namespace companion {
 namespace {
 
 // The optional lines, which the build reads, too: see cmake/Mistakes.cmake.
-const std::set<std::string> yes_only{"changes picture", "compiler warns",
+const std::set<std::string> yes_only{"changes picture",
                                      "certificate fails"};  // a line of `course certify`
 const std::set<std::string> with_value{
     "address sanitizer reports",  // a pattern of its report
@@ -183,6 +183,16 @@ Mistake read_mistake(const Course& course, const Chapter& chapter, const std::st
 bool may_be(const Mistake& mistake, const std::string& code) {
     const auto needed = mistake.remarks.find("only if the answer has");
     return needed == mistake.remarks.end() || std::regex_search(code, std::regex{needed->second});
+}
+
+bool is_refuted(const Mistake& mistake, const std::vector<std::string>& failed,
+                const std::vector<std::string>& passed) {
+    if (std::count(passed.begin(), passed.end(), mistake.caught_by)) return true;
+    const auto is_step = [](const std::string& test) {
+        return test.find(" step ") == test.find(' ') && test.find(' ') != std::string::npos;
+    };
+    const auto first = std::find_if(failed.begin(), failed.end(), is_step);
+    return first != failed.end() && is_step(mistake.caught_by) && mistake.caught_by != *first;
 }
 
 std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs::path& solution) {

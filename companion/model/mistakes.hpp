@@ -57,6 +57,12 @@ Mistake read_mistake(const Course& course, const Chapter& chapter, const std::st
 // does not have is none.
 bool may_be(const Mistake& mistake, const std::string& code);
 
+// Whether what has failed speaks against this mistake, given the names of the test cases that
+// failed, in their order, and of those that passed: the one that catches it passed, or it is about
+// a later step ("00.1 step 4 ...") than the first one that failed.
+bool is_refuted(const Mistake& mistake, const std::vector<std::string>& failed,
+                const std::vector<std::string>& passed);
+
 // The files that a mistake changes, by name ("rt/refract.hpp"), made from those in a folder. Throws
 // app::Failure if the lines to be replaced do not occur exactly once.
 std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs::path& solution);

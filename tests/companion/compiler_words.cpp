@@ -50,7 +50,7 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("result of comparison of constant 3 with expression of type 'bool' is always true",
                "stands alone"));
     CHECK(says("conversion from 'double' to 'int' may change value [-Wfloat-conversion]",
-               "`std::abs`"));
+               "holds less"));
     CHECK(says("conversion from 'double' to 'rt::Real' {aka 'float'} changes the value of '6.7e-1'",
                "`Real(x)`"));
     CHECK(says("no return statement in function returning non-void [-Wreturn-type]", "return"));
@@ -139,6 +139,8 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
     says_of("if (x > 0):", "expected primary-expression before ':' token", "braces");
     says_of("return None;", "use of undeclared identifier 'None'; did you mean 'clone'?", "Python");
     says_of("return length2(a);", "'length2' was not declared in this scope", "misspelled");
+    says_of("return abs(h) < 1;",
+            "conversion from 'rt::Real' {aka 'double'} to 'int' may change value", "std::abs(x)");
     says_of("return abs(h);", "could not convert 'h' from 'double' to 'rt::Vec3'", "std::abs");
     says_of("root = x * 2;", "'root' was not declared in this scope", "needs its type");
     says_of("return (x, x, x);", "could not convert '((void)0, x)' from 'double' to 'rt::Vec3'",

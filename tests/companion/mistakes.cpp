@@ -133,3 +133,16 @@ TEST_CASE("a mistake in code that the answer does not have is no guess", "[mista
     CHECK(may_be(mistake, "bool shadow = false;"));
     CHECK_FALSE(may_be(mistake, "double t = hit(sphere, eye, direction);"));
 }
+
+TEST_CASE("a mistake is no guess where its test case passes or its step is not reached",
+          "[mistakes]") {
+    Mistake mistake;
+    mistake.caught_by = "01.1 two";
+    CHECK_FALSE(is_refuted(mistake, {"01.1 one", "01.1 two"}, {"01.1 three"}));
+    CHECK_FALSE(is_refuted(mistake, {"01.1 one"}, {"01.1 three"}));  // a crash came before it
+    CHECK(is_refuted(mistake, {"01.1 one"}, {"01.1 two"}));
+    mistake.caught_by = "00.1 step 3 light";
+    CHECK(is_refuted(mistake, {"00.1 step 2 disk", "00.1 step 3 light"}, {"00.1 step 1 sky"}));
+    CHECK_FALSE(is_refuted(mistake, {"00.1 step 3 light", "00.1 step 4 ground"}, {}));
+    CHECK_FALSE(is_refuted(mistake, {"00.1 all", "00.1 step 3 light"}, {}));
+}

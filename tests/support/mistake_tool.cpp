@@ -19,6 +19,8 @@
 #include <companion/build/remake.hpp>
 #include <companion/check/known_mistakes.hpp>
 #include <companion/check/sanitized.hpp>
+#include <companion/model/source.hpp>
+#include <companion/system/files.hpp>
 #include <companion/system/parallel.hpp>
 #include <cstdio>
 #include <functional>
@@ -64,6 +66,23 @@ Outcome recognition(const Mistake& mistake, const Signatures& known, const WhatF
     return fails.by_chance ? Outcome{taken + ", as it fails by chance", ""} : Outcome{"", taken};
 }
 
+// Why `check` would not name this mistake, though it is the one that was made; or empty.
+std::string no_guess(const Exercise& exercise, const MistakenAnswer& answer,
+                     const WhatFails& fails) {
+    const fs::path solution = course.root / "solutions" / exercise.chapter.name;
+    std::string code;
+    for (const fs::path& file : exercise.files) {
+        const fs::path name =
+            file.lexically_relative(fs::path{"exercises"} / exercise.chapter.name);
+        const bool is_edited = fs::exists(answer.folder / name);
+        code += code_of(read_file((is_edited ? answer.folder : solution) / name));
+    }
+    if (!may_be(answer.mistake, code)) return "its own code lacks what it needs to be a guess";
+    if (!fails.by_chance && is_refuted(answer.mistake, fails.tests))
+        return "what fails in it speaks against it";
+    return "";
+}
+
 int check(const std::string& id) {
     const Exercise exercise = find_exercise(course, id);
     const std::vector<MistakenAnswer> answers = make_mistakes(course, exercise, below);
@@ -84,6 +103,7 @@ int check(const std::string& id) {
             outcome.wrong = "NOT CAUGHT by '" + mistake.caught_by + '\'';
         else
             outcome = recognition(mistake, known, fails[i]);
+        if (outcome.wrong.empty()) outcome.wrong = no_guess(exercise, answers[i], fails[i]);
     });
     for (const MistakenAnswer& answer : answers) fs::remove_all(answer.folder);
     return report(id, answers, outcomes);
