@@ -100,7 +100,8 @@ const Meaning meanings[]{
      "ignoring return(ed)? value|unused result|comparison result unused",
      "The result is computed and thrown away. Should it be stored, `x = ...` or `x *= ...`, or "
      "returned?"},
-    {"(float|double).*(may change value|changes (the )?value|turns floating-point)|implicit conversion.*"
+    {"(float|double).*(may change value|changes (the )?value|turns floating-point)|implicit "
+     "conversion.*"
      "(float|double).* to .*int",
      "A number with a fraction becomes one that holds less. If that is meant, say so: `int(x)` "
      "drops the fraction, "
