@@ -74,6 +74,18 @@ function sliders() {
         slider.addEventListener('input', () => slider.parentElement.style.setProperty('--at', `${slider.value}%`));
 }
 
+// Paper has nothing to unfold: whatever is folded is open while the page is printed.
+function folds() {
+    let folded = [];
+    addEventListener('beforeprint', () => {
+        folded = [...document.querySelectorAll('details:not([open])')];
+        for (const fold of folded) fold.open = true;
+    });
+    addEventListener('afterprint', () => {
+        for (const fold of folded) fold.open = false;
+    });
+}
+
 // The point of a plot that is nearest to the pointer shows its values below the plot. So does the one to
 // which the arrow keys move.
 function plots() {
@@ -116,6 +128,6 @@ function scrolling() {
 }
 
 document.addEventListener('DOMContentLoaded', () => {
-    for (const begin of [themeButton, search, sliders, plots, scrolling]) begin();
+    for (const begin of [themeButton, search, sliders, plots, folds, scrolling]) begin();
     document.querySelector('nav [aria-current]')?.scrollIntoView({ block: 'nearest' });
 });

@@ -208,6 +208,11 @@ async function tryPrint() {
     for (const selector of ['header', '#contents', '.steps'])
         assert.equal(await page.locator(selector).isVisible(), false, `${selector} is not printed`);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(255, 255, 255)');
+    const folded = () => page.locator('details:not([open])').count(), before = await folded();
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    assert.equal(await folded(), 0, 'what is folded is printed, too');
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    assert.equal(await folded(), before, 'and folded again after it');
     await close(page);
 }
 

@@ -94,7 +94,12 @@ const Meaning meanings[]{
      "The function calls itself in every case, without end. One case must return before it does."},
     {"for increment expression has no effect",
      "The loop's last part changes nothing: `i + 1` only computes, `i++` and `i += 2` change i."},
-    {"assignment used as truth value|using the result of an assignment as a condition",
+    {"invalid preprocessing directive", "A comment begins with `//`."},
+    {"expected .\\(. (before|after)",
+     "C++ writes `if (x > 0) { ... }`: with parentheses and braces, and without a colon."},
+    {"assignment used as truth value|using the result of an assignment as a condition|"
+     "could not convert .* = .* to .bool.|"
+     "(Vec3|Color). is not contextually convertible to .bool.",
      "`=` changes the left side; `==` compares."},
     {"statement has no effect|value computed is not used|expression result unused|"
      "ignoring return(ed)? value|unused result|comparison result unused",

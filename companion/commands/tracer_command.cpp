@@ -121,9 +121,9 @@ int tracer(const Course& course, const Given& given) {
     if (given.has("--from")) return begin_from(course, given.options.at("--from"));
     begin_tracer(course);
     const Chapter chapter = chosen(course, given);
-    const Graft& graft = *chapter.graft;
-    print(bold("Graft " + chapter.number() + ": " + graft.title) + '\n' +
-          put_yours_in_place(course, chapter).words() + '\n');
+    print(bold(given.has("--show") ? "Your scene, in false colors"
+                                   : "Graft " + chapter.number() + ": " + chapter.graft->title) +
+          '\n' + put_yours_in_place(course, chapter).words() + '\n');
     std::string line;
     for (const std::string& word : tracer_command(course, chapter))
         line += (line.empty() ? "" : " ") + word;

@@ -1076,7 +1076,9 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertIn("your tracer has no --show yet", tracer("--show", "normal"))
         self.put("chapters/01_tiny/rt/false_color_image.hpp", "#pragma once\n")
         self.put("exercises/tracer/tracer.cpp", "#include <rt/false_color_image.hpp>\n" + program)
-        self.assertIn("Your picture: out/tracer_show.png", tracer("--show", "normal"))
+        said = tracer("--show", "normal")
+        self.assertIn("Your picture: out/tracer_show.png", said)
+        self.assertNotIn("Graft", said)
 
     def test_study_measures_what_passes(self):
         self.write("one", "right\n")

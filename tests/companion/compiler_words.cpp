@@ -44,6 +44,13 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
                "no power"));
     CHECK(says("infinite recursion detected [-Winfinite-recursion]", "in every case"));
     CHECK(says("all paths through this function will call itself", "in every case"));
+    CHECK(says("invalid preprocessing directive #edge", "`//`"));
+    CHECK(says("expected '(' before 'd'", "without a colon"));
+    CHECK(says("expected '(' after 'if'", "without a colon"));
+    CHECK(says("could not convert '((* & right) = rt::Vec3())' from 'rt::Vec3' to 'bool'",
+               "`==` compares"));
+    CHECK(says("value of type 'rt::Vec3' is not contextually convertible to 'bool'",
+               "`==` compares"));
     CHECK(says("for increment expression has no effect [-Wunused-value]", "i += 2"));
     CHECK(
         says("comparison of constant '3' with boolean expression is always true", "stands alone"));
