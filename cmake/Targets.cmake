@@ -31,8 +31,8 @@ foreach(chapter ${course_names})
   endforeach()
 endforeach()
 
-# All that the tests run (course_tests: but for the tools that test the tests), and nothing that a learner may have left half-written. The stubs as shipped are code of
-# the project.
+# All that the tests run, and nothing that a learner may have left half-written. The stubs as shipped are code of
+# the project. course_tests leaves out the tools that test the tests.
 set(tested "")
 set(tools "")
 set(folders ${CMAKE_SOURCE_DIR})
