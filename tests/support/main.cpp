@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #if __has_include(<catch2/catch_test_macros.hpp>)
 #include <catch2/catch_test_case_info.hpp>
 #include <catch2/interfaces/catch_interfaces_registry_hub.hpp>
@@ -158,9 +159,7 @@ class Watch {
         seen_ = step_;
         // The first look may come right after the last step.
         if (idle_looks_ <= most_seconds * looks_a_second) return;
-        std::size_t size = 0;
-        while (event_[size]) ++size;
-        write_line(file_, event_, size);
+        write_line(file_, event_, std::strlen(event_));
         std::signal(SIGPROF, SIG_IGN);
         // The rest allocates memory. If the tested code was doing that, it never ends, either.
         std::signal(SIGALRM, SIG_DFL);

@@ -169,7 +169,7 @@ int pictures(const std::string& chapter) {
                           });
 }
 
-int words(const std::string& chapter) {
+int what_compare_says(const std::string& chapter) {
     const std::string remark = "compare says";
     return try_in_program(chapter, remark, chapter + "_solution",
                           [&](const MistakenAnswer& answer, const fs::path& program) -> Outcome {
@@ -239,15 +239,13 @@ int run(const std::vector<std::string>& words) {
         if (words[0] == "check") return check(words[1]);
         if (words[0] == "certify") return certify(words[1]);
         if (words[0] == "pictures") return pictures(words[1]);
-        if (words[0] == "compare") return ::words(words[1]);
+        if (words[0] == "compare") return what_compare_says(words[1]);
         if (words[0] == "memory") return memory(words[1]);
         if (words[0] == "races") return races(words[1]);
     }
     throw app::UsageError(
         "usage: mistake_tool check NN.k, or certify, pictures, compare, memory or races NN_topic, "
-        "or "
-        "program "
-        "NAMES TARGET FILE");
+        "or program NAMES TARGET FILE");
 }
 
 }  // namespace
