@@ -26,11 +26,23 @@ function(course_executable target real)
   target_link_libraries(${target} PRIVATE common_${real})
 endfunction()
 
+# course_as_program(target): sanitized only with RT_SANITIZE_PROGRAMS.
+function(course_as_program target)
+  if(NOT RT_SANITIZE_PROGRAMS)
+    set_target_properties(${target} PROPERTIES COURSE_UNSANITIZED ON)
+  endif()
+endfunction()
+
 # course_program(target real sources... INCLUDE folders...): the same, and the standard library's headers are
 # read once for all such programs.
 function(course_program target real)
   course_executable(${target} ${real} ${ARGN})
-  target_precompile_headers(${target} REUSE_FROM common_${real})
+  course_as_program(${target})
+  if(TARGET program_headers_${real})
+    target_precompile_headers(${target} REUSE_FROM program_headers_${real})
+  else()
+    target_precompile_headers(${target} REUSE_FROM common_${real})
+  endif()
 endfunction()
 
 # course_sources(out chapter folders...): the sources of a chapter's answers, each from the first of these
@@ -152,6 +164,7 @@ function(course_graft chapter)
     return()
   endif()
   add_executable(tracer.${number} EXCLUDE_FROM_ALL ${source})
+  course_as_program(tracer.${number})
   target_include_directories(tracer.${number} PRIVATE ${course_folders_${chapter}} ${CMAKE_SOURCE_DIR}/common)
   target_link_libraries(tracer.${number} PRIVATE course_flags Threads::Threads)
   course_linked_with(tracer.${number} -pthread)
