@@ -358,7 +358,9 @@ TEST_CASE("06.4 an exception reaches the caller from every strategy", "[06.4][ha
     // The given strategies are tested, too; but first, that there is a generator at all.
     (void)sample_rng(1, 2, 3, 4);
     for (const auto& [name, strategy] : rt::strategies()) {
-        INFO(name);
+        INFO(name
+             << "\nHint: run_workers carries an exception from a worker to the caller: that is the "
+                "star of 06.2");
         CHECK_THROWS_AS(strategy({40, 40, 4}, 3,
                                  [](const rt::Tile& tile, int) {
                                      if (tile.bottom == 40) throw std::runtime_error("tile");
