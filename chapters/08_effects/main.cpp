@@ -97,9 +97,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
             "--batches and --sampler sobol exclude each other: batches are drawn with jittered "
             "samples");
     const auto explain = [&](const effects::Choice& choice) {
-        if (settings.explain)
-            settings.explain(
-                effects::explanation(scene, settings.file, choice, in_batches(settings)));
+        if (settings.explain) settings.explain(effects::explanation(scene, settings.file, choice));
     };
     const bool refines = !settings.numbers.empty();
     if (!settings.show.empty() && !(refines && settings.show == "samples"))

@@ -16,7 +16,8 @@ namespace effects {
 // Which renderer was chosen.
 struct Choice {
     rt::Effects chosen, left_out;  // the effects that it has, and has not
-    std::size_t renderers = 0;     // how many there are to choose from
+    std::size_t renderers = 1;     // how many there are to choose from
+    bool in_batches = false;       // whether it follows many paths at a time
 };
 
 // Draws the pixels of a tile with this seed, and returns how many are done: all, unless a signal
@@ -36,7 +37,8 @@ struct TileRenderer {
 // Pixel by pixel, each path to its end, by the narrowest renderer that has these effects.
 TileRenderer make_narrowest(const rt::Effects& needed, const rt::SceneDescription& scene, int width,
                             int height, const rt::Quality& quality);
-// Chapter 10's: the same picture, byte for byte, in batches of rays.
+// Chapter 10's: the same picture, byte for byte, in batches of rays. If the scene has effects that
+// batches lack, it is the narrowest one.
 TileRenderer make_batched(const rt::SceneDescription& scene, int width, int height,
                           const rt::Quality& quality);
 // Chapter 11's: with samples from Sobol's sequence.

@@ -10,13 +10,13 @@
 namespace effects {
 
 inline std::string explanation(const rt::SceneDescription& scene, const std::string& file,
-                               const Choice& choice, bool in_batches) {
+                               const Choice& choice) {
     const rt::Effects needed = rt::needed_effects(scene);
     const std::size_t spheres = scene.spheres.size();
     return "scene:    " + (file.empty() ? "the final scene" : file) + ", " +
            std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
-           "\nneeds:    " + names(needed) + "\nrenderer: " + names(choice.chosen) + ", one of " +
-           std::to_string(choice.renderers) + (in_batches ? " for batches" : "") +
+           "\nneeds:    " + names(needed) + "\nrenderer: " + names(choice.chosen) + ", " +
+           (choice.in_batches ? "in batches" : "one of " + std::to_string(choice.renderers)) +
            "\nunused:   " + names(without(choice.chosen, needed)) +
            "\nleft out: " + names(choice.left_out) + '\n';
 }

@@ -43,7 +43,7 @@ class Packet {
 
     template <std::size_t... i>
     Packet(const Ray* rays, std::index_sequence<i...>)
-        : rays_{rays}, wide_{WideRay<float>{rays[i]}...} {
+        : rays_{rays}, wide_{wide_ray<float>(rays[i])...} {
         max_.fill(std::numeric_limits<float>::infinity());
     }
 

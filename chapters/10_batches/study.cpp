@@ -102,6 +102,7 @@ class Batches {
                 path.t = end(number++);
                 path.sphere = -1;
             }
+            search_.make_ready(batch);
             search_.find_nearest(batch);
             if (found)
                 for (const PathRecord& path : batch)

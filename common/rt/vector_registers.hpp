@@ -20,6 +20,22 @@
 #define RT_REGISTER_BYTES 16
 #endif
 
+// RT_FUSED: a * b + c for a vector a and numbers b and c. If the processor has one instruction for
+// that, it is rounded once, and else twice: only for what no bit of a picture depends on.
+#ifdef __FMA__
+template <class Vector, class Number>
+RT_INLINED Vector rt_fused(Vector a, Number b, Number c) {
+    // x - 0 is x, in all lanes.
+    if constexpr (sizeof(Vector) == 32 && sizeof(Number) == sizeof(float))
+        return __builtin_ia32_vfmaddps256(a, b - Vector{}, c - Vector{});
+    else
+        return a * b + c;
+}
+#define RT_FUSED(a, b, c) rt_fused(a, b, c)
+#else
+#define RT_FUSED(a, b, c) ((a) * (b) + (c))
+#endif
+
 template <class Mask>
 inline unsigned rt_vector_bits(const Mask& mask) {
     constexpr std::size_t size = sizeof(Mask), count = size / sizeof(mask[0]);

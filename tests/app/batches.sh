@@ -3,6 +3,7 @@
 # of threads, and --explain says what draws it.
 set -u
 program=$1
+scenes=$2
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 failures=0
@@ -23,14 +24,20 @@ same() {
     done
 }
 same "the final scene"
-for scene in "$2"/*.json; do
+for scene in "$scenes"/*.json; do
     same "$scene" "$scene"
 done
 
-"$program" "$2/matte.json" --batches --explain --width 16 --height 9 --spp 1 \
-    --out "$place/matte.ppm" >"$place/said"
-grep -q '^renderer: none, one of [0-9]* for batches$' "$place/said" || {
-    complain "--explain does not say what draws matte.json:"
-    cat "$place/said"
+# explains SCENE RENDERER: what --explain says draws the scene.
+explains() {
+    "$program" "$scenes/$1.json" --batches --explain --width 16 --height 9 --spp 1 \
+        --out "$place/$1.ppm" >"$place/said"
+    grep -q "^renderer: $2\$" "$place/said" || {
+        complain "--explain does not say what draws $1.json:"
+        cat "$place/said"
+    }
 }
+explains matte "mirror, fuzz, glass, texture, lens, in batches"
+# Lights take each path on by itself: batches would gain nothing.
+explains lights "mirror, fuzz, glass, texture, lens, lights, one of [0-9]*"
 [ "$failures" -eq 0 ]

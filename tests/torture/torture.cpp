@@ -123,10 +123,11 @@ Image draw_all(const SceneDescription& description, const Frame& frame) {
         INFO("drawn with the eight-wide tree and " << threads << " threads");
         CHECK(draw(scene, scene.world, frame, threads, no_check) == image);
     }
-    for (const std::size_t size : {std::size_t{7}, batch_size}) {
-        INFO("drawn in batches of " << size);
-        CHECK(draw_in_batches(scene, frame, size) == image);
-    }
+    if constexpr (covers(batch_effects, effects))
+        for (const std::size_t size : {std::size_t{7}, batch_size}) {
+            INFO("drawn in batches of " << size);
+            CHECK(draw_in_batches(scene, frame, size) == image);
+        }
     // What a program draws with.
     const Renderer<effects> renderer{
         description, frame.width, frame.height, {frame.samples, frame.depth, seed}};
@@ -224,7 +225,9 @@ void check_hits(const SceneDescription& scene, const std::vector<Ray>& rays) {
         paths[i].t = infinity;
         paths[i].sphere = -1;
     }
-    BatchSearch{wide}.find_nearest(paths);
+    BatchSearch batches{wide};
+    batches.make_ready(paths);
+    batches.find_nearest(paths);
     const auto same = [](const std::optional<Hit>& a, const std::optional<Hit>& b) {
         return a ? b && a->t == b->t && a->point == b->point && a->normal == b->normal &&
                        a->material == b->material && a->light == b->light
@@ -244,15 +247,11 @@ void check_hits(const SceneDescription& scene, const std::vector<Ray>& rays) {
         REQUIRE(paths[i].sphere ==
                 (nearest ? static_cast<PackInteger>(nearest->number) : PackInteger{-1}));
         REQUIRE(paths[i].t == (nearest ? nearest->t : infinity));
+        // Nothing is in the way before the nearest hit, and something is if nothing is known of it.
+        const Interval up_to_hit{0, paths[i].t};
+        REQUIRE(!wide.occluded(ray, up_to_hit, static_cast<std::int32_t>(paths[i].sphere)));
+        REQUIRE(wide.occluded(ray, up_to_hit) == (paths[i].sphere >= 0));
     }
-    // Nothing is in the way before the nearest hit, and something is if nothing is known of it.
-    std::vector<PathRecord> shadows = paths;
-    BatchSearch{wide}.find_any(shadows);
-    for (std::size_t i = 0; i < rays.size(); ++i) REQUIRE(shadows[i].t == paths[i].t);
-    for (PathRecord& shadow : shadows) shadow.sphere = -1;
-    BatchSearch{wide}.find_any(shadows);
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        REQUIRE((shadows[i].t == BatchSearch::stopped) == (paths[i].sphere >= 0));
 }
 
 std::vector<Color> light_along(const SceneDescription& description, const std::vector<Ray>& rays,

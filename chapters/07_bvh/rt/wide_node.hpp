@@ -38,12 +38,12 @@ RT_INLINED BoxesHit<Number> hit_boxes(const WideNode<Number>& node, const WideRa
                                       Number min, Number max) {
     BoxesHit<Number> hit;
     for (std::size_t first = 0; first < lanes; first += part_size<Number>) {
-        Part<Number> in = Part<Number>{} + min, out = Part<Number>{} + max;
+        Part<Number> in = min - Part<Number>{}, out = max - Part<Number>{};
         for (std::size_t k = 0; k < 3; ++k) {
-            const Part<Number> near = load<Part<Number>>(&node.planes[ray.near[k]][k][first]),
-                               far = load<Part<Number>>(&node.planes[1 - ray.near[k]][k][first]);
-            const Part<Number> entry = (near - ray.near_origin[k]) * ray.inverse[k],
-                               exit = (far - ray.far_origin[k]) * ray.inverse[k];
+            const Part<Number> near = load<Part<Number>>(&node.planes[ray.near(k)][k][first]),
+                               far = load<Part<Number>>(&node.planes[1 - ray.near(k)][k][first]);
+            const Part<Number> entry = RT_FUSED(near, ray.inverse[k], ray.near_start[k]),
+                               exit = RT_FUSED(far, ray.inverse[k], ray.far_start[k]);
             // A t that is NaN fails the comparison, and its plane does not count.
             in = entry > in ? entry : in;
             out = exit < out ? exit : out;

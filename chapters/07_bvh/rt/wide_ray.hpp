@@ -9,8 +9,8 @@
 namespace rt {
 
 // hit_margin for tests of boxes in Number (given). A plane and the ray's origin are rounded to
-// Number; their difference, the inverse and their product are rounded; and so is the end of
-// the interval. These six roundings act as if the plane were moved by 3 epsilon of Number. 8
+// Number; the inverse, its products with both, and their sum are rounded; and so is the end of
+// the interval. These seven roundings act as if the plane were moved by 4 epsilon of Number. 8
 // leaves room for hit_margin if Real is more precise; if it is not, hit_margin is larger and
 // has room for them.
 template <class Number>
@@ -21,24 +21,38 @@ inline constexpr Real wide_margin =
 // component is 1 or -1, which keeps t within what Number can hold.
 template <class Number>
 struct WideRay {
-    std::array<Number, 3> near_origin, far_origin, inverse;
-    std::array<std::size_t, 3> near;  // which planes are met first: 0 for the low ones, or 1
-    Real scale = 1;                   // what t is multiplied by
+    // 1 / direction, and -origin / direction: a plane at x is met at x * inverse + start. The
+    // nearer plane is moved toward the ray, and the farther one away from it. If a start is too
+    // large for Number, it is NaN, and the plane does not count.
+    std::array<Number, 3> inverse, near_start, far_start;
+    Real scale;  // what t is multiplied by
 
-    explicit WideRay(const Ray& ray) : scale{max_component(ray.direction)} {
-        const Real margin = wide_margin<Number> * max_component(ray.origin);
-        const std::array<Real, 3> d{ray.direction.x, ray.direction.y, ray.direction.z},
-            origin{ray.origin.x, ray.origin.y, ray.origin.z};
-        // No branch: no processor can predict whether a random direction runs forward.
-        for (std::size_t k = 0; k < 3; ++k) {
-            near[k] = std::signbit(d[k]);
-            inverse[k] = static_cast<Number>(scale / d[k]);
-            // The nearer plane is moved toward the ray, and the farther one away from it.
-            const Real ahead = std::copysign(margin, d[k]);
-            near_origin[k] = static_cast<Number>(origin[k] + ahead);
-            far_origin[k] = static_cast<Number>(origin[k] - ahead);
-        }
-    }
+    // Which planes along an axis are met first: 0 for the low ones, or 1.
+    std::size_t near(std::size_t axis) const { return std::signbit(inverse[axis]); }
 };
+
+// An infinite number becomes NaN; others stay. It takes packs, too.
+template <class Number>
+RT_INLINED Number finite_or_nan(Number x) {
+    return x + (x - x);
+}
+
+template <class Number>
+RT_INLINED WideRay<Number> wide_ray(const Ray& ray) {
+    WideRay<Number> wide;
+    wide.scale = max_component(ray.direction);
+    const Real margin = wide_margin<Number> * max_component(ray.origin);
+    const std::array<Real, 3> d{ray.direction.x, ray.direction.y, ray.direction.z},
+        origin{ray.origin.x, ray.origin.y, ray.origin.z};
+    // No branch: no processor can predict whether a random direction runs forward.
+    for (std::size_t k = 0; k < 3; ++k) {
+        wide.inverse[k] = static_cast<Number>(wide.scale / d[k]);
+        const Real ahead = std::copysign(margin, d[k]);
+        wide.near_start[k] =
+            finite_or_nan(static_cast<Number>(-ahead - origin[k]) * wide.inverse[k]);
+        wide.far_start[k] = finite_or_nan(static_cast<Number>(ahead - origin[k]) * wide.inverse[k]);
+    }
+    return wide;
+}
 
 }  // namespace rt

@@ -30,13 +30,16 @@ struct WideTreeOf {
         int box_tests = 0, shape_tests = 0;     // eight tests at once count as one
     };
 
-    // The search may begin at any node or leaf, with a hit at within.max on the shape of this
-    // number.
-    Found search(const Ray& ray, Interval within, WideChild child = WideChild::node(0),
-                 std::int32_t number = -1) const {
+    Found search(const Ray& ray, Interval within) const {
+        if (nodes.empty()) return {{within.max}};
+        return search(ray, wide_ray<Number>(ray), within, WideChild::node(0), -1);
+    }
+
+    // The same for a ray that is ready for boxes. The search may begin at any node or leaf, with a
+    // hit at within.max on the shape of this number.
+    RT_INLINED Found search(const Ray& ray, const WideRay<Number>& wide, Interval within,
+                            WideChild child, std::int32_t number) const {
         Found found{{within.max, number}};
-        if (nodes.empty()) return found;
-        const WideRay<Number> wide{ray};
         const auto scaled = [&](Real t) { return static_cast<Number>(t * wide.scale); };
         const Number min = scaled(with_origin(within).min);
         Number max = scaled(with_origin(within).max);
@@ -98,22 +101,21 @@ struct WideTreeOf {
     }
 
     // True if anything is hit within the interval, whatever it is: the search ends at the first hit
-    // that it comes to, and may begin at any node or leaf. If the ray meets the shape of this
+    // that it comes to. If the ray meets the shape of this
     // number at within.max, the question is whether it meets another one before, by the rules of
     // hit().
     template <class AnyRay>
-    bool occluded(const AnyRay& any_ray, Interval within, std::int32_t number = -1,
-                  WideChild child = WideChild::node(0)) const {
+    bool occluded(const AnyRay& any_ray, Interval within, std::int32_t number = -1) const {
         if (nodes.empty()) return false;
         const Ray& ray = any_ray;  // not a copy, if it is a plain one
         const WideHit end{within.max, number};
-        const WideRay<Number> wide{ray};
+        const auto wide = wide_ray<Number>(ray);
         const auto min = static_cast<Number>(with_origin(within).min * wide.scale);
         const auto max = static_cast<Number>(with_origin(within).max * wide.scale);
         std::array<WideChild, (lanes - 1) * most_nodes + 1> stack;
-        stack[0] = child;
+        stack[0] = WideChild::node(0);
         for (std::size_t waiting = 1; waiting > 0;) {
-            child = stack[--waiting];
+            const WideChild child = stack[--waiting];
             const auto index = static_cast<std::size_t>(child.number());
             if (child.is_leaf()) {
                 if (any_in_leaf(leaves[index], ray, within.min, end)) return true;

@@ -1,13 +1,9 @@
 // What chapter 08's program draws with if --batches is given. It is linked into that program.
 
-#include <array>
 #include <memory>
 #include <rt/batch_renderer.hpp>
-#include <rt/choose_renderer.hpp>
 #include <rt/needed_effects.hpp>
-#include <utility>
 
-#include "few_effects.hpp"
 #include "tile_renderer.hpp"
 
 namespace batches {
@@ -16,17 +12,12 @@ namespace {
 using namespace rt;
 using effects::DrawTile;
 
-// A batch asks which kernel it needs once, not once per ray, so an effect that is compiled
-// in but not used costs little. What does cost time is leaving the kernels for packs,
-// which the last two sets do.
-using effects::few_effects;
-
-template <Effects effects>
 std::function<DrawTile()> make_workers(const SceneDescription& description, int width, int height,
                                        const Quality& quality) {
-    const auto scene = std::make_shared<const ReadyScene<effects>>(description, width, height);
+    const auto scene =
+        std::make_shared<const ReadyScene<batch_effects>>(description, width, height);
     return [scene, quality] {
-        const auto renderer = std::make_shared<BatchRenderer<effects>>(*scene, quality);
+        const auto renderer = std::make_shared<BatchRenderer<batch_effects>>(*scene, quality);
         return [scene, renderer](const Tile& tile, std::uint64_t seed, Image& image,
                                  std::uint64_t& rays) {
             renderer->set_seed(seed);
@@ -35,11 +26,6 @@ std::function<DrawTile()> make_workers(const SceneDescription& description, int 
         };
     };
 }
-
-constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>) {
-    return std::array{make_workers<few_effects[number]>...};
-}
-(std::make_index_sequence<few_effects.size()>{});
 
 // The smallest tiles with enough paths for a batch.
 int tile_side(int samples_per_pixel) {
@@ -55,9 +41,10 @@ int tile_side(int samples_per_pixel) {
 
 effects::TileRenderer effects::make_batched(const rt::SceneDescription& scene, int width,
                                             int height, const rt::Quality& quality) {
-    const std::size_t number = rt::narrowest(rt::needed_effects(scene), few_effects);
-    const rt::Effects chosen = few_effects[number];
-    return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
-            batches::makers[number](scene, width, height, quality),
+    const rt::Effects needed = rt::needed_effects(scene);
+    if (!covers(rt::batch_effects, needed))
+        return make_narrowest(needed, scene, width, height, quality);
+    return {{rt::batch_effects, without(rt::every_effect, rt::batch_effects), 1, true},
+            batches::make_workers(scene, width, height, quality),
             batches::tile_side(quality.samples_per_pixel)};
 }

@@ -19,22 +19,19 @@ struct Arrivals {
     Vec3Pack direction, normal, facing_normal, point;
     Pack point_error, parameter;
     PackMask front;
-    PackBits active;  // which of the pack's lanes are used
 };
 
-inline Arrivals arrive(const PathRecord* paths, const Surface* surfaces, PathList list) {
-    const RayPack rays = load_rays(paths, list);
+inline Arrivals arrive(const PathRecord* paths, const Surface* surfaces, const PathPack& pack) {
+    const RayPack rays = load_rays(paths, pack);
     const auto [cx, cy, cz, radius, parameter, r, g, b] = load_eight(
-        list.size(),
-        [&](std::size_t i) { return &surfaces[static_cast<std::size_t>(paths[list[i]].sphere)]; });
+        [&](std::size_t i) { return &surfaces[static_cast<std::size_t>(rays.sphere[i])]; });
     const Vec3Pack center{cx, cy, cz};
     Arrivals all;
-    all.active = first_bits(list.size());
     all.direction = rays.direction;
     all.parameter = parameter;
     const Vec3Pack outward = (rays.origin - center) + rays.t * rays.direction;
     const PackMask nowhere = is_zero(outward);
-    all.normal = normalize(pick(nowhere, -rays.direction, outward), all.active);
+    all.normal = normalize(pick(nowhere, -rays.direction, outward), pack.active);
     all.front = dot(rays.direction, all.normal) <= 0;
     all.facing_normal = pick(all.front, all.normal, -all.normal);
     all.point = center + radius * all.normal;
@@ -57,8 +54,8 @@ PlacePack random_places(std::size_t size, const Record& record) {
     }
     return places;
 }
-inline PlacePack random_places(PathRecord* paths, PathList list) {
-    return random_places(list.size(), [&](std::size_t i) -> PathRecord& { return paths[list[i]]; });
+inline PlacePack random_places(PathRecord* paths, const PathPack& pack) {
+    return random_places(pack.size, [&](std::size_t i) -> PathRecord& { return paths[pack[i]]; });
 }
 
 // leave_surface of 04.6.

@@ -3,17 +3,19 @@
 #include <rt/color_sum.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
-#include <rt/lit_batch.hpp>
 #include <rt/plain_batch.hpp>
 #include <rt/primary_packs.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/sample_rng.hpp>
-#include <rt/through_haze.hpp>
 #include <rt/tile.hpp>
-#include <type_traits>
 #include <vector>
 
 namespace rt {
+
+// The effects that batches have. Lights, fog, motion, instances and haze would take each path
+// through chapter 08's code by itself, and that takes longer than to draw path by path.
+inline constexpr Effects batch_effects{
+    .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
 
 // The number of paths that make a bounce together. Their records should fit into the
 // processor's second-level cache.
@@ -24,6 +26,8 @@ inline constexpr std::size_t batch_size = 4096;
 // paths are grouped into batches. Each thread has its own BatchRenderer.
 template <Effects effects>
 class BatchRenderer {
+    static_assert(covers(batch_effects, effects));
+
   public:
     // The scene must outlive the renderer.
     BatchRenderer(const ReadyScene<effects>& scene, const Quality& quality,
@@ -31,9 +35,8 @@ class BatchRenderer {
         : scene_{scene},
           quality_{quality},
           batch_{scene, most_paths},
-          points_(most_paths),
-          pixels_(most_paths),
-          distances_(effects.haze ? most_paths : 0) {
+          points_(most_paths + pack_size),
+          pixels_(most_paths) {
         while ((cells_ + 1) * (cells_ + 1) <= quality.samples_per_pixel) ++cells_;
         for (int cell = 0; cell < cells_; ++cell)
             ends_.push_back(
@@ -47,9 +50,10 @@ class BatchRenderer {
     void draw(const Tile& tile, Image& image, std::uint64_t& rays) {
         sums_.assign(static_cast<std::size_t>(pixel_count(tile)), {});
         ColorSum* next_sum = sums_.data();
+        const std::uint64_t seed = quality_.seed;
         for_each_pixel(tile, [&](int column, int row) {
             ColorSum* const sum = next_sum++;
-            Rng places = pixel_rng(quality_.seed, column, row);
+            Rng places = pixel_rng(seed, column, row);
             int sample = 0;
             const auto add = [&](Vec2 first, Vec2 end) {
                 if (started_ == pixels_.size()) trace(rays);
@@ -57,7 +61,7 @@ class BatchRenderer {
                 points_[started_] = {static_cast<Real>(column), static_cast<Real>(row), first,
                                      random_place(places), end};
                 PathRecord& path = batch_.paths[started_];
-                path.random = sample_rng(quality_.seed, column, row, sample++);
+                path.random = sample_rng(seed, column, row, sample++);
                 path.sample = static_cast<std::int32_t>(started_++);
                 path.throughput = {1, 1, 1};
             };
@@ -93,44 +97,24 @@ class BatchRenderer {
 
     // Gives some paths their first rays.
     void start(std::size_t from, std::size_t size) {
-        PathRecord* const paths = &batch_.paths[from];
-        const auto record = [&](std::size_t i) { return &paths[i]; };
         const auto [column, row, first_x, first_y, x, y, end_x, end_y] =
-            load_eight(size, [&](std::size_t i) { return &points_[from + i]; });
+            load_eight([&](std::size_t i) { return &points_[from + i]; });
         const PixelPack pixel{
             column, row, {jittered(first_x, x, end_x), jittered(first_y, y, end_y)}};
-        const auto [origin, direction] = primary_rays(scene_.camera, pixel, paths, size);
-        store(
-            std::array<Pack, 8>{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z,
-                                pack_of(infinity), std::bit_cast<Pack>(PackMask{} - 1)},
-            size, record);
-        if constexpr (effects.motion)
-            for (std::size_t i = 0; i < size; ++i)
-                batch_.times[from + i] =
-                    scene_.camera.anything_moves ? paths[i].random.uniform() : Real(0);
-    }
-
-    // How far each sample sees through the haze. Bounces overwrite its first ray.
-    void look_ahead(std::uint64_t& rays) {
-        if (!(scene_.haze.density > 0)) return;
-        for (std::size_t i = 0; i < started_; ++i)
-            distances_[i] =
-                distance_ahead(scene_.world, ray_of<effects>(batch_.paths[i], batch_.times));
-        rays += started_;
+        const auto [origin, direction] =
+            primary_rays(scene_.camera, pixel, &batch_.paths[from], size);
+        batch_.set_rays(from, origin, direction);
     }
 
     // Follows all paths of the batch to their ends.
     void trace(std::uint64_t& rays) {
         std::size_t left = started_;
         for (std::size_t i = 0; i < left; i += pack_size) start(i, std::min(pack_size, left - i));
-        if constexpr (effects.haze) look_ahead(rays);
         batch_.begin(left);
         for (int bounces = 1; left > 0; ++bounces)
             left = batch_.bounce(left, bounces == quality_.depth, rays);
         // Samples are added up in their order, as pixel_average does.
-        for (std::size_t i = 0; i < started_; ++i)
-            pixels_[i]->add(
-                through_haze(scene_.haze, batch_.light[i], [&] { return distances_[i]; }));
+        for (std::size_t i = 0; i < started_; ++i) pixels_[i]->add(batch_.light[i]);
         started_ = 0;
     }
 
@@ -138,12 +122,10 @@ class BatchRenderer {
     Quality quality_;
     int cells_ = 1;           // in each row of a pixel
     std::vector<Real> ends_;  // the largest offset in each cell
-    std::conditional_t<effects.lights || effects.fog, LitBatch<effects>, PlainBatch<effects>>
-        batch_;
+    PlainBatch<effects> batch_;
     std::vector<ColorSum> sums_;  // of the tile's pixels
     std::vector<SamplePoint> points_;
     std::vector<ColorSum*> pixels_;  // of the batch's samples
-    std::vector<Real> distances_;    // to what they see first, if there is haze
     std::size_t started_ = 0;        // the number of samples in the batch
 };
 

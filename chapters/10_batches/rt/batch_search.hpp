@@ -5,15 +5,14 @@
 #include <rt/descend.hpp>
 #include <rt/hit_pack.hpp>
 #include <rt/path_record.hpp>
-#include <rt/sort_by_kind.hpp>
 #include <rt/vector_registers.hpp>
 #include <rt/wide_tree.hpp>
 #include <vector>
 
 namespace rt {
 
-// Finds which spheres of a tree the rays of a batch meet first, or whether they meet any (given).
-// It takes lists of rays down the tree, and finds what WideTree finds, bit for bit.
+// Finds which spheres of a tree the rays of a batch meet first (given). It takes lists of rays down
+// the tree, and finds what WideTree finds, bit for bit.
 class BatchSearch {
   public:
     // The tree must outlive the search.
@@ -28,13 +27,18 @@ class BatchSearch {
                 orders_[node][octant] = nearest_first(tree.nodes[node], octant);
     }
 
-    // Sets t and sphere of these paths, within [0, t].
-    void find_nearest(std::span<PathRecord> paths) { search(paths, false); }
+    // Makes room for this many rays. Those that are ready stay so.
+    void make_room(std::size_t rays);
 
-    // Sets t of those paths to `stopped` that meet anything before the hit that they come with, at
-    // t on a sphere or, if that is -1, on none. Once a path is stopped, nothing is searched for it.
-    void find_any(std::span<PathRecord> paths) { search(paths, true); }
-    static constexpr Real stopped = -1;
+    // Makes the rays of up to pack_size paths, from this number on, ready for box tests. They end
+    // at t. The lanes that are not used write to paths behind them: go from lower numbers to
+    // higher.
+    void make_ready(std::size_t from, const Vec3Pack& origin, const Vec3Pack& direction, Pack t);
+    // The same for paths one after the other, in room that it makes.
+    void make_ready(std::span<const PathRecord> paths);
+
+    // Sets t and sphere of these paths, within [0, t]. Their rays must be ready.
+    void find_nearest(std::span<PathRecord> paths);
 
     // The functions that descend() calls.
     unsigned test(std::int32_t node, PathList list, std::uint8_t* masks);
@@ -47,8 +51,7 @@ class BatchSearch {
     void leaf(std::int32_t number, PathList list) {
         if (list.size() <= few_rays) return search_alone(WideChild::leaf(number), list);
         for (std::size_t i = 0; i < list.size(); i += pack_size)
-            test_leaf(static_cast<std::size_t>(number),
-                      list.subspan(i, std::min(pack_size, list.size() - i)));
+            test_leaf(static_cast<std::size_t>(number), list.subspan(i));
     }
 
   private:
@@ -60,56 +63,13 @@ class BatchSearch {
     using Order = std::array<std::uint8_t, lanes>;
     typedef float Eight RT_VECTOR_OF(lanes * sizeof(float));  // one number of each of eight boxes
 
-    // WideRay of chapter 07, in one cache line, with the end that the nearest hit so far sets.
+    // A ray for box tests, in one cache line, and its end, which the nearest hit so far sets.
     struct alignas(64) BoxRay {
-        std::array<float, 3> near_origin, far_origin, inverse;
-        float max, scale;
-        float unused;
+        WideRay<float> wide;
+        float max;
     };
 
-    static Order nearest_first(const WideNode<float>& node, unsigned octant) {
-        std::array<float, lanes> along{};
-        for (std::size_t i = 0; i < lanes; ++i)
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const float middle = node.planes[0][axis][i] + node.planes[1][axis][i];
-                along[i] += octant >> axis & 1 ? -middle : middle;
-            }
-        Order order;
-        std::iota(order.begin(), order.end(), std::uint8_t{0});
-        // Empty boxes have no middle, so they come last.
-        const auto key = [&](std::uint8_t i) {
-            return along[i] == along[i] ? along[i] : std::numeric_limits<float>::infinity();
-        };
-        std::sort(order.begin(), order.end(),
-                  [&](std::uint8_t a, std::uint8_t b) { return key(a) < key(b); });
-        return order;
-    }
-
-    void search(std::span<PathRecord> paths, bool any) {
-        if (tree_.nodes.empty()) return;
-        any_ = any;
-        paths_ = paths.data();
-        make_room(paths.size());
-        for (std::size_t i = 0; i < paths.size(); i += pack_size)
-            make_ready(i, std::min(pack_size, paths.size() - i));
-        // Rays of one octant meet the planes of all boxes in the same order.
-        const auto first = sort_by_kind<octants>(std::span{octants_}.first(paths.size()),
-                                                 std::span{lists_}.first(paths.size()));
-        for (octant_ = 0; octant_ < octants; ++octant_) {
-            const std::size_t count = first[octant_ + 1] - first[octant_];
-            if (count > 0)
-                descend(*this, 0, PathList{lists_.data() + first[octant_], count},
-                        {lists_.data() + paths.size(), masks_.data()});
-        }
-    }
-    void make_room(std::size_t paths) {
-        if (rays_.size() >= paths) return;
-        rays_.resize(paths);
-        octants_.resize(paths + pack_size);
-        lists_.resize((most_lists + 1) * paths);
-        masks_.resize(most_lists * paths);
-    }
-    void make_ready(std::size_t from, std::size_t size);
+    static Order nearest_first(const WideNode<float>& node, unsigned octant);
     void test_leaf(std::size_t leaf, PathList list);
     void search_alone(WideChild child, PathList list);
     // Sets the nearest hit of a path so far, which ends its ray.
@@ -117,54 +77,105 @@ class BatchSearch {
         paths_[path].t = t;
         paths_[path].sphere = sphere;
         BoxRay& ray = rays_[path];
-        ray.max = static_cast<float>(t * static_cast<Real>(ray.scale));
-    }
-
-    // No ray ends before it begins: it meets no box and no sphere any more.
-    void stop(std::uint32_t path) {
-        paths_[path].t = stopped;
-        rays_[path].max = stopped;
+        ray.max = static_cast<float>(t * ray.wide.scale);
     }
 
     const WideTree& tree_;
-    bool any_ = false;  // what is searched for: any hit, or the nearest
     std::vector<std::array<Order, octants>> orders_;
     std::vector<std::uint8_t> leaf_sizes_;
     PathRecord* paths_ = nullptr;
     std::vector<BoxRay> rays_;
-    std::vector<std::uint8_t> octants_;
+    std::vector<std::uint8_t> octants_;  // of the rays, as masks: bit k is set in octant k
+    std::vector<std::uint32_t> all_;     // 0, 1, 2 ...
     std::vector<std::uint32_t> lists_;
     std::vector<std::uint8_t> masks_;
     unsigned octant_ = 0;
 };
 
-// Makes the rays of some paths ready for box tests, as WideRay does.
-inline void BatchSearch::make_ready(std::size_t from, std::size_t size) {
-    const auto packs = load_eight(size, [&](std::size_t i) { return &paths_[from + i]; });
-    const Vec3Pack origin{packs[0], packs[1], packs[2]}, direction{packs[3], packs[4], packs[5]};
+inline BatchSearch::Order BatchSearch::nearest_first(const WideNode<float>& node, unsigned octant) {
+    std::array<float, lanes> along{};
+    for (std::size_t i = 0; i < lanes; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float middle = node.planes[0][axis][i] + node.planes[1][axis][i];
+            along[i] += octant >> axis & 1 ? -middle : middle;
+        }
+    Order order;
+    std::iota(order.begin(), order.end(), std::uint8_t{0});
+    // Empty boxes have no middle, so they come last.
+    const auto key = [&](std::uint8_t i) {
+        return along[i] == along[i] ? along[i] : std::numeric_limits<float>::infinity();
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint8_t a, std::uint8_t b) { return key(a) < key(b); });
+    return order;
+}
+
+inline void BatchSearch::make_room(std::size_t rays) {
+    if (all_.size() >= rays + pack_size) return;
+    // Packs that are not full write and read beyond the last ray.
+    rays_.resize(rays + pack_size);
+    octants_.resize(rays + pack_size);
+    all_.resize(rays + pack_size);
+    std::iota(all_.begin(), all_.end(), 0u);
+    lists_.resize((most_lists + 1) * rays + pack_size);
+    masks_.resize(most_lists * rays);
+}
+
+inline void BatchSearch::make_ready(std::size_t from, const Vec3Pack& origin,
+                                    const Vec3Pack& direction, Pack t) {
     const Pack scale = max_component(direction);
     const Pack margin = wide_margin<float> * max_component(origin);
+    const Pack origins[]{origin.x, origin.y, origin.z},
+        directions[]{direction.x, direction.y, direction.z};
     std::array<Pack, 12> numbers{};  // of a BoxRay
     PackMask octant{};
     for (std::size_t k = 0; k < 3; ++k) {
-        const Pack along = packs[3 + k], ahead = copysign(margin, along);
-        numbers[k] = packs[k] + ahead;
-        numbers[3 + k] = packs[k] - ahead;
-        numbers[6 + k] = scale / along;
-        octant |= (std::bit_cast<PackMask>(along) < 0) & (1 << k);
+        const Pack ahead = copysign(margin, directions[k]);
+        const Pack inverse = scale / directions[k];
+        numbers[k] = inverse;
+        numbers[3 + k] = finite_or_nan((-ahead - origins[k]) * inverse);
+        numbers[6 + k] = finite_or_nan((ahead - origins[k]) * inverse);
+        octant |= (std::bit_cast<PackMask>(directions[k]) < 0) & (1 << k);
     }
-    numbers[9] = packs[6] * scale;
-    numbers[10] = scale;
-    const auto record = [&](std::size_t i) { return &rays_[from + i]; };
+    numbers[9] = scale;
+    numbers[10] = t * scale;
     if constexpr (sizeof(Real) == sizeof(float))
-        store(numbers, size, record);
+        store(numbers, [&](std::size_t i) { return &rays_[from + i]; });
     else
-        for (std::size_t i = 0; i < size; ++i)
-            for (std::size_t k = 0; k < numbers.size(); ++k)
-                reinterpret_cast<float*>(record(i))[k] = static_cast<float>(numbers[k][i]);
+        for (std::size_t i = 0; i < pack_size; ++i) {
+            BoxRay& ray = rays_[from + i];
+            for (std::size_t k = 0; k < 3; ++k) {
+                ray.wide.inverse[k] = static_cast<float>(numbers[k][i]);
+                ray.wide.near_start[k] = finite_or_nan(static_cast<float>(numbers[3 + k][i]));
+                ray.wide.far_start[k] = finite_or_nan(static_cast<float>(numbers[6 + k][i]));
+            }
+            ray.wide.scale = scale[i];
+            ray.max = static_cast<float>(numbers[10][i]);
+        }
     typedef std::uint8_t Bytes RT_VECTOR_OF(pack_size);
-    const Bytes bytes = __builtin_convertvector(octant, Bytes);
+    const Bytes bytes = __builtin_convertvector((PackMask{} + 1) << octant, Bytes);
     std::memcpy(&octants_[from], &bytes, sizeof bytes);
+}
+
+inline void BatchSearch::make_ready(std::span<const PathRecord> paths) {
+    make_room(paths.size());
+    for (std::size_t i = 0; i < paths.size(); i += pack_size) {
+        const PathPack pack{PathList{all_}.first(paths.size()).subspan(i)};
+        const RayPack rays = load_rays(paths.data(), pack);
+        make_ready(i, rays.origin, rays.direction, rays.t);
+    }
+}
+
+inline void BatchSearch::find_nearest(std::span<PathRecord> paths) {
+    if (tree_.nodes.empty()) return;
+    paths_ = paths.data();
+    // Rays of one octant meet the planes of all boxes in the same order.
+    for (octant_ = 0; octant_ < octants; ++octant_) {
+        const std::size_t count = filter_list(PathList{all_}.first(paths.size()), octants_.data(),
+                                              octant_, lists_.data());
+        if (count > 0)
+            descend(*this, 0, {lists_.data(), count}, {lists_.data() + count, masks_.data()});
+    }
 }
 
 // Tests each ray of the list against eight boxes at once, like hit_boxes of chapter 07.
@@ -182,11 +193,11 @@ inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8
     }
     unsigned any = 0;
     for (std::size_t n = 0; n < list.size(); ++n) {
-        const BoxRay& ray = rays_[list[n]];
-        Eight in{}, out = Eight{} + ray.max;
+        const auto& [wide, max] = rays_[list[n]];
+        Eight in{}, out = max - Eight{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Eight enters = (first[axis] - ray.near_origin[axis]) * ray.inverse[axis],
-                        leaves = (second[axis] - ray.far_origin[axis]) * ray.inverse[axis];
+            const Eight enters = RT_FUSED(first[axis], wide.inverse[axis], wide.near_start[axis]),
+                        leaves = RT_FUSED(second[axis], wide.inverse[axis], wide.far_start[axis]);
             // A t that is NaN fails the comparison, and its plane does not count.
             in = enters > in ? enters : in;
             out = leaves < out ? leaves : out;
@@ -198,20 +209,17 @@ inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8
     return any;
 }
 
+// Tests the first rays of a list, one pack or fewer.
 inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
     const SphereLeaf& spheres = tree_.leaves[leaf];
-    const std::size_t size = leaf_sizes_[leaf];  // 1 or more
-    RayPack rays = load_rays(paths_, list);
+    const std::size_t size = leaf_sizes_[leaf];
+    const PathPack pack{list};
+    RayPack rays = load_rays(paths_, pack);
     const PackMask before = rays.sphere;
-    PackMask hit{};
-    std::size_t i = 0;
-    do hit |= hit_pack(spheres.sphere(i), spheres.number[i], rays);
-    while (++i < size);
-    const PackBits bits = bits_of(hit) & first_bits(list.size());
-    if (any_)
-        for_each_bit(bits & bits_of(rays.sphere != before), [&](std::size_t k) { stop(list[k]); });
-    else
-        for_each_bit(bits, [&](std::size_t k) { set_hit(list[k], rays.t[k], rays.sphere[k]); });
+    for (std::size_t i = 0; i < size; ++i) hit_pack(spheres.sphere(i), spheres.number[i], rays);
+    if (bits_of(rays.sphere != before) == 0) return;
+    // All are written: no processor can predict which of them have changed.
+    for (std::size_t k = 0; k < pack_size; ++k) set_hit(pack[k], rays.t[k], rays.sphere[k]);
 }
 
 // The search of chapter 07, from a node or leaf on, for one ray after the other.
@@ -220,15 +228,11 @@ inline void BatchSearch::search_alone(WideChild child, PathList list) {
         const PathRecord& path = paths_[i];
         const Ray ray{path.origin, path.direction};
         const auto before = static_cast<std::int32_t>(path.sphere);
-        if (any_) {
-            if (path.t >= 0 && tree_.occluded(ray, {0, path.t}, before, child)) stop(i);
-            continue;
-        }
         WideHit best{path.t, before};
         if (child.is_leaf())
             hit_leaf(tree_.leaves[static_cast<std::size_t>(child.number())], ray, 0, best);
         else
-            best = tree_.search(ray, {0, path.t}, child, before).best;
+            best = tree_.search(ray, rays_[i].wide, {0, path.t}, child, before).best;
         if (best.number != before) set_hit(i, best.t, best.number);
     }
 }

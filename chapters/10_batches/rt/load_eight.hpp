@@ -15,9 +15,9 @@ using Pack = PackOf<Real, pack_size>;
 using PackMask = Bits<Pack>;  // -1 for true, 0 for false
 using PackInteger = NumberOf<PackMask>;
 
-// The same number, pack_size times.
+// The same number, pack_size times. (x - 0 is x, even if x is -0, and so costs nothing.)
 inline Pack pack_of(Real x) {
-    return Pack{} + x;
+    return x - Pack{};
 }
 
 // Bit i belongs to lane i.
@@ -86,18 +86,16 @@ inline void transpose_blocks(Pack (&rows)[block_size]) {
     }
 }
 
-// Loads eight numbers from each of up to pack_size records, as eight packs: the first numbers of
-// all records, the second numbers, and so on. record(i), for i below size, is the address of a
-// record. The contents of unused lanes do not matter.
+// Loads eight numbers from each of pack_size records, as eight packs: the first numbers of all
+// records, the second numbers, and so on. record(i) is the address of a record.
 template <class Record>
-RT_INLINED std::array<Pack, 8> load_eight(std::size_t size, const Record& record) {
+RT_INLINED std::array<Pack, 8> load_eight(const Record& record) {
     std::array<Pack, 8> packs;
     for (std::size_t first = 0; first < packs.size(); first += block_size) {
         Pack rows[block_size];
         for (std::size_t i = 0; i < block_size; ++i)
             rows[i] = join_blocks([&](std::size_t b) {
-                const std::size_t n = b * block_size + i;
-                const void* const numbers = record(n < size ? n : 0);
+                const void* const numbers = record(b * block_size + i);
                 return load<Block>(static_cast<const Real*>(numbers) + first);
             });
         transpose_blocks(rows);
@@ -106,27 +104,20 @@ RT_INLINED std::array<Pack, 8> load_eight(std::size_t size, const Record& record
     return packs;
 }
 
-// The inverse: writes `count` numbers, a multiple of block_size, to each of up to pack_size
-// records.
+// The inverse: writes `count` numbers, a multiple of block_size, to each of pack_size records.
 template <std::size_t count, class Record>
-RT_INLINED void store(const std::array<Pack, count>& packs, std::size_t size,
-                      const Record& record) {
+RT_INLINED void store(const std::array<Pack, count>& packs, const Record& record) {
     for (std::size_t first = 0; first < count; first += block_size) {
         Pack rows[block_size];
         for (std::size_t k = 0; k < block_size; ++k) rows[k] = packs[first + k];
         transpose_blocks(rows);
-        const auto write = [&](std::size_t n, Block block) {
-            void* const numbers = record(n);
-            store(block, static_cast<Real*>(numbers) + first);
-        };
         for (std::size_t i = 0; i < block_size; ++i)
             [&]<std::size_t... b>(std::index_sequence<b...>) {
-                if (size == pack_size)
-                    (write(b * block_size + i, get_block<b>(rows[i])), ...);
-                else
-                    ((b * block_size + i < size ? write(b * block_size + i, get_block<b>(rows[i]))
-                                                : void()),
-                     ...);
+                const auto write = [&](std::size_t n, Block block) {
+                    void* const numbers = record(n);
+                    store(block, static_cast<Real*>(numbers) + first);
+                };
+                (write(b * block_size + i, get_block<b>(rows[i])), ...);
             }
         (std::make_index_sequence<blocks>{});
     }

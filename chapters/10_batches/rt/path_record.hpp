@@ -23,16 +23,30 @@ struct alignas(64) PathRecord {
     Rng random{0, 0};
 };
 
-// Up to pack_size rays of a list, side by side.
+// The rays of a pack of paths, side by side.
 struct RayPack {
     Vec3Pack origin, direction;
     Pack t{};
     PackMask sphere{};
 };
 
-inline RayPack load_rays(const PathRecord* paths, PathList list) {
+// A pack of paths: the first of a list. If it has fewer, its first one fills the other lanes, so
+// that no lane needs a test. The numbers behind the list are read, and do not matter.
+struct PathPack {
+    std::array<std::uint32_t, pack_size> path;
+    std::size_t size;  // the lanes that count
+    PackBits active;   // their bits
+
+    explicit PathPack(PathList list)
+        : size{std::min(pack_size, list.size())}, active{first_bits(size)} {
+        for (std::size_t i = 0; i < pack_size; ++i) path[i] = i < size ? list.data()[i] : list[0];
+    }
+    std::uint32_t operator[](std::size_t i) const { return path[i]; }
+};
+
+inline RayPack load_rays(const PathRecord* paths, const PathPack& pack) {
     const auto [ox, oy, oz, dx, dy, dz, t, sphere] =
-        load_eight(list.size(), [&](std::size_t i) { return &paths[list[i]]; });
+        load_eight([&](std::size_t i) { return &paths[pack[i]]; });
     return {{ox, oy, oz}, {dx, dy, dz}, t, std::bit_cast<PackMask>(sphere)};
 }
 

@@ -1,46 +1,49 @@
 #pragma once
-#include <optional>
 #include <rt/batch_search.hpp>
-#include <rt/leave_surface.hpp>
 #include <rt/ready_scene.hpp>
 #include <rt/scatter_packs.hpp>
 #include <rt/sort_by_kind.hpp>
-#include <rt/still_world.hpp>
 #include <rt/surfaces.hpp>
 
 namespace rt {
 
-// One bounce of all paths of a batch (given), in a scene without lights and fog: path_radiance of
-// 04.7, one step for all paths at a time. Paths are sorted by what they meet. Each kind of material
-// has its own kernel, which writes the paths that go on, one after the other.
+// One bounce of all paths of a batch (given): path_radiance of 04.7, one step for all paths at a
+// time. Paths are sorted by what they meet. Each kind of material has its own kernel, which writes
+// the paths that go on, one after the other, and makes their rays ready for the next search.
 template <Effects effects>
 class PlainBatch {
   public:
     PlainBatch(const ReadyScene<effects>& scene, std::size_t most_paths)
-        : paths(most_paths),
+        : paths(most_paths + pack_size),
           light(most_paths),
-          times(effects.motion ? most_paths : 0),
           scene_{scene},
-          surfaces_{still_part(scene.world), scene.materials},
-          search_{still_part(scene.world)},
-          next_(most_paths),
+          surfaces_{scene.world, scene.materials},
+          search_{scene.world},
+          next_(paths.size()),
           kinds_(most_paths),
-          sorted_(most_paths) {}
+          sorted_(paths.size()) {
+        search_.make_room(most_paths);
+    }
 
-    std::vector<PathRecord> paths;  // on their way
+    std::vector<PathRecord> paths;  // on their way, and room for a pack that is not full
     std::vector<Color> light;       // of samples, once they have ended
-    std::vector<Real> times;        // of samples, if anything moves
 
     // Makes room for the light of this many new paths.
     void begin(std::size_t count) { std::fill_n(light.begin(), count, Color{}); }
+
+    // Gives a pack of paths, from this number on, their rays. Goes from lower numbers to higher.
+    void set_rays(std::size_t from, const Vec3Pack& origin, const Vec3Pack& direction) {
+        set_rays(paths, from, origin, direction);
+    }
 
     // Takes the first `count` paths on to their next bounce, or to their end; returns how many are
     // left, and adds the number of rays to `rays`.
     std::size_t bounce(std::size_t count, bool is_last, std::uint64_t& rays) {
         rays += count;
         search_.find_nearest(std::span{paths}.first(count));
-        for (std::size_t i = 0; i < count; ++i) kinds_[i] = kind_of(i);
-        const auto first = sort_by_kind<types + 2>(std::span{kinds_}.first(count),
+        for (std::size_t i = 0; i < count; ++i)
+            kinds_[i] = surfaces_.kinds[static_cast<std::size_t>(paths[i].sphere + 1)];
+        const auto first = sort_by_kind<types + 1>(std::span{kinds_}.first(count),
                                                    std::span{sorted_}.first(count));
         left_ = 0;
         const auto of_kind = [&](std::size_t kind) {
@@ -51,10 +54,6 @@ class PlainBatch {
         }
         (std::make_index_sequence<types>{});
         for (const std::uint32_t i : of_kind(sky)) end_in_sky(paths[i]);
-        if constexpr (others) {
-            for (const std::uint32_t i : of_kind(other)) scatter_other(i);
-            hits_.clear();
-        }
         std::swap(paths, next_);
         if (!is_last) return left_;
         for (std::size_t i = 0; i < left_; ++i) end_in_sky(paths[i]);
@@ -62,50 +61,41 @@ class PlainBatch {
     }
 
   private:
-    using World = typename RendererTypes<effects>::World;
     using Materials = typename RendererTypes<effects>::Materials;
     using Types = typename MaterialTypes<Materials>::All;
-    static constexpr std::size_t types = std::tuple_size_v<Types>, sky = types, other = types + 1;
-    static constexpr bool others = has_other_part<World>;
-
-    std::uint8_t kind_of(std::size_t i) {
-        const PathRecord& path = paths[i];
-        if constexpr (others)
-            if (const auto hit = hit_other_part(scene_.world, ray_of<effects>(path, times),
-                                                Interval{0, path.t})) {
-                hits_.push_back({static_cast<std::uint32_t>(i), *hit});
-                return other;
-            }
-        return surfaces_.kinds[static_cast<std::size_t>(path.sphere + 1)];
-    }
+    static constexpr std::size_t types = std::tuple_size_v<Types>, sky = types;
 
     void end_in_sky(const PathRecord& path) {
         light[static_cast<std::size_t>(path.sample)] = path.throughput * scene_.sky(path.direction);
     }
 
-    template <class Material>
-    void scatter_all(PathList list) {
-        for (std::size_t i = 0; i < list.size(); i += pack_size)
-            scatter_some<Material>(list.subspan(i, std::min(pack_size, list.size() - i)));
+    void set_rays(std::vector<PathRecord>& of, std::size_t from, const Vec3Pack& origin,
+                  const Vec3Pack& direction) {
+        const Pack t = pack_of(infinity), none = std::bit_cast<Pack>(PackMask{} - 1);
+        store(std::array<Pack, 8>{origin.x, origin.y, origin.z, direction.x, direction.y,
+                                  direction.z, t, none},
+              [&](std::size_t i) { return &of[from + i]; });
+        search_.make_ready(from, origin, direction, t);
     }
 
     template <class Material>
-    void scatter_some(PathList list) {
-        const Arrivals at = arrive(paths.data(), surfaces_.all.data(), list);
+    void scatter_all(PathList list) {
+        for (std::size_t i = 0; i < list.size(); i += pack_size)
+            scatter_some<Material>(PathPack{list.subspan(i)});
+    }
+
+    template <class Material>
+    void scatter_some(const PathPack& pack) {
+        const Arrivals at = arrive(paths.data(), surfaces_.all.data(), pack);
         const Vec3Pack direction =
-            scatter_pack(static_cast<const Material*>(nullptr), at, paths.data(), list);
-        const Vec3Pack origin = leave_surface(at, direction);
-        PathRecord* const next = &next_[left_];
-        left_ += list.size();
-        store(
-            std::array<Pack, 8>{origin.x, origin.y, origin.z, direction.x, direction.y, direction.z,
-                                pack_of(infinity), std::bit_cast<Pack>(PackMask{} - 1)},
-            list.size(), [&](std::size_t i) { return &next[i]; });
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const PathRecord& path = paths[list[i]];
-            next[i].throughput = path.throughput * attenuation<Material>(path, at, i);
-            next[i].sample = path.sample;
-            next[i].random = path.random;
+            scatter_pack(static_cast<const Material*>(nullptr), at, paths.data(), pack);
+        set_rays(next_, left_, leave_surface(at, direction), direction);
+        for (std::size_t i = 0; i < pack.size; ++i) {
+            const PathRecord& path = paths[pack[i]];
+            PathRecord& next = next_[left_++];
+            next.throughput = path.throughput * attenuation<Material>(path, at, i);
+            next.sample = path.sample;
+            next.random = path.random;
         }
     }
 
@@ -125,23 +115,6 @@ class PlainBatch {
         }
     }
 
-    // Paths seldom meet what the tree does not hold: these are scattered one by one.
-    void scatter_other(std::uint32_t i) {
-        const auto found = std::lower_bound(
-            hits_.begin(), hits_.end(), i,
-            [](const auto& hit, std::uint32_t number) { return hit.first < number; });
-        const Hit& hit = found->second;
-        PathRecord& path = paths[i];
-        const auto bounce = scene_.materials(path.direction, hit, path.random);
-        if (!bounce) return;
-        PathRecord& next = next_[left_++] = path;
-        next.throughput *= bounce->attenuation;
-        next.origin = leave_surface(hit, bounce->direction);
-        next.direction = bounce->direction;
-        next.t = infinity;
-        next.sphere = -1;
-    }
-
     const ReadyScene<effects>& scene_;
     Surfaces<Materials> surfaces_;
     BatchSearch search_;
@@ -149,7 +122,6 @@ class PlainBatch {
     std::size_t left_ = 0;
     std::vector<std::uint8_t> kinds_;
     std::vector<std::uint32_t> sorted_;
-    std::vector<std::pair<std::uint32_t, Hit>> hits_;
 };
 
 }  // namespace rt

@@ -52,10 +52,4 @@ inline PrimaryRays primary_rays(const LensCamera& with_lens, const PixelPack& pi
             normalize(toward, first_bits(size))};
 }
 
-template <class StillCamera>
-PrimaryRays primary_rays(const ShutterCamera<StillCamera>& with_shutter, const PixelPack& pixel,
-                         PathRecord* paths, std::size_t size) {
-    return primary_rays(with_shutter.camera, pixel, paths, size);
-}
-
 }  // namespace rt

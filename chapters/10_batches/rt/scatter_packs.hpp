@@ -16,21 +16,22 @@ namespace rt {
 
 // All matte materials, whatever their color.
 template <class Matte>
-Vec3Pack scatter_pack(const Matte*, const Arrivals& at, PathRecord* paths, PathList list) {
-    return cosine_direction(at.facing_normal, random_places(paths, list), at.active);
+Vec3Pack scatter_pack(const Matte*, const Arrivals& at, PathRecord* paths, const PathPack& pack) {
+    return cosine_direction(at.facing_normal, random_places(paths, pack), pack.active);
 }
 
-inline Vec3Pack scatter_pack(const Mirror*, const Arrivals& at, PathRecord*, PathList) {
-    return above_horizon(reflect(at.direction, at.facing_normal), at.facing_normal, at.active);
+inline Vec3Pack scatter_pack(const Mirror*, const Arrivals& at, PathRecord*, const PathPack& pack) {
+    return above_horizon(reflect(at.direction, at.facing_normal), at.facing_normal, pack.active);
 }
 
-inline Vec3Pack scatter_pack(const Metal*, const Arrivals& at, PathRecord* paths, PathList list) {
-    const PlacePack place = random_places(paths, list);
+inline Vec3Pack scatter_pack(const Metal*, const Arrivals& at, PathRecord* paths,
+                             const PathPack& pack) {
+    const PlacePack place = random_places(paths, pack);
     const Pack z = 1 - 2 * place.x, radius = 2 * sqrt(place.x * (1 - place.x));
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);
     const Vec3Pack uniform{radius * cosine, radius * sine, z};
     const Vec3Pack mirrored = reflect(at.direction, at.facing_normal);
-    return above_horizon(mirrored + at.parameter * uniform, at.facing_normal, at.active);
+    return above_horizon(mirrored + at.parameter * uniform, at.facing_normal, pack.active);
 }
 
 // fresnel_reflectance of 05.4.
@@ -67,16 +68,16 @@ inline Vec3Pack refract(Vec3Pack incoming, Vec3Pack normal, Pack eta, PackBits a
 }
 
 inline Vec3Pack scatter_pack(const Dielectric*, const Arrivals& at, PathRecord* paths,
-                             PathList list) {
+                             const PathPack& pack) {
     const Pack eta = at.front ? 1 / at.parameter : at.parameter;
     const Pack reflected = fresnel_reflectance(-dot(at.direction, at.facing_normal), eta);
     Pack drawn = pack_of(1);
-    for_each_bit(bits_of(reflected > 0) & at.active,
-                 [&](std::size_t i) { drawn[i] = paths[list[i]].random.uniform(); });
+    for_each_bit(bits_of(reflected > 0) & pack.active,
+                 [&](std::size_t i) { drawn[i] = paths[pack[i]].random.uniform(); });
     PackMask can_go;
-    const Vec3Pack through = refract(at.direction, at.facing_normal, eta, at.active, can_go);
+    const Vec3Pack through = refract(at.direction, at.facing_normal, eta, pack.active, can_go);
     const PackMask goes = can_go & ~(drawn < reflected);
-    const PackBits stays = at.active & ~bits_of(goes);
+    const PackBits stays = pack.active & ~bits_of(goes);
     if (stays == 0) return through;
     const Vec3Pack mirrored = reflect(at.direction, at.facing_normal);
     return pick(goes, through, above_horizon(mirrored, at.facing_normal, stays));

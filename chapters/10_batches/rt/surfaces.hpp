@@ -54,8 +54,8 @@ struct Surfaces {
     using Types = MaterialTypes<Materials>;
     static constexpr std::size_t sky = std::tuple_size_v<typename Types::All>;
     std::vector<Surface> all;
-    std::vector<std::uint8_t> kinds;  // [0]: sky, for no sphere; [i + 1]: sphere i's type
-    std::vector<std::int32_t> materials, lights;  // each sphere's, as in SceneSphere
+    std::vector<std::uint8_t> kinds;      // [0]: sky, for no sphere; [i + 1]: sphere i's type
+    std::vector<std::int32_t> materials;  // each sphere's, as in SceneSphere
 
     Surfaces(const WideTree& tree, const Materials& set) {
         resize(0);
@@ -66,19 +66,15 @@ struct Surfaces {
                 const Sphere sphere = leaf.sphere(i);
                 all[number] = {sphere.center, sphere.radius, 0, {}};
                 materials[number] = leaf.material[i];
-                lights[number] = leaf.light[i];
                 set_material(number, set);
             }
     }
-
-    Sphere sphere(std::size_t number) const { return {all[number].center, all[number].radius}; }
 
   private:
     void resize(std::size_t size) {
         all.resize(size);
         kinds.resize(size + 1, sky);
         materials.resize(size);
-        lights.resize(size);
     }
     void set_material(std::size_t number, const Materials& set) {
         const auto& element = set.materials[static_cast<std::size_t>(materials[number])];

@@ -94,8 +94,9 @@ class Subject {
             return draw_usual(JitteredSamples{seed, n});
         });
         add("Sobol", [&](int n, std::uint64_t seed) { return draw_usual(sobol(seed, n)); });
-        add("jittered in batches",
-            [&](int n, std::uint64_t seed) { return draw_batches(n, seed); });
+        if constexpr (covers(batch_effects, effects))
+            add("jittered in batches",
+                [&](int n, std::uint64_t seed) { return draw_batches(n, seed); });
         add("Sobol in twin halves", [&](int n, std::uint64_t seed) { return draw_twins(n, seed); });
         for (const int depth : {2, 4, 8, 16})
             add_singly(("depth " + std::to_string(depth)).c_str(), world, materials, lights,

@@ -77,6 +77,34 @@ TEST_CASE("at any scale", "[given][rays]") {
     }
 }
 
+TEST_CASE("rays along an axis as nearly as numbers can", "[given][rays]") {
+    // Far from the origin, where origin / direction is larger than any number.
+    rt::Rng rng{76, 5};
+    Spheres spheres = random_spheres(300);
+    const Real scale = std::ldexp(Real(1), 50);
+    for (SceneSphere& s : spheres) s.shape = {scale * s.shape.center, scale * s.shape.radius};
+    const All all{spheres};
+    const auto tiny = [&] {
+        const Real sign = rng() % 2 == 0 ? Real(1) : Real(-1);
+        return rng() % 8 == 0 ? sign * 0
+                              : sign * std::ldexp(Real(1), -static_cast<int>(rng() % 149));
+    };
+    long wrong = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const rt::Sphere& aim = spheres[rng() % spheres.size()].shape;
+        const rt::Vec3 beside{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+        std::array<Real, 3> d{tiny(), tiny(), tiny()};
+        d[rng() % 3] = rng() % 2 == 0 ? Real(1) : Real(-1);
+        const rt::Vec3 direction{d[0], d[1], d[2]};
+        const Ray ray{aim.center + aim.radius * beside - rng.uniform(0, 4) * scale * direction,
+                      direction};
+        const int expected = linear(spheres, ray, {}).sphere;
+        wrong += all.wide_float.search(ray, {}).best.number != expected;
+        wrong += all.wide.search(ray, {}).best.number != expected;
+    }
+    CHECK(wrong == 0);
+}
+
 TEST_CASE("the search ends even for invalid rays, and for rays from very far away",
           "[given][rays]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN(), inf = rt::infinity;

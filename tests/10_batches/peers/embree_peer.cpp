@@ -147,7 +147,9 @@ void compare_searches(const std::string& title, const SceneDescription& descript
                         records[i].t = infinity;
                         records[i].sphere = -1;
                     }
-                    batches.find_nearest(std::span{records}.first(wave.size()));
+                    const auto paths = std::span{records}.first(wave.size());
+                    batches.make_ready(paths);
+                    batches.find_nearest(paths);
                 }
                 return result;
             }},
