@@ -135,9 +135,11 @@ int main(int argc, char** argv) {
          .defaults = defaults,
          .render = render,
          .study = effects::run_study,
-         .choices = {{"sampler",
-                      "Where the samples lie, and which random numbers they use",
-                      {"jittered", "sobol"}}},
+         .choices =
+             {{"sampler",
+               "Where the samples lie, and which random numbers they use; refining takes sobol "
+               "unless told otherwise",
+               {"jittered", "sobol"}}},
          .flags = {{"batches", "Draw the same picture in batches of rays, as chapter 10 does"}},
          .numbers =
              {{"target-error",

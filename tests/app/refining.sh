@@ -29,6 +29,14 @@ for scene in matte cover lights fog motion; do
     done
 done
 
+# Refining takes Sobol's points unless told otherwise.
+for way in "" "--sampler sobol" "--sampler jittered"; do
+    # shellcheck disable=SC2086  # none, or two words
+    draw "$scenes/cover.json" $way --target-error 0.05 --quiet --out "$place/way$(echo "$way" | tr -d ' -').ppm"
+done
+cmp "$place/way.ppm" "$place/waysamplersobol.ppm" || complain "refining does not take Sobol's points"
+cmp -s "$place/way.ppm" "$place/waysamplerjittered.ppm" && complain "refining takes jittered samples"
+
 # Without an aim: jittered samples are the usual ones, and Sobol's give a different picture of the same light.
 draw "$scenes/cover.json" --spp 4 --quiet --out "$place/usual.ppm"
 draw "$scenes/cover.json" --spp 4 --quiet --sampler jittered --out "$place/jittered.ppm"

@@ -160,9 +160,10 @@ app::Picture refine(const rt::SceneDescription& scene, const app::Settings& sett
     const int width = scene.settings.width, height = scene.settings.height;
     const Quality quality{samples_of_pass, scene.settings.depth, scene.settings.seed};
     const bool in_batches = settings.given.count("batches") > 0;
-    const PassRenderer drawing =
-        in_batches ? make_batched_passes(scene, width, height, quality)
-                   : make_passes(scene, width, height, quality, settings.picked.front() == "sobol");
+    // Sobol's points, unless jittered samples are asked for.
+    const bool sobol = settings.given.count("sampler") == 0 || settings.picked.front() == "sobol";
+    const PassRenderer drawing = in_batches ? make_batched_passes(scene, width, height, quality)
+                                            : make_passes(scene, width, height, quality, sobol);
     explain(drawing.choice);
 
     // Writing the file takes time, too.

@@ -1,16 +1,24 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <rt/color_sum.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/rng.hpp>
 #include <rt/sobol.hpp>
+#include <rt/sobol_columns.hpp>
 
 namespace rt {
 
 // The random numbers of one sample of a pixel (given), for use wherever an Rng is used. The first
-// two are a point of Sobol's sequence, the next two a point of another shuffling of it, and so on.
-// Over all samples of the pixel, each pair of numbers is spread evenly, and is independent of the
-// other pairs. Source: Burley, "Practical hash-based Owen scrambling", JCGT 2020.
+// eight are a point of Sobol's sequence in eight dimensions, each coordinate scrambled for itself
+// and for this pixel. So over the samples of the pixel, the places in the pixel, on the lens and in
+// time and the first bounces are spread evenly together, and not only each for itself. Later
+// numbers are independent: evenness is hardly worth anything there.
+//
+// A single sample is as random as with an Rng, so its mean is right. The samples are not
+// independent of each other: samples 2 j and 2 j + 1 are in opposite halves in each of the eight
+// numbers. Most is gained with 8, 16, 32 ... samples. Source of the scrambling of each coordinate:
+// Burley, "Practical hash-based Owen scrambling", JCGT 2020.
 class SobolRandom {
   public:
     SobolRandom(std::uint64_t seed, int x, int y, std::uint32_t sample) : sample_{sample} {
@@ -20,24 +28,24 @@ class SobolRandom {
 
     // A number in [0, 1), like Rng::uniform.
     Real uniform() {
-        if (has_second_) {
-            has_second_ = false;
-            return fraction(second_);
-        }
-        const std::uint64_t pair = mix_bits(pixel_ + ++pair_), scramble = mix_bits(pair);
-        // The order of the points is shuffled, too, so that pairs are not correlated. Scrambling
-        // takes 2^m neighbors to 2^m neighbors, which are just as evenly spread.
-        const FixedPoint2 point =
-            sobol_point(owen_scrambled(sample_, static_cast<std::uint32_t>(pair)));
-        second_ = owen_scrambled(point.y, static_cast<std::uint32_t>(scramble >> 32));
-        has_second_ = true;
-        return fraction(owen_scrambled(point.x, static_cast<std::uint32_t>(scramble)));
+        const std::uint32_t number = number_++;
+        const std::uint64_t scramble = mix_bits(pixel_ + number);
+        if (number >= sobol_dimensions) return fraction(high_half(mix_bits(scramble + sample_)));
+        return fraction(owen_scrambled(coordinate(number), high_half(scramble)));
     }
 
     // A number in [low, high).
     Real uniform(Real low, Real high) { return low + (high - low) * uniform(); }
 
   private:
+    std::uint32_t coordinate(std::uint32_t number) const {
+        if (number >= 2) return sobol_coordinate(number, sample_);
+        const FixedPoint2 point = sobol_point(sample_);
+        return number == 0 ? point.x : point.y;
+    }
+    static std::uint32_t high_half(std::uint64_t bits) {
+        return static_cast<std::uint32_t>(bits >> 32);
+    }
     static Real fraction(std::uint32_t bits) {
         if constexpr (std::numeric_limits<Real>::digits <= 32)
             return static_cast<Real>(bits >> (32 - std::numeric_limits<Real>::digits)) *
@@ -46,9 +54,8 @@ class SobolRandom {
             return static_cast<Real>(bits) / 4294967296;
     }
 
-    std::uint64_t pixel_ = 0, pair_ = 0;
-    std::uint32_t sample_ = 0, second_ = 0;
-    bool has_second_ = false;
+    std::uint64_t pixel_ = 0;
+    std::uint32_t sample_ = 0, number_ = 0;
 };
 
 // Samples of a pixel from Sobol's sequence (given): numbers first ... first + count - 1 of the

@@ -16,10 +16,11 @@ inline std::uint32_t reversed_bits(std::uint32_t x) {
 // reverse order. y is the exclusive or of one column for each bit of the index that is 1:
 // column 0, which belongs to the last bit, is 0x80000000, and each next column is c ^ c >> 1,
 // where c is the column before it.
-// Star: any index of 32 bits will do. Of the points k 2^m, k 2^m + 1 ... (k + 1) 2^m - 1, exactly
-// one is in each of the 2^m boxes of equal size and shape into which repeated halving can cut the
-// square. Source: Sobol', "On the distribution of points in a cube and the approximate evaluation
-// of integrals", 1967; the columns are Pascal's triangle modulo 2.
+// Star: any index of 32 bits will do. Five masked steps do the work of all columns at once (the
+// text shows them), and give the same points. Of the points k 2^m, k 2^m + 1 ... (k + 1) 2^m - 1,
+// exactly one is in each of the 2^m boxes of equal size and shape into which repeated halving can
+// cut the square. Source: Sobol', "On the distribution of points in a cube and the approximate
+// evaluation of integrals", 1967; the columns are Pascal's triangle modulo 2.
 inline FixedPoint2 sobol_point(std::uint32_t index) {
     return rt::todo("11.4", index);
 }
@@ -29,15 +30,16 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // so on. So each bit of the fraction is flipped or not. That depends on the seed and on all bits
 // before it, and on no bit after it. If two fractions agree in their first n bits and differ in the
 // next one, so do their results.
-// Star: flips after different leading bits are unrelated, and over all seeds each happens half of
-// the time. The seed has 32 bits, and all of them count: seed + 1 gives another scrambling, in
-// which a flip may be the opposite of that with seed, as the first one is here. This needs a hash,
-// and any good one will do. This one (Vegdahl's) works on x, the fraction with its bits reversed.
-// There, the bits before a bit are those to its right, and a product or a sum carries only to the
-// left. In this order: x ^= x * 0x3d20adea, x += seed, x *= (seed >> 16 | 1), x ^= x * 0x05526c56,
-// x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995;
-// as a hash: Laine and Karras, "Stratified sampling for stochastic transparency", EGSR 2011; these
-// numbers: Vegdahl, "Building a better LK hash", 2021.
+// Star: over all seeds, the seven flips of the first three bits have each of their 128 patterns
+// equally often. Of the later flips, each happens half of the time, and any two are unrelated. The
+// seed has 32 bits, and all of them count: seed + 1 gives another scrambling, in which a flip may
+// be the opposite of that with seed, as the first one is here. This needs a hash, and any good one
+// will do. This one works on x, the fraction with its bits reversed. There, the bits before a bit
+// are those to its right, and a product or a sum carries only to the left. In this order:
+// x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 & ~1), x ^= seed >> 8,
+// x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted (t,m,s)-nets and
+// (t,s)-sequences", 1995; as a hash: Laine and Karras, "Stratified sampling for stochastic
+// transparency", EGSR 2011; the two numbers: Vegdahl, "Building a better LK hash", 2021.
 inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     return rt::todo("11.4", fraction, seed);
 }

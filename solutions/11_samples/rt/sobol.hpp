@@ -24,38 +24,44 @@ inline std::uint32_t reversed_bits(std::uint32_t x) {
 // distribution of points in a cube and the approximate evaluation of integrals", 1967; the columns
 // are Pascal's triangle modulo 2.
 inline FixedPoint2 sobol_point(std::uint32_t index) {
-    FixedPoint2 point{reversed_bits(index), 0};
-    std::uint32_t column = 0x80000000u;
-    for (std::uint32_t bits = index; bits; bits >>= 1) {
-        if (bits & 1) point.y ^= column;
-        column ^= column >> 1;
-    }
-    return point;
+    const std::uint32_t x = reversed_bits(index);
+    // Pascal's triangle modulo 2 is three copies of a triangle of half its height, and zeros. So
+    // the first 16 digits of y combine those that each half of the index would have alone, and the
+    // others are those of the second half. Each half is made of its own halves in the same way,
+    // down to single digits: five steps instead of up to 32 columns.
+    std::uint32_t y = x;
+    y ^= (y & 0x55555555u) << 1;
+    y ^= (y & 0x33333333u) << 2;
+    y ^= (y & 0x0f0f0f0fu) << 4;
+    y ^= (y & 0x00ff00ffu) << 8;
+    y ^= y << 16;
+    return {x, y};
 }
 
 // Owen's scrambling, a shuffling of all 32-bit fractions. A random bit decides whether to swap the
 // two halves of the interval, two more bits decide whether to swap the two halves of each half, and
 // so on. So each bit of the fraction is flipped or not. That depends on the seed and on all bits
 // before it, and on no bit after it. If two fractions agree in their first n bits and differ in the
-// next one, so do their results. Flips after different leading bits are unrelated, and over all
-// seeds each happens half of the time. The seed has 32 bits, and all of them count: seed + 1 gives
-// another scrambling, in which a flip may be the opposite of that with seed, as the first one is
-// here.
+// next one, so do their results. Over all seeds, the seven flips of the first three bits have each
+// of their 128 patterns equally often. Of the later flips, each happens half of the time, and any
+// two are unrelated; 32 bits of a seed cannot make all of them independent. All bits of the seed
+// count: seed + 1 gives another scrambling, in which a flip may be the opposite of that with seed,
+// as the first one is here.
 //
-// This needs a hash, and any good one will do. This one (Vegdahl's) works on x, the fraction with
-// its bits reversed. There, the bits before a bit are those to its right, and a product or a sum
-// carries only to the left. In this order: x ^= x * 0x3d20adea, x += seed, x *= (seed >> 16 | 1),
-// x ^= x * 0x05526c56, x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted (t,m,s)-nets and
-// (t,s)-sequences", 1995; as a hash: Laine and Karras, "Stratified sampling for stochastic
-// transparency", EGSR 2011; these numbers: Vegdahl, "Building a better LK hash", 2021.
+// This needs a hash, and any good one will do. This one works on x, the fraction with its bits
+// reversed. There, the bits before a bit are those to its right, and a product or a sum carries
+// only to the left. In this order: x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 & ~1),
+// x ^= seed >> 8, x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted
+// (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and Karras, "Stratified sampling for
+// stochastic transparency", EGSR 2011; the two numbers: Vegdahl, "Building a better LK hash", 2021.
 inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     std::uint32_t x = reversed_bits(fraction);
-    // The factor is even: a bit is changed by the bits before it, and not by itself, which could
-    // undo the change.
+    // The factors are even: a bit is changed by the bits before it, and not by itself, which could
+    // undo the change. Three parts of the seed meet the first bits, each in another way.
     x ^= x * 0x3d20adeau;
     x += seed;
-    x *= seed >> 16 | 1;
-    x ^= x * 0x05526c56u;
+    x ^= x * (seed >> 16 & ~1u);
+    x ^= seed >> 8;
     x ^= x * 0x53a22864u;
     return reversed_bits(x);
 }

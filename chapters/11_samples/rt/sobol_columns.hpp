@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace rt {
+
+// Sobol's sequence in eight dimensions has the two of 11.4 and six more (given). As there, a
+// coordinate is the exclusive or of a column for each bit of the index that is 1. Only the columns
+// are others: the first few are chosen, and a primitive polynomial modulo 2 makes the rest. Of the
+// points k 2^m ... (k + 1) 2^m - 1, exactly one is in each of 2^m equal parts of each coordinate,
+// and the boxes of several coordinates are nearly as evenly filled.
+inline constexpr std::uint32_t sobol_dimensions = 8;
+
+using SobolColumns = std::array<std::uint32_t, 32>;
+
+// The columns of coordinates 2 to 7. Source of degrees, coefficients and first columns: Joe and
+// Kuo, "Constructing Sobol sequences with better two-dimensional projections", SIAM Journal on
+// Scientific Computing 30, 2008.
+inline constexpr auto sobol_columns = [] {
+    struct Polynomial {
+        std::size_t degree;
+        std::uint32_t inner;  // the coefficients between the first and the last one
+        std::array<std::uint32_t, 5>
+            first;  // of the columns, as odd numbers: column k has k + 1 bits
+    };
+    constexpr std::array<Polynomial, sobol_dimensions - 2> polynomials{{{2, 1, {1, 3}},
+                                                                        {3, 1, {1, 3, 1}},
+                                                                        {3, 2, {1, 1, 1}},
+                                                                        {4, 1, {1, 1, 3, 3}},
+                                                                        {4, 4, {1, 3, 5, 13}},
+                                                                        {5, 2, {1, 1, 5, 5, 17}}}};
+    std::array<SobolColumns, polynomials.size()> all{};
+    for (std::size_t d = 0; d < all.size(); ++d) {
+        const auto& [degree, inner, first] = polynomials[d];
+        SobolColumns& column = all[d];
+        for (std::size_t k = 0; k < degree; ++k) column[k] = first[k] << (31 - k);
+        for (std::size_t k = degree; k < column.size(); ++k) {
+            column[k] = column[k - degree] ^ column[k - degree] >> degree;
+            for (std::size_t j = 1; j < degree; ++j)
+                if (inner >> (degree - 1 - j) & 1) column[k] ^= column[k - j];
+        }
+    }
+    return all;
+}();
+
+// Coordinate `dimension` of point `index`, as a fraction of 32 bits; dimension is 2 to 7.
+inline std::uint32_t sobol_coordinate(std::uint32_t dimension, std::uint32_t index) {
+    const SobolColumns& columns = sobol_columns[dimension - 2];
+    std::uint32_t sum = 0;
+    for (; index != 0; index &= index - 1)
+        sum ^= columns[static_cast<std::size_t>(std::countr_zero(index))];
+    return sum;
+}
+
+}  // namespace rt
