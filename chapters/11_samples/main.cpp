@@ -13,6 +13,7 @@
 #include <sstream>
 #include <thread>
 
+#include "denoise_halves.hpp"
 #include "features.hpp"
 #include "scene.hpp"
 #include "study.hpp"
@@ -43,6 +44,7 @@ struct Sampling {
 struct Drawn {
     Image light;
     Real error = infinity;
+    Halves<Image> half = {};  // if there are two
 };
 
 Drawn draw_jittered(Sampling& sampling, const Strip& strip) {
@@ -87,23 +89,26 @@ Drawn draw_halves(Sampling& sampling, const Strip& strip, int pilot, Canvas<int>
                    [&](int x, int y) { counts.at(x, y) = refinement.passes_at(x, y); });
     sampling.rays += refinement.rays();
     for (int i = 0; i < tile_count(plan.grid); ++i) sampling.progress.step();
-    return {refinement.picture(Canvas<Color>{strip.width, settings.height}), refinement.error()};
+    return {refinement.picture(Canvas<Color>{strip.width, settings.height}), refinement.error(),
+            refinement.halves()};
 }
 
 // The last strip of two, without its noise.
-Image denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>& scene,
-                    const Image& light, const Strip& strip) {
-    Image part = Canvas<Color>{strip.width, light.height()};
-    Canvas<Features> features{strip.width, light.height()};
-    const int skipped = light.width() - strip.width;
+Denoised denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>& scene,
+                       const Halves<Image>& half, const Strip& strip) {
+    const int height = half.first.height(), skipped = half.first.width() - strip.width;
+    Halves<Image> part{Canvas<Color>{strip.width, height}, Canvas<Color>{strip.width, height}};
+    Canvas<Features> features{strip.width, height};
     render_tiles(sampling.grid(strip), sampling.settings.threads, [&](const Tile& tile, int) {
         for_each_pixel(tile, [&](int x, int y) {
-            part.at(x, y) = light.at(skipped + x, y);
-            features.at(x, y) = features_at(scene, {*sampling.settings.seed, 4}, strip.left + x, y,
-                                            rt::portable::exp2(-stops));
+            part.first.at(x, y) = half.first.at(skipped + x, y);
+            part.second.at(x, y) = half.second.at(skipped + x, y);
+            // With samples of their own: what the filter does must not follow the halves' noise.
+            features.at(x, y) = features_at(scene, {mix_bits(*sampling.settings.seed), 4},
+                                            strip.left + x, y, rt::portable::exp2(-stops));
         });
     });
-    return denoised(part, features, {});
+    return denoise_halves(part, features);
 }
 
 // How many samples each pixel of a strip got: the more, the brighter.
@@ -170,7 +175,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     put(jittered.light, strips[0].left);
     put(sobol.light, strips[1].left);
     put(worth.light, both.left);
-    put(denoise_strip(sampling, scene, worth.light, strips[3]), strips[3].left);
+    const Denoised smooth = denoise_strip(sampling, scene, worth.half, strips[3]);
+    put(smooth.picture, strips[3].left);
 
     app::Figure figure{image, 960, 540};
     const std::string number = std::to_string(settings.spp);
@@ -178,7 +184,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         {{number + " jittered", error_text(jittered.error)},
          {number + " Sobol", error_text(sobol.error)},
          {number + " on average", error_text(worth.error)},
-         {"Denoised", "Error unknown"}}};
+         {"Denoised", error_text(smooth.error)}}};
     const Color ink = from_hex(0xf4ead5);
     for (int i = 0; i < 4; ++i) {
         const Real left = static_cast<Real>(240 * i);

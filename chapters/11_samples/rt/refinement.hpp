@@ -48,6 +48,13 @@ struct RefinementPlan {
 // A picture in two independent halves (given). Each half takes more samples where the other half
 // found more noise. The picture depends on the plan's picture and seed and on the calls, never on
 // the number of threads.
+//
+// How samples are shared among the tiles is crossed, and keeps each tile unbiased. How many there
+// are is not: refine_to stops by the error that both halves show together. A picture whose error is
+// spread over many pixels is off by nothing that counts. But where nearly all of it is in samples
+// that are rare and very bright, refine_to stops early if none has come, and goes on if one has: it
+// loses up to half of their light. refine_with, to a number of passes that is fixed beforehand,
+// does not.
 class Refinement {
   public:
     explicit Refinement(RefinementPlan plan)
@@ -57,8 +64,8 @@ class Refinement {
           tiles_(static_cast<std::size_t>(tile_count(plan_.grid))),
           workers_(static_cast<std::size_t>(plan_.threads)) {}
 
-    // The first passes of all tiles, 2 or more in each half: they tell where there is noise. How
-    // many passes a tile takes later depends on them alone, which keeps the picture unbiased.
+    // The first passes of all tiles, 2 or more in each half: they tell where there is noise. A
+    // tile's share of all later passes depends on them alone.
     void draw_pilot(int passes) {
         least_ = passes;
         // One pass of everything first, so that there is a picture soon.
@@ -89,16 +96,15 @@ class Refinement {
         }
     }
 
-    // Refines until this many passes of tiles are drawn, within one for each tile.
+    // Refines until this many passes of tiles are drawn, half of them in each half of the picture,
+    // within one for each tile. So that no half judges itself, each has an error of its own to aim
+    // at, which follows what the other half has seen.
     void refine_with(std::int64_t passes) {
-        // Searches for the logarithm of the error, between bounds that are wide enough
-        // for any picture.
-        Real low = std::numeric_limits<Real>::min_exponent / 4, high = -low;
-        for (int step = 0; step < 60; ++step) {
-            const Real middle = (low + high) / 2;
-            (planned(portable::exp2(middle)) > passes ? low : high) = middle;
-        }
-        draw([&](const TileState& tile) { return counts(tile, portable::exp2(high)); });
+        const Halves<Real> aim{aim_of<&Halves<int>::first>(passes / 2),
+                               aim_of<&Halves<int>::second>(passes - passes / 2)};
+        draw([&](const TileState& tile) {
+            return Halves<int>{counts(tile, aim.first).first, counts(tile, aim.second).second};
+        });
     }
 
     // The root mean square error of the picture's channels, estimated from the difference of the
@@ -132,6 +138,18 @@ class Refinement {
         return unfinished;
     }
 
+    // The pictures of the halves. A half is black where it has not been drawn.
+    Halves<Image> halves() const {
+        Halves<Image> half{Canvas<Color>{sums_.width(), sums_.height()},
+                           Canvas<Color>{sums_.width(), sums_.height()}};
+        each_pixel([&](int x, int y, const TileState& tile) {
+            const Halves<Color> mean = means(x, y, tile);
+            half.first.at(x, y) = mean.first;
+            half.second.at(x, y) = mean.second;
+        });
+        return half;
+    }
+
     // The passes of both halves at a pixel.
     int passes_at(int x, int y) const {
         const Halves<int> drawn = tile_of(x, y).drawn;
@@ -163,14 +181,25 @@ class Refinement {
     Halves<int> counts(const TileState& tile, Real aim) const {
         return crossed_counts(tile.spread, mean_spread_, aim, {least_, most_passes});
     }
+    // The passes that one half will have had if it goes on to this aim.
+    template <int Halves<int>::*half>
     std::int64_t planned(Real aim) const {
         std::int64_t sum = 0;
-        for (const TileState& tile : tiles_) {
-            const Halves<int> wanted = counts(tile, aim);
-            sum += std::max(wanted.first, tile.drawn.first) +
-                   std::max(wanted.second, tile.drawn.second);
-        }
+        for (const TileState& tile : tiles_)
+            sum += std::max(counts(tile, aim).*half, tile.drawn.*half);
         return sum;
+    }
+    // The smallest aim for which one half needs no more than these passes.
+    template <int Halves<int>::*half>
+    Real aim_of(std::int64_t passes) const {
+        // Searches for the logarithm of the error, between bounds that are wide enough
+        // for any picture.
+        Real low = std::numeric_limits<Real>::min_exponent / 4, high = -low;
+        for (int step = 0; step < 60; ++step) {
+            const Real middle = (low + high) / 2;
+            (planned<half>(portable::exp2(middle)) > passes ? low : high) = middle;
+        }
+        return portable::exp2(high);
     }
 
     std::size_t index(int x, int y) const {

@@ -183,3 +183,51 @@ TEST_CASE("numbers from Sobol's points integrate better than random ones") {
     INFO("mean square errors: random " << random << ", Sobol " << sobol);
     CHECK(sobol < random / 100);
 }
+
+TEST_CASE("rare bright samples: a number of passes keeps their light, and a target loses some") {
+    // A pass is gray, and one pixel in 2500 passes is much too bright.
+    constexpr Real gray = Real(0.5), bright = 25, chance = Real(4e-4);
+    constexpr double right = static_cast<double>(gray) + 25 * 4e-4;
+    const auto mean_of = [&](const auto& refine) {
+        RunningVariance means;
+        for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+            RefinementPlan plan;
+            plan.grid = {16, 16, 8};
+            plan.seed = seed;
+            plan.make_worker = [&] {
+                return [&](const Tile& tile, const Pass& pass, Image& image, std::uint64_t&) {
+                    for_each_pixel(tile, [&](int x, int y) {
+                        Rng random = pixel_rng(seed_of(pass), x, y);
+                        const Real noise = (random.uniform() - Real(0.5));
+                        const Real light =
+                            gray + noise + (random.uniform() < chance ? bright : Real(0));
+                        image.at(x, y) = {light, light, light};
+                    });
+                };
+            };
+            Refinement refinement{plan};
+            refinement.draw_pilot(2);
+            refine(refinement);
+            double sum = 0;
+            const Image picture = refinement.picture(Canvas<Color>{16, 16});
+            for (const Color& color : picture.pixels()) sum += static_cast<double>(color.g);
+            add(means, static_cast<Real>(sum / (16 * 16)));
+        }
+        return means;
+    };
+    const auto off = [&](const RunningVariance& means) {
+        return static_cast<double>(means.mean) - right;
+    };
+    const auto error = [](const RunningVariance& means) {
+        return std::sqrt(static_cast<double>(variance(means)) / static_cast<double>(means.count));
+    };
+    const RunningVariance fixed =
+        mean_of([](Refinement& refinement) { refinement.refine_with(4 * 12); });
+    const RunningVariance stopped =
+        mean_of([](Refinement& refinement) { refinement.refine_to(Real(0.2)); });
+    INFO("off by " << off(fixed) << " +- " << error(fixed) << " with a number of passes, by "
+                   << off(stopped) << " +- " << error(stopped) << " with a target");
+    CHECK(std::abs(off(fixed)) < 5 * error(fixed));
+    // A quarter of it or more.
+    CHECK(off(stopped) < -0.0025);
+}
