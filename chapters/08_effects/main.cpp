@@ -52,11 +52,31 @@ bool in_batches(const app::Settings& settings) {
 bool by_sobol(const app::Settings& settings) {
     return !settings.picked.empty() && settings.picked.front() == "sobol";
 }
+bool by_tent(const app::Settings& settings) {
+    return !settings.picked.empty() && settings.picked.back() == "tent";
+}
+
+void check_together(const app::Settings& settings) {
+    if (by_sobol(settings) && in_batches(settings))
+        throw app::UsageError(
+            "--batches and --sampler sobol exclude each other: batches are drawn with jittered "
+            "samples");
+    if (!by_tent(settings)) return;
+    for (const char* const other : {"batches", "target-error", "time-budget"})
+        if (settings.given.count(other) > 0)
+            throw app::UsageError("--filter tent and --" + std::string{other} +
+                                  " exclude each other: only a picture with --spp is filtered");
+    if (settings.given.count("sampler") > 0 && !by_sobol(settings))
+        throw app::UsageError(
+            "--filter tent and --sampler jittered exclude each other: the tent takes Sobol's "
+            "points");
+}
 
 // The way to draw that the options ask for.
 effects::TileRenderer make_renderer(const SceneDescription& scene, const app::Settings& settings) {
     const auto& [width, height, samples, depth, seed] = scene.settings;
     const Quality quality{samples, depth, seed};
+    if (by_tent(settings)) return effects::make_tent(scene, width, height, quality);
     if (by_sobol(settings)) return effects::make_sobol(scene, width, height, quality);
     if (in_batches(settings)) return effects::make_batched(scene, width, height, quality);
     return effects::make_narrowest(needed_effects(scene), scene, width, height, quality);
@@ -92,10 +112,7 @@ app::Picture draw(const effects::TileRenderer& renderer, const RenderSettings& c
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = open_scene(settings);
-    if (by_sobol(settings) && in_batches(settings))
-        throw app::UsageError(
-            "--batches and --sampler sobol exclude each other: batches are drawn with jittered "
-            "samples");
+    check_together(settings);
     const auto explain = [&](const effects::Choice& choice) {
         if (settings.explain) settings.explain(effects::explanation(scene, settings.file, choice));
     };
@@ -139,7 +156,11 @@ int main(int argc, char** argv) {
              {{"sampler",
                "Where the samples lie, and which random numbers they use; refining takes sobol "
                "unless told otherwise",
-               {"jittered", "sobol"}}},
+               {"jittered", "sobol"}},
+              {"filter",
+               "Which samples a pixel is made of: its own (box), or also those of its neighbors, "
+               "which count less, the farther away they are (tent)",
+               {"box", "tent"}}},
          .flags = {{"batches", "Draw the same picture in batches of rays, as chapter 10 does"}},
          .numbers =
              {{"target-error",

@@ -45,6 +45,10 @@ TileRenderer make_batched(const rt::SceneDescription& scene, int width, int heig
 TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height,
                         const rt::Quality& quality);
 
+// The same, each sample shared by the pixels around it: a tent is the reconstruction filter.
+TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
+                       const rt::Quality& quality);
+
 // Chapter 11's way to refine a picture, up to the target error or the time budget that the settings
 // name. Calls explain() before it draws.
 app::Picture refine(const rt::SceneDescription& scene, const app::Settings& settings,

@@ -39,8 +39,8 @@ void place_in_out(const Course& course, std::vector<std::string>& options) {
 bool draws_by_elective(const std::vector<std::string>& options) {
     return std::any_of(options.begin(), options.end(), [](const std::string& option) {
         const std::string name = option.substr(0, option.find('='));
-        return name == "--batches" || name == "--sampler" || name == "--target-error" ||
-               name == "--time-budget";
+        return name == "--batches" || name == "--sampler" || name == "--filter" ||
+               name == "--target-error" || name == "--time-budget";
     });
 }
 

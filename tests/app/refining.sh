@@ -47,6 +47,22 @@ mean() { tail -c 3888 "$1" | od -An -v -tu1 | awk '{ for (i = 1; i <= NF; ++i) s
 awk -v a="$(mean "$place/usual.ppm")" -v b="$(mean "$place/sobol.ppm")" \
     'BEGIN { exit !(a - b < 3 && b - a < 3) }' || complain "--sampler sobol draws another light"
 
+# A tent shares samples among pixels: another picture of the same light, smoother, and the same for any number of threads.
+draw "$scenes/cover.json" --spp 4 --quiet --filter box --out "$place/box.ppm"
+cmp "$place/usual.ppm" "$place/box.ppm" || complain "--filter box is not the default"
+for threads in 1 3; do
+    # Several tiles.
+    "$program" "$scenes/cover.json" --spp 4 --quiet --filter tent --width 148 --height 69 --depth 9 \
+        --threads $threads --out "$place/tent$threads.ppm"
+done
+cmp "$place/tent1.ppm" "$place/tent3.ppm" || complain "--filter tent: threads change the picture"
+draw "$scenes/cover.json" --spp 4 --quiet --filter tent --out "$place/tent.ppm"
+awk -v a="$(mean "$place/usual.ppm")" -v b="$(mean "$place/tent.ppm")" \
+    'BEGIN { exit !(a - b < 3 && b - a < 3) }' || complain "--filter tent draws another light"
+steps() { tail -c 3888 "$1" | od -An -v -tu1 -w3 | awk '{ if (NR % 48 != 1) { d = $1 - before; sum += d < 0 ? -d : d }; before = $1 } END { print sum }'; }
+awk -v a="$(steps "$place/sobol.ppm")" -v b="$(steps "$place/tent.ppm")" 'BEGIN { exit !(b < 0.9 * a) }' ||
+    complain "--filter tent is not smoother: steps of $(steps "$place/tent.ppm"), box $(steps "$place/sobol.ppm")"
+
 # The time is kept, within what a busy machine needs to start and to write the file.
 start=$(date +%s%N)
 draw "$scenes/cover.json" --time-budget 0.5 --out "$place/timed.ppm" >"$place/said" ||
@@ -70,6 +86,9 @@ refused() {
 refused "exclude each other" --target-error 0.1 --time-budget 1
 refused "exclude each other" --target-error 0.1 --spp 4
 refused "exclude each other" --batches --sampler sobol
+refused "exclude each other" --filter tent --batches
+refused "exclude each other" --filter tent --target-error 0.1
+refused "exclude each other" --filter tent --sampler jittered
 refused "'0' is not a number greater than 0" --target-error 0
 refused "'-1' is not a number greater than 0" --time-budget=-1
 refused "'nan' is not a number greater than 0" --time-budget nan

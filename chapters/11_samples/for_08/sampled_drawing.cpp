@@ -1,5 +1,5 @@
-// What chapter 08's program draws with if --sampler, --target-error or --time-budget is given. It
-// is linked into that program.
+// What chapter 08's program draws with if --sampler, --filter, --target-error or --time-budget is
+// given. It is linked into that program.
 
 #include <app/errors.hpp>
 #include <app/interrupt.hpp>
@@ -11,6 +11,7 @@
 #include <rt/draw_passes.hpp>
 #include <rt/false_colors.hpp>
 #include <rt/needed_effects.hpp>
+#include <rt/tent_filter.hpp>
 #include <utility>
 
 #include "few_effects.hpp"
@@ -42,6 +43,26 @@ DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
 
 constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>) {
     return std::array{make_draw_pass<few_effects[number]>...};
+}
+(std::make_index_sequence<few_effects.size()>{});
+
+// Tiles filtered by a tent. The larger they are, the fewer pixels are sampled for two of them.
+constexpr int tent_tile_side = 64;
+
+template <Effects effects>
+::effects::DrawTile make_draw_tent(const SceneDescription& scene, int width, int height,
+                                   const Quality& quality) {
+    const auto renderer = std::make_shared<const Renderer<effects>>(scene, width, height, quality);
+    const int count = quality.samples_per_pixel;
+    return
+        [renderer, count](const Tile& tile, std::uint64_t seed, Image& image, std::uint64_t& rays) {
+            draw_with_tent(*renderer, SobolSamples{seed, count}, tile, image, rays);
+            return pixel_count(tile);
+        };
+}
+
+constexpr auto tent_makers = []<std::size_t... number>(std::index_sequence<number...>) {
+    return std::array{make_draw_tent<few_effects[number]>...};
 }
 (std::make_index_sequence<few_effects.size()>{});
 
@@ -150,6 +171,16 @@ TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height
         };
     };
     return {passes.choice, make_worker, passes.tile_side};
+}
+
+TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
+                       const rt::Quality& quality) {
+    const std::size_t number = rt::narrowest(rt::needed_effects(scene), few_effects);
+    const rt::Effects chosen = few_effects[number];
+    const DrawTile draw = samples::tent_makers[number](scene, width, height, quality);
+    return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
+            [draw] { return draw; },
+            samples::tent_tile_side};
 }
 
 app::Picture refine(const rt::SceneDescription& scene, const app::Settings& settings,

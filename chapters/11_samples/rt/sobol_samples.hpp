@@ -65,14 +65,20 @@ struct SobolSamples {
     int count = 1;
     std::uint32_t first = 0;
 
-    template <class AnyCamera, class Path>
-    Color average(const AnyCamera& camera, int column, int row, const Path& path) const {
-        ColorSum sum;
+    // Calls keep(offset, light) for each sample: where it is in the pixel, and path(ray, random).
+    template <class AnyCamera, class Path, class Keep>
+    void each(const AnyCamera& camera, int column, int row, const Path& path,
+              const Keep& keep) const {
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
             SobolRandom random{seed, column, row, first + i};
             const Vec2 offset = random_place(random);
-            sum.add(path(make_ray(camera, column, row, offset, random), random));
+            keep(offset, path(make_ray(camera, column, row, offset, random), random));
         }
+    }
+    template <class AnyCamera, class Path>
+    Color average(const AnyCamera& camera, int column, int row, const Path& path) const {
+        ColorSum sum;
+        each(camera, column, row, path, [&](Vec2, const Color& light) { sum.add(light); });
         return sum.mean(count);
     }
 };
