@@ -387,6 +387,7 @@ RECIPES = {
     "09-mistake-total_reflection_lost": own_mistake("rungs_total_reflection_lost"),
     "10_batches": chapter("10_batches", 640, 360),
     "11_samples": chapter("11_samples", 800, 450),
+    "12_triangles": chapter("12_triangles", 800, 450),
     "final": lambda: draw("08_effects_solution", 1280, 720, "--spp", "1024"),
     "overview": overview,
     "04-ending-sky": ending("sky"),

@@ -1,0 +1,92 @@
+#pragma once
+#include <bit>
+#include <limits>
+#include <rt/triangle_point.hpp>
+#include <rt/triangle_shape.hpp>
+#include <rt/wide_tree.hpp>
+
+namespace rt {
+
+// A leaf with up to eight triangles (given). All of them are tested at once for whether the ray may
+// meet them. The few that it may are tested by hit_triangle, so each t is that of 12.1, bit for
+// bit.
+template <>
+struct alignas(64) WideLeaf<SceneTriangle> {
+    // Coordinates by corner, then by axis. Unused lanes hold NaN: no ray hits them.
+    std::array<std::array<Lanes<Real>, 3>, 3> corner;
+    Lanes<std::int32_t> number{}, material{};
+
+    WideLeaf() {
+        for (auto& axes : corner)
+            for (auto& numbers : axes) numbers.fill(std::numeric_limits<Real>::quiet_NaN());
+    }
+
+    void set(std::size_t place, const SceneTriangle& triangle, std::int32_t its_number) {
+        const std::array<Vec3, 3> points{triangle.shape.a, triangle.shape.b, triangle.shape.c};
+        for (std::size_t k = 0; k < 3; ++k)
+            for (int axis = 0; axis < 3; ++axis)
+                corner[k][static_cast<std::size_t>(axis)][place] = along(points[k], axis);
+        number[place] = its_number;
+        material[place] = triangle.material;
+    }
+    Triangle triangle(std::size_t i) const {
+        const auto point = [&](std::size_t k) {
+            return Vec3{corner[k][0][i], corner[k][1][i], corner[k][2][i]};
+        };
+        return {point(0), point(1), point(2)};
+    }
+    // A triangle's number in the tree is its number in the scene.
+    Hit hit(std::int32_t place, const Ray& ray, Real t) const {
+        const auto i = static_cast<std::size_t>(place);
+        return surface_hit(SceneTriangle{triangle(i), material[i], number[i]}, ray, t);
+    }
+};
+using TriangleLeaf = WideLeaf<SceneTriangle>;
+
+// A part of a leaf's triangles as seen from a ray (given), as ShearedRay::seen and area_before have
+// it. Rounded, a difference of products may be 0 where it should not be, but its sign is never
+// wrong: a triangle whose three areas do not all have one sign is missed.
+struct TrianglePart {
+    std::array<Reals, 3> x, y;
+
+    RT_INLINED TrianglePart(const TriangleLeaf& leaf, std::size_t first, const ShearedRay& ray) {
+        const auto axis = [&](std::size_t k, int along_axis) {
+            return load<Reals>(&leaf.corner[k][static_cast<std::size_t>(along_axis)][first]) -
+                   along(ray.origin, along_axis);
+        };
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Reals ahead = axis(k, ray.z);
+            x[k] = axis(k, ray.x) - ray.shear_x * ahead;
+            y[k] = axis(k, ray.y) - ray.shear_y * ahead;
+        }
+    }
+    RT_INLINED Reals area(std::size_t p, std::size_t q) const { return x[p] * y[q] - y[p] * x[q]; }
+
+    // Those that the ray's line may meet, as bits.
+    RT_INLINED unsigned candidates() const {
+        const Reals a = area(1, 2), b = area(2, 0), c = area(0, 1);
+        return RT_VECTOR_BITS(((a >= 0) & (b >= 0) & (c >= 0)) | ((a <= 0) & (b <= 0) & (c <= 0)));
+    }
+};
+
+// Tries the triangles of a leaf between min and best.t, and returns whether best has changed. Of
+// equally near ones the one with the highest number counts.
+RT_INLINED bool hit_leaf(const TriangleLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
+    const ShearedRay sheared{ray};
+    unsigned candidates = 0;
+    for (std::size_t first = 0; first < lanes; first += part_size<Real>)
+        candidates |= TrianglePart{leaf, first, sheared}.candidates() << first;
+    bool changed = false;
+    for (; candidates; candidates &= candidates - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(candidates));
+        const auto hit = hit_triangle(leaf.triangle(i), ray, {min, best.t});
+        if (!hit || (hit->t == best.t && leaf.number[i] < best.number)) continue;
+        best = {hit->t, leaf.number[i], static_cast<std::int32_t>(i)};
+        changed = true;
+    }
+    return changed;
+}
+
+using TriangleTree = WideTreeOf<SceneTriangle>;
+
+}  // namespace rt

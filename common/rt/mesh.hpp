@@ -1,0 +1,27 @@
+#pragma once
+#include <array>
+#include <rt/vec2.hpp>
+#include <rt/vec3_type.hpp>
+#include <vector>
+
+namespace rt {
+
+// A corner of a triangle, by numbers of a mesh's lists. -1: it has none.
+struct Corner {
+    int point = 0;
+    int normal = -1;
+    int place = -1;  // in a texture
+
+    friend constexpr bool operator==(const Corner&, const Corner&) = default;
+};
+
+// A surface of triangles (given). Points, normals and places stand once, however many triangles
+// share them. Seen from outside, the corners of a triangle go around counterclockwise.
+struct Mesh {
+    std::vector<Vec3> points;
+    std::vector<Vec3> normals;  // length 1, outward
+    std::vector<Vec2> places;  // (0, 0) is an image's lower left corner, (1, 1) the upper right one
+    std::vector<std::array<Corner, 3>> triangles;
+};
+
+}  // namespace rt

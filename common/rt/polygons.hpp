@@ -1,0 +1,22 @@
+#pragma once
+#include <rt/mesh.hpp>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+// A surface of polygons with any number of corners (given), as files of models have it. Nothing is
+// checked: a polygon may have too few corners, and a number may belong to nothing.
+struct Polygons {
+    std::vector<Vec3> points;
+    std::vector<Vec3> normals;  // of any length
+    std::vector<Vec2> places;
+    std::vector<std::vector<Corner>> polygons;
+};
+
+// The surface in the bytes of a Wavefront OBJ file. Numbers that count from the end, below 0,
+// become those from the start. Groups, materials, lines and curves are left out. Throws
+// std::invalid_argument, which says what is wrong, if a line cannot be read.
+Polygons read_obj(const std::string& bytes);
+
+}  // namespace rt

@@ -1,0 +1,35 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <rt/image.hpp>
+#include <rt/vec2.hpp>
+
+namespace rt {
+
+// Two pixels side by side, and the share of the second in a color between their middles.
+struct PixelPair {
+    std::array<int, 2> pixel{};
+    Real share;
+};
+
+// The pair for a place along a side of this many pixels, which repeats outside of [0, 1].
+inline PixelPair pixels_at(Real place, int count) {
+    const Real within = (place - std::floor(place)) * static_cast<Real>(count) - Real(0.5);
+    const Real first = std::floor(within);  // from -1 on
+    const int before = static_cast<int>(first) + count;
+    return {{before % count, (before + 1) % count}, within - first};
+}
+
+// The color of an image at a place in it: the four pixels around it, weighted by how near their
+// middles are. (0, 0) is the lower left corner, (1, 1) the upper right one; outside, the image
+// repeats. The place must be finite.
+inline Color bilinear(const Image& image, Vec2 place) {
+    const PixelPair x = pixels_at(place.x, image.width()),
+                    y = pixels_at(1 - place.y, image.height());
+    const auto row = [&](std::size_t k) {
+        return mix(image.at(x.pixel[0], y.pixel[k]), image.at(x.pixel[1], y.pixel[k]), x.share);
+    };
+    return mix(row(0), row(1), y.share);
+}
+
+}  // namespace rt

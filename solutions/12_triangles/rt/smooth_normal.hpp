@@ -1,0 +1,42 @@
+#pragma once
+#include <array>
+#include <rt/above_horizon.hpp>
+#include <rt/dot.hpp>
+#include <rt/length.hpp>
+#include <rt/reflect.hpp>
+
+namespace rt {
+
+// The normal of a curved surface that the triangle stands for, at the weights u and v: those of the
+// three corners, interpolated, of length 1. It is on the side of `flat`, the triangle's own normal,
+// and `flat` itself where the three cancel.
+inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Vec3 flat) {
+    const Vec3 sum = (1 - u - v) * normals[0] + u * normals[1] + v * normals[2];
+    if (sum == Vec3{}) return flat;
+    const Vec3 normal = normalize(sum);
+    return dot(normal, flat) < 0 ? -normal : normal;
+}
+
+// The smooth normal, bent where a mirror with it would send light below the triangle: then the
+// mirror direction runs along the triangle. All have length 1; `flat` is on the side of `smooth`.
+// It is `flat` for light that runs along the triangle itself.
+inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
+    const Real side = dot(incoming, flat) > 0 ? Real(-1) : Real(1);  // where the light comes from
+    const Vec3 up = side * flat, mirrored = reflect(incoming, smooth);
+    const Real height = dot(mirrored, up);
+    if (height >= 0) return smooth;
+    const Vec3 sunk = mirrored - height * up;
+    if (sunk == Vec3{}) return flat;
+    const Vec3 bent = normalize(sunk) - incoming;  // halfway between that and the way back
+    return dot(bent, up) > 0 ? side * normalize(bent) : flat;
+}
+
+// A direction that a material has chosen by the smooth normal, made right for the triangle: light
+// that is reflected stays above it, and light that goes through gets below. A direction on the
+// wrong side is mirrored at the triangle. All have length 1.
+inline Vec3 keep_side(Vec3 direction, Vec3 smooth, Vec3 flat) {
+    const Vec3 side = dot(direction, smooth) < 0 ? -flat : flat;
+    return dot(direction, side) > 0 ? direction : above_horizon(direction, side);
+}
+
+}  // namespace rt

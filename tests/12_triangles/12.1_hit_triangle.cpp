@@ -1,0 +1,379 @@
+#include <rt/hit_triangle.hpp>
+
+#include "shapes.hpp"
+
+using namespace checkpoint;
+using rt::hit_triangle;
+using rt::Interval;
+using rt::TriangleHit;
+
+namespace {
+
+const Real no_number = std::numeric_limits<Real>::quiet_NaN();
+
+std::string text_of(const std::optional<TriangleHit>& hit) {
+    if (!hit) return "none";
+    return "t " + text(hit->t) + ", u " + text(hit->u) + ", v " + text(hit->v);
+}
+
+// What is expected, up to a rounding error that even the plain formula has for such triangles.
+void check_hit(const Triangle& triangle, const Ray& ray, Interval within,
+               const TriangleHit& expected, const char* hint) {
+    const auto hit = hit_triangle(triangle, ray, within);
+    const Real near = 1000 * rt::epsilon;
+    const bool right = hit && std::abs(hit->t - expected.t) <= near * std::abs(expected.t) &&
+                       std::abs(hit->u - expected.u) <= near &&
+                       std::abs(hit->v - expected.v) <= near;
+    if (!right) {
+        INFO(text(triangle) << " and " << text(ray));
+        INFO("expected " << text_of(expected) << "\nactual " << text_of(hit));
+        INFO("Hint: " << hint);
+        REQUIRE(right);
+    }
+    REQUIRE(right);
+}
+
+void check_none(const Triangle& triangle, const Ray& ray, Interval within, const char* hint) {
+    const auto hit = hit_triangle(triangle, ray, within);
+    if (hit) {
+        INFO(text(triangle) << " and " << text(ray) << "\nexpected none, actual " << text_of(hit));
+        INFO("Hint: " << hint);
+        REQUIRE(!hit);
+    }
+    REQUIRE(!hit);
+}
+
+// A triangle, and a ray to its point with these weights, which it meets steeply.
+struct Aimed {
+    Triangle triangle;
+    Ray ray;
+};
+Aimed aimed(rt::Rng& rng, Real u, Real v, Real t) {
+    for (;;) {
+        const Triangle small = plain_triangle(rng);
+        const Vec3 direction = any_direction(rng);
+        const ExactVec3 normal = exact_unit(exact_normal(small));
+        if (std::abs(dot(exact_vector(direction), normal).high) < 0.3) continue;
+        const Real size = any_size(rng, -3, 3);
+        const Triangle triangle = placed(small, size, size * in_cube(rng));
+        const Vec3 way = size * rng.uniform(1, 3) * direction;
+        return {triangle, {point_of(triangle, u, v) - way, way / t}};
+    }
+}
+
+// How many triangles of a surface a ray meets at a t of 0 or more.
+int count_hits(const std::vector<Triangle>& surface, const Ray& ray) {
+    int count = 0;
+    for (const Triangle& triangle : surface) count += hit_triangle(triangle, ray, {}).has_value();
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("12.1 a small example on paper", "[12.1]") {
+    const Triangle triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+    check_hit(triangle, {{1, 2, 6}, {0, 0, -2}}, {}, {3, real(0.25), real(0.5)},
+              "u is the weight of b, v that of c, and t counts in directions, not in meters");
+}
+
+TEST_CASE("12.1 a ray meets the point that it was aimed at", "[12.1]") {
+    rt::Rng rng{121, 1};
+    for (int i = 0; i < 20'000; ++i) {
+        Real u = rng.uniform(real(0.02), real(0.96)), v = rng.uniform(real(0.02), real(0.96));
+        if (u + v > real(0.98)) continue;
+        const Real t = any_size(rng, -2, 2);
+        const auto [triangle, ray] = aimed(rng, u, v, t);
+        check_hit(triangle, ray, {}, {t, u, v},
+                  "solve o + t d = a + u (b - a) + v (c - a); a triangle has two sides, and both "
+                  "count");
+    }
+}
+
+TEST_CASE("12.1 a ray that passes beside an edge or a corner misses", "[12.1]") {
+    rt::Rng rng{121, 2};
+    for (int i = 0; i < 20'000; ++i) {
+        const Real out = rng.uniform(real(0.02), 1), along = rng.uniform(-1, 2);
+        // Beyond the edge at which the weight of c, of b or of a is 0.
+        const Real u[] = {along, -out, along}, v[] = {-out, along, 1 + out - along};
+        const auto k = static_cast<std::size_t>(i % 3);
+        const auto [triangle, ray] = aimed(rng, u[k], v[k], 1);
+        check_none(triangle, ray, {},
+                   k == 0   ? "v must not be less than 0"
+                   : k == 1 ? "u must not be less than 0"
+                            : "u + v must not be more than 1");
+    }
+}
+
+TEST_CASE("12.1 only what lies within the interval counts", "[12.1]") {
+    rt::Rng rng{121, 3};
+    for (int i = 0; i < 5000; ++i) {
+        const auto [triangle, ray] = aimed(rng, real(0.3), real(0.4), 2);
+        check_none(triangle, ray, {0, real(1.9)}, "the triangle lies beyond the interval");
+        check_none(triangle, ray, {real(2.1), 5}, "the triangle lies before the interval");
+        check_hit(triangle, ray, {real(1.9), real(2.1)}, {2, real(0.3), real(0.4)},
+                  "the interval is about t");
+        const Ray away{ray.origin, -ray.direction};
+        check_none(triangle, away, {}, "t is less than 0: the triangle lies behind the ray");
+        check_hit(triangle, away, {-5, 0}, {-2, real(0.3), real(0.4)},
+                  "what counts is the interval, not whether t is greater than 0");
+        const auto hit = hit_triangle(triangle, ray, {});
+        if (!hit) continue;
+        const auto again = hit_triangle(triangle, ray, {hit->t, hit->t});
+        if (!again) {
+            INFO(text(triangle) << " and " << text(ray) << ": found at t = " << text(hit->t)
+                                << ", but not within [t, t]");
+            INFO("Hint: both ends of the interval belong to it");
+            REQUIRE(again);
+        }
+    }
+}
+
+TEST_CASE("12.1 a ray parallel to the triangle misses", "[12.1]") {
+    const Triangle floor{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
+    const char* const hint = "the determinant is 0: nothing may be divided by it";
+    check_none(floor, {{-5, 1, 0}, {1, 0, 0}}, {}, hint);
+    check_none(floor, {{-5, 0, 0}, {1, 0, 0}}, {}, hint);
+    check_none(floor, {{0, 0, 0}, {0, 0, 1}}, {-1, 1}, hint);
+}
+
+TEST_CASE("12.1 of two triangles that share an edge one has the ray", "[12.1][hard]") {
+    rt::Rng rng{121, 4};
+    for (int i = 0; i < 200'000; ++i) {
+        // A quadrilateral, seen from far enough that both halves face the ray or its back.
+        const Vec3 a{-1, real(0.3) * rng.uniform(), 0}, b{1, real(0.3) * rng.uniform(), 0};
+        const Vec3 c{rng.uniform(-1, 1), real(0.1), -1}, d{rng.uniform(-1, 1), real(0.1), 1};
+        const Real size = any_size(rng, -4, 4);
+        const Vec3 by = i % 2 == 0 ? Vec3{} : size * in_cube(rng);
+        const bool turned = rng() & 1;
+        const Triangle one = placed(turned ? Triangle{a, c, b} : Triangle{b, c, a}, size, by),
+                       other = placed({a, b, d}, size, by);
+        const Vec3 aim = by + size * (a + rng.uniform(real(0.1), real(0.9)) * (b - a));
+        const Vec3 from = aim + size * Vec3{rng.uniform(-1, 1), 4, rng.uniform(-1, 1)};
+        const Ray ray{from, aim - from};
+        const int hits = count_hits({one, other}, ray);
+        if (hits != 1) {
+            INFO(text(one) << "\n" << text(other) << "\n" << text(ray));
+            INFO("expected one hit, actual " << hits);
+            INFO("Hint: " << (hits == 0
+                                  ? "the ray slips through the edge: decide by the sign of an area "
+                                    "that both triangles compute from the same two points"
+                                  : "both have the ray: if an area is 0, the edge itself must "
+                                    "decide, in a way that depends on its direction"));
+            REQUIRE(hits == 1);
+        }
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.1 corners and edges of a grid that is met from straight above", "[12.1][hard]") {
+    // Whole numbers: the areas are 0, and not nearly so.
+    std::vector<Triangle> grid;
+    rt::Rng rng{121, 5};
+    const auto corner = [&](int x, int z) {
+        return Vec3{static_cast<Real>(x), static_cast<Real>((x * 7 + z * 5) % 3),
+                    static_cast<Real>(z)};
+    };
+    for (int x = 0; x < 6; ++x)
+        for (int z = 0; z < 6; ++z) {
+            const Vec3 a = corner(x, z), b = corner(x + 1, z), c = corner(x + 1, z + 1),
+                       d = corner(x, z + 1);
+            const bool turned = rng() & 1, reversed = rng() & 1;
+            const Triangle one = turned ? Triangle{a, b, c} : Triangle{a, b, d},
+                           other = turned ? Triangle{a, c, d} : Triangle{d, b, c};
+            grid.push_back(reversed ? Triangle{one.b, one.a, one.c} : one);
+            grid.push_back(other);
+        }
+    // From six sides: the grid is turned, and the ray with it.
+    const auto turned = [](Vec3 v, int side) {
+        for (; side >= 2; side -= 2) v = {v.y, v.z, v.x};
+        return v;
+    };
+    for (int side = 0; side < 6; ++side) {
+        std::vector<Triangle> surface;
+        for (const auto& [a, b, c] : grid)
+            surface.push_back({turned(a, side), turned(b, side), turned(c, side)});
+        for (int x = 1; x < 12; ++x)
+            for (int z = 1; z < 12; ++z) {
+                const Real up = side % 2 == 0 ? Real(9) : Real(-9);
+                const Ray ray{turned({real(x) / 2, up, real(z) / 2}, side),
+                              turned({0, -up / 9, 0}, side)};
+                const int hits = count_hits(surface, ray);
+                if (hits == 1) continue;
+                INFO(text(ray) << ": expected one hit of the grid, actual " << hits);
+                INFO(
+                    "Hint: a ray through a corner counts as moved a little, the same way for all "
+                    "triangles around it");
+                REQUIRE(hits == 1);
+            }
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.1 no ray leaves a closed surface", "[12.1][hard]") {
+    rt::Rng rng{121, 6};
+    const rt::Mesh mesh = ball(2);
+    const std::vector<Triangle> surface = shapes_of(mesh);
+    for (int i = 0; i < 30'000; ++i) {
+        const Vec3 from = real(0.4) * in_cube(rng);
+        const auto point = [&] { return mesh.points[rng() % mesh.points.size()]; };
+        const auto& [a, b, c] = surface[rng() % surface.size()];
+        Vec3 aim = point();  // a corner, an edge, or anything
+        if (i % 3 == 1) aim = a + rng.uniform() * (b - a);
+        if (i % 3 == 2) aim = any_direction(rng);
+        const Ray ray{from, aim - from};
+        const int hits = count_hits(surface, ray);
+        if (hits == 1) continue;
+        INFO(text(ray) << " starts inside a closed surface without dents: expected one hit, actual "
+                       << hits);
+        INFO("Hint: is each corner seen at the same place from all triangles that have it?");
+        REQUIRE(hits == 1);
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.1 a ray goes into a closed surface as often as it comes out", "[12.1][hard]") {
+    rt::Rng rng{121, 7};
+    const rt::Mesh mesh = ball(2, &rng);
+    const std::vector<Triangle> surface = shapes_of(mesh);
+    for (int i = 0; i < 30'000; ++i) {
+        const Vec3 from = 3 * any_direction(rng);
+        const Ray ray{from, mesh.points[rng() % mesh.points.size()] - from};
+        const int hits = count_hits(surface, ray);
+        if (hits % 2 == 0) continue;
+        INFO(text(ray) << " toward a corner starts outside a closed surface: expected an even "
+                          "number of hits, actual "
+                       << hits);
+        REQUIRE(hits % 2 == 0);
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.1 the corners in another order give the same decision", "[12.1][hard]") {
+    rt::Rng rng{121, 8};
+    for (int i = 0; i < 50'000; ++i) {
+        const auto& [a, b, c] = plain_triangle(rng);
+        const Vec3 from = 2 * in_cube(rng);
+        const Vec3 aim = i % 2 == 0 ? a + rng.uniform() * (b - a) : in_cube(rng);
+        const Ray ray{from, aim - from};
+        const bool first = hit_triangle({a, b, c}, ray, {}).has_value();
+        for (const Triangle& other : {Triangle{b, c, a}, Triangle{c, a, b}, Triangle{b, a, c},
+                                      Triangle{c, b, a}, Triangle{a, c, b}})
+            if (hit_triangle(other, ray, {}).has_value() != first) {
+                INFO(text(other) << " and " << text(ray) << ": hit or not, it must be the same for "
+                                 << text(Triangle{a, b, c}));
+                REQUIRE(hit_triangle(other, ray, {}).has_value() == first);
+            }
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.1 the point at t is on the plane", "[12.1][hard]") {
+    rt::Rng rng{121, 9};
+    double worst = 0;
+    for (int i = 0; i < 300'000; ++i) {
+        // Needles, too: up to 10^5 times as long as wide (10^2 in float).
+        const Real thin = any_size(rng, for_this_precision(-2, -5), 0);
+        Triangle triangle = plain_triangle(rng);
+        const Vec3 end = i % 2 == 0 ? triangle.a : triangle.b;
+        triangle.c = end + thin * (triangle.c - end);
+        const Real size = any_size(rng, -9, 9);
+        triangle = placed(triangle, size, size * any_size(rng, -2, 2) * in_cube(rng));
+        Real u = rng.uniform(), v = rng.uniform();
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        const Vec3 from = triangle.a + size * any_size(rng, -3, 3) * in_cube(rng);
+        const Ray ray{from, any_size(rng, -3, 3) / size * (point_of(triangle, u, v) - from)};
+        const auto hit = hit_triangle(triangle, ray, {});
+        if (!hit) continue;
+        const ExactVec3 at = exact_vector(from) + Exact(hit->t) * exact_vector(ray.direction);
+        const double allowed =
+            16 * static_cast<double>(rt::epsilon) * static_cast<double>(reach_from(from, triangle));
+        const double off_over_allowed = off_plane(triangle, at) / allowed;
+        worst = std::max(worst, off_over_allowed);
+        if (off_over_allowed <= 1) continue;
+        INFO(text(triangle) << " and " << text(ray) << ", t = " << text(hit->t));
+        INFO("the ray's point at t is off the plane by " << off_over_allowed * allowed
+                                                         << "; allowed are " << allowed);
+        INFO(
+            "Hint: areas that nearly cancel need difference_of_products of 01.3; t is the mean of "
+            "the corners' t, weighted by the areas");
+        REQUIRE(off_over_allowed <= 1);
+    }
+    CHECK(worst <= 1);
+}
+
+TEST_CASE("12.1 weights far from the scene's origin", "[12.1][hard]") {
+    rt::Rng rng{121, 10};
+    for (int i = 0; i < 50'000; ++i) {
+        const Triangle small = plain_triangle(rng);
+        const Vec3 by = for_this_precision<Real>(1000, 1e6) * in_cube(rng);
+        const Triangle triangle = placed(small, 1, by);
+        const ExactVec3 normal = exact_unit(exact_normal(triangle));
+        const Vec3 way = 2 * any_direction(rng);
+        if (std::abs(dot(exact_vector(way), normal).high) < 1) continue;
+        const Ray ray{point_of(triangle, real(0.3), real(0.3)) - way, way};
+        const auto hit = hit_triangle(triangle, ray, {});
+        const ExactVec3 a = exact_vector(triangle.a), ab = exact_vector(triangle.b) - a,
+                        ac = exact_vector(triangle.c) - a, d = exact_vector(way),
+                        s = exact_vector(ray.origin) - a;
+        const Exact det = dot(ab, cross(d, ac));
+        const double u = (dot(s, cross(d, ac)) / det).high, v = (dot(d, cross(s, ab)) / det).high;
+        const double near = 200 * static_cast<double>(rt::epsilon);
+        const bool right = hit && std::abs(static_cast<double>(hit->u) - u) <= near &&
+                           std::abs(static_cast<double>(hit->v) - v) <= near;
+        if (!right) {
+            INFO(text(triangle) << " and " << text(ray));
+            INFO("expected u " << u << ", v " << v << "\nactual " << text_of(hit));
+            INFO(
+                "Hint: subtract the ray's origin from the corners first; the differences are "
+                "small and exact, or nearly so");
+            REQUIRE(right);
+        }
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.1 a triangle without area is never met", "[12.1][hard]") {
+    rt::Rng rng{121, 11};
+    for (int i = 0; i < 300'000; ++i) {
+        // Three points on a line, at whole numbers; sometimes two or all three coincide.
+        const auto whole = [&] { return static_cast<Real>(static_cast<int>(rng() % 9) - 4); };
+        const Vec3 a{whole(), whole(), whole()}, step{whole(), whole(), whole()};
+        const Triangle flat{a + whole() * step, a + whole() * step, a + whole() * step};
+        const Vec3 aim = flat.a + rng.uniform() * (flat.b - flat.a);
+        const Vec3 from = i % 2 == 0 ? 9 * in_cube(rng) : Vec3{whole(), whole(), whole()};
+        check_none(flat, {from, aim - from}, {},
+                   "the corners lie on a line, or coincide: there is no area to hit");
+    }
+}
+
+TEST_CASE("12.1 what is no number meets nothing", "[12.1][hard]") {
+    const Triangle triangle{{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}};
+    const char* const hint = "a comparison with NaN is false: let that mean none";
+    check_none(triangle, {{0, 0, 0}, {0, 0, 0}}, {}, "a direction of length 0 leads nowhere");
+    for (int i = 0; i < 3; ++i) {
+        Vec3 bad{0, 0, real(0.5)};
+        (i == 0 ? bad.x : i == 1 ? bad.y : bad.z) = no_number;
+        check_none(triangle, {{0, 0, 0}, bad}, {}, hint);
+        check_none(triangle, {bad, {0, 0, 1}}, {}, hint);
+        check_none({triangle.a, triangle.b, bad}, {{0, 0, 0}, {0, 0, 1}}, {}, hint);
+        check_none({bad, triangle.b, triangle.c}, {{0, 0, 0}, {0, 0, 1}}, {}, hint);
+    }
+}
+
+TEST_CASE("12.1 a scene 2^30 times larger or smaller is met at the same t", "[12.1][hard]") {
+    rt::Rng rng{121, 12};
+    for (int i = 0; i < 20'000; ++i) {
+        const auto [triangle, ray] = aimed(rng, real(0.3), rng.uniform(), 1);
+        const auto hit = hit_triangle(triangle, ray, {});
+        for (const int power : {-30, 30}) {
+            const Real s = std::scalbn(Real(1), power);
+            const auto scaled =
+                hit_triangle(placed(triangle, s, {}), {s * ray.origin, s * ray.direction}, {});
+            if (text_of(scaled) == text_of(hit)) continue;
+            INFO(text(triangle) << " and " << text(ray) << ", all scaled by 2^" << power);
+            INFO("Hint: is there a number that does not come from the triangle and the ray?");
+            REQUIRE(text_of(scaled) == text_of(hit));
+        }
+    }
+    SUCCEED();
+}

@@ -1,0 +1,230 @@
+#include <rt/reflect.hpp>
+#include <rt/smooth_normal.hpp>
+
+#include "shapes.hpp"
+
+using namespace checkpoint;
+using rt::bent_normal;
+using rt::keep_side;
+using rt::smooth_normal;
+
+namespace {
+
+const Vec3 up{0, 0, 1};
+
+void check_near(Vec3 actual, Vec3 expected, const char* hint) {
+    const bool right = rt::max_component(actual - expected) <= 16 * rt::epsilon;
+    if (!right) {
+        HINT(expected, actual, hint);
+        REQUIRE(right);
+    }
+    REQUIRE(right);
+}
+
+Real length_of(Vec3 v) {
+    return static_cast<Real>(exact_length(exact_vector(v)).high);
+}
+double exact_dot(Vec3 a, Vec3 b) {
+    return dot(exact_vector(a), exact_vector(b)).high;
+}
+
+// A direction near a normal: at most this far to the side, before it gets the length 1.
+Vec3 leaning(rt::Rng& rng, Vec3 normal, Real side) {
+    const Vec3 sum = normal + side * any_direction(rng);
+    return sum / length_of(sum);
+}
+
+}  // namespace
+
+TEST_CASE("12.3 at a corner the normal is the corner's", "[12.3]") {
+    const std::array<Vec3, 3> normals{
+        Vec3{real(0.6), 0, real(0.8)}, {real(-0.6), 0, real(0.8)}, {0, real(0.6), real(0.8)}};
+    const char* const hint = "the weights of a, b and c are 1 - u - v, u and v";
+    check_near(smooth_normal(normals, 0, 0, up), normals[0], hint);
+    check_near(smooth_normal(normals, 1, 0, up), normals[1], hint);
+    check_near(smooth_normal(normals, 0, 1, up), normals[2], hint);
+}
+
+TEST_CASE("12.3 between two corners the normal is halfway and of length 1", "[12.3]") {
+    const std::array<Vec3, 3> normals{
+        Vec3{real(0.6), 0, real(0.8)}, {real(-0.6), 0, real(0.8)}, {0, real(0.6), real(0.8)}};
+    check_near(smooth_normal(normals, real(0.5), 0, up), up,
+               "the sum is shorter than 1: normalize it");
+    check_near(smooth_normal({Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, real(0.25), real(0.25),
+                             Vec3{1, 1, 1} / std::sqrt(Real(3))),
+               Vec3{2, 1, 1} / std::sqrt(Real(6)), "a has the weight 1 - u - v");
+}
+
+TEST_CASE("12.3 a direction on the right side stays as it is", "[12.3]") {
+    rt::Rng rng{123, 1};
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3 flat = any_direction(rng), smooth = leaning(rng, flat, real(0.5));
+        const Vec3 direction = any_direction(rng);
+        const double above_smooth = exact_dot(direction, smooth),
+                     above_flat = exact_dot(direction, flat);
+        if (above_smooth * above_flat < 0 ||
+            std::min(std::abs(above_smooth), std::abs(above_flat)) < 1e-3)
+            continue;
+        const Vec3 kept = keep_side(direction, smooth, flat);
+        if (kept == direction) continue;
+        HINT(direction, kept,
+             "it is on the same side of the triangle and of the smooth surface: leave it alone");
+        REQUIRE(kept == direction);
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.3 a direction on the wrong side is mirrored at the triangle", "[12.3]") {
+    rt::Rng rng{123, 2};
+    int mirrored = 0;
+    for (int i = 0; i < 40'000; ++i) {
+        const Vec3 flat = any_direction(rng), smooth = leaning(rng, flat, real(0.7));
+        const Vec3 direction = any_direction(rng);
+        const double above_smooth = exact_dot(direction, smooth),
+                     above_flat = exact_dot(direction, flat);
+        if (above_smooth * above_flat > 0 ||
+            std::min(std::abs(above_smooth), std::abs(above_flat)) < 1e-3)
+            continue;
+        ++mirrored;
+        check_near(keep_side(direction, smooth, flat),
+                   direction - 2 * static_cast<Real>(above_flat) * flat,
+                   above_smooth > 0
+                       ? "the material reflects this light, but the direction leads through the "
+                         "triangle: mirror it at the triangle, with the flat normal"
+                       : "the material lets this light through: it must get below the triangle");
+    }
+    CHECK(mirrored > 1000);
+}
+
+TEST_CASE("12.3 a normal that mirrors light upward is not bent", "[12.3]") {
+    rt::Rng rng{123, 3};
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3 flat = any_direction(rng), smooth = leaning(rng, flat, real(0.4));
+        Vec3 incoming = any_direction(rng);
+        const Real side = exact_dot(incoming, flat) < 0 ? Real(1) : Real(-1);
+        const double height = exact_dot(rt::reflect(incoming, smooth), side * flat);
+        if (height < 1e-3) continue;
+        const Vec3 bent = bent_normal(smooth, flat, incoming);
+        if (bent == smooth) continue;
+        INFO("smooth " << text(smooth) << ", flat " << text(flat) << ", incoming "
+                       << text(incoming));
+        HINT(smooth, bent,
+             "the mirror direction is on the side that the light came from: nothing is to be done");
+        REQUIRE(bent == smooth);
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.3 light that came from below counts as well", "[12.3]") {
+    const Vec3 smooth{real(0.6), 0, real(0.8)};
+    // From inside of a closed surface, as through glass.
+    const Vec3 incoming{0, real(0.6), real(0.8)};
+    check_near(bent_normal(smooth, up, incoming), smooth, "here the mirror direction is below");
+    const Vec3 grazing{real(-0.8), 0, real(-0.6)};
+    check_near(keep_side(grazing, smooth, up), grazing,
+               "below the smooth surface and below the triangle: it stays");
+}
+
+TEST_CASE("12.3 normals that point into the surface are turned around", "[12.3][hard]") {
+    rt::Rng rng{123, 4};
+    for (int i = 0; i < 5000; ++i) {
+        const Vec3 flat = any_direction(rng);
+        std::array<Vec3, 3> normals;
+        for (Vec3& normal : normals) normal = leaning(rng, flat, real(0.5));
+        const Vec3 expected = smooth_normal(normals, real(0.2), real(0.5), flat);
+        for (Vec3& normal : normals) normal = -normal;
+        const Vec3 actual = smooth_normal(normals, real(0.2), real(0.5), flat);
+        if (actual == expected && exact_dot(actual, flat) > 0) continue;
+        HINT(expected, actual, "on the side of flat, whichever way the file's normals point");
+        REQUIRE(actual == expected);
+        REQUIRE(exact_dot(actual, flat) > 0);
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.3 normals that cancel give the flat one", "[12.3][hard]") {
+    const Vec3 right{1, 0, 0};
+    for (const Vec3 flat : {up, -up, Vec3{real(0.6), real(0.8), 0}})
+        check_near(smooth_normal({right, -right, right}, real(0.5), 0, flat), flat,
+                   "a sum of length 0 has no direction");
+    check_near(smooth_normal({Vec3{}, Vec3{}, Vec3{}}, real(0.5), 0, up), up,
+               "a sum of length 0 has no direction");
+}
+
+TEST_CASE("12.3 nothing runs along the triangle itself", "[12.3][hard]") {
+    rt::Rng rng{123, 5};
+    for (int i = 0; i < 50'000; ++i) {
+        const Vec3 flat = any_direction(rng), smooth = leaning(rng, flat, real(0.5));
+        // In the triangle's plane, as well as numbers can say.
+        const Vec3 any = any_direction(rng);
+        Vec3 direction = any - static_cast<Real>(exact_dot(any, flat)) * flat;
+        if (length_of(direction) < real(0.5)) continue;
+        direction = direction / length_of(direction);
+        const Vec3 kept = keep_side(direction, smooth, flat);
+        const Real above_flat = kept.x * flat.x + kept.y * flat.y + kept.z * flat.z;
+        const Real above_smooth =
+            direction.x * smooth.x + direction.y * smooth.y + direction.z * smooth.z;
+        const bool right = (above_smooth < 0 ? above_flat < 0 : above_flat > 0) &&
+                           rt::max_component(kept - direction) <= 64 * rt::epsilon;
+        if (!right) {
+            INFO("smooth " << text(smooth) << ", flat " << text(flat) << ", the direction "
+                           << text(direction) << " became " << text(kept));
+            INFO("its dot product with flat is "
+                 << text(above_flat) << ", and of the direction before with smooth "
+                 << text(above_smooth) << ".\nHint: above_horizon of 05.2 does it");
+            REQUIRE(right);
+        }
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.3 a bent normal mirrors light along the triangle", "[12.3][hard]") {
+    rt::Rng rng{123, 6};
+    int bends = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const Vec3 flat = any_direction(rng), smooth = leaning(rng, flat, real(0.9));
+        const Vec3 incoming = any_direction(rng);
+        const Real side = exact_dot(incoming, flat) < 0 ? Real(1) : Real(-1);
+        const double height = exact_dot(rt::reflect(incoming, smooth), side * flat);
+        if (height > -1e-3 || std::abs(exact_dot(incoming, flat)) < 1e-3) continue;
+        ++bends;
+        const Vec3 bent = bent_normal(smooth, flat, incoming);
+        const Vec3 mirrored = rt::reflect(incoming, bent);
+        const double now = exact_dot(mirrored, side * flat);
+        const double near = for_this_precision(1e-3, 1e-11);
+        const Vec3 before = rt::reflect(incoming, smooth);
+        const Vec3 sunk = before - static_cast<Real>(height) * side * flat;  // along the triangle
+        const double ahead = exact_dot(mirrored, sunk) / exact_length(exact_vector(sunk)).high;
+        const bool right = std::abs(now) <= near && exact_dot(bent, flat) > 0 &&
+                           std::abs(length_of(bent) - 1) <= 8 * rt::epsilon;
+        if (!right) {
+            INFO("smooth " << text(smooth) << ", flat " << text(flat) << ", incoming "
+                           << text(incoming) << "\nyour normal " << text(bent) << " sends it along "
+                           << text(mirrored));
+            INFO("whose height over the triangle is " << now << "; expected 0, where it was "
+                                                      << height);
+            INFO(
+                "Hint: take the mirror direction, remove its part along flat, and find the normal "
+                "halfway between that and -incoming");
+            REQUIRE(right);
+        }
+        // It goes on in the direction that it had, as far as the triangle allows.
+        REQUIRE(ahead > 0);
+    }
+    CHECK(bends > 1000);
+}
+
+TEST_CASE("12.3 light along the triangle gives a normal all the same", "[12.3][hard]") {
+    const Vec3 smooth{real(0.6), 0, real(0.8)};
+    for (const Vec3 incoming : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0},
+                                Vec3{real(0.8), real(0.6), 0}, Vec3{real(0.6), real(-0.8), 0}}) {
+        const Vec3 bent = bent_normal(smooth, up, incoming);
+        INFO("incoming " << text(incoming) << ", your normal " << text(bent));
+        CHECK(std::abs(length_of(bent) - 1) <= 8 * rt::epsilon);
+        CHECK(bent.z > 0);
+    }
+    check_near(bent_normal(smooth, up, {1, 0, 0}), up, "light that runs along the triangle");
+    // A file may say that the surface stands upright on its triangle.
+    check_near(bent_normal({1, 0, 0}, up, {0, 0, -1}), up,
+               "the mirror direction is straight down: it has no part along the triangle");
+}

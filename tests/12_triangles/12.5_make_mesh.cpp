@@ -1,0 +1,314 @@
+#include <rt/make_mesh.hpp>
+#include <stdexcept>
+
+#include "shapes.hpp"
+
+using namespace checkpoint;
+using rt::Corner;
+using rt::Mesh;
+using rt::Polygons;
+
+namespace {
+
+std::vector<Corner> corners(std::initializer_list<int> points) {
+    std::vector<Corner> all;
+    for (const int point : points) all.push_back({point});
+    return all;
+}
+
+// Twice the area of all triangles together, along their normals.
+ExactVec3 area_of(const Mesh& mesh) {
+    ExactVec3 sum;
+    for (const Triangle& triangle : shapes_of(mesh)) sum = sum + exact_normal(triangle);
+    return sum;
+}
+
+Vec3 normal_of(const Mesh& mesh, const Corner& corner) {
+    return corner.normal < 0 ? Vec3{} : mesh.normals.at(static_cast<std::size_t>(corner.normal));
+}
+
+void check_refused(const Polygons& polygons, const std::string& words, const char* what) {
+    INFO(what << " must be refused by a std::invalid_argument that says '" << words << "'");
+    std::string said = "nothing was thrown";
+    try {
+        rt::make_mesh(polygons);
+    } catch (const std::invalid_argument& wrong) {
+        said = wrong.what();
+    }
+    INFO("what your function said: " << said);
+    CHECK(said.find(words) != std::string::npos);
+}
+
+Polygons square() {
+    Polygons all;
+    all.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    all.polygons = {corners({0, 1, 2, 3})};
+    return all;
+}
+
+// A cube of side 2 around the origin, whose sides are cut along other diagonals from seed to seed.
+Mesh cube(rt::Rng& rng) {
+    Polygons all;
+    for (int i = 0; i < 8; ++i)
+        all.points.push_back({real(i & 1 ? 1 : -1), real(i & 2 ? 1 : -1), real(i & 4 ? 1 : -1)});
+    const std::initializer_list<int> sides[] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                                {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& side : sides) {
+        auto around = corners(side);
+        std::rotate(around.begin(), around.begin() + rng() % 4, around.end());
+        all.polygons.push_back(around);
+    }
+    return rt::make_mesh(all);
+}
+
+}  // namespace
+
+TEST_CASE("12.5 a square becomes two triangles", "[12.5]") {
+    const Mesh mesh = rt::make_mesh(square());
+    INFO("Hint: a polygon of n corners becomes n - 2 triangles, a fan from one of its corners");
+    REQUIRE(mesh.triangles.size() == 2);
+    CHECK(mesh.points.size() == 4);
+    for (const Triangle& triangle : shapes_of(mesh)) {
+        INFO(text(triangle) << ": expected twice the area 1, along z; actual "
+                            << text(exact_normal(triangle)));
+        INFO("Hint: the corners go around the same way as the polygon's");
+        CHECK(std::abs((exact_normal(triangle).z - Exact(1)).high) < 1e-6);
+    }
+}
+
+TEST_CASE("12.5 polygons with any number of corners keep their order", "[12.5]") {
+    for (int n = 3; n <= 9; ++n) {
+        Polygons all;
+        double area = 0;
+        for (int i = 0; i < n; ++i) {
+            const double angle = 2 * 3.14159265358979 * i / n;
+            all.points.push_back({real(std::cos(angle)), real(std::sin(angle)), 0});
+            area += std::sin(2 * 3.14159265358979 / n);
+        }
+        std::vector<Corner> around;
+        for (int i = 0; i < n; ++i) around.push_back({i});
+        all.polygons = {corners({0, 1, 2}), around};
+        const Mesh mesh = rt::make_mesh(all);
+        INFO("a triangle, then a polygon with " << n << " corners");
+        REQUIRE(mesh.triangles.size() == static_cast<std::size_t>(n - 1));
+        CHECK(mesh.triangles[0] == std::array<Corner, 3>{Corner{0}, Corner{1}, Corner{2}});
+        const double first = exact_normal(shapes_of(mesh)[0]).z.high;
+        const double actual = area_of(mesh).z.high - first;
+        INFO("expected twice the area " << area << ", actual " << actual);
+        CHECK(std::abs(actual - area) < 1e-5);
+        for (const Triangle& triangle : shapes_of(mesh)) CHECK(exact_normal(triangle).z.high > 0);
+    }
+}
+
+TEST_CASE("12.5 each corner keeps its normal and its place", "[12.5]") {
+    Polygons all = square();
+    all.normals = {{0, 0, 5}, {3, 0, 4}};
+    all.places = {{0, 0}, {1, 0}, {1, 1}};
+    all.polygons = {{{0, 0, 0}, {1, 1, 1}, {2, -1, 2}, {3, 0, -1}}};
+    const Mesh mesh = rt::make_mesh(all);
+    REQUIRE(mesh.triangles.size() == 2);
+    CHECK(mesh.places.size() == 3);
+    for (const auto& triangle : mesh.triangles)
+        for (const Corner& corner : triangle) {
+            const Corner& given = all.polygons[0].at(static_cast<std::size_t>(corner.point));
+            INFO("the corner at point " << corner.point);
+            INFO("Hint: move whole corners, each with its three numbers");
+            CHECK(corner.normal == given.normal);
+            CHECK(corner.place == given.place);
+        }
+    {
+        INFO("Hint: normals get the length 1");
+        CHECK(rt::max_component(normal_of(mesh, {0, 1}) - Vec3{real(0.6), 0, real(0.8)}) <=
+              4 * rt::epsilon);
+        CHECK(rt::max_component(normal_of(mesh, {0, 0}) - Vec3{0, 0, 1}) <= 4 * rt::epsilon);
+    }
+}
+
+TEST_CASE("12.5 numbers that belong to nothing are refused", "[12.5]") {
+    const auto with_third = [](const std::vector<Corner>& polygon) {
+        Polygons all = square();
+        all.normals = {{0, 0, 1}};
+        all.places = {{0, 0}};
+        all.polygons = {corners({0, 1, 2}), corners({0, 2, 3}), polygon, corners({0, 1, 2})};
+        return all;
+    };
+    check_refused(with_third(corners({0, 1, 4})), "polygon 3", "a point beyond the last");
+    check_refused(with_third(corners({0, -1, 2})), "polygon 3", "a point before the first");
+    check_refused(with_third({{0, 0}, {1, 1}, {2, 0}}), "polygon 3", "a normal beyond the last");
+    check_refused(with_third({{0, 0}, {1, -2}, {2, 0}}), "polygon 3", "a normal of number -2");
+    check_refused(with_third({{0, 0, 0}, {1, 0, 0}, {2, 0, 1}}), "polygon 3",
+                  "a place beyond the last");
+    check_refused(with_third({{0, 0, -2}, {1, 0, 0}, {2, 0, 0}}), "polygon 3",
+                  "a place of number -2");
+    INFO("-1 says that a corner has no normal, or no place: that is right");
+    CHECK(rt::make_mesh(with_third({{1, -1, 0}, {0, 0, -1}, {3}})).triangles.size() == 4);
+}
+
+TEST_CASE("12.5 polygons with too few corners are refused", "[12.5]") {
+    for (const auto& few : {corners({}), corners({0}), corners({0, 1})}) {
+        Polygons all = square();
+        all.polygons.push_back(few);
+        check_refused(all, "polygon 2", "a polygon with fewer than three corners");
+    }
+    CHECK(rt::make_mesh({}).triangles.empty());
+}
+
+TEST_CASE("12.5 the normals of a ball point outward", "[12.5]") {
+    Mesh mesh = ball(2);
+    const std::size_t points = mesh.points.size();
+    rt::add_normals(mesh);
+    CHECK(mesh.points.size() == points);
+    for (const auto& triangle : mesh.triangles)
+        for (const Corner& corner : triangle) {
+            const Vec3 normal = normal_of(mesh, corner);
+            const Vec3 expected = mesh.points[static_cast<std::size_t>(corner.point)];
+            const Real cosine =
+                static_cast<Real>(dot(exact_vector(normal), exact_vector(expected)).high);
+            const double length = exact_length(exact_vector(normal)).high;
+            if (cosine > real(0.99) && std::abs(length - 1) <= 8 * static_cast<double>(rt::epsilon))
+                continue;
+            HINT(expected, normal,
+                 "add up the cross products of all triangles around the point, then normalize");
+            REQUIRE(cosine > real(0.99));
+            REQUIRE(std::abs(length - 1) <= 8 * static_cast<double>(rt::epsilon));
+        }
+    const auto& first = mesh.triangles.front();
+    for (const auto& triangle : mesh.triangles)
+        for (const Corner& corner : triangle)
+            if (corner.point == first[0].point) {
+                INFO("Hint: corners at one point share one normal, so that no edge can be seen");
+                CHECK(normal_of(mesh, corner) == normal_of(mesh, first[0]));
+            }
+}
+
+TEST_CASE("12.5 normals that are there stay", "[12.5]") {
+    Polygons all = square();
+    all.normals = {{1, 0, 0}, {0, 1, 0}};
+    all.polygons = {{{0, 1}, {1}, {2, 0}, {3}}};
+    Mesh mesh = rt::make_mesh(all);
+    rt::add_normals(mesh);
+    for (const auto& triangle : mesh.triangles)
+        for (const Corner& corner : triangle) {
+            const Vec3 expected = corner.point == 0   ? Vec3{0, 1, 0}
+                                  : corner.point == 2 ? Vec3{1, 0, 0}
+                                                      : Vec3{0, 0, 1};
+            const Vec3 actual = normal_of(mesh, corner);
+            INFO(
+                "a square whose first and third corner have normals of their own; the corner at "
+                "point "
+                << corner.point);
+            HINT(expected, actual, "only corners without a normal get one");
+            CHECK(rt::max_component(actual - expected) <= 4 * rt::epsilon);
+        }
+}
+
+TEST_CASE("12.5 a polygon with a notch is cut inside", "[12.5][hard]") {
+    Polygons all;
+    // An arrowhead, whose third corner points inward.
+    all.points = {{0, 0, 0}, {4, 4, 0}, {0, 2, 0}, {-4, 4, 0}};
+    for (int start = 0; start < 4; ++start) {
+        auto around = corners({0, 1, 2, 3});
+        std::rotate(around.begin(), around.begin() + start, around.end());
+        all.polygons = {around};
+        const Mesh mesh = rt::make_mesh(all);
+        for (const Triangle& triangle : shapes_of(mesh)) {
+            INFO("the arrowhead, from its corner " << start << " on: " << text(triangle));
+            INFO("Hint: a fan from another corner may have all triangles face the same way");
+            CHECK(exact_normal(triangle).z.high > 0);
+        }
+    }
+    // Turned in space, and with more corners: a crown of two points.
+    all.points = {{0, 0, 0}, {1, 0, 3}, {2, 0, 1}, {3, 0, 3}, {4, 0, 0}};
+    for (int start = 0; start < 5; ++start) {
+        auto around = corners({0, 1, 2, 3, 4});
+        std::rotate(around.begin(), around.begin() + start, around.end());
+        all.polygons = {around};
+        const Mesh crown = rt::make_mesh(all);
+        REQUIRE(crown.triangles.size() == 3);
+        for (const Triangle& triangle : shapes_of(crown)) {
+            INFO("the crown, from its corner " << start << " on: " << text(triangle));
+            CHECK(exact_normal(triangle).y.high > 0);
+        }
+    }
+}
+
+TEST_CASE("12.5 a polygon that no fan fits is cut all the same", "[12.5][hard]") {
+    Polygons all;
+    all.points = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {2, 0, 0}};  // on a line
+    all.polygons = {corners({0, 1, 2, 3}), corners({2, 2, 2})};
+    CHECK(rt::make_mesh(all).triangles.size() == 3);
+}
+
+TEST_CASE("12.5 a corner in the middle of a side leaves no triangle without area", "[12.5][hard]") {
+    Polygons all = square();
+    all.points.push_back({real(0.5), 0, 0});
+    for (int start = 0; start < 5; ++start) {
+        auto around = corners({0, 4, 1, 2, 3});
+        std::rotate(around.begin(), around.begin() + start, around.end());
+        all.polygons = {around};
+        for (const Triangle& triangle : shapes_of(rt::make_mesh(all))) {
+            INFO("a square with a corner in the middle of a side: " << text(triangle));
+            INFO("Hint: a fan from that corner does it");
+            CHECK(exact_normal(triangle).z.high > 0);
+        }
+    }
+}
+
+TEST_CASE("12.5 normals of length 0 are none", "[12.5][hard]") {
+    Polygons all = square();
+    all.normals = {{0, 0, 0}, {0, 0, 1}};
+    all.polygons = {{{0, 0}, {1, 1}, {2, 0}, {3, 1}}};
+    const Mesh mesh = rt::make_mesh(all);
+    for (const auto& triangle : mesh.triangles)
+        for (const Corner& corner : triangle)
+            CHECK(corner.normal == (corner.point % 2 == 0 ? -1 : 1));
+}
+
+TEST_CASE("12.5 a cube's normals do not depend on how its sides are cut", "[12.5][hard]") {
+    rt::Rng rng{125, 1};
+    for (int i = 0; i < 50; ++i) {
+        Mesh mesh = cube(rng);
+        const Mesh plain = mesh;
+        // At any scale, and as a box whose sides have other areas, too.
+        for (Vec3& point : mesh.points) {
+            point *= std::scalbn(Real(1), i - 25);
+            if (i % 2 == 0) point = {point.x, 2 * point.y, 5 * point.z};
+        }
+        rt::add_normals(mesh);
+        for (const auto& triangle : mesh.triangles)
+            for (const Corner& corner : triangle) {
+                const Vec3 point = plain.points[static_cast<std::size_t>(corner.point)];
+                const Vec3 expected = point / std::sqrt(Real(3));
+                const Vec3 actual = normal_of(mesh, corner);
+                const bool right = rt::max_component(actual - expected) <= 16 * rt::epsilon;
+                if (right) continue;
+                HINT(expected, actual,
+                     "weight each triangle's normal, of length 1, by its angle at the point");
+                REQUIRE(right);
+            }
+    }
+    SUCCEED();
+}
+
+TEST_CASE("12.5 where normals cancel a corner stays without", "[12.5][hard]") {
+    Mesh mesh;
+    mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {9, 9, 9}};
+    // Both sides of one triangle, and one without area.
+    mesh.triangles = {{Corner{0}, {1}, {2}}, {Corner{1}, {0}, {2}}, {Corner{1}, {3}, {3}}};
+    rt::add_normals(mesh);
+    for (const auto& triangle : mesh.triangles)
+        for (const Corner& corner : triangle) {
+            INFO("the corner at point " << corner.point);
+            CHECK(corner.normal == -1);
+        }
+}
+
+TEST_CASE("12.5 a triangle without area leaves its neighbors' normals alone", "[12.5][hard]") {
+    Mesh mesh;
+    mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
+    mesh.triangles = {{Corner{0}, {1}, {2}}, {Corner{0}, {1}, {3}}, {Corner{0}, {0}, {1}}};
+    rt::add_normals(mesh);
+    for (std::size_t k = 0; k < 3; ++k)
+        CHECK(normal_of(mesh, mesh.triangles[0][k]) == Vec3{0, 0, 1});
+    CHECK(mesh.triangles[1][2].normal == -1);
+}

@@ -1,0 +1,134 @@
+#include <rt/bilinear.hpp>
+
+#include "shapes.hpp"
+
+using namespace checkpoint;
+using rt::Color;
+using rt::Image;
+using rt::Vec2;
+
+namespace {
+
+std::string text_of(Color c) {
+    return '(' + text(c.r) + ", " + text(c.g) + ", " + text(c.b) + ')';
+}
+
+void check_color(const Image& image, Vec2 place, Color expected, const char* hint,
+                 Real near = 100 * rt::epsilon) {
+    const Color actual = rt::bilinear(image, place);
+    const bool right = std::abs(actual.r - expected.r) <= near &&
+                       std::abs(actual.g - expected.g) <= near &&
+                       std::abs(actual.b - expected.b) <= near;
+    if (!right) {
+        INFO("at the place (" << text(place.x) << ", " << text(place.y) << ") of an image of "
+                              << image.width() << " x " << image.height() << " pixels");
+        INFO("expected " << text_of(expected) << "\nactual " << text_of(actual));
+        INFO("Hint: " << hint);
+        REQUIRE(right);
+    }
+    REQUIRE(right);
+}
+
+// Each pixel has its column in red and its row in green.
+Image numbered(int width, int height) {
+    return rt::make_image(width, height, [](int x, int y) {
+        return Color{static_cast<Real>(x), static_cast<Real>(y), 1};
+    });
+}
+
+Vec2 middle(const Image& image, int x, int y) {
+    return {(static_cast<Real>(x) + real(0.5)) / static_cast<Real>(image.width()),
+            1 - (static_cast<Real>(y) + real(0.5)) / static_cast<Real>(image.height())};
+}
+
+}  // namespace
+
+TEST_CASE("12.6 in the middle of a pixel its color is unmixed", "[12.6]") {
+    const Image image = numbered(8, 4);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 8; ++x)
+            check_color(image, middle(image, x, y), {static_cast<Real>(x), static_cast<Real>(y), 1},
+                        "pixel x is from x / width to (x + 1) / width, and its middle is half a "
+                        "pixel further; y counts upward in a place, and downward in an image");
+}
+
+TEST_CASE("12.6 between the middles the colors are mixed", "[12.6]") {
+    const Image image = numbered(8, 4);
+    rt::Rng rng{126, 1};
+    for (int i = 0; i < 2000; ++i) {
+        const Real x = rng.uniform(0, 7), y = rng.uniform(0, 3);
+        check_color(image, {(x + real(0.5)) / 8, 1 - (y + real(0.5)) / 4}, {x, y, 1},
+                    "the shares of two neighbors along x, then of two rows: 1 - share and share");
+    }
+}
+
+TEST_CASE("12.6 four pixels on paper", "[12.6]") {
+    Image image{2, 2};
+    image.at(0, 0) = {1, 0, 0};
+    image.at(1, 0) = {0, 1, 0};
+    image.at(0, 1) = {0, 0, 1};
+    image.at(1, 1) = {1, 1, 1};
+    check_color(image, {real(0.5), real(0.5)}, {real(0.5), real(0.5), real(0.5)},
+                "in the middle of the image each has a quarter");
+    check_color(image, {real(0.375), real(0.75)}, {real(0.75), real(0.25), 0},
+                "a quarter of a column beyond the middle of the first, in the upper row");
+}
+
+TEST_CASE("12.6 beyond its edges the image repeats", "[12.6]") {
+    const Image image = numbered(8, 4);
+    check_color(image, {0, real(0.875)}, {real(3.5), 0, 1},
+                "at the left edge, the first column and the last one have half each");
+    check_color(image, {1, real(0.875)}, {real(3.5), 0, 1},
+                "at the right edge, the last column and the first one have half each");
+    check_color(image, {real(0.0625), 1}, {0, real(1.5), 1},
+                "at the upper edge, the first row and the last one have half each");
+    check_color(image, {real(0.0625), 0}, {0, real(1.5), 1},
+                "at the lower edge, the last row and the first one have half each");
+    rt::Rng rng{126, 2};
+    for (int i = 0; i < 2000; ++i) {
+        const Vec2 place{rng.uniform(), rng.uniform()};
+        const Color once = rt::bilinear(image, place);
+        for (const Vec2 away : {Vec2{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {3, -5}, {-7, 2}})
+            check_color(image, {place.x + away.x, place.y + away.y}, once,
+                        "one whole image further, the color is the same, on the negative side too",
+                        real(1e3) * rt::epsilon);
+    }
+}
+
+TEST_CASE("12.6 an image of one pixel has one color", "[12.6]") {
+    const Image image{1, 1, {real(0.2), real(0.4), real(0.6)}};
+    rt::Rng rng{126, 3};
+    for (int i = 0; i < 100; ++i)
+        check_color(image, {rng.uniform(-2, 2), rng.uniform(-2, 2)}, image.at(0, 0),
+                    "its neighbor is itself");
+}
+
+TEST_CASE("12.6 just below a whole number", "[12.6][hard]") {
+    const Image image = numbered(8, 4);
+    const Real tiny = std::numeric_limits<Real>::min();
+    for (const Real x : {-tiny, -std::numeric_limits<Real>::denorm_min(), -rt::epsilon / 8,
+                         1 - rt::epsilon / 2, std::nextafter(Real(2), Real(0))})
+        check_color(image, {x, real(0.875)}, {real(3.5), 0, 1},
+                    "x - floor(x) may be rounded to 1: is there a pixel for that?");
+    for (const Real y : {-tiny, -rt::epsilon / 8, 1 - rt::epsilon / 2})
+        check_color(image, {real(0.0625), y}, {0, real(1.5), 1},
+                    "y - floor(y) may be rounded to 1: is there a pixel for that?");
+}
+
+TEST_CASE("12.6 far away the image still repeats", "[12.6][hard]") {
+    const Image image = numbered(8, 4);
+    const Real largest = std::numeric_limits<Real>::max();
+    for (const Real far : {Real(1e9), Real(-1e9), Real(1e30), Real(-1e30), largest, -largest}) {
+        const Color along_x = rt::bilinear(image, {far, real(0.875)}),
+                    along_y = rt::bilinear(image, {real(0.0625), far});
+        // These are whole numbers: the left edge, and the lower one.
+        INFO("at the place " << text(far) << ": " << text_of(along_x) << " and "
+                             << text_of(along_y));
+        INFO("Hint: an int has no room for such a number; take the whole part away before");
+        CHECK(std::abs(along_x.r - real(3.5)) <= 100 * rt::epsilon);
+        CHECK(std::abs(along_y.g - real(1.5)) <= 100 * rt::epsilon);
+    }
+    if (std::numeric_limits<Real>::digits > 32)
+        check_color(image, {real(1e9 + 0.3125), real(0.875)}, {2, 0, 1},
+                    "the digits after the point still count", real(1e-5));
+}
