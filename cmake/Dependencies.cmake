@@ -87,6 +87,18 @@ endif()
 # As system headers: their warnings are not ours.
 target_include_directories(course_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
 
+# The reader of OBJ files of chapter 12, one header: course_tinyobj says where it is.
+add_library(course_tinyobj INTERFACE)
+find_path(TINYOBJ_INCLUDE_DIR tiny_obj_loader.h)
+if(NOT TINYOBJ_INCLUDE_DIR)
+  message(STATUS "tinyobjloader is not installed: fetching it")
+  FetchContent_Declare(tinyobj GIT_REPOSITORY https://github.com/tinyobjloader/tinyobjloader.git
+                               GIT_TAG v2.0.0rc10 GIT_SHALLOW ON SOURCE_SUBDIR none)  # only the header
+  FetchContent_MakeAvailable(tinyobj)
+  set(TINYOBJ_INCLUDE_DIR ${tinyobj_SOURCE_DIR})
+endif()
+target_include_directories(course_tinyobj SYSTEM INTERFACE ${TINYOBJ_INCLUDE_DIR})
+
 # COURSE_PYTHON, for the tests that read C++ with libclang, if COURSE_PYTHON_HAS_CLANG: /usr/bin/python3 may have the
 # libclang that another python3 lacks.
 set(COURSE_PYTHON_HAS_CLANG OFF)

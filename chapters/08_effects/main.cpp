@@ -29,8 +29,9 @@ using namespace rt;
 
 // The scene that the person asked for, with the settings from the command line.
 SceneDescription open_scene(const app::Settings& settings) {
-    SceneDescription scene =
-        settings.file.empty() ? effects::final_scene() : effects::read_scene(settings.file);
+    SceneDescription scene = settings.file.empty()
+                                 ? effects::final_scene()
+                                 : effects::read_scene(settings.file, effects::read_mesh);
     RenderSettings& chosen = scene.settings;
     const auto given = [&](const char* option) { return settings.given.count(option) > 0; };
     if (given("width")) chosen.width = settings.width;
@@ -76,6 +77,7 @@ void check_together(const app::Settings& settings) {
 effects::TileRenderer make_renderer(const SceneDescription& scene, const app::Settings& settings) {
     const auto& [width, height, samples, depth, seed] = scene.settings;
     const Quality quality{samples, depth, seed};
+    if (!scene.meshes.empty()) return effects::make_meshed(scene, width, height, quality);
     if (by_tent(settings)) return effects::make_tent(scene, width, height, quality);
     if (by_sobol(settings)) return effects::make_sobol(scene, width, height, quality);
     if (in_batches(settings)) return effects::make_batched(scene, width, height, quality);
@@ -113,10 +115,16 @@ app::Picture draw(const effects::TileRenderer& renderer, const RenderSettings& c
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = open_scene(settings);
     check_together(settings);
+    const bool refines = !settings.numbers.empty();
+    if (!scene.meshes.empty() &&
+        (by_sobol(settings) || by_tent(settings) || in_batches(settings) || refines))
+        throw app::UsageError(
+            "a scene with meshes is drawn with jittered samples, path by path: leave out "
+            "--sampler, "
+            "--filter, --batches, --target-error and --time-budget");
     const auto explain = [&](const effects::Choice& choice) {
         if (settings.explain) settings.explain(effects::explanation(scene, settings.file, choice));
     };
-    const bool refines = !settings.numbers.empty();
     if (!settings.show.empty() && !(refines && settings.show == "samples"))
         return effects::show_scene(scene, settings, progress);
     app::Picture picture;

@@ -38,12 +38,13 @@ struct Material {
 
 class Reader {
   public:
-    Reader(const std::string& name, const fs::path& folder, const Limits& limits)
-        : name_{name}, folder_{folder}, limits_{limits} {}
+    Reader(const std::string& name, const fs::path& folder, const Limits& limits,
+           const MeshReader& read_mesh)
+        : name_{name}, folder_{folder}, limits_{limits}, read_mesh_{read_mesh} {}
 
     SceneDescription read(const Value& whole) {
         whole.with_keys({"about", "camera", "sky", "fog", "haze", "textures", "materials",
-                         "spheres", "groups", "render"});
+                         "spheres", "groups", "meshes", "render"});
         if (const auto about = whole.find("about")) about->text("a sentence");
         read_camera(whole.at("camera"));
         scene_.sky = {{1, 1, 1}, from_hex(0x7fb2ff)};
@@ -63,6 +64,8 @@ class Reader {
                 read_group(group);
                 ends_.push_back(static_cast<int>(scene_.spheres.size()));
             }
+        if (const auto meshes = whole.find("meshes"))
+            for (const Value& mesh : meshes->list("meshes")) read_mesh(mesh);
         if (const auto found = filled_glass_in_fog(scene_))
             throw app::UsageError(name_ + ": " + place_of(found->first) +
                                   " is glass in the fog, and " + place_of(found->second) +
@@ -138,14 +141,14 @@ class Reader {
         return result;
     }
 
-    // Only files in the scene's folder, so that a scene from someone else cannot show files that
-    // lie outside it.
-    Image read_image(const Value& file) {
-        const std::string& given = file.text("the name of an image file");
+    // The bytes of a file in the scene's folder. No others are read, so that a scene from someone
+    // else cannot show files that lie outside it. `kind` is "an image" or "a mesh".
+    std::string read_neighbor(const Value& file, const std::string& kind, std::size_t most) const {
+        const std::string& given = file.text("the name of " + kind + " file");
         const fs::path path{given};
         const std::string shown = app::quoted(given);
         if (given.empty() || given.find('\0') != std::string::npos)
-            file.fail("must name an image file in the scene's folder");
+            file.fail("must name " + kind + " file in the scene's folder");
         const bool leaves =
             path.is_absolute() || std::find(path.begin(), path.end(), fs::path{".."}) != path.end();
         std::error_code error;
@@ -159,12 +162,16 @@ class Reader {
             file.fail("is " + shown +
                       ", which leads out of the scene's folder; only files in that folder "
                       "are read");
-        std::string bytes;
         try {
-            bytes = app::read_input_file(found, shown + " in the scene's folder", 64 << 20);
+            return app::read_input_file(found, shown + " in the scene's folder", most);
         } catch (const app::UsageError& wrong) {
-            file.fail(std::string{"names an image: "} + wrong.what());
+            file.fail("names " + kind + ": " + wrong.what());
         }
+    }
+
+    Image read_image(const Value& file) {
+        const std::string bytes = read_neighbor(file, "an image", 64 << 20);
+        const std::string shown = app::quoted(file.text("a name"));
         try {
             Image image = decode_image(bytes, pixels_left_);
             pixels_left_ -= image.width() * image.height();
@@ -188,6 +195,43 @@ class Reader {
         name.fail("is " + app::quoted(wanted) + ", and there is no such " + kind +
                   (known.empty() ? "; \"" + kind + "s\" holds none"
                                  : app::meant(wanted, known, "there are ")));
+    }
+
+    void read_mesh(const Value& mesh) {
+        mesh.with_keys(
+            {"file", "center", "size", "scale", "rotate_deg", "matrix", "material", "smooth"});
+        MeshDescription to;
+        Material& material = named(materials_, mesh.at("material"), "material");
+        if (std::holds_alternative<Emitter>(material.description))
+            mesh.at("material").fail("is a light, and a light is a plain sphere");
+        to.material = use(material);
+        if (const auto matrix = mesh.find("matrix")) {
+            for (const char* other : {"center", "size", "scale", "rotate_deg"})
+                if (mesh.find(other))
+                    mesh.fail("has both matrix and " + std::string{other} +
+                              "; the matrix alone says everything");
+            to.object_to_world = read_matrix(*matrix);
+            expect_not_flat(*matrix, to.object_to_world, "mesh");
+        } else {
+            to.object_to_world =
+                read_stretched(mesh, {vec3(mesh, "center", {}), number(mesh, "size", lengths, 1)});
+        }
+        std::optional<bool> smooth;
+        if (const auto given = mesh.find("smooth")) smooth = given->yes();
+        const Value file = mesh.at("file");
+        const std::string bytes = read_neighbor(file, "a mesh", std::size_t{1} << 28);
+        if (!read_mesh_) file.fail("names a mesh, and this program draws none");
+        try {
+            to.mesh = std::make_shared<const Mesh>(read_mesh_(bytes, smooth));
+        } catch (const std::invalid_argument& wrong) {
+            file.fail("is " + app::quoted(file.text("a name")) +
+                      ", which is not a readable OBJ file: " + wrong.what());
+        }
+        triangles_ += to.mesh->triangles.size();
+        if (triangles_ > limits_.triangles)
+            file.fail("makes " + std::to_string(triangles_) +
+                      " triangles in all; a scene may have " + std::to_string(limits_.triangles));
+        scene_.meshes.push_back(to);
     }
 
     // A type of material: its name in a file, its keys beside "type", and how it is read.
@@ -330,8 +374,7 @@ class Reader {
         return map;
     }
 
-    // Adds the map of a sphere that becomes an instance, and puts a sphere around it.
-    void add_map(const Value& where, const Mat4& map, SphereDescription& to) {
+    static void expect_not_flat(const Value& where, const Mat4& map, const std::string& shape) {
         bool flat = false;
         try {
             const Mat4 back = inverse(map);
@@ -341,9 +384,13 @@ class Reader {
             flat = true;
         }
         if (flat)
-            where.fail(
-                "is a singular matrix, or nearly so: it flattens the sphere; its first "
-                "three columns must point in three directions of space");
+            where.fail("is a singular matrix, or nearly so: it flattens the " + shape +
+                       "; its first three columns must point in three directions of space");
+    }
+
+    // Adds the map of a sphere that becomes an instance, and puts a sphere around it.
+    void add_map(const Value& where, const Mat4& map, SphereDescription& to) {
+        expect_not_flat(where, map, "sphere");
         Real squared = 0;
         for (int i = 0; i < 9; ++i) squared += map(i / 3, i % 3) * map(i / 3, i % 3);
         to.shape = {{map(0, 3), map(1, 3), map(2, 3)}, std::sqrt(squared)};
@@ -499,6 +546,8 @@ class Reader {
     const std::string& name_;
     const fs::path& folder_;
     const Limits& limits_;
+    const MeshReader& read_mesh_;
+    std::size_t triangles_ = 0;  // so far
     int pixels_left_ = limits_.image_pixels;
     SceneDescription scene_;
     placing::Neighbors there_;  // all spheres so far
@@ -510,14 +559,15 @@ class Reader {
 }  // namespace
 
 SceneDescription parse_scene(const std::string& text, const std::string& name,
-                             const fs::path& folder, const Limits& limits) {
-    return Reader{name, folder, limits}.read(Value::parse(text, name, "the scene"));
+                             const fs::path& folder, const Limits& limits,
+                             const MeshReader& read_mesh) {
+    return Reader{name, folder, limits, read_mesh}.read(Value::parse(text, name, "the scene"));
 }
 
-SceneDescription read_scene(const fs::path& file) {
+SceneDescription read_scene(const fs::path& file, const MeshReader& read_mesh) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path{"."};
     return parse_scene(app::read_input_file(file, file.string(), app::max_json_bytes),
-                       file.string(), folder);
+                       file.string(), folder, {}, read_mesh);
 }
 
 }  // namespace effects

@@ -1,10 +1,11 @@
 #pragma once
-// A way to draw a scene. This chapter has one; chapters 10 and 11 add two more to this program, and
-// a way to refine a picture. CMakeLists.txt names their sources.
+// A way to draw a scene. This chapter has one; chapters 10, 11 and 12 add three more to this
+// program, and a way to refine a picture. CMakeLists.txt names their sources.
 
 #include <app/run.hpp>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <rt/effects.hpp>
 #include <rt/image.hpp>
 #include <rt/render_pixel.hpp>
@@ -48,6 +49,15 @@ TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height
 // The same, each sample shared by the pixels around it: a tent is the reconstruction filter.
 TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
                        const rt::Quality& quality);
+
+// Chapter 12's: pixel by pixel, with meshes. Also what --show asks for.
+TileRenderer make_meshed(const rt::SceneDescription& scene, int width, int height,
+                         const rt::Quality& quality);
+app::Picture show_meshed(const rt::SceneDescription& scene, const app::Settings& settings,
+                         app::Progress& progress);
+// The mesh in the bytes of an OBJ file. With smooth normals: true or false, or as the file has
+// them. Throws std::invalid_argument, which says what is wrong with the file.
+rt::Mesh read_mesh(const std::string& bytes, std::optional<bool> smooth);
 
 // Chapter 11's way to refine a picture, up to the target error or the time budget that the settings
 // name. Calls explain() before it draws.

@@ -13,8 +13,11 @@ inline std::string explanation(const rt::SceneDescription& scene, const std::str
                                const Choice& choice) {
     const rt::Effects needed = rt::needed_effects(scene);
     const std::size_t spheres = scene.spheres.size();
+    std::size_t triangles = 0;
+    for (const rt::MeshDescription& mesh : scene.meshes) triangles += mesh.mesh->triangles.size();
     return "scene:    " + (file.empty() ? "the final scene" : file) + ", " +
            std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
+           (triangles > 0 ? ", " + std::to_string(triangles) + " triangles" : "") +
            "\nneeds:    " + names(needed) + "\nrenderer: " + names(choice.chosen) + ", " +
            (choice.in_batches ? "in batches" : "one of " + std::to_string(choice.renderers)) +
            "\nunused:   " + names(without(choice.chosen, needed)) +

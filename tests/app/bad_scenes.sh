@@ -79,6 +79,37 @@ scene moves.json ", \"spheres\": [{$sphere, \"radius\": 1, \"material\": \"gold\
 "$program" moves.json --width 9 --height 9 --out moves.png >stdout 2>stderr ||
     complain moves.json "it was not drawn"
 grep -q '^note: 1 sphere .*camera.shutter is 0' stdout || complain moves.json "no note on the shutter"
+# mesh NAME LINES: a scene with a mesh whose OBJ file has these lines.
+mesh() {
+    printf "$2" >mesh.obj
+    scene "$1" ', "meshes": [{"file": "mesh.obj", "material": "gold"}]'
+}
+corners='v 0 0 0\nv 1 0 0\nv 0 1 0\n'
+mesh point.json "${corners}f 1 2 3\nf 1 2 4\n"
+refuses point.json 'meshes\[0\].file.*"mesh.obj".*polygon 2'
+mesh back.json "${corners}f 1 2 -4\n"
+refuses back.json 'meshes\[0\].file.*polygon 1'
+mesh zero.json "${corners}f 0 1 2\n"
+refuses zero.json 'meshes\[0\].file.*line 4'
+mesh place.json "${corners}f 1/1 2/1 3/1\n"
+refuses place.json 'meshes\[0\].file.*polygon 1: the place'
+mesh word.json 'v 0 0 0\nv 1 oh 0\n'
+refuses word.json "meshes\[0\].file.*line 2 has 'oh'"
+mesh nan.json 'v 0 nan 0\n'
+refuses nan.json 'meshes\[0\].file.*line 1'
+mesh short.json 'v 0 0\n'
+refuses short.json 'meshes\[0\].file.*line 1 has too few numbers'
+mesh empty.json ''
+refuses empty.json 'meshes\[0\].file.*is empty'
+mesh none.json "$corners"
+refuses none.json 'meshes\[0\].file.*no polygons'
+mesh drawn.json "${corners}f -3 -2 -1\n"
+"$program" drawn.json --quiet --width 9 --height 9 --out drawn.png 2>stderr ||
+    complain drawn.json "it was not drawn"
+sed 's/mesh.obj/..\/mesh.obj/' drawn.json >outside.json
+refuses outside.json 'meshes\[0\].file .*only files in that folder'
+sed 's/"gold"}/"gold", "matrix": [[1, 0, 1, 0], [0, 1, 1, 0], [1, 1, 2, 0]]}/' drawn.json >flat.json
+refuses flat.json 'meshes\[0\].matrix is a singular matrix.*flattens the mesh'
 ln -s /etc/passwd link.png
 for image in ../picture.png /etc/passwd link.png; do
     scene image.json ", \"textures\": {\"map\": {\"type\": \"image\", \"file\": \"$image\"}}"

@@ -11,7 +11,7 @@ struct Hit {
     bool front = true;     // the ray came from outside
     Real point_error = 0;  // the point lies off the surface by at most this, along the normal
     int material = 0;      // an index into the scene's materials
-    int light = -1;        // chapter 08: which of the scene's lights was hit; -1: none
+    int light = -1;        // chapter 08: which of the scene's lights was hit; below 0: none
 };
 
 // The normal on the side that the ray came from.

@@ -6,7 +6,14 @@ namespace rt {
 // The effects that a renderer of this scene needs (given): those of 08.1, and those of what later
 // chapters have added to scenes.
 inline Effects needed_effects(const SceneDescription& scene) {
-    return with(effects_of(scene), added_effects(scene));
+    const Effects needed = with(effects_of(scene), added_effects(scene));
+    if (scene.meshes.empty()) return needed;
+    // Meshes call for what spheres of their materials would call for.
+    SceneDescription of_meshes;
+    of_meshes.materials = scene.materials;
+    for (const MeshDescription& mesh : scene.meshes)
+        of_meshes.spheres.push_back({{}, mesh.material});
+    return with(needed, effects_of(of_meshes));
 }
 
 }  // namespace rt

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <rt/camera.hpp>
 #include <rt/color.hpp>
@@ -11,6 +12,7 @@
 #include <rt/lambertian.hpp>
 #include <rt/lens.hpp>
 #include <rt/mat4.hpp>
+#include <rt/mesh.hpp>
 #include <rt/metal.hpp>
 #include <rt/own_material.hpp>
 #include <rt/sky.hpp>
@@ -47,6 +49,13 @@ struct SphereDescription {
     int map = -1;        // an index into the scene's maps; -1 for a plain sphere
 };
 
+// A surface of triangles, which chapter 12 draws.
+struct MeshDescription {
+    std::shared_ptr<const Mesh> mesh;
+    Mat4 object_to_world;  // not singular
+    int material = 0;      // an index into the scene's materials; not an Emitter
+};
+
 // The settings for a picture, unless the user asks for others.
 struct RenderSettings {
     int width = 640, height = 360;  // pixels
@@ -64,6 +73,7 @@ struct SceneDescription {
     std::vector<Image> images;  // linear light
     std::vector<Mat4> maps;     // from the unit sphere to the world, none singular
     std::vector<SphereDescription> spheres;
+    std::vector<MeshDescription> meshes;
     RenderSettings settings;
 };
 
