@@ -9,7 +9,7 @@
 #include <study/pixel_error.hpp>
 #include <study/ulp.hpp>
 
-#include "ways.hpp"
+#include "triangle_ways.hpp"
 
 namespace triangles {
 namespace {

@@ -100,7 +100,7 @@ refuses nan.json 'meshes\[0\].file.*line 1'
 mesh short.json 'v 0 0\n'
 refuses short.json 'meshes\[0\].file.*line 1 has too few numbers'
 mesh empty.json ''
-refuses empty.json 'meshes\[0\].file.*is empty'
+refuses empty.json 'meshes\[0\].file.*no polygons'
 mesh none.json "$corners"
 refuses none.json 'meshes\[0\].file.*no polygons'
 mesh drawn.json "${corners}f -3 -2 -1\n"

@@ -38,7 +38,7 @@ class TeapotBuilder {
                 mesh.places.push_back({from + around * (to - from), point.y / height});
                 corners.push_back({number_of(point), -1, static_cast<int>(mesh.places.size()) - 1});
             }
-        const bool turned = mirror_x * mirror_z < 0;
+        const bool turned = mirror_x * mirror_z > 0;  // Newell's go around clockwise
         for (int row = 0; row < n_; ++row)
             for (int column = 0; column < n_; ++column) {
                 const auto at = [&](int r, int c) {

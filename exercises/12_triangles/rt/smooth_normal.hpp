@@ -8,11 +8,11 @@
 
 namespace rt {
 
-// Exercise 12.3. The normals of the three corners, interpolated with the weights 1 - u - v, u and
-// v, at length 1. `flat` is the triangle's own normal. Star: if the result is on the other side of
-// the triangle than `flat`, it is turned around; where the three cancel, the result is `flat`.
-// Source: Phong, "Illumination for computer generated pictures", Communications of the ACM 18,
-// 1975.
+// Exercise 12.3. The normals of the three corners, interpolated with the weights 1 - u - v, u and v,
+// at length 1. `flat` is the triangle's own normal.
+// Star: if the result is on the other side of the triangle than `flat`, it is turned around; where
+// the three cancel, the result is `flat`.
+// Source: Phong, "Illumination for computer generated pictures", Comm. ACM 18, 1975.
 inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Vec3 flat) {
     return rt::todo("12.3", normals, u, v, flat);
 }

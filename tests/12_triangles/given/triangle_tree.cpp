@@ -1,0 +1,113 @@
+#include <rt/make_teapot.hpp>
+#include <rt/mesh_world.hpp>
+
+#include "../shapes.hpp"
+
+using namespace checkpoint;
+using rt::Interval;
+using rt::SceneTriangle;
+
+namespace {
+
+struct Nearest {
+    int number = -1;
+    Real t = 0;
+};
+Nearest of_list(const std::vector<SceneTriangle>& all, const Ray& ray, Interval within) {
+    Nearest nearest;
+    for (const SceneTriangle& triangle : all)
+        if (const auto hit = rt::hit_triangle(triangle.shape, ray, within)) {
+            nearest = {triangle.number, hit->t};
+            within.max = hit->t;
+        }
+    return nearest;
+}
+
+void check_tree(const std::vector<SceneTriangle>& all, const std::vector<Ray>& rays) {
+    const rt::TriangleTree tree = rt::make_wide_tree(all);
+    for (const Ray& ray : rays) {
+        const Interval within{0, rt::infinity};
+        const Nearest expected = of_list(all, ray, within);
+        const auto found = tree.search(ray, within);
+        const bool same = found.best.number == expected.number &&
+                          (expected.number < 0 || found.best.t == expected.t);
+        if (!same || tree.occluded(ray, within) != (expected.number >= 0)) {
+            INFO(text(ray) << ": a list finds " << expected.number << " at " << text(expected.t)
+                           << ", the wide tree " << found.best.number << " at "
+                           << text(found.best.t));
+            REQUIRE(same);
+            REQUIRE(tree.occluded(ray, within) == (expected.number >= 0));
+        }
+    }
+    SUCCEED();
+}
+
+}  // namespace
+
+TEST_CASE("the wide tree of triangles finds what a list finds to the last bit") {
+    rt::Rng rng{12, 20};
+    for (int round = 0; round < 60; ++round) {
+        const Real size = any_size(rng, -9, 9);
+        std::vector<SceneTriangle> all;
+        for (int i = 0; i < 200; ++i) {
+            Triangle shape = placed(plain_triangle(rng), Real(0.4) * size, size * in_cube(rng));
+            if (i % 4 == 0) shape.c = shape.a + Real(1e-3) * (shape.c - shape.a);  // a needle
+            if (i % 5 == 0) shape.a.y = shape.b.y = shape.c.y;                     // a flat box
+            if (i % 7 == 0 && i > 0) shape = all[rng() % all.size()].shape;        // coplanar
+            if (i % 11 == 0) shape.c = shape.b;                                    // no area
+            all.push_back({shape, i % 3, i});
+        }
+        std::vector<Ray> rays;
+        for (int i = 0; i < 300; ++i) {
+            const Triangle& at = all[rng() % all.size()].shape;
+            const Vec3 from = i % 3 == 0 ? at.a : 2 * size * in_cube(rng);
+            const Vec3 aim = i % 2 == 0 ? at.b : point_of(at, Real(0.3), Real(0.3));
+            rays.push_back({from, aim == from ? Vec3{1, 0, 0} : aim - from});
+        }
+        check_tree(all, rays);
+    }
+}
+
+TEST_CASE("the teapot's triangles have areas and normals and its points are shared") {
+    const rt::Mesh teapot = rt::make_teapot(6);
+    CHECK(teapot.triangles.size() > 2000);
+    CHECK(teapot.points.size() < teapot.triangles.size());
+    Vec3 low{9, 9, 9}, high{-9, -9, -9};
+    for (const Vec3& p : teapot.points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    CHECK(low.y == 0);
+    CHECK(std::abs(high.y - real(3.15)) < real(1e-5));
+    CHECK(std::abs(high.x - real(3.434)) < real(0.01));
+    CHECK(std::abs(low.x + 3) < real(0.01));
+    const std::vector<Triangle> shapes = shapes_of(teapot);
+    int outward = 0;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        REQUIRE(exact_length(exact_normal(shapes[i])).high > 0);
+        // The sides of the body: the normal leads away from the axis.
+        const Vec3 middle = point_of(shapes[i], Real(0.33), Real(0.33));
+        if (middle.y > Real(0.5) && middle.y < 2 && std::abs(middle.x) < 2) {
+            const ExactVec3 n = exact_normal(shapes[i]);
+            outward += (n.x * Exact(middle.x) + n.z * Exact(middle.z)).high > 0 ? 1 : -1;
+        }
+    }
+    CHECK(outward > 300);
+}
+
+TEST_CASE("a placed mesh keeps its numbers apart from the others'") {
+    rt::Mesh one;
+    one.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    one.normals = {{0, 0, 1}};
+    one.triangles = {{rt::Corner{0, 0, -1}, {1, 0, -1}, {2, -1, -1}}};
+    rt::SceneMeshes all;
+    all.add(one, {}, 3);
+    all.add(one, rt::multiply(rt::translation({5, 0, 0}), rt::scaling({2, 1, 4})), 7);
+    REQUIRE(all.triangles.size() == 2);
+    CHECK(all.triangles[1].material == 7);
+    CHECK(all.triangles[1].number == 1);
+    CHECK(text(all.triangles[1].shape) == text(Triangle{{5, 0, 0}, {7, 0, 0}, {5, 1, 0}}));
+    CHECK(all.mesh.triangles[1][1] == rt::Corner{4, 1, -1});
+    CHECK(all.mesh.triangles[1][2] == rt::Corner{5, -1, -1});
+    CHECK(all.mesh.normals[1] == Vec3{0, 0, 1});
+}

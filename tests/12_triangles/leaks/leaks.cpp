@@ -1,0 +1,92 @@
+// triangle_leaks [MILLIONS [BELTS]]: how many of this many million rays from inside leave a closed
+// mesh, by the star of 12.1 and by Möller and Trumbore's plain test. Half of the rays go to points
+// of edges, a quarter to corners, and the rest anywhere. Run by hand: 1000 million take some
+// minutes.
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <rt/rng.hpp>
+#include <rt/shape_tree.hpp>
+#include <rt/triangle_leaf.hpp>
+#include <rt/wide_builder.hpp>
+#include <thread>
+#include <vector>
+
+#include "triangle_ways.hpp"
+
+using namespace rt;
+using triangles::Plain;
+
+namespace plain {
+
+// A triangle for chapter 07's tree that is hit by the plain test.
+struct Shape {
+    SceneTriangle triangle;
+};
+Box bounds_of(const Shape& shape) {
+    return rt::bounds_of(shape.triangle);
+}
+std::optional<Real> hit_shape(const Shape& shape, const Ray& ray, Interval within) {
+    return Plain{shape.triangle.shape}.hit(ray, within);
+}
+
+}  // namespace plain
+
+namespace {
+
+// A ray from inside of the ball.
+Ray any_ray(const std::vector<SceneTriangle>& ball, Rng& random) {
+    const auto in_cube = [&] {
+        const Real x = random.uniform(-1, 1), y = random.uniform(-1, 1), z = random.uniform(-1, 1);
+        return Vec3{x, y, z};
+    };
+    const Vec3 from = Real(0.4) * in_cube();
+    const auto& [a, b, c] = ball[random() % ball.size()].shape;
+    const unsigned kind = random() % 4;
+    const Real along = random.uniform();
+    const Vec3 aim = kind < 2 ? a + along * (b - a) : kind == 2 ? c : in_cube();
+    return {from, aim - from};
+}
+
+// Counts the rays that leave, on all cores; meets(ray) says whether a ray is stopped.
+template <class Meets>
+long count_leaks(const std::vector<SceneTriangle>& ball, long millions, const Meets& meets) {
+    std::atomic<long> next = 0, leaks = 0;
+    std::vector<std::thread> threads;
+    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+        threads.emplace_back([&] {
+            for (long part; (part = next++) < millions;) {
+                Rng random{12, static_cast<std::uint64_t>(part)};
+                long mine = 0;
+                for (int k = 0; k < 1'000'000; ++k) mine += !meets(any_ray(ball, random));
+                leaks += mine;
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+    return leaks;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const long millions = argc > 1 ? std::atol(argv[1]) : 10;
+    const auto ball =
+        triangles_of(triangles::closed_ball(argc > 2 ? std::atoi(argv[2]) : 64), 0, 0);
+    const TriangleTree tree = make_wide_tree(ball);
+    std::vector<plain::Shape> shapes;
+    for (const SceneTriangle& triangle : ball) shapes.push_back({triangle});
+    const auto plain_tree = make_wide_tree(shapes);
+    std::printf("%zu triangles, %ld million rays, %s\n", ball.size(), millions,
+                sizeof(Real) == 4 ? "float" : "double");
+    std::printf("watertight: %ld leaks\n", count_leaks(ball, millions, [&](const Ray& ray) {
+                    return tree.search(ray, {}).leaf != nullptr;
+                }));
+    std::fflush(stdout);
+    const long fewer = std::min(millions, 10L);
+    std::printf(
+        "plain: %ld leaks of %ld million rays\n",
+        count_leaks(ball, fewer,
+                    [&](const Ray& ray) { return plain_tree.search(ray, {}).leaf != nullptr; }),
+        fewer);
+}
