@@ -9,7 +9,7 @@ import { parseArgs } from 'node:util';
 import MiniSearch from 'minisearch';
 import subsetFont from 'subset-font';
 import { escape, mathLetters, render } from './markdown.mjs';
-import { figure, find, folders, modules, written } from './live.mjs';
+import { described, figure, find, folders, modules, pageScript, written } from './live.mjs';
 import { layout } from './layout.mjs';
 import { mistakesPage } from './mistakes.mjs';
 import { compared, img, plot, rightPicture, sizeOf } from './pictures.mjs';
@@ -75,7 +75,18 @@ function copy(file) {
     return to;
 }
 
-// The live figures that the texts show.
+// ---- The live figures -------------------------------------------------------------------------
+
+const first = options.first && resolve(options.first), withoutFirst = new Set();
+const compiled = await modules(
+    described.keys(), chapters, join(root, 'out/live-cache'), first,
+    (chapter, error) => {
+        withoutFirst.add(chapter);
+        console.log(`chapter ${chapter}: its figures run the solution's code, because they do not compile with yours: ` +
+            (/^.*\berror: .*/m.exec(error.message)?.[0] ?? error.message.split('\n')[0]).replace(root + '/', ''));
+    });
+
+// Those that the texts show.
 const liveFigures = new Set();
 
 // The ways in which a page treats what its text names, relative to its source.
@@ -107,7 +118,7 @@ function resolver(source) {
             if (!find(name)) throw new Error(`no live figure has the name ${name}: see book/live`);
             if (liveFigures.has(name)) throw new Error(`the live figure ${name} occurs twice`);
             liveFigures.add(name);
-            return figure(name, still, isBelow);
+            return figure(name, still, isBelow, compiled?.get(name.slice(0, 2)).shown[name.slice(3)]);
         },
     };
 }
@@ -164,17 +175,9 @@ const write = (file, content) => {
     writeFileSync(join(out, file), content);
 };
 const title = titleOf('README.md');
-const first = options.first && resolve(options.first), withoutFirst = new Set();
-const compiled = await modules(
-    new Set([...liveFigures].map(name => name.slice(0, 2))), chapters, join(root, 'out/live-cache'), first,
-    (chapter, error) => {
-        withoutFirst.add(chapter);
-        console.log(`chapter ${chapter}: its figures run the solution's code, because they do not compile with yours: ` +
-            (/^.*\berror: .*/m.exec(error.message)?.[0] ?? error.message.split('\n')[0]).replace(root + '/', ''));
-    });
 if (compiled) {
-    for (const [chapter, script] of compiled) write(`assets/live-${chapter}.js`, script);
-    write('assets/live.js', readFileSync(join(here, 'live/page.js')));
+    for (const [chapter, { script }] of compiled) write(`assets/live-${chapter}.js`, script);
+    write('assets/live.js', pageScript());
 } else {
     console.log('live figures need Emscripten: install emcc (Debian: emscripten); the still pictures stay');
 }

@@ -2,13 +2,15 @@
 // by the page. live/live.hpp says how to add a figure.
 import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
+import { runInNewContext } from 'node:vm';
 import { gzipSync } from 'node:zlib';
 import { escape } from './markdown.mjs';
+import { included } from './yours.mjs';
 
 const here = join(dirname(fileURLToPath(import.meta.url)), 'live'), root = dirname(dirname(here));
 const run = promisify(execFile);
@@ -17,6 +19,9 @@ const emcc = process.env.EMCC ?? 'emcc';
 // For the number of each chapter that has figures: their descriptions by name.
 export const described = new Map(readdirSync(here).filter(name => /^\d\d\.json$/.test(name)).sort()
     .map(name => [name.slice(0, 2), JSON.parse(readFileSync(join(here, name), 'utf8'))]));
+
+// How figures write numbers.
+export const numbers = runInNewContext(`${readFileSync(join(here, 'numbers.js'), 'utf8')}; liveNumbers`);
 
 const pascal = name => name.replace(/(?:^|_)(\w)/g, (_, letter) => letter.toUpperCase());
 export const find = name => described.get(name.slice(0, 2))?.[name.slice(3)];
@@ -32,21 +37,26 @@ function control(chapter, figure, { name, label, kind = 'range', options, ...res
             `<option value="${i}"${i === rest.value ? ' selected' : ''}>${escape(option)}</option>`).join('')}</select></label>`;
     const data = ['unit', 'play', 'log'].filter(key => rest[key] !== undefined)
         .map(key => ` data-${key}="${escape(String(rest[key]))}"`).join('');
-    const slider = `<label>${text} <span class="value"></span><input type="range" ${shared} min="${rest.min}" ` +
+    const slider = `<label>${text} <span class="value">${escape(numbers.named(Number(rest.value), rest))}</span><input type="range" ${shared} min="${rest.min}" ` +
         `max="${rest.max}" step="${rest.step}" value="${rest.value}"${data} autocomplete="off"></label>`;
     return slider + (rest.play ? `<button type="button" data-plays="${name}">Play</button>` : '');
 }
 
 // A live figure in place of a still picture, or below it. The still picture remains without scripts, and in print.
-export function figure(name, still, isBelow) {
+// `first` is what it shows first, so that nothing moves when it comes to life: see live/measure.mjs.
+export function figure(name, still, isBelow, first) {
     const [chapter, own] = name.split('.'), { shows, try: attempt, controls } = find(name);
     const number = Object.keys(described.get(chapter)).indexOf(own);
-    return `<figure class="live${isBelow ? ' below' : ''}" data-live="${name}" data-number="${number}">` +
-        (still && `<div class="still">${still}</div>`) +
-        `<div class="moving"><div class="stage"><canvas role="img" aria-label="${escape(shows)}"></canvas></div>` +
-        `<div class="progress" hidden></div><output class="said" aria-live="polite"></output>` +
+    const { wide, narrow, said, samples } = { wide: 0.6, narrow: 0.8, said: '', samples: 0, ...first };
+    const picture = still && `<div class="still">${still}</div>`;
+    return `<figure class="live${isBelow ? ' below' : ''}" data-live="${name}" data-number="${number}" ` +
+        `style="--wide: ${1 / wide}; --narrow: ${1 / narrow}">${isBelow ? picture : ''}` +
+        `<div class="moving"><figcaption>${escape(attempt)}</figcaption>` +
+        `<div class="stage">${isBelow ? '' : picture}<canvas role="img" aria-label="${escape(shows)}"></canvas></div>` +
+        `<div class="progress"${samples > 1 ? '' : ' hidden'}>0 of ${samples} samples per pixel</div>` +
+        `<output class="said" aria-live="polite">${escape(said)}</output>` +
         `<form>${controls.map(one => control(chapter, own, one)).join('')}<button type="reset">Reset</button></form>` +
-        `<figcaption>${escape(attempt)}</figcaption></div></figure>`;
+        '</div></figure>';
 }
 
 // ---- Compiled --------------------------------------------------------------------------------
@@ -65,10 +75,6 @@ function generated(chapter) {
             `const int live_count = ${figures.length};\n`,
     };
 }
-
-// The headers in a folder on the include path, and its sources, since figures include those of a program, too.
-const headers = folder => [folder, ...['rt', 'app', 'study'].map(name => join(folder, name))].filter(existsSync).flatMap(one =>
-    readdirSync(one).filter(name => /\.[ch]pp$/.test(name)).sort().map(name => join(one, name)));
 
 // The include folders of a chapter's figures, in the order of its program's.
 export function folders(chapter, chapters, first) {
@@ -91,16 +97,25 @@ export const sources = (chapter, chapters, first) => ({
     include: folders(chapter, chapters, first).flatMap(folder => ['-I', folder]),
 });
 
+// Writes a file of the cache, and of the older ones of its chapter keeps only the three newest.
+function keep(file, content) {
+    const cache = dirname(file), chapter = basename(file).slice(0, 3);
+    mkdirSync(cache, { recursive: true });
+    writeFileSync(file, content);
+    const old = readdirSync(cache).filter(name => name.startsWith(chapter) && name.endsWith('.wasm'))
+        .sort((a, b) => statSync(join(cache, b)).mtimeMs - statSync(join(cache, a)).mtimeMs);
+    for (const name of old.slice(4)) for (const one of [name, `${name}.json`]) rmSync(join(cache, one), { force: true });
+}
+
+// The file of a chapter's compiled figures.
 async function compile(chapter, chapters, first, cache) {
     const { generated: made, float, include } = sources(chapter, chapters, first);
-    const hash = createHash('sha256');
-    hash.update(JSON.stringify([version, flags, linked, made]));
-    const own = readdirSync(here).filter(name => name.endsWith('.hpp') || name.startsWith(chapter) && name.endsWith('.cpp'));
-    for (const file of [...own.sort().map(name => join(here, name)), ...folders(chapter, chapters, first).flatMap(headers)])
+    const hash = createHash('sha256').update(JSON.stringify([version, flags, linked, made]));
+    const own = [...written(chapter), join(here, 'host.hpp'), join(here, 'missing.hpp')], paths = folders(chapter, chapters, first);
+    for (const file of new Set(own.flatMap(one => [one, ...included(one, [here, ...paths])])))
         hash.update(basename(file)).update('\0').update(readFileSync(file));
-    const kind = `${chapter}-${first ? 'first' : 'solution'}-`;
-    const kept = join(cache, `${kind}${hash.digest('hex').slice(0, 16)}.wasm`);
-    if (existsSync(kept)) return readFileSync(kept);
+    const kept = join(cache, `${chapter}-${hash.digest('hex').slice(0, 16)}.wasm`);
+    if (existsSync(kept)) return kept;
 
     const folder = mkdtempSync(join(tmpdir(), 'live-'));
     try {
@@ -115,11 +130,8 @@ async function compile(chapter, chapters, first, cache) {
         }));
         const to = join(folder, 'module.wasm');
         await run(emcc, ['-O2', ...linked, ...compiled, '-o', to]);
-        const code = readFileSync(to);
-        mkdirSync(cache, { recursive: true });
-        for (const old of readdirSync(cache)) if (old.startsWith(kind)) rmSync(join(cache, old), { force: true });
-        writeFileSync(kept, code);
-        return code;
+        keep(kept, readFileSync(to));
+        return kept;
     } catch (error) {
         throw new Error(`the live figures of chapter ${chapter} do not compile:\n` +
                         (error.stderr ?? error.message).replace(/^emcc: error: .*/gm, '').trim());
@@ -132,27 +144,44 @@ async function compile(chapter, chapters, first, cache) {
 const version = await run(emcc, ['--version']).then(({ stdout }) => stdout.split('\n')[0], () => undefined);
 
 // The compiled figures of a chapter; undefined without Emscripten.
-export const code = (chapter, chapters, cache, first) => version && compile(chapter, chapters, first, cache);
+export const code = async (chapter, chapters, cache, first) =>
+    version && readFileSync(await compile(chapter, chapters, first, cache));
 
-// For the number of each of these chapters: its module, as a script for the pages; undefined without Emscripten. The
-// learner's headers in the folder `first`, if there is one, come before the solution's. A chapter that does not
-// compile with them is compiled without them, after a call of refused(chapter, error).
+// What the figures of a compiled chapter show first. A learner's code may not return.
+async function measured(chapter, kept) {
+    const file = `${kept}.json`;
+    if (!existsSync(file)) {
+        const { stdout } = await run(process.execPath, [join(here, 'measure.mjs'), chapter, kept], { timeout: 60_000 });
+        writeFileSync(file, stdout);
+    }
+    return JSON.parse(readFileSync(file, 'utf8'));
+}
+
+// For the number of each of these chapters: its module as a script for the pages, and what its figures show first;
+// undefined without Emscripten. The learner's headers in the folder `first`, if there is one, come before the
+// solution's. A chapter that does not compile with them is compiled without them, after a call of refused(chapter, error).
 export async function modules(wanted, chapters, cache, first, refused) {
     if (!version) return undefined;
     const worker = readFileSync(join(here, 'worker.js'), 'utf8');
     const made = new Map(), waiting = [...wanted];
     const work = async () => {
         for (let chapter; (chapter = waiting.shift());) {
-            const compiled = await compile(chapter, chapters, first, cache).catch(error => {
+            let whose = first ? 'Your' : 'The';
+            const kept = await compile(chapter, chapters, first, cache).catch(error => {
                 if (!first) throw error;
                 refused(chapter, error);
+                whose = 'The';
                 return compile(chapter, chapters, undefined, cache);
             });
-            const packed = gzipSync(compiled, { level: 9 });
-            made.set(chapter, `liveModule(${JSON.stringify(chapter)}, ${JSON.stringify(worker)}, ` +
-                `"${packed.toString('base64')}");\n`);
+            const packed = gzipSync(readFileSync(kept), { level: 9 });
+            const script = `liveModule(${[chapter, worker, packed.toString('base64'), whose].map(one => JSON.stringify(one))
+                .join(', ')});\n`;
+            made.set(chapter, { script, shown: await measured(chapter, kept).catch(() => ({})) });
         }
     };
     await Promise.all([work(), work()]);
     return made;
 }
+
+// What the page runs for its figures.
+export const pageScript = () => ['numbers.js', 'page.js'].map(name => readFileSync(join(here, name), 'utf8')).join('\n');

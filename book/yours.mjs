@@ -4,7 +4,7 @@ import { dirname, join } from 'node:path';
 
 // The files of the course that a source includes, directly or through others, as a compiler with these include
 // folders finds them.
-function included(source, folders, found = new Set()) {
+export function included(source, folders, found = new Set()) {
     for (const [, kind, name] of readFileSync(source, 'utf8').matchAll(/^\s*#\s*include\s*([<"])([\w./]+)[>"]/gm)) {
         const file = [...(kind === '"' ? [dirname(source)] : []), ...folders]
             .map(folder => join(folder, name)).find(existsSync);

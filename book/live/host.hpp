@@ -73,6 +73,16 @@ void LIVE_EXPORT(live_draw)(int figure, double width, double pixel_ratio) {
 void LIVE_EXPORT(live_drag)(int figure, double x0, double y0, double x, double y, double width) {
     live_figures[figure].drag(live::values, {{x0, y0}, {x, y}, width});
 }
+// After live_draw: of `parts` workers that refine the same picture, this is number `part`.
+void LIVE_EXPORT(live_take)(int figure, int part, int parts) {
+    if (live::Refinement* refinement = live::drawing(figure).refinement())
+        refinement->take(part, parts);
+}
+// Where the picture is that gets better.
+const std::uint8_t* LIVE_EXPORT(live_refined)(int figure) {
+    const live::Refinement* refinement = live::drawing(figure).refinement();
+    return refinement ? refinement->bytes().rgba.data() : nullptr;
+}
 int LIVE_EXPORT(live_more)(int figure) {
     live::Refinement* refinement = live::drawing(figure).refinement();
     return refinement && refinement->more();

@@ -9,41 +9,14 @@
         const probe = document.createElement('span');
         document.body.append(probe);
         names.forEach((name, i) => {
-            probe.className = name;  // it selects a plot's color
-            probe.style.color = /^c\d/.test(name) ? 'var(--c)' : `var(--${name})`;
+            probe.style.color = `var(--${name})`;
             colors[i] = getComputedStyle(probe).color;
         });
         probe.remove();
     }
     const colorOf = code => code < 256 ? colors[code] : `#${(code - 256).toString(16).padStart(6, '0')}`;
 
-    // ---- Numbers ----
-
-    const superscript = text => [...text].map(c => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c])).join('');
-    const minus = text => text.replace('-', '−');
-    function scientific(value) {
-        if (value === 0 || !Number.isFinite(value)) return plain(value);
-        const [digits, exponent] = value.toExponential(1).split('e');
-        return `${minus(digits)}·10${superscript(exponent.replace('+', ''))}`;
-    }
-    function plain(value) {
-        if (Number.isNaN(value)) return 'none';
-        if (!Number.isFinite(value)) return value < 0 ? '−∞' : '∞';
-        const size = Math.abs(value);
-        if (size !== 0 && (size < 1e-4 || size >= 1e7)) return scientific(value);
-        return minus(String(+value.toPrecision(4)));
-    }
-    function shown(value, how) {
-        if (how === 'e') return scientific(value);
-        if (how === '+') return (value >= 0 ? '+' : '') + plain(value);
-        if (how.startsWith('.') && Number.isFinite(value))
-            return minus(value.toFixed(+how.slice(1)).replace(/^-(?=[0.]*$)/, ''));  // no negative zero
-        return plain(value);
-    }
-    const filled = (words, values) => {
-        let next = 0;
-        return words.replace(/\{(e|\+|\.\d+|)\}/g, (_, how) => shown(values[next++], how));
-    };
+    const { filled, named } = liveNumbers;
 
     // ---- Strokes ----
 
@@ -110,17 +83,20 @@
             this.module = module;
             this.number = +element.dataset.number;
             this.form = element.querySelector('form');
+            this.stage = element.querySelector('.stage');
             this.canvas = element.querySelector('canvas');
             this.said = element.querySelector('.said');
             this.progress = element.querySelector('.progress');
             this.inputs = [...this.form.querySelectorAll('[data-control]')];
             this.handles = [];
+            this.requests = 0;
+            this.forget();
             this.form.addEventListener('input', () => this.changed());
             this.form.addEventListener('submit', event => event.preventDefault());
             this.form.addEventListener('reset', () => setTimeout(() => this.changed()));
             for (const button of this.form.querySelectorAll('[data-plays]')) this.play(button);
             this.dragging();
-            new ResizeObserver(() => this.request({})).observe(element.querySelector('.stage'));
+            new ResizeObserver(() => this.request({})).observe(this.stage);
         }
 
         // ---- Controls ----
@@ -139,8 +115,7 @@
             for (const input of this.inputs) {
                 const output = input.parentElement.querySelector('.value');
                 if (!output) continue;
-                const value = input.dataset.log ? 10 ** +input.value : +input.value;
-                output.textContent = plain(value < 100 ? value : Math.round(value)) + (input.dataset.unit ?? '');
+                output.textContent = named(+input.value, input.dataset);
                 input.setAttribute('aria-valuetext', output.textContent);
             }
         }
@@ -168,7 +143,7 @@
                 }
                 timer = setInterval(() => {
                     if (!this.element.classList.contains('runs')) return stop();
-                    if (this.waiting) return;  // the worker is behind
+                    if (this.waits) return;  // the worker is behind
                     input.stepUp();
                     this.changed();
                     if (+input.value >= +input.max) stop();
@@ -178,49 +153,89 @@
             this.canvas.addEventListener('pointerdown', stop);
         }
 
-        // ---- The worker ----
+        // ---- The workers ----
 
-        // Only one request is on its way at a time. Of those made meanwhile, only the last one counts.
+        // The first worker draws the figure. If its picture refines, the others draw parts of the picture.
+        forget() {
+            this.waiting = [];  // for each worker, the request that it has not answered yet,
+            this.next = [];     // and the one to send after that: of those made meanwhile, only the last one counts
+            this.parts = [];    // what the others have drawn
+        }
+        get waits() {
+            return Boolean(this.waiting[0]);
+        }
+        get refines() {
+            return this.answer?.samples > 0;
+        }
         request(what) {
-            const width = this.element.querySelector('.stage').clientWidth;
+            const width = this.stage.clientWidth;
             if (width === 0) return;
-            const request = { figure: this.number, values: this.values, ranges: this.ranges, width,
-                              ratio: devicePixelRatio, ...what };
-            if (this.waiting) this.next = request;
-            else this.send(request);
+            this.send({ figure: this.number, id: ++this.requests, values: this.values, ranges: this.ranges, width,
+                        ratio: devicePixelRatio, ...what });
         }
         send(request) {
-            this.waiting = request;
-            this.module.worker.postMessage(request);
+            this.last = request;
+            const parts = this.refines ? this.module.crew() : 1;
+            for (let part = 0; part < parts; ++part)
+                if (this.waiting[part]) this.next[part] = { ...request, part, parts };
+                else this.post({ ...request, part, parts });
         }
-        receive(answer) {
-            if (answer.failed) {
-                this.element.classList.remove('runs');
-                console.info(`live figure ${this.element.dataset.live}: ${answer.failed}`);
-                return;
-            }
+        post(request) {
+            this.waiting[request.part] = request;
+            this.module.workers[request.part].postMessage(request);
+        }
+        receive(answer, worker) {
             if (answer.answers) {
-                // The values of a drag that is over would undo what has been set since.
-                if (answer.values && !(this.next && !this.next.drag)) this.setValues(answer.values);
-                this.width = this.waiting.width;
-                this.waiting = undefined;
-                if (this.next) this.send(this.next);
-                this.next = undefined;
+                const request = this.waiting[worker], next = this.next[worker];
+                this.waiting[worker] = this.next[worker] = undefined;
+                if (worker === 0) {
+                    // The values of a drag that is over would undo what has been set since.
+                    if (answer.values && !(next && !next.drag)) this.setValues(answer.values);
+                    answer.width = request.width;
+                }
+                if (next) this.post(next);
             }
-            this.answer = answer;
-            this.show();
+            if (worker > 0) {
+                this.parts[worker] = answer;
+            } else {
+                const didRefine = this.refines;
+                this.answer = { width: this.answer?.width, ...answer };
+                this.element.classList.remove('failed');
+                if (this.refines && !didRefine && this.module.crew() > 1) this.send(this.last);
+            }
+            this.shows ??= requestAnimationFrame(() => {
+                this.shows = undefined;
+                this.show();
+            });
+        }
+
+        // The module has new workers. `failure` says what this figure did to the old ones, if it was this one.
+        begin(failure) {
+            const { last, next: [next] } = this;
+            this.forget();
+            if (!failure) return last && this.send(last);
+            const inputs = this.inputs.map((input, i) => {
+                const label = input.parentElement.firstChild.textContent.trim();
+                const { values } = last;
+                return `${label} ${input.tagName === 'SELECT' ? input.options[values[i]].text : named(values[i], input.dataset)}`;
+            });
+            this.said.textContent = `${failure}: ${inputs.join(', ')}. Change a value, or reset.`;
+            this.element.classList.add('failed');
+            if (next) this.send(next);
         }
 
         // ---- Drawing ----
 
         show() {
             if (!this.answer) return;
-            const { list, height, done, samples } = this.answer, { canvas, width } = this;
+            const { list, width, height, samples } = this.answer, { canvas } = this;
+            this.width = width;
+            const done = this.merge();
             const ratio = devicePixelRatio;
             const [columns, rows] = [Math.round(width * ratio), Math.round(height * ratio)];
             if (canvas.width !== columns || canvas.height !== rows)
                 [canvas.width, canvas.height] = [columns, rows];
-            canvas.style.aspectRatio = `${width} / ${height}`;
+            this.stage.style.aspectRatio = `${width} / ${height}`;
             const pen = canvas.getContext('2d');
             pen.setTransform(ratio, 0, 0, ratio, 0, 0);
             pen.clearRect(0, 0, width, height);
@@ -230,7 +245,8 @@
                 if (op === handleOp) this.handles.push([...numbers]);
                 else if (op === sayOp) {
                     const said = filled(this.answer.words[numbers[0]], numbers.subarray(1));
-                    if (this.said.textContent !== said) this.said.textContent = said;
+                    if (this.said.textContent !== said && !this.element.classList.contains('failed'))
+                        this.said.textContent = said;
                 } else {
                     pen.globalAlpha = alpha;
                     pen.fillStyle = pen.strokeStyle = colorOf(color);
@@ -252,6 +268,23 @@
             this.element.classList.add('runs');
         }
 
+        // Puts the bands of rows that the other workers drew in the picture of the first, and returns how many samples
+        // per pixel all have drawn.
+        merge() {
+            const { id, parts, refined, pictures } = this.answer;
+            let { done } = this.answer;
+            for (let part = 1; part < parts; ++part) {
+                const other = this.parts[part], same = other?.id === id;
+                done = Math.min(done, same ? other.done : 0);
+                if (!same || refined < 0) continue;
+                const { columns, pixels } = other;
+                const band = 4 * columns * bandRows;
+                for (let at = part * band; at < pixels.length; at += parts * band)
+                    pictures[refined].set(pixels.subarray(at, at + band), at);
+            }
+            return done;
+        }
+
         // ---- Dragging ----
 
         placeOf(event) {
@@ -269,24 +302,37 @@
             const { canvas } = this;
             let drag;
             canvas.addEventListener('pointerdown', event => {
-                const down = this.placeOf(event);
-                if (event.button !== 0 || !this.grabs(down, event.pointerType === 'mouse' ? 4 : 14)) return;
-                drag = { pointer: event.pointerId, values: this.values, down };
+                const down = this.placeOf(event), isTouch = event.pointerType === 'touch';
+                const reach = event.pointerType === 'mouse' ? 4 : 14;
+                if (event.button !== 0 || !this.grabs(down, reach)) return;
+                // A finger that is not on a handle drags only if it moves sideways: else it scrolls the page, or taps.
+                drag = { pointer: event.pointerId, values: this.values, down, begun: !isTouch || this.isOnHandle(down, reach) };
                 canvas.setPointerCapture(event.pointerId);
                 event.preventDefault();
                 this.element.classList.add('grabbed');
             });
             canvas.addEventListener('pointermove', event => {
                 const at = this.placeOf(event);
-                if (drag && drag.pointer !== event.pointerId) return;  // another finger
-                if (drag) this.request({ values: drag.values, drag: { down: drag.down, at } });
-                else canvas.style.cursor = this.grabs(at, 4) ? 'grab' : '';
+                if (!drag) {
+                    canvas.style.cursor = this.grabs(at, 4) ? 'grab' : '';
+                } else if (drag.pointer === event.pointerId) {  // not another finger
+                    const [across, along] = at.map((place, i) => Math.abs(place - drag.down[i]));
+                    drag.moved ||= Math.max(across, along) > 8;
+                    drag.begun ||= across > 8 && across > 2 * along;
+                    if (drag.begun) this.request({ values: drag.values, drag: { down: drag.down, at } });
+                }
             });
             for (const end of ['pointerup', 'pointercancel'])
                 canvas.addEventListener(end, event => {
                     if (drag?.pointer !== event.pointerId) return;
+                    const { begun, moved, values, down } = drag;
                     drag = undefined;
                     this.element.classList.remove('grabbed');
+                    if (end === 'pointerup' && !begun && !moved) this.request({ values, drag: { down, at: down } });
+                    if (end === 'pointercancel' && begun) {
+                        this.setValues(values);
+                        this.request({});
+                    }
                 });
             // A touch on a handle drags it in every direction; any other may scroll the page.
             canvas.addEventListener('touchstart', event => {
@@ -295,59 +341,122 @@
         }
     }
 
-    // ---- The figures of a chapter, and the worker that they share ----
+    // ---- The figures of a chapter, and the workers that they share ----
+
+    const patience = 3;  // seconds that an answer may take
+    const bandRows = 8;  // as in refine.hpp
+
+    class Module {
+        constructor(chapter) {
+            this.chapter = chapter;
+            this.elements = [];
+            this.workers = [];
+            this.inView = new Set();
+        }
+
+        load() {
+            if (this.asked) return;
+            this.asked = true;
+            const script = document.createElement('script');
+            script.src = `assets/live-${this.chapter}.js`;
+            document.head.append(script);
+        }
+
+        start(source, code, whose) {
+            Object.assign(this, { code, whose, loaded: performance.now() });
+            this.url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
+            this.hire();
+            setInterval(() => this.watch(), 250);
+        }
+
+        hire() {
+            const worker = new Worker(this.url), number = this.workers.push(worker) - 1;
+            worker.onmessage = ({ data }) => this.hear(worker, number, data);
+            worker.postMessage({ code: this.code });
+            for (const [figure] of this.figures ?? []) this.tell(figure, worker);
+        }
+
+        // How many workers share a picture that refines.
+        crew() {
+            const count = Math.min(4, navigator.hardwareConcurrency || 1);
+            while (this.workers.length < count) this.hire();
+            return count;
+        }
+
+        hear(worker, number, data) {
+            worker.silent = 0;
+            worker.draws = data.draws;  // the figure that it begins to draw: nothing else is heard until it is done
+            if (data.draws !== undefined) return;
+            if (data.ready) {
+                if (!this.figures) this.begin();
+            } else if (!this.figures) {
+                console.info(`live figures of chapter ${this.chapter}: ${data.failed}`);
+                for (const element of this.elements) element.classList.add('still-only');
+            } else if (data.failed) {
+                console.info(`live figure ${data.figure} of chapter ${this.chapter}: ${data.failed}`);
+                this.replace(data.figure, 'failed');
+            } else {
+                this.figures.get(data.figure).receive(data, number);
+            }
+        }
+
+        // Seconds are counted in steps, because a computer may sleep meanwhile.
+        watch() {
+            for (const worker of this.workers) {
+                worker.silent += 0.25;
+                if (worker.draws !== undefined && worker.silent > patience)
+                    return this.replace(worker.draws, 'did not return');
+            }
+        }
+
+        // A worker that hangs or trapped is of no use any more. The other figures go on with new ones.
+        replace(blamed, what) {
+            for (const worker of this.workers) {
+                worker.onmessage = undefined;
+                worker.terminate();
+            }
+            this.workers = [];
+            this.hire();
+            for (const [figure, one] of this.figures)
+                one.begin(figure === blamed ? `${this.whose} code ${what}` : undefined);
+        }
+
+        // A picture that nobody sees need not get better.
+        tell(figure, worker) {
+            worker.postMessage({ figure, [this.inView.has(figure) && !document.hidden ? 'awake' : 'asleep']: true });
+        }
+        tellAll(figure) {
+            for (const worker of this.workers) this.tell(figure, worker);
+        }
+
+        begin() {
+            this.figures = new Map(this.elements.map(element => [+element.dataset.number, new Figure(element, this)]));
+            const watched = new IntersectionObserver(changes => {
+                for (const { target, isIntersecting } of changes) {
+                    const figure = +target.dataset.number;
+                    this.inView[isIntersecting ? 'add' : 'delete'](figure);
+                    this.tellAll(figure);
+                }
+            }, { rootMargin: '300px' });
+            for (const element of this.elements) watched.observe(element);
+            document.addEventListener('visibilitychange', () => this.figures.forEach((_, figure) => this.tellAll(figure)));
+        }
+    }
 
     const modules = new Map();
-    // The chapter's file calls this with the worker's source and the compiled code.
-    window.liveModule = (chapter, source, code) => {
-        const module = modules.get(chapter);
-        module.loaded = performance.now();
-        const url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
-        module.worker = new Worker(url);
-        module.worker.onmessage = ({ data }) => {
-            if (data.ready) begin(module);
-            else if (!module.figures) console.info(`live figures of chapter ${chapter}: ${data.failed}`);
-            else module.figures.get(data.figure).receive(data);
-        };
-        module.worker.postMessage({ code });
-    };
+    // The chapter's file calls this with the worker's source, the compiled code, and whose code it is: Your or The.
+    window.liveModule = (chapter, source, code, whose) => modules.get(chapter).start(source, code, whose);
 
-    function begin(module) {
-        module.figures = new Map(module.elements.map(element =>
-            [+element.dataset.number, new Figure(element, module)]));
-        // A picture that nobody sees need not get better.
-        const inView = new Set();
-        const tell = figure => module.worker.postMessage({
-            figure, [inView.has(figure) && !document.hidden ? 'awake' : 'asleep']: true,
-        });
-        const watched = new IntersectionObserver(changes => {
-            for (const { target, isIntersecting } of changes) {
-                const figure = +target.dataset.number;
-                inView[isIntersecting ? 'add' : 'delete'](figure);
-                tell(figure);
-            }
-        }, { rootMargin: '300px' });
-        for (const element of module.elements) watched.observe(element);
-        document.addEventListener('visibilitychange', () => module.figures.forEach((_, figure) => tell(figure)));
-    }
-
-    function load(chapter) {
-        if (modules.get(chapter).asked) return;
-        modules.get(chapter).asked = true;
-        const script = document.createElement('script');
-        script.src = `assets/live-${chapter}.js`;
-        document.head.append(script);
-    }
-
+    document.documentElement.classList.add('lively');
     document.addEventListener('DOMContentLoaded', () => {
         readColors();
         const near = new IntersectionObserver(changes => {
             for (const { target, isIntersecting } of changes)
-                if (isIntersecting) load(target.dataset.live.slice(0, 2));
+                if (isIntersecting) modules.get(target.dataset.live.slice(0, 2)).load();
         }, { rootMargin: '1200px' });
         for (const element of document.querySelectorAll('figure.live')) {
             const chapter = element.dataset.live.slice(0, 2);
-            if (!modules.has(chapter)) modules.set(chapter, { elements: [] });
+            if (!modules.has(chapter)) modules.set(chapter, new Module(chapter));
             modules.get(chapter).elements.push(element);
             near.observe(element);
         }

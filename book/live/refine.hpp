@@ -20,13 +20,20 @@ class Refinement {
         square_ /= 2;
     }
 
+    // Of several workers that draw the same picture, number `part` draws every so many bands of
+    // rows. Call it before more().
+    void take(int part, int parts) {
+        part_ = part, parts_ = parts;
+        row_ = first_row();
+        if (row_ >= bytes_.rows) done_ = samples_;  // there are fewer bands than workers
+    }
+
     // Draws one more row. False when the picture is done.
     bool more() {
         if (done_ == samples_) return false;
         if (square_ > 1) {
             fill_row(row_);
-            row_ += square_;
-            if (row_ >= bytes_.rows) row_ = 0, square_ /= 2;
+            if (!advance(square_)) square_ /= 2;
             return true;
         }
         for (int column = 0; column < bytes_.columns; ++column) {
@@ -34,7 +41,7 @@ class Refinement {
             sum.add(shade_(column, row_, done_));
             bytes_.set(column, row_, sum.mean(done_ + 1));
         }
-        if (++row_ == bytes_.rows) row_ = 0, ++done_;
+        if (!advance(1)) ++done_;
         return done_ < samples_;
     }
 
@@ -50,6 +57,18 @@ class Refinement {
     }
 
   private:
+    static constexpr int band = 8;  // rows: those of the first squares, and as page.js has it
+
+    int first_row() const { return band * part_; }
+    // To the next row of this worker's bands; false at their end, and then back to the first.
+    bool advance(int rows) {
+        do row_ += rows;
+        while (row_ < bytes_.rows && row_ / band % parts_ != part_);
+        if (row_ < bytes_.rows) return true;
+        row_ = first_row();
+        return false;
+    }
+
     // A row of squares, each in its middle pixel's color.
     void fill_row(int row) {
         const int bottom = std::min(row + square_, bytes_.rows);
@@ -63,7 +82,8 @@ class Refinement {
 
     Bytes bytes_;
     std::vector<rt::ColorSum> sums_;
-    int square_ = 8;  // a side of the squares, in pixels
+    int square_ = band;  // a side of the squares, in pixels
+    int part_ = 0, parts_ = 1;
     int samples_, done_ = 0, row_ = 0;
     Drawing::Shade shade_;
 };

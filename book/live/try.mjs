@@ -8,7 +8,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
-import { figure, find, modules } from '../live.mjs';
+import { figure, find, modules, pageScript } from '../live.mjs';
 
 const book = dirname(dirname(fileURLToPath(import.meta.url))), root = dirname(book);
 const { values: options, positionals: [name, picture = 'out/live.png', ...settings] } = parseArgs({
@@ -29,12 +29,14 @@ if (!compiled) throw new Error('emcc is missing');
 
 const folder = mkdtempSync(join(tmpdir(), 'live-'));
 mkdirSync(join(folder, 'assets'));
-writeFileSync(join(folder, `assets/live-${chapter}.js`), compiled.get(chapter));
+const { script, shown } = compiled.get(chapter);
+writeFileSync(join(folder, `assets/live-${chapter}.js`), script);
+writeFileSync(join(folder, 'assets/live.js'), pageScript());
 writeFileSync(join(folder, 'index.html'), `<!DOCTYPE html><html lang="en"><meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1"><title>${name}</title>
 <link rel="stylesheet" href="${pathToFileURL(join(book, 'book.css')).href}">
-<script src="${pathToFileURL(join(book, 'live/page.js')).href}"></script>
-<body style="display: block"><main>${figure(name, '<p>The still picture</p>')}</main>`);
+<script src="assets/live.js"></script>
+<body style="display: block"><main>${figure(name, '<p>The still picture</p>', false, shown[name.slice(3)])}</main>`);
 
 const chromiumPath = process.env.CHROMIUM ?? execFileSync('which', ['chromium'], { encoding: 'utf8' }).trim();
 const browser = await chromium.launch({ executablePath: chromiumPath,
@@ -64,7 +66,7 @@ if (options.drag) {
 }
 await page.waitForTimeout(1000 * +options.wait);
 console.log(`first picture after ${await live.getAttribute('data-first')} ms; ` +
-            `${Math.round(compiled.get(chapter).length / 1000)} kB; page ` +
+            `${Math.round(script.length / 1000)} kB; page ` +
             `${await page.evaluate(() => document.documentElement.scrollWidth)} pixels wide`);
 console.log(await live.locator('.said').textContent());
 await live.screenshot({ path: picture });
