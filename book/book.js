@@ -4,54 +4,114 @@
 const root = document.documentElement;
 root.classList.add('scripted');
 const stored = {
-    get: () => { try { return localStorage.getItem('theme'); } catch { return null; } },
-    set: theme => { try { localStorage.setItem('theme', theme); } catch { /* not remembered */ } },
+    get: key => { try { return localStorage.getItem(key); } catch { return null; } },
+    set(key, value) { try { localStorage.setItem(key, value); } catch { /* not remembered */ } },
 };
-if (stored.get()) root.dataset.theme = stored.get();  // before anything is drawn
+if (stored.get('theme')) root.dataset.theme = stored.get('theme');  // before anything is drawn
+
+// The text's faces are in the style sheet. Unpacking them takes a moment, in which nothing need be laid out twice.
+root.classList.add('unpacks');
+Promise.race([Promise.all(['', 'italic ', 'bold '].map(face => document.fonts.load(`${face}1rem Text`))),
+              new Promise(late => setTimeout(late, 500))])
+    .finally(() => root.classList.remove('unpacks'));
 
 function themeButton() {
     const button = document.querySelector('.theme');
     const system = matchMedia('(prefers-color-scheme: dark)');
     const isDark = () => (root.dataset.theme ?? (system.matches ? 'dark' : 'light')) === 'dark';
     const name = () => { button.textContent = isDark() ? 'Light' : 'Dark'; };
-    button.hidden = false;
     button.addEventListener('click', () => {
-        stored.set(root.dataset.theme = isDark() ? 'light' : 'dark');
+        stored.set('theme', root.dataset.theme = isDark() ? 'light' : 'dark');
         name();
     });
     system.addEventListener('change', name);
     name();
 }
 
-// The index is large, so it is loaded only when somebody is about to search.
-let index;
-function loadIndex() {
-    index ??= new Promise((resolve, reject) => {
+// ---- The search ----
+
+// Identifiers and numbers of exercises are one word each.
+const words = text => text.replaceAll('’', "'").match(/[\p{L}\p{N}_]+(?:[.'][\p{L}\p{N}_]+)*/gu) ?? [];
+
+// The sections are many, so they are loaded only when somebody is about to search.
+let loading;
+function load() {
+    loading ??= new Promise((resolve, reject) => {
         const script = document.createElement('script');
         script.src = 'assets/search.js';
-        script.onload = () => resolve(MiniSearch.loadJSON(window.bookIndex,
-            { fields: ['text', 'words'], storeFields: ['text', 'page', 'start'] }));
+        script.onload = () => {
+            const index = new MiniSearch({ fields: ['text', 'words', 'code'], tokenize: words });
+            index.addAll(window.bookSections);
+            resolve({ index, sections: new Map(window.bookSections.map(section => [section.id, section])) });
+        };
         script.onerror = reject;
         document.head.append(script);
     });
-    return index;
+    return loading;
+}
+
+// Sections with all words: first those that have them exactly, then those with words that begin so; others, with a slip of
+// the pen, only if there is none of these.
+function find(index, query) {
+    const search = options => index.search(query, { combineWith: 'AND', boost: { text: 4, words: 1.5 }, ...options });
+    const found = new Map(search({}).map(one => [one.id, one]));
+    for (const one of search({ prefix: true })) if (!found.has(one.id)) found.set(one.id, one);
+    return found.size > 0 ? [...found.values()] : search({ prefix: true, fuzzy: 0.2 });
+}
+
+// The part of a section where the first of the terms is, with all of them marked.
+function excerpt({ words, code }, terms) {
+    const either = new RegExp(`(?<![\\p{L}\\p{N}_])(?:${terms.map(term => term.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')).join('|')})(?![\\p{L}\\p{N}_])`, 'giu');
+    const text = [words, code].find(one => one.replaceAll('’', "'").search(either) >= 0) ?? words;
+    const at = text.replaceAll('’', "'").search(either), from = at < 50 ? 0 : text.indexOf(' ', at - 40) + 1;
+    const shown = (from > 0 ? '… ' : '') + text.slice(from, from + 150);
+    const parts = [];
+    let last = 0;
+    for (const match of shown.replaceAll('’', "'").matchAll(either)) {
+        parts.push(shown.slice(last, match.index),
+                   Object.assign(document.createElement('mark'), { textContent: match[0] }));
+        last = match.index + match[0].length;
+    }
+    return [...parts, shown.slice(last)];
 }
 
 function search() {
     const input = document.querySelector('search input'), list = document.querySelector('search ol');
-    const element = (name, text) => Object.assign(document.createElement(name), { textContent: text });
-    input.addEventListener('focus', loadIndex);
+    const element = (name, ...content) => {
+        const made = document.createElement(name);
+        made.append(...content);
+        return made;
+    };
+    const show = open => {
+        list.hidden = !open;
+        input.setAttribute('aria-expanded', String(open));
+    };
+    const select = link => {
+        list.querySelector('[aria-selected=true]')?.setAttribute('aria-selected', 'false');
+        link?.setAttribute('aria-selected', 'true');
+        link?.scrollIntoView({ block: 'nearest' });
+        if (link) input.setAttribute('aria-activedescendant', link.id);
+        else input.removeAttribute('aria-activedescendant');
+    };
+    input.addEventListener('focus', load);
     input.addEventListener('input', async () => {
-        const found = (await loadIndex()).search(input.value, { prefix: true, fuzzy: 0.15, boost: { text: 4 } });
-        list.replaceChildren(...found.slice(0, 12).map(({ id, text, page, start }) => {
-            const link = Object.assign(document.createElement('a'), { href: id });
-            link.append(element('strong', text), element('small', page), element('span', start));
-            const item = document.createElement('li');
-            item.append(link);
+        const query = input.value, { index, sections } = await load();
+        if (query !== input.value) return;
+        const found = find(index, query).slice(0, 12);
+        list.replaceChildren(...found.map(({ id, terms }, i) => {
+            const section = sections.get(id);
+            const link = element('a', element('strong', section.text), element('small', section.page),
+                                 element('span', ...excerpt(section, terms)));
+            Object.assign(link, { href: id, id: `found-${i}`, tabIndex: -1 });
+            link.setAttribute('role', 'option');
+            link.setAttribute('aria-selected', 'false');
+            const item = element('li', link);
+            item.setAttribute('role', 'presentation');
             return item;
         }));
-        if (input.value && !found.length) list.append(element('li', 'Nothing found'));
-        list.hidden = !input.value;
+        if (query && !found.length) list.append(element('li', 'Nothing found'));
+        select();
+        show(Boolean(query));
     });
     document.addEventListener('keydown', event => {
         const typing = /^(input|textarea|select)$/i.test(event.target.tagName ?? '');
@@ -59,19 +119,111 @@ function search() {
             event.preventDefault();
             input.focus();
         } else if (event.key === 'Escape') {
-            list.hidden = true;
-        } else if (event.key === 'Enter' && event.target === input) {
-            list.querySelector('a')?.click();
+            show(false);
+        } else if (event.target === input && !list.hidden) {
+            const links = [...list.querySelectorAll('a')], at = links.findIndex(link => link.getAttribute('aria-selected') === 'true');
+            const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+            if (event.key === 'Enter') (links[at] ?? links[0])?.click();
+            if (!step || !links.length) return;
+            event.preventDefault();
+            select(links[at < 0 && step < 0 ? links.length - 1 : (at + step + links.length) % links.length]);
         }
     });
     document.addEventListener('click', event => {
-        if (!event.target.closest('search input')) list.hidden = true;
+        if (!event.target.closest('search input')) show(false);
     });
 }
 
+// ---- Around the text ----
+
+// The section that is being read is marked in the contents, which close on a phone when one is chosen.
+function contents() {
+    const nav = document.querySelector('#contents');
+    const links = new Map([...nav.querySelectorAll('.outline a')].map(link => [decodeURIComponent(link.hash.slice(1)), link]));
+    const headings = [...document.querySelectorAll('main :is(h2, h3)[id]')].filter(heading => links.has(heading.id));
+    let waits = false;
+    const mark = () => {
+        waits = false;
+        const read = headings.filter(heading => heading.getBoundingClientRect().top < innerHeight / 3).at(-1);
+        const link = read && links.get(read.id), before = nav.querySelector('.here');
+        if (link === before) return;
+        before?.classList.remove('here');
+        before?.removeAttribute('aria-current');
+        link?.classList.add('here');
+        link?.setAttribute('aria-current', 'location');
+        if (!link || !nav.checkVisibility()) return;
+        const [box, own] = [link.getBoundingClientRect(), nav.getBoundingClientRect()];
+        if (box.top < own.top || box.bottom > own.bottom) nav.scrollTop += box.top - own.top - own.height / 2;
+    };
+    addEventListener('scroll', () => {
+        if (!waits) requestAnimationFrame(mark);
+        waits = true;
+    }, { passive: true });
+    mark();
+    nav.addEventListener('click', event => {
+        if (event.target.closest('a') && nav.matches(':popover-open')) nav.hidePopover();
+    });
+}
+
+// What is marked with a star stays folded until it is wanted; then it is open on every page.
+function stars() {
+    const folds = [...document.querySelectorAll('details')].filter(fold => fold.querySelector('summary').textContent.startsWith('★'));
+    const button = document.querySelector('.stars');
+    if (!button) return;
+    const show = open => {
+        for (const fold of folds) fold.open = open;
+        button.setAttribute('aria-pressed', String(open));
+        button.setAttribute('aria-label', open ? 'Fold the stars' : 'Open the stars');
+        button.title = button.getAttribute('aria-label');
+    };
+    button.addEventListener('click', () => {
+        const open = button.getAttribute('aria-pressed') === 'false';
+        stored.set('stars', open ? 'open' : 'folded');
+        show(open);
+    });
+    if (stored.get('stars') === 'open') show(true);
+    else button.setAttribute('aria-label', button.title = 'Open the stars');
+}
+
+function copying() {
+    for (const code of document.querySelectorAll('.code')) {
+        const button = Object.assign(document.createElement('button'), { className: 'copy', type: 'button', textContent: 'Copy' });
+        button.addEventListener('click', async () => {
+            await navigator.clipboard.writeText(code.querySelector('code').textContent);
+            button.textContent = 'Copied';
+            setTimeout(() => { button.textContent = 'Copy'; }, 1500);
+        });
+        code.append(button);
+    }
+}
+
+// The line between two pictures moves with the slider's thumb, and with the pointer on them.
 function sliders() {
-    for (const slider of document.querySelectorAll('.compare input'))
-        slider.addEventListener('input', () => slider.parentElement.style.setProperty('--at', `${slider.value}%`));
+    for (const figure of document.querySelectorAll('.compare')) {
+        const slider = figure.querySelector('input'), pair = figure.querySelector('.pair');
+        const [wrong, right] = figure.querySelectorAll('.word');
+        const show = () => {
+            figure.style.setProperty('--at', `${slider.value}%`);
+            wrong?.style.setProperty('--seen', +(slider.value > 15));
+            right?.style.setProperty('--seen', +(slider.value < 85));
+        };
+        slider.addEventListener('input', show);
+        const drag = event => {
+            const box = pair.getBoundingClientRect();
+            slider.value = 100 * (event.clientX - box.left) / box.width;
+            show();
+        };
+        pair.addEventListener('pointerdown', event => {
+            if (event.button !== 0) return;
+            if (event.pointerType === 'mouse') event.preventDefault();  // else it would drag the image
+            pair.setPointerCapture(event.pointerId);
+            if (event.pointerType !== 'touch') drag(event);
+        });
+        pair.addEventListener('pointermove', event => {
+            if (pair.hasPointerCapture(event.pointerId)) drag(event);
+        });
+        pair.addEventListener('dragstart', event => event.preventDefault());
+    }
 }
 
 // Paper has nothing to unfold: whatever is folded is open while the page is printed.
@@ -121,13 +273,20 @@ function plots() {
     }
 }
 
-// Whatever is wider than the page can be scrolled with the keyboard.
+// Whatever is wider than the page can be scrolled with the keyboard, and a table says so.
 function scrolling() {
-    for (const wide of document.querySelectorAll('.scroll'))
-        if (wide.scrollWidth > wide.clientWidth) wide.tabIndex = 0;
+    for (const wide of document.querySelectorAll('.scroll')) {
+        if (wide.scrollWidth <= wide.clientWidth) continue;
+        wide.tabIndex = 0;
+        if (wide.matches('pre') || !wide.querySelector('table')) continue;
+        wide.before(Object.assign(document.createElement('p'), { className: 'scrolls', textContent: 'This table scrolls sideways →' }));
+        wide.setAttribute('role', 'region');
+        wide.setAttribute('aria-label', 'Table that scrolls sideways');
+    }
 }
 
 document.addEventListener('DOMContentLoaded', () => {
-    for (const begin of [themeButton, search, sliders, plots, folds, scrolling]) begin();
+    for (const begin of [themeButton, stars, search, copying, sliders, plots, folds, scrolling]) begin();
     document.querySelector('nav [aria-current]')?.scrollIntoView({ block: 'nearest' });
+    contents();
 });

@@ -1,23 +1,27 @@
-// Makes the web book from docs/ and course.json: node book/build.mjs [FOLDER] [--first HEADERS], out/book if
-// no folder is named. The live figures use the headers of the folder HEADERS, if one is named, before the
-// solution's. Every page works from a folder, without a server, and under any path on one: all links are relative.
+// Makes the web book from docs/ and course.json: node book/build.mjs [FOLDER], out/book if no folder is named.
+//     --first HEADERS  the live figures use the headers of this folder before the solution's; its file passed.txt, if
+//                      there is one, names the exercises that pass, which are ticked
+//     --url URL        where the book is going to be: for the sitemap, and for other sites that show a link to it
+//     --source URL     where the files of the course can be read: for the links to a page's source
+// Every page works from a folder, without a server, and under any path on one: all links are relative.
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { basename, dirname, join, normalize, resolve } from 'node:path';
+import { basename, dirname, join, normalize, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import MiniSearch from 'minisearch';
 import subsetFont from 'subset-font';
 import { escape, mathLetters, render } from './markdown.mjs';
 import { described, figure, find, folders, modules, pageScript, written } from './live.mjs';
 import { layout } from './layout.mjs';
 import { mistakesPage } from './mistakes.mjs';
-import { compared, img, plot, rightPicture, sizeOf } from './pictures.mjs';
+import { drawing } from './colors.mjs';
+import { card, compared, differing, img, plot, rightPicture, sizeOf, webp } from './pictures.mjs';
 import { exercisesUsed, whose } from './yours.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url)), root = dirname(here);
 const { values: options, positionals } =
-    parseArgs({ options: { first: { type: 'string' } }, allowPositionals: true });
+    parseArgs({ options: { first: { type: 'string' }, url: { type: 'string' }, source: { type: 'string' } },
+                allowPositionals: true });
 const out = resolve(positionals[0] ?? join(root, 'out/book'));
 const read = file => readFileSync(join(root, file), 'utf8');
 const packaged = name => createRequire(import.meta.url).resolve(name);
@@ -68,10 +72,16 @@ const pageOf = new Map(pages.filter(page => page.kind !== 'mistakes').map(page =
 // ---- What becomes of links and pictures ------------------------------------------------------
 
 // A copy of a file of the course, and its path as the pages see it.
-const copied = new Map();
+const copied = new Map(), converted = new Map(), cache = join(root, 'out/book-cache');
+const placeOf = file => file.startsWith('docs/') ? file.slice(5) : `files/${file}`;
 function copy(file) {
-    const to = file.startsWith('docs/') ? file.slice(5) : `files/${file}`;
-    copied.set(file, to);
+    copied.set(placeOf(file), file);
+    return placeOf(file);
+}
+// A picture as the pages have it; of `crop`, only that part.
+function shown(file, crop) {
+    const to = placeOf(file).replace(/\.png$/, crop ? `-${Object.values(crop).join('-')}.webp` : '.webp');
+    converted.set(to, { file, crop });
     return to;
 }
 
@@ -79,7 +89,7 @@ function copy(file) {
 
 const first = options.first && resolve(options.first), withoutFirst = new Set();
 const compiled = await modules(
-    described.keys(), chapters, join(root, 'out/live-cache'), first,
+    described.keys(), chapters, join(root, 'out/book-cache'), first,
     (chapter, error) => {
         withoutFirst.add(chapter);
         console.log(`chapter ${chapter}: its figures run the solution's code, because they do not compile with yours: ` +
@@ -89,6 +99,9 @@ const compiled = await modules(
 // Those that the texts show.
 const liveFigures = new Set();
 
+const figured = (word, picture) => `<figure>${picture}<figcaption>${word}</figcaption></figure>`;
+const sameSize = (a, b) => JSON.stringify(sizeOf(a)) === JSON.stringify(sizeOf(b));
+
 // The ways in which a page treats what its text names, relative to its source.
 function resolver(source) {
     const file = href => normalize(join(dirname(source), href));
@@ -96,8 +109,13 @@ function resolver(source) {
         if (!existsSync(join(root, file(href)))) throw new Error(`${source} names ${href}, which does not exist`);
         return file(href);
     };
-    const described = (src, text) => ({ src: copy(existing(src)), text, size: sizeOf(join(root, file(src))) });
+    const described = (src, text, crop) =>
+        ({ src: shown(existing(src), crop), text, size: crop ?? sizeOf(join(root, file(src))) });
     const chapter = chapters.find(one => one.text === source);
+    const rightOf = src => {
+        const right = chapter && rightPicture(join(root, file(src)), chapter);
+        return right && { src: relative(dirname(source), relative(root, right)), text: 'As it should be' };
+    };
     return {
         link(href) {
             if (/^[a-z]+:|^#/.test(href)) return href;
@@ -108,11 +126,20 @@ function resolver(source) {
         },
         picture(src, text, beside) {
             if (file(src).startsWith('docs/plots/')) return plot(read(existing(src)), text);
-            const image = described(src, text);
-            if (beside) return compared(image, described(beside.src, beside.text));
-            const right = chapter && rightPicture(join(root, file(src)), chapter);
-            if (right) return compared(image, described(`images/${basename(right)}`, 'As it should be'));
-            return img(image);
+            if (src.endsWith('.svg')) return drawing(read(existing(src)), escape(text));
+            const right = beside ?? rightOf(src), image = described(src, text);
+            return right ? compared(image, described(right.src, right.text), /-(mistake|plain)/.test(src)) : img(image);
+        },
+        // The wrong picture and the right one, beside each other, where they differ.
+        async pair(src, text, beside) {
+            const right = beside ?? rightOf(src);
+            if (!right) return img(described(src, text));
+            const [a, b] = [src, right.src].map(one => join(root, file(one)));
+            if (!sameSize(a, b)) return `<div class="wrong-right">${figured('wrong', img(described(src, text)))}` +
+                `${figured('right', img(described(right.src, right.text)))}</div>`;
+            const crop = await differing(a, b, cache);
+            return `<div class="wrong-right">${figured('wrong', img(described(src, text, crop)))}` +
+                `${figured('right', img(described(right.src, right.text, crop)))}</div>`;
         },
         live(name, still, isBelow) {
             if (!find(name)) throw new Error(`no live figure has the name ${name}: see book/live`);
@@ -159,14 +186,17 @@ function textPage(page) {
     return text;
 }
 
-const index = new MiniSearch({ fields: ['text', 'words'], storeFields: ['text', 'page', 'start'] });
+// What the search knows: a section each.
+const searched = [];
 for (const page of pages) {
+    const { pair } = resolver(page.source);
     Object.assign(page, page.kind === 'studies' ? studiesPage(page)
-        : page.kind === 'mistakes' ? mistakesPage(page.chapter, join(root, 'tests/mistakes', page.chapter.name),
-                                                   read(page.source), resolver(page.source).picture)
+        : page.kind === 'mistakes' ? await mistakesPage(page.chapter, join(root, 'tests/mistakes', page.chapter.name),
+                                                         read(page.source), pair)
         : textPage(page));
-    for (const { id, text, words } of page.sections)
-        index.add({ id: `${page.out}#${id}`, text, words, page: page.name, start: words.slice(0, 120) });
+    page.html = page.html.replace('loading="lazy"', 'fetchpriority="high"');  // the first picture
+    for (const { id, text, words, code = '' } of page.sections)
+        searched.push({ id: `${page.out}#${id}`, text, words, code, page: page.name });
 }
 
 rmSync(out, { recursive: true, force: true });
@@ -192,16 +222,36 @@ if (compiled && first)
         if (shown.size > 0)
             page.html = page.html.replace('</h1>', `</h1>\n<p class="whose">${whose([...used].sort(), refused)}</p>`);
     }
-for (const page of pages) write(page.out, layout(page, pages, title, compiled !== undefined));
-for (const [file, to] of copied) write(to, readFileSync(join(root, file)));
+const passedFile = options.first && join(options.first, 'passed.txt');
+const book = {
+    pages, title, hasLiveFigures: compiled !== undefined, url: options.url?.replace(/\/*$/, '/'),
+    passed: new Set(passedFile && existsSync(passedFile) ? readFileSync(passedFile, 'utf8').split(/\s+/).filter(Boolean) : []),
+    sourceOf({ source }) {
+        if (options.source) return `${options.source.replace(/\/*$/, '/')}${source}`;
+        const to = `source/${source.replaceAll('/', '-')}.txt`;  // which every browser shows
+        copied.set(to, source);
+        return to;
+    },
+};
+for (const page of pages) write(page.out, layout(page, book));
+for (const [to, file] of copied) if (existsSync(join(root, file))) write(to, readFileSync(join(root, file)));
+const toConvert = [...converted];
+const convert = async () => {
+    for (let one; (one = toConvert.pop());) write(one[0], await webp(join(root, one[1].file), cache, one[1].crop));
+};
+await Promise.all([convert(), convert()]);
+if (book.url) {
+    write('assets/card.jpg', await card(join(root, 'docs/images/final.png'), cache));
+    write('sitemap.txt', pages.map(page => `${book.url}${page.out}\n`).join(''));
+}
 
-for (const file of ['book.css', 'book.js']) write(`assets/${file}`, readFileSync(join(here, file)));
+write('assets/book.js', readFileSync(join(here, 'book.js')));
 // As a script, because pages of a folder may not fetch other files.
 write('assets/search.js', readFileSync(packaged('minisearch').replace(/dist.*/, 'dist/umd/index.js'), 'utf8') +
-    `\nwindow.bookIndex = ${JSON.stringify(JSON.stringify(index))};\n`);
+    `\nwindow.bookSections = ${JSON.stringify(searched)};\n`);
 
 // What is not the course's own, and is copied along.
-write('assets/licenses.txt', ['minisearch/LICENSE.txt', 'temml/LICENSE', '@fontsource/stix-two-math/LICENSE']
+write('assets/licenses.txt', ['minisearch/LICENSE.txt', 'temml/LICENSE', '@fontsource/stix-two-math/LICENSE', '@fontsource/stix-two-text/LICENSE']
     .map(file => `${file}\n\n${readFileSync(join(here, 'node_modules', file), 'utf8')}`).join('\n\n'));
 
 // The font of formulas, with the characters that occur. A letter in a formula is shown as a slanted one,
@@ -214,5 +264,15 @@ write('assets/formulas.woff2',
 write('assets/formulas.css', `@font-face {\n  font-family: STIX2;\n  src: url(formulas.woff2);\n}\n` +
     readFileSync(packaged('temml').replace(/[^/]*$/, 'Temml-STIX2.css'), 'utf8')
         .replace(/\/\*[^]*?\*\/\s*|@font-face\s*{[^}]*}\s*/g, ''));
+// The text's, of the same family, in the style sheet itself, so that a page is not laid out twice.
+const textLetters = [...new Set(pages.map(page => page.html).join(''))].join('');
+const faces = ['400-normal', '400-italic', '700-normal'].map(async face => {
+    const file = packaged('@fontsource/stix-two-text').replace(/[^/]*$/, `files/stix-two-text-latin-${face}.woff2`);
+    const [weight, style] = face.split('-');
+    const bytes = await subsetFont(readFileSync(file), textLetters, { targetFormat: 'woff2' });
+    return `@font-face {\n  font-family: Text; font-weight: ${weight}; font-style: ${style};\n` +
+        `  src: url(data:font/woff2;base64,${bytes.toString('base64')});\n}\n`;
+});
+write('assets/book.css', (await Promise.all(faces)).join('') + readFileSync(join(here, 'book.css')));
 
 console.log(`${pages.length} pages: ${join(out, 'index.html')}`);

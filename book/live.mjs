@@ -50,7 +50,7 @@ export function figure(name, still, isBelow, first) {
     const { wide, narrow, said, samples } = { wide: 0.6, narrow: 0.8, said: '', samples: 0, ...first };
     const picture = still && `<div class="still">${still}</div>`;
     return `<figure class="live${isBelow ? ' below' : ''}" data-live="${name}" data-number="${number}" ` +
-        `style="--wide: ${1 / wide}; --narrow: ${1 / narrow}">${isBelow ? picture : ''}` +
+        `style="--aspect: ${(1 / wide).toFixed(3)}; --aspect-narrow: ${(1 / narrow).toFixed(3)}">${isBelow ? picture : ''}` +
         `<div class="moving"><figcaption>${escape(attempt)}</figcaption>` +
         `<div class="stage">${isBelow ? '' : picture}<canvas role="img" aria-label="${escape(shows)}"></canvas></div>` +
         `<div class="progress"${samples > 1 ? '' : ' hidden'}>0 of ${samples} samples per pixel</div>` +

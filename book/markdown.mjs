@@ -38,10 +38,12 @@ function graph(source) {
         if (toName) names.set(to, toName);
         if (arrow) edges.push(`${from} -> ${to} [style=${arrow === '-->' ? 'solid' : 'dashed'}]`);
     }
-    const nodes = [...names].map(([id, name]) => `${id} [label=${JSON.stringify(name)}]`);
+    // Graphviz does not know the page's font: a box is as wide as its words in a wide one.
+    const nodes = [...names].map(([id, name]) =>
+        `${id} [label=${JSON.stringify(name)}, width=${(0.25 + 0.1 * name.length).toFixed(2)}]`);
     const svg = viz.renderString(
         `digraph { rankdir=LR; ranksep=0.3; bgcolor=transparent; edge [arrowsize=0.7];
-         node [shape=box, style=rounded, fontname="sans-serif", fontsize=12, height=0.35, margin=0.07];
+         node [shape=box, style=rounded, fontname="system-ui, sans-serif", fontsize=12, height=0.35, margin=0];
          ${nodes.join(';')}; ${edges.join(';')} }`, { format: 'svg' });
     const label = 'What needs what: ' + [...names.values()].join('; ');
     return `<div class="graph scroll">${svg.slice(svg.indexOf('<svg'))
@@ -49,16 +51,15 @@ function graph(source) {
         .replace('<svg ', `<svg role="img" aria-label="${escape(label)}" `)}</div>\n`;
 }
 
-const md = new MarkdownIt({ html: true }).use(tex, { render: formula });
+const md = new MarkdownIt({ html: true, typographer: true }).disable('replacements').use(tex, { render: formula });
 const rules = md.renderer.rules;
 
+const code = html => `<div class="code"><pre class="scroll"><code>${html}</code></pre></div>\n`;
 rules.fence = (tokens, index) => {
     const { content, info } = tokens[index];
-    if (info === 'mermaid') return graph(content);
-    return `<pre class="scroll"><code>${highlighted(content, info)}</code></pre>\n`;
+    return info === 'mermaid' ? graph(content) : code(highlighted(content, info));
 };
-rules.code_block = (tokens, index) =>
-    `<pre class="scroll"><code>${escape(tokens[index].content)}</code></pre>\n`;
+rules.code_block = (tokens, index) => code(escape(tokens[index].content));
 rules.table_open = () => '<div class="scroll"><table>\n';
 rules.table_close = () => '</table></div>\n';
 // A still picture, and the live figure that belongs to its token, if any.
@@ -148,11 +149,13 @@ md.core.ruler.push('live', ({ tokens }) => {
 function sections(tokens, headings) {
     const parts = [];
     tokens.forEach((token, i) => {
-        if (token.type === 'heading_open') parts.push({ ...headings[parts.length], words: [] });
-        else if (token.type === 'inline' && parts.length && tokens[i - 1].type !== 'heading_open')
-            parts.at(-1).words.push(plain(token));
+        if (token.type === 'heading_open') parts.push({ ...headings[parts.length], words: [], code: [] });
+        else if (!parts.length) return;
+        else if (token.type === 'inline' && tokens[i - 1].type !== 'heading_open') parts.at(-1).words.push(plain(token));
+        else if (token.type === 'fence' && token.info !== 'mermaid') parts.at(-1).code.push(token.content);
     });
-    return parts.map(({ id, text, words }) => ({ id, text, words: words.join(' ').trim() }));
+    return parts.map(({ id, text, words, code }) =>
+        ({ id, text, words: words.join(' ').replace(/\s+/g, ' ').trim(), code: code.join('\n') }));
 }
 
 // The sections of a text for a page of another form: each heading and the paragraphs below it, as they are written.
@@ -166,6 +169,9 @@ export function sectionsOf(source) {
     });
     return sections;
 }
+
+// A paragraph or a title without pictures, as HTML.
+export const inline = source => md.renderInline(source, { link: href => href });
 
 // picture(src, text, beside) and link(href) decide what a picture becomes and where a link leads, if anywhere;
 // live(name, still, isBelow) brings the picture `still` to life.

@@ -1,7 +1,7 @@
 // The known mistakes of a chapter, from tests/mistakes: what is wrong, the picture that it draws, and the cure.
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { escape, sectionsOf } from './markdown.mjs';
+import { escape, inline, sectionsOf } from './markdown.mjs';
 
 // The pictures of mistakes in a chapter's text: for each mistake's name, "03.2_far_side", what shows it.
 export function picturesOfMistakes(text) {
@@ -24,14 +24,13 @@ function mistakesOf(source) {
     });
 }
 
-const prose = text => escape(text).replace(/`([^`]*)`/g, '<code>$1</code>');
-
-// The page's parts, one for each exercise. picture(src, text, beside) as for render.
-export function mistakesPage(chapter, folder, text, picture) {
+// The page's parts, one for each exercise. pair(src, text, beside) shows what the mistake draws, and the right picture
+// beside it.
+export async function mistakesPage(chapter, folder, text, pair) {
     const shown = picturesOfMistakes(text), headings = [], sections = [];
     let html = `<h1>Known mistakes of chapter ${chapter.number}</h1>
 <p>Wrong answers that people give, or might. The checkpoints catch each of them; if your answer is one of these,
-<code>./course check</code> tells you so. The slider uncovers the right picture.</p>\n`;
+<code>./course check</code> tells you so. The pictures show the part that differs.</p>\n`;
     for (const file of readdirSync(folder).filter(name => name.endsWith('.md')).sort()) {
         const id = file.slice(0, -3), exercise = chapter.exercises?.find(one => one.id === id);
         const title = exercise ? `${id} ${exercise.title}` : id[0].toUpperCase() + id.slice(1);
@@ -41,12 +40,12 @@ export function mistakesPage(chapter, folder, text, picture) {
         mistakes.sort((a, b) => shown.has(b.id) - shown.has(a.id));
         for (const mistake of mistakes) {
             const image = shown.get(mistake.id);
-            html += `<section class="mistake" id="${escape(mistake.id)}"><div><h3>${prose(mistake.title)}</h3>` +
-                mistake.explanation.map(paragraph => `<p>${prose(paragraph)}</p>`).join('') +
-                (mistake.caught ? `<p class="caught">Caught by “${prose(mistake.caught)}”</p>` : '') + '</div>' +
-                (image ? picture(image.picture.src, image.picture.text, image.beside) : '') + '</section>\n';
+            html += `<section class="mistake" id="${escape(mistake.id)}"><div><h3>${inline(mistake.title)}</h3>` +
+                mistake.explanation.map(paragraph => `<p>${inline(paragraph)}</p>`).join('') +
+                (mistake.caught ? `<p class="caught">Caught by “${inline(mistake.caught)}”</p>` : '') + '</div>' +
+                (image ? await pair(image.picture.src, image.picture.text, image.beside) : '') + '</section>\n';
         }
-        sections.push({ id, text: title, words: mistakes.map(m => `${m.title}. ${m.explanation.join('\n\n')}`).join(' ') });
+        sections.push({ id, text: title, words: mistakes.map(m => `${m.title}. ${m.explanation.join(' ')}`).join(' ') });
     }
     return { html, headings, sections };
 }

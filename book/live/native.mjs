@@ -18,7 +18,7 @@ for (const name of ['04.scene', '05.scene']) {
     const number = Object.keys(described.get(chapter)).indexOf(own);
     const values = described.get(chapter)[own].controls.map(control => Number(control.value));
 
-    const compiled = await code(chapter, chapters, join(root, 'out/live-cache'));
+    const compiled = await code(chapter, chapters, join(root, 'out/book-cache'));
     if (!compiled) {
         console.log('skipped: live figures, which need Emscripten');
         break;

@@ -21,7 +21,7 @@ if (!name || !find(name)) throw new Error(`no live figure has the name ${name}`)
 const chapter = name.slice(0, 2);
 const chapters = JSON.parse(readFileSync(join(root, 'course.json'))).chapters
     .map(one => ({ ...one, number: one.name.slice(0, 2) }));
-const compiled = await modules([chapter], chapters, join(root, 'out/live-cache')).catch(error => {
+const compiled = await modules([chapter], chapters, join(root, 'out/book-cache')).catch(error => {
     console.log(error.message);
     process.exit(1);
 });
