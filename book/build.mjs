@@ -10,7 +10,7 @@ import { basename, dirname, join, normalize, relative, resolve } from 'node:path
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import subsetFont from 'subset-font';
-import { escape, mathLetters, render } from './markdown.mjs';
+import { escape, mathLetters, render, typographic } from './markdown.mjs';
 import { described, figure, find, folders, modules, pageScript, written } from './live.mjs';
 import { layout } from './layout.mjs';
 import { mistakesPage } from './mistakes.mjs';
@@ -42,7 +42,7 @@ function plotsOf({ name }) {
     }).sort((a, b) => rows.indexOf(a.study) - rows.indexOf(b.study));
 }
 
-const titleOf = source => /^# (.*)/m.exec(read(source))[1];
+const titleOf = source => typographic(/^# (.*)/m.exec(read(source))[1]);
 const pages = [
     { source: 'README.md', out: 'index.html', name: 'Begin here', group: 'The course' },
     { source: 'docs/README.md', out: 'map.html', name: titleOf('docs/README.md'), group: 'The course' },

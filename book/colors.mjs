@@ -17,15 +17,18 @@ function oklch(hex) {
 
 // Where the hues of the palette end, in degrees.
 const hues = [[18, 'c3'], [58, 'c1'], [110, 'c4'], [185, 'c2'], [235, 'c5'], [285, 'c0'], [360, 'c3']];
-const mixed = (color, part) => part >= 0.97 ? `var(--${color})` : `color-mix(in oklab, var(--${color}) ${Math.round(100 * part)}%, var(--paper))`;
+const mixed = (color, part, base = 'paper') => part >= 0.97 ? `var(--${color})`
+    : `color-mix(in oklab, var(--${color}) ${Math.round(100 * part)}%, var(--${base}))`;
 
-// What a color of a drawing is in a page. Words are never paler than can be read.
-export function inPage(hex, isWords) {
-    const { lightness, chroma, hue } = oklch(hex);
-    if (chroma < 0.015) return mixed('ink', Math.max((1 - lightness) / 0.72, isWords ? 0.72 : 0));
-    if (lightness > 0.75 && chroma > 0.1) return isWords ? 'var(--c4)' : hex;  // bright yellow is light itself, on any paper
+// What a color of a drawing is in a page. Words can be read: dark ones on paper and on tints, white ones on strong colors.
+function inPage(hex, tag, isFill, isWords) {
+    const { lightness, chroma, hue } = oklch(hex), isArea = isFill && !isWords;
+    if (isWords && lightness > 0.9) return 'var(--paper)';
+    if (chroma < 0.015) return mixed('ink', Math.max((1 - lightness) / 0.72, isWords ? 0.78 : 0));
     const color = hues.find(([end]) => hue < end)[1];
-    return mixed(color, isWords ? 1 : (1 - lightness) / 0.4);
+    if (isWords) return mixed(color, 0.75, 'ink');
+    if (lightness > 0.85) return mixed(color, Math.min((1 - lightness) / 0.4, 0.25));
+    return mixed(color, isArea && lightness > (tag === 'rect' ? 0.6 : 0.75) ? 0.35 : 1);
 }
 
 let drawings = 0;
@@ -35,7 +38,7 @@ export function drawing(svg, text) {
     const prefix = `drawing-${++drawings}-`;
     return svg.slice(svg.indexOf('<svg'))
         .replace(/<(\w+)([^>]*)>/g, (_, tag, rest) => `<${tag}${rest.replace(/(fill|stroke|stop-color)="(#[0-9a-fA-F]+)"/g,
-            (_, what, hex) => `${what}="${inPage(hex, tag === 'text' || tag === 'tspan')}"`)}>`)
+            (_, what, hex) => `${what}="${inPage(hex, tag, what === 'fill', /^t(ext|span)$/.test(tag) || rest.includes('text-anchor'))}"`)}>`)
         .replace(/ id="/g, ` id="${prefix}`).replace(/url\(#/g, `url(#${prefix}`).replace(/href="#/g, `href="#${prefix}`)
         .replace('<svg ', `<svg class="drawing" role="img" aria-label="${text}" `);
 }

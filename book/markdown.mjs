@@ -65,8 +65,12 @@ rules.table_close = () => '</table></div>\n';
 // A still picture, and the live figure that belongs to its token, if any.
 const withLive = ({ meta }, still, env) => meta?.live ? env.live(meta.live.name, still, meta.live.isBelow) : still;
 
+// Plain text with the quotes that a book has.
+export const typographic = text => text.replace(/(^|[\s(])"/g, '$1“').replaceAll('"', '”').replaceAll("'", '’');
+
 rules.html_block = rules.html_inline = (tokens, index, options, env) =>
-    tokens[index].content.replace(/<!--[^]*?-->/g, '') + withLive(tokens[index], '', env);
+    tokens[index].content.replace(/<!--[^]*?-->/g, '')
+        .replace(/(<summary>)([^<]*)/g, (_, tag, text) => tag + typographic(text)) + withLive(tokens[index], '', env);
 rules.heading_open = (tokens, index, options, env, self) => {
     env.slugger ??= new GithubSlugger();
     const token = tokens[index], text = plain(tokens[index + 1]);

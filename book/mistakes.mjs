@@ -1,7 +1,7 @@
 // The known mistakes of a chapter, from tests/mistakes: what is wrong, the picture that it draws, and the cure.
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { escape, inline, sectionsOf } from './markdown.mjs';
+import { escape, inline, sectionsOf, typographic } from './markdown.mjs';
 
 // The pictures of mistakes in a chapter's text: for each mistake's name, "03.2_far_side", what shows it.
 export function picturesOfMistakes(text) {
@@ -33,7 +33,7 @@ export async function mistakesPage(chapter, folder, text, pair) {
 <code>./course check</code> tells you so. The pictures show the part that differs.</p>\n`;
     for (const file of readdirSync(folder).filter(name => name.endsWith('.md')).sort()) {
         const id = file.slice(0, -3), exercise = chapter.exercises?.find(one => one.id === id);
-        const title = exercise ? `${id} ${exercise.title}` : id[0].toUpperCase() + id.slice(1);
+        const title = exercise ? `${id} ${typographic(exercise.title)}` : id[0].toUpperCase() + id.slice(1);
         headings.push({ level: 2, id, text: title });
         html += `<h2 id="${id}">${escape(title)}</h2>\n`;
         const mistakes = mistakesOf(readFileSync(join(folder, file), 'utf8'));
