@@ -31,7 +31,7 @@ function themeButton() {
 // ---- The search ----
 
 // Identifiers and numbers of exercises are one word each.
-const words = text => text.replaceAll('’', "'").match(/[\p{L}\p{N}_]+(?:[.'][\p{L}\p{N}_]+)*/gu) ?? [];
+const words = text => text.match(/\p{N}+(?:\.\p{N}+)+|[\p{L}\p{N}_]+/gu) ?? [];
 
 // The sections are many, so they are loaded only when somebody is about to search.
 let loading;
@@ -50,24 +50,26 @@ function load() {
     return loading;
 }
 
-// Sections with all words: first those that have them exactly, then those with words that begin so; others, with a slip of
-// the pen, only if there is none of these.
+// Sections with all words: first those that have them exactly, then those with words that begin so; if there is none of
+// these, those in which a letter is another. Chapters come before what belongs to them.
 function find(index, query) {
-    const search = options => index.search(query, { combineWith: 'AND', boost: { text: 4, words: 1.5 }, ...options });
+    const search = options => index.search(query, {
+        combineWith: 'AND', boost: { text: 4, words: 1.5 },
+        boostDocument: id => /-(mistakes|studies)\.html/.test(id) ? 0.4 : 1, ...options });
     const found = new Map(search({}).map(one => [one.id, one]));
     for (const one of search({ prefix: true })) if (!found.has(one.id)) found.set(one.id, one);
-    return found.size > 0 ? [...found.values()] : search({ prefix: true, fuzzy: 0.2 });
+    return found.size > 0 ? [...found.values()] : search({ fuzzy: term => term.length > 3 && 1 });
 }
 
 // The part of a section where the first of the terms is, with all of them marked.
 function excerpt({ words, code }, terms) {
     const either = new RegExp(`(?<![\\p{L}\\p{N}_])(?:${terms.map(term => term.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')).join('|')})(?![\\p{L}\\p{N}_])`, 'giu');
-    const text = [words, code].find(one => one.replaceAll('’', "'").search(either) >= 0) ?? words;
-    const at = text.replaceAll('’', "'").search(either), from = at < 50 ? 0 : text.indexOf(' ', at - 40) + 1;
+    const text = [words, code].find(one => one.search(either) >= 0) ?? words;
+    const at = text.search(either), from = at < 50 ? 0 : text.indexOf(' ', at - 40) + 1;
     const shown = (from > 0 ? '… ' : '') + text.slice(from, from + 150);
     const parts = [];
     let last = 0;
-    for (const match of shown.replaceAll('’', "'").matchAll(either)) {
+    for (const match of shown.matchAll(either)) {
         parts.push(shown.slice(last, match.index),
                    Object.assign(document.createElement('mark'), { textContent: match[0] }));
         last = match.index + match[0].length;
@@ -110,6 +112,7 @@ function search() {
             return item;
         }));
         if (query && !found.length) list.append(element('li', 'Nothing found'));
+        list.dataset.query = query;
         select();
         show(Boolean(query));
     });
@@ -144,7 +147,7 @@ function contents() {
     let waits = false;
     const mark = () => {
         waits = false;
-        const read = headings.filter(heading => heading.getBoundingClientRect().top < innerHeight / 3).at(-1);
+        const read = headings.filter(heading => heading.getBoundingClientRect().top < 120).at(-1);
         const link = read && links.get(read.id), before = nav.querySelector('.here');
         if (link === before) return;
         before?.classList.remove('here');

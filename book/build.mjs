@@ -11,7 +11,7 @@ import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import subsetFont from 'subset-font';
 import { escape, mathLetters, render, typographic } from './markdown.mjs';
-import { described, figure, find, folders, modules, pageScript, written } from './live.mjs';
+import { described, figure, find, folders, modules, pageScript, withoutComments, written } from './live.mjs';
 import { layout } from './layout.mjs';
 import { mistakesPage } from './mistakes.mjs';
 import { drawing } from './colors.mjs';
@@ -245,7 +245,7 @@ if (book.url) {
     write('sitemap.txt', pages.map(page => `${book.url}${page.out}\n`).join(''));
 }
 
-write('assets/book.js', readFileSync(join(here, 'book.js')));
+write('assets/book.js', withoutComments(readFileSync(join(here, 'book.js'), 'utf8')));
 // As a script, because pages of a folder may not fetch other files.
 write('assets/search.js', readFileSync(packaged('minisearch').replace(/dist.*/, 'dist/umd/index.js'), 'utf8') +
     `\nwindow.bookSections = ${JSON.stringify(searched)};\n`);
@@ -269,10 +269,10 @@ const textLetters = [...new Set(pages.map(page => page.html).join(''))].join('')
 const faces = ['400-normal', '400-italic', '700-normal'].map(async face => {
     const file = packaged('@fontsource/stix-two-text').replace(/[^/]*$/, `files/stix-two-text-latin-${face}.woff2`);
     const [weight, style] = face.split('-');
-    const bytes = await subsetFont(readFileSync(file), textLetters, { targetFormat: 'woff2' });
+    const bytes = await subsetFont(readFileSync(file), textLetters, { targetFormat: 'woff2', noLayoutClosure: true });
     return `@font-face {\n  font-family: Text; font-weight: ${weight}; font-style: ${style};\n` +
         `  src: url(data:font/woff2;base64,${bytes.toString('base64')});\n}\n`;
 });
-write('assets/book.css', (await Promise.all(faces)).join('') + readFileSync(join(here, 'book.css')));
+write('assets/book.css', (await Promise.all(faces)).join('') + withoutComments(readFileSync(join(here, 'book.css'), 'utf8')));
 
 console.log(`${pages.length} pages: ${join(out, 'index.html')}`);

@@ -20,6 +20,9 @@ const emcc = process.env.EMCC ?? 'emcc';
 export const described = new Map(readdirSync(here).filter(name => /^\d\d\.json$/.test(name)).sort()
     .map(name => [name.slice(0, 2), JSON.parse(readFileSync(join(here, name), 'utf8'))]));
 
+// A script or a style sheet as the pages get it.
+export const withoutComments = text => text.replace(/^\s*\/\/.*\n|\/\*[^]*?\*\/\n?/gm, '').replace(/^\s+/gm, '');
+
 // How figures write numbers.
 export const numbers = runInNewContext(`${readFileSync(join(here, 'numbers.js'), 'utf8')}; liveNumbers`);
 
@@ -162,7 +165,7 @@ async function measured(chapter, kept) {
 // solution's. A chapter that does not compile with them is compiled without them, after a call of refused(chapter, error).
 export async function modules(wanted, chapters, cache, first, refused) {
     if (!version) return undefined;
-    const worker = readFileSync(join(here, 'worker.js'), 'utf8');
+    const worker = withoutComments(readFileSync(join(here, 'worker.js'), 'utf8'));
     const made = new Map(), waiting = [...wanted];
     const work = async () => {
         for (let chapter; (chapter = waiting.shift());) {
@@ -184,4 +187,5 @@ export async function modules(wanted, chapters, cache, first, refused) {
 }
 
 // What the page runs for its figures.
-export const pageScript = () => ['numbers.js', 'page.js'].map(name => readFileSync(join(here, name), 'utf8')).join('\n');
+export const pageScript = () =>
+    ['numbers.js', 'page.js'].map(name => withoutComments(readFileSync(join(here, name), 'utf8'))).join('\n');

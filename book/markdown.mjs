@@ -123,6 +123,12 @@ md.core.ruler.push('pictures', ({ tokens }) => {
         first.meta = { beside: { src: second.attrGet('src'), text: second.content } };
         tokens[i - 1].attrSet('colspan', '2');
         tokens.splice(i + 2, 3);
+        // If the table has nothing else, no table is needed.
+        const begin = tokens.slice(0, i).findLastIndex(({ type }) => type === 'table_open');
+        if (cells.length > 2 || tokens[i - 3].type !== 'tbody_open' || tokens[i + 3].type !== 'tbody_close') continue;
+        tokens.splice(i + 1, 4);
+        tokens.splice(begin, i - begin);
+        i = begin;
     }
 });
 
@@ -147,6 +153,12 @@ md.core.ruler.push('live', ({ tokens }) => {
             tokens[i].meta = { live };
         }
     }
+});
+
+// Smart quotes leave out those between a sign and a letter: C++'s.
+md.core.ruler.push('apostrophes', ({ tokens }) => {
+    for (const child of tokens.flatMap(({ children }) => children ?? []))
+        if (child.type === 'text') child.content = child.content.replace(/(?<=\S)'(?=\p{L})/gu, '’');
 });
 
 // The parts of a text between its headings, for the search.
@@ -183,6 +195,6 @@ export function render(source, { picture, link, live }) {
     const env = { headings: [], picture, link, live };
     const tokens = md.parse(source, env);
     const html = md.renderer.render(tokens, md.options, env)
-        .replace(/<thead>\s*<tr>\s*(<th[^>]*><\/th>\s*)+<\/tr>\s*<\/thead>/g, '');
+        .replace(/<thead>\s*<tr>\s*(<th[^>]*><\/th>\s*)+<\/tr>\s*<\/thead>/g, '').replace(/<th><\/th>/g, '<td></td>');
     return { html, headings: env.headings, sections: sections(tokens, env.headings) };
 }

@@ -1,9 +1,10 @@
-// What a figure includes tells whose code it runs.
+// What a figure includes tells whose code it runs, and the contents tick what passes.
 import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { layout } from './layout.mjs';
 import { folders, written } from './live.mjs';
 import { exercisesUsed, whose } from './yours.mjs';
 
@@ -46,4 +47,10 @@ assert.deepEqual(exercisesUsed(written('03'), folders('03', numbered, answers), 
 assert.equal(whose(['01.2', '03.1']), 'These figures run your code for 01.2, 03.1; the rest is the solution’s.');
 assert.match(whose([]), /the solution’s code: none of your answers/);
 assert.match(whose([], true), /the solution’s code: they do not compile with yours/);
+const page = { out: 'a.html', name: 'A', html: '<h1>A</h1><p>Words.</p>', headings: [
+    { level: 3, id: 'first', text: '03.1 Roots (about 5 minutes)' }, { level: 3, id: 'second', text: '03.2 Sphere' }] };
+const html = layout(page, { pages: [page], title: 'The course', passed: new Set(['03.1']), sourceOf: () => 'a.md' });
+assert.match(html, /href="#first"><span class="tick"/);
+assert.match(html, /href="#second">03\.2 Sphere</);
+
 console.log('whose code a figure runs: found');

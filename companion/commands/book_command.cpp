@@ -11,7 +11,8 @@ namespace companion {
 namespace {
 
 // Fills build/mine/rt with the learner's headers that pass, and with nothing else: the book's
-// figures look there first, and its pages say whose code they run.
+// figures look there first, and its pages say whose code they run. Beside it, passed.txt lists the
+// exercises that pass.
 void put_headers_in_place(const Course& course, const Yours& yours) {
     const fs::path folder = course.build / "mine/rt";
     app::make_folder(folder);
@@ -33,6 +34,9 @@ int book(const Course& course, const Given& given) {
     if (!given.has("--mine")) throw app::UsageError("book: ./course makes the book by itself");
     const Yours yours = put_yours_in_place(course, core_chapters(course).back());
     put_headers_in_place(course, yours);
+    std::string passed;
+    for (const std::string& id : yours.passing) passed += id + "\n";
+    app::replace_file(course.build / "mine/passed.txt", passed);
     std::printf("%s\n", yours.words().c_str());
     app::make_folder(course.out());
     const SharedPage page = collect_shared_page(course);

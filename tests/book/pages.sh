@@ -32,7 +32,7 @@ done
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-node book/build.mjs "$folder/book"
+node book/build.mjs "$folder/book" --url https://example.org/book
 if [ $# -gt 0 ]; then
     mkdir "$folder/samples"
     "$1" "$folder/samples"

@@ -963,6 +963,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertIn("Everything passed on one day", page)
         headers = self.root / "build/mine/rt"
         self.assertEqual([file.name for file in headers.iterdir()], ["one.hpp"])
+        self.assertEqual((self.root / "build/mine/passed.txt").read_text(), "01.1\n")
         self.assertTrue((headers / "one.hpp").read_text().endswith("exercises/01_tiny/rt/one.hpp\"\nright\n"))
 
         self.put("program.sh", "#!/bin/sh\necho a picture >$2\n")
@@ -1231,15 +1232,23 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.use_script()
         self.write("one", "right\n")
         for words in (["--nonsense"], ["--mine", "x"], ["x"]):
-            self.assertEqual(self.script("book", *words, code=2), "course: book takes --mine or nothing\n")
+            self.assertEqual(self.script("book", *words, code=2),
+                             "course: book takes --mine, --serve, --url URL, --source URL or nothing\n")
+        for words in (["--url"], ["--mine", "--source"]):
+            self.assertEqual(self.script("book", *words, code=2), f"course: {words[-1]} needs a URL: https://...\n")
         self.put("tools/npm", "#!/bin/sh\nexit 1\n")  # found before the real one
         self.put("tools/node", "#!/bin/sh\nexit 1\n")
-        for tool in ("npm", "node"):
+        self.put("tools/apt-get", f"#!/bin/sh\necho \"$@\" >>'{self.root}/asked'\nexit 1\n")
+        self.put("tools/sudo", "#!/bin/sh\n[ \"$1\" != -n ] || shift\n\"$@\"\n")
+        for tool in ("npm", "node", "apt-get", "sudo"):
             os.chmod(self.root / "tools" / tool, 0o755)
         self.environment["PATH"] = f"{self.root}/tools:{os.environ['PATH']}"
         shutil.rmtree(self.root / "build")
         said = self.script("book", "--mine")
         self.assertIn("The page to share is out/mine.html.", said)
+        self.assertIn("Installing with apt-get: nodejs npm\n", said)
+        self.assertIn("install -y --no-install-recommends nodejs npm\n", (self.root / "asked").read_text())
+        self.assertIn("Could not install npm (see build/install.log).\n", said)
         self.assertIn("The web book itself needs Node.js 18", said)
         self.assertTrue((self.root / "out/mine.html").exists())
         self.assertIn("the web book needs Node.js 18", self.script("book", code=1))
