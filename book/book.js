@@ -9,10 +9,12 @@ const stored = {
 };
 if (stored.get('theme')) root.dataset.theme = stored.get('theme');  // before anything is drawn
 
-// The text's faces are in the style sheet. Unpacking them takes a moment, in which nothing need be laid out twice.
+// The text's faces are in the style sheet. Unpacking them takes a moment, in which nothing need be laid out twice; so does
+// getting the formulas' one, which a page waits for that begins with formulas.
 root.classList.add('unpacks');
-Promise.race([Promise.all(['', 'italic ', 'bold '].map(face => document.fonts.load(`${face}1rem Text`))),
-              new Promise(late => setTimeout(late, 500))])
+Promise.race([Promise.all(['Text', 'italic Text', 'bold Text', ...('formulas' in root.dataset ? ['STIX2'] : [])]
+    .map(face => document.fonts.load(face.replace(/\w+$/, '1rem $&')))),
+              new Promise(late => setTimeout(late, 300))])
     .finally(() => root.classList.remove('unpacks'));
 
 function themeButton() {

@@ -256,7 +256,11 @@ write('assets/licenses.txt', ['minisearch/LICENSE.txt', 'temml/LICENSE', '@fonts
 
 // The font of formulas, with the characters that occur. A letter in a formula is shown as a slanted one,
 // which is a character of its own; the root sign occurs in no text.
-const others = [[0x1d434, 0x1d467], [0x1d6a4, 0x1d71b], [0x210e, 0x210e], [0x221a, 0x221a], [0x20, 0x7e]]
+const slantedGreek = [...mathLetters].flatMap(letter => {
+    const code = letter.codePointAt(0);
+    return code >= 0x391 && code <= 0x3a9 ? [0x1d6e2 + code - 0x391] : code >= 0x3b1 && code <= 0x3f6 ? [0x1d6fc + code - 0x3b1] : [];
+});
+const others = [[0x1d434, 0x1d467], ...slantedGreek.map(code => [code, code]), [0x1d715, 0x1d71b], [0x210e, 0x210e], [0x221a, 0x221a], [0x20, 0x7e]]
     .flatMap(([from, to]) => Array.from({ length: to - from + 1 }, (_, i) => String.fromCodePoint(from + i)));
 const font = packaged('@fontsource/stix-two-math').replace(/[^/]*$/, 'files/stix-two-math-latin-400-normal.woff2');
 write('assets/formulas.woff2',

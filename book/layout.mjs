@@ -54,7 +54,7 @@ export function layout(page, book) {
     const live = hasLiveFigures && page.html.includes('<figure class="live') ? '\n<script src="assets/live.js"></script>' : '';
     const at = pages.indexOf(page);
     return `<!DOCTYPE html>
-<html lang="en">
+<html lang="en"${page.html.slice(0, 5000).includes('<math') ? ' data-formulas' : ''}>
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">

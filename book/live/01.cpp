@@ -296,4 +296,98 @@ void drag(NormalsControls& c, const Drag& to) {
     }
 }
 
+// ---- Rounding and cancellation on a number line ----
+
+namespace {
+
+// Where the number line is, from 0 to 8.
+Frame number_line(double width) {
+    return {{24, 92}, {0, 0}, (width - 48) / 8};
+}
+
+// The position of the last binary digit of x > 0 if it has so many of them: -2 for quarters.
+int last_digit(double x, double digits) {
+    return std::ilogb(x) - static_cast<int>(digits) + 1;
+}
+double rounded(double x, double digits) {
+    const double unit = std::ldexp(1, last_digit(x, digits));
+    return unit * std::nearbyint(x / unit);
+}
+
+// The binary digits of x from its first one on. Those below `last` are not known.
+void draw_digits(Drawing& out, const char* name, double x, int last, double y) {
+    constexpr int first = 2, lowest = -8;
+    const double left = out.is_narrow() ? 70 : 100,
+                 step = (out.width - left - 30) / (first - lowest);
+    out.text({left - 22, y}, name, ink, Align::right);
+    bool begun = false;
+    for (int place = first; place >= lowest; --place) {
+        const bool is_one = std::fmod(std::floor(std::ldexp(x, -place)), 2) == 1;
+        begun = begun || is_one || (place < last && x == 0);
+        if (!begun) continue;
+        const Point at{left + step * (first - place), y};
+        out.text(at, place < last ? "?" : is_one ? "1" : "0", place < last ? orange : ink);
+    }
+    out.text({left + step * (first + 0.5), y}, ".", muted);
+}
+
+}  // namespace
+
+void draw(const DigitsControls& c, Drawing& out) {
+    const Frame line = number_line(out.width);
+    out.height = 276;
+    const auto at = [&](double x, double above = 0) {
+        return line.to_page({x, 0}) - Point{0, above};
+    };
+    out.line(at(0), at(8), {muted, 1.5});
+    for (int power = 2; power >= -6; --power) {  // the numbers that there are
+        const double from = std::ldexp(1, power), unit = std::ldexp(1, last_digit(from, c.digits));
+        if (unit * line.scale < 2.5) continue;
+        for (double x = from; x < 2 * from; x += unit) out.line(at(x, 6), at(x, -6), {faint, 1.2});
+    }
+    for (const double x : {0.0, 1.0, 2.0, 4.0, 8.0}) {
+        out.line(at(x, 9), at(x, -9), {muted, 1.5});
+        out.text(at(x, -22), "{}", muted, Align::middle, x);
+    }
+
+    const double a = rounded(c.a, c.digits), b = rounded(c.b, c.digits);
+    const auto draw_number = [&](const char* name, double exact, double near, Ink color) {
+        out.line(at(exact, 44), at(exact, 12), {color, 1.2, 3});
+        out.arrow(at(exact, 12), at(near, 2), {color, 1.6});
+        out.dot(at(near), color, 4.5);
+        out.text(at(exact, 66), name, color);
+        out.handle(at(exact, 46));
+    };
+    draw_number("a", c.a, a, blue);
+    draw_number("b", c.b, b, green);
+
+    const int last_a = last_digit(a, c.digits), last_b = last_digit(b, c.digits),
+              last = std::max(last_a, last_b);
+    const double difference = std::abs(a - b);
+    out.text_size = 15;
+    draw_digits(out, "a", a, last_a, 160);
+    draw_digits(out, "b", b, last_b, 190);
+    out.line({24, 208}, {out.width - 24, 208}, {faint, 1});
+    draw_digits(out, out.is_narrow() ? "|a−b|" : "|a − b|", difference, last, 230);
+    out.text_size = 13;
+    out.text({24, 260},
+             out.is_narrow() ? "binary digits; ? was rounded away"
+                             : "binary digits; ? is not known, because it was rounded away",
+             muted, Align::left);
+
+    const int known = difference > 0 ? std::ilogb(difference) - last + 1 : 0;
+    out.say(
+        "a − b = {}. Rounded to {} digits first, it is {}: off by {.0} %, and {} of its digits are "
+        "known.",
+        c.a - c.b, c.digits, a - b,
+        c.a == c.b ? 0 : 100 * std::abs((a - b) - (c.a - c.b)) / std::abs(c.a - c.b), known);
+}
+
+void drag(DigitsControls& c, const Drag& to) {
+    const Frame line = number_line(to.width);
+    const auto handle = [&](double x) { return line.to_page({x, 0}) - Point{0, 46}; };
+    double& moved = nearest_of(std::array{handle(c.a), handle(c.b)}, to.down) == 0 ? c.a : c.b;
+    moved = line.to_plane(line.to_page({moved, 0}) + to.moved()).x;
+}
+
 }  // namespace live
