@@ -12,10 +12,12 @@ if (stored.get('theme')) root.dataset.theme = stored.get('theme');  // before an
 // The text's faces are in the style sheet. Unpacking them takes a moment, in which nothing need be laid out twice; so does
 // getting the formulas' one, which a page waits for that begins with formulas.
 root.classList.add('unpacks');
-Promise.race([Promise.all(['Text', 'italic Text', 'bold Text', ...('formulas' in root.dataset ? ['STIX2'] : [])]
-    .map(face => document.fonts.load(face.replace(/\w+$/, '1rem $&')))),
-              new Promise(late => setTimeout(late, 300))])
-    .finally(() => root.classList.remove('unpacks'));
+const faces = ['Text', 'italic Text', 'bold Text', ...('formulas' in root.dataset ? ['STIX2'] : [])];
+Promise.all([
+    Promise.race([Promise.all(faces.map(face => document.fonts.load(face.replace(/\w+$/, '1rem $&')))),
+                  new Promise(late => setTimeout(late, 300))]),
+    new Promise(whole => document.addEventListener('DOMContentLoaded', whole)),
+]).finally(() => root.classList.remove('unpacks'));
 
 function themeButton() {
     const button = document.querySelector('.theme');

@@ -179,13 +179,14 @@ async function tryPage(name) {
     await readable(page, name);
     await still(page, name);
     if (figures.length > 0) await tryPrintedFigures(page, name);
+    await tryOnPhone(page, name);
     await close(page);
-    await tryOnPhone(name);
     return { bytes, figures: figures.length };
 }
 
-async function tryOnPhone(name) {
-    const page = await opened(name, { viewport: { width: 390, height: 800 }, hasTouch: true });
+async function tryOnPhone(page, name) {
+    await page.setViewportSize({ width: 390, height: 800 });
+    await page.reload();
     const { width, silent } = await page.evaluate(async () => {
         for (let y = 0; y < document.documentElement.scrollHeight; y += 700) {
             scrollTo({ top: y, behavior: 'instant' });
@@ -203,7 +204,6 @@ async function tryOnPhone(name) {
         for (const live of liveOn(name))
             if (await page.locator(`[data-live="${live}"]`).isVisible()) await runs(page, live);  // and is not folded
     await still(page, `${name} on a phone`);
-    await close(page);
 }
 
 function tryLinks() {
@@ -413,11 +413,11 @@ async function runs(page, live) {
     return figure;
 }
 
-// What is shown, and whether an answer is still on its way.
-const stateOf = figure => figure.evaluate(element => ({
-    values: element.figure.values.join(), pixels: element.querySelector('canvas').toDataURL(),
-    waits: Boolean(element.figure.waits || element.figure.shows),
-}));
+// What is shown, or that an answer is still on its way.
+const stateOf = figure => figure.evaluate(element => {
+    const waits = Boolean(element.figure.waits || element.figure.shows);
+    return { waits, values: element.figure.values.join(), pixels: waits ? '' : element.querySelector('canvas').toDataURL() };
+});
 
 // The figure's picture for the first time without a request on its way.
 async function settled(figure) {
@@ -440,7 +440,7 @@ async function tryLiveFigure(page, name, live) {
         }
         check(false, says(`does not change by ${by}`));
     };
-    let before = await stateOf(figure);
+    let before = await settled(figure);
     const control = figure.locator('[data-control]').first();
     await control.focus();
     const atEnd = await control.evaluate(input => input.type === 'range' && +input.value >= +input.max);
@@ -448,7 +448,7 @@ async function tryLiveFigure(page, name, live) {
         : atEnd ? 'ArrowLeft' : 'ArrowRight');
     await changed(before, 'a key');
 
-    before = await stateOf(figure);
+    before = await settled(figure);
     const [x, y, radius] = await figure.evaluate(element => element.figure.handles[0] ?? []);
     if (x === undefined) return check(false, says('has nothing to drag'));
     await canvas.evaluate((canvas, y) => scrollBy({
