@@ -10,7 +10,8 @@ namespace companion {
 namespace {
 
 // The words without the input, the output and the wish for an object. A wrong answer may be warned
-// of, and still runs. It runs for a second or two: compiling with -O3 would take longer than that saves.
+// of, and still runs. It runs for a second or two: compiling with -O3 would take longer than that
+// saves.
 std::vector<std::string> without_files(const std::vector<std::string>& words) {
     std::vector<std::string> kept;
     for (std::size_t i = 0; i < words.size(); ++i) {
