@@ -81,7 +81,7 @@ scene moves.json ", \"spheres\": [{$sphere, \"radius\": 1, \"material\": \"gold\
 grep -q '^note: 1 sphere .*camera.shutter is 0' stdout || complain moves.json "no note on the shutter"
 # mesh NAME LINES: a scene with a mesh whose OBJ file has these lines.
 mesh() {
-    printf "$2" >mesh.obj
+    printf %b "$2" >mesh.obj
     scene "$1" ', "meshes": [{"file": "mesh.obj", "material": "gold"}]'
 }
 corners='v 0 0 0\nv 1 0 0\nv 0 1 0\n'
