@@ -68,11 +68,11 @@ TEST_CASE("12.4 a small example on paper", "[12.4]") {
     REQUIRE(met);
     const Hit hit = rt::surface_hit(triangle, ray, met->t);
     {
-        HINT(Vec3(1, 2, 0), hit.point, "a + u (b - a) + v (c - a)");
+        HINT((Vec3{1, 2, 0}), hit.point, "a + u (b - a) + v (c - a)");
         CHECK(rt::max_component(hit.point - Vec3{1, 2, 0}) <= 16 * rt::epsilon);
     }
     {
-        HINT(Vec3(0, 0, 1), hit.normal,
+        HINT((Vec3{0, 0, 1}), hit.normal,
              "seen from the side of the normal, a, b and c go around counterclockwise: (b - a) x "
              "(c - a), of length 1");
         CHECK(rt::max_component(hit.normal - Vec3{0, 0, 1}) <= 8 * rt::epsilon);
