@@ -5,6 +5,7 @@
 // tree of triangles beside that of spheres, and MeshMaterials, which scatter light by smooth
 // normals.
 
+#include <algorithm>
 #include <app/run.hpp>
 #include <atomic>
 #include <rt/canvas.hpp>
@@ -22,7 +23,10 @@ namespace {
 using namespace triangles;
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    Scene made = make_scene(1'000'000, *settings.view);
+    // About three triangles a pixel: a small picture needs no finer sea.
+    const std::int64_t pixels = std::int64_t{settings.width} * settings.height;
+    const auto count = static_cast<int>(std::clamp<std::int64_t>(3 * pixels, 100'000, 1'000'000));
+    Scene made = make_scene(count, *settings.view);
     const MeshScene<scene_effects> scene{made.description, std::move(made.meshes), settings.width,
                                          settings.height};
     if (!settings.show.empty()) {
