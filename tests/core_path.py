@@ -9,7 +9,7 @@ without a plain header there or an edit here has no simpler form than the soluti
 With the plain headers of all chapters so far, a chapter's program draws a small picture, no line of
 its certificate fails but those of stars, and our answer to its graft passes. `course compare` calls
 its picture right: it is the solution's, or it becomes the solution's picture with the solution's code
-for the exercises whose stars are open. So does it with each plain answer alone.
+for the exercises whose stars are open. So does it with each plain answer of a core chapter alone.
 
 core_path.py BUILD [NN_topic...]     Needs the programs check.NN.k, tracer.NN, NN_topic_solution,
                                      mistake_tool, graft_mistakes and compare_programs of the build.
@@ -178,7 +178,7 @@ def main():
             (alone / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(together / name, alone / name)
             target = f"{chapter['name']}_solution"
-            if chapter["name"] not in LONG and (build / "link" / f"{target}.txt").exists():
+            if chapter["core"] and chapter["name"] not in LONG and (build / "link" / f"{target}.txt").exists():
                 programs.append((below / "pictures" / alone.name, alone, target))
         for target in f"{chapter['name']}_solution", f"certify.{chapter['name']}_solution", f"tracer.{number}":
             if (build / "link" / f"{target}.txt").exists() and target not in SLOW:
