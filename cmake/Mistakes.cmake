@@ -20,7 +20,7 @@ function(course_mistake_tests chapter)
   endif()
   # What `course compare` says of some. For those who change it: `mistake_tool pictures` shows that it sees each
   # mistake that changes the picture.
-  course_linked_with(${chapter}_solution ${course_libraries_of_programs} ${course_libraries_linked_${chapter}})
+  course_linked_with(${chapter}_solution ${course_libraries_linked_${chapter}} ${course_libraries_of_programs})
   add_test(NAME mistakes.compare.${chapter} COMMAND mistake_tool compare ${chapter})
   set_tests_properties(mistakes.compare.${chapter} PROPERTIES LABELS mistakes TIMEOUT 600 PROCESSORS ${cores})
 endfunction()

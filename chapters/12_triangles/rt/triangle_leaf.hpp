@@ -1,6 +1,7 @@
 #pragma once
 #include <bit>
 #include <limits>
+#include <rt/sheared_ray.hpp>
 #include <rt/triangle_point.hpp>
 #include <rt/triangle_shape.hpp>
 #include <rt/wide_tree.hpp>
