@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <rt/effects.hpp>
+#include <utility>
 
 namespace effects {
 
@@ -15,5 +16,14 @@ inline constexpr std::array<rt::Effects, 5> few_effects = [] {
     lit.lights = lit.instances = true;
     return std::array<rt::Effects, 5>{{{}, materials, moving, lit, rt::every_effect}};
 }();
+
+// make() with each of these sets as its template argument, in their order.
+template <class Make>
+constexpr auto for_few_effects(const Make& make) {
+    return [&]<std::size_t... index>(std::index_sequence<index...>) {
+        return std::array{make.template operator()<few_effects[index]>()...};
+    }
+    (std::make_index_sequence<few_effects.size()>{});
+}
 
 }  // namespace effects

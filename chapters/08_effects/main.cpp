@@ -9,11 +9,9 @@
 #include <app/errors.hpp>
 #include <app/limits.hpp>
 #include <app/run.hpp>
-#include <atomic>
-#include <rt/canvas.hpp>
+#include <rt/draw_by_tiles.hpp>
 #include <rt/false_colors.hpp>
 #include <rt/needed_effects.hpp>
-#include <rt/render_tiles.hpp>
 #include <thread>
 
 #include "final_scene.hpp"
@@ -87,29 +85,14 @@ effects::TileRenderer make_renderer(const SceneDescription& scene, const app::Se
 // The picture, tile by tile, each thread with a worker of its own.
 app::Picture draw(const effects::TileRenderer& renderer, const RenderSettings& chosen, int threads,
                   app::Progress& progress) {
-    Image image = Canvas<Color>{chosen.width, chosen.height};
-    app::draw_unfinished(image);
-    std::atomic<std::uint64_t> all_rays = 0;
-    std::atomic<std::int64_t> pixels_done = 0;
-    const app::Interruption interruption;
-    const TileGrid grid{chosen.width, chosen.height, renderer.tile_side};
-    progress.start(tile_count(grid));
     std::vector<effects::DrawTile> workers(static_cast<std::size_t>(threads));
-    render_tiles(grid, threads, [&](const Tile& tile, int worker) {
-        if (app::Interruption::signal() != 0) return;
-        effects::DrawTile& draw_tile = workers[static_cast<std::size_t>(worker)];
-        if (!draw_tile) draw_tile = renderer.make_worker();
-        std::uint64_t rays = 0;
-        pixels_done += draw_tile(tile, chosen.seed, image, rays);
-        all_rays += rays;
-        progress.step();
-    });
-    app::Picture picture{std::move(image), all_rays};
-    if (const int signal = interruption.signal()) {
-        const auto all = static_cast<double>(picture.image.pixels().size());
-        picture.stopped = {signal, static_cast<double>(pixels_done) / all};
-    }
-    return picture;
+    return draw_by_tiles({chosen.width, chosen.height, renderer.tile_side}, threads, progress,
+                         [&](const Tile& tile, int worker, Image& image, std::uint64_t& rays) {
+                             effects::DrawTile& draw_tile =
+                                 workers[static_cast<std::size_t>(worker)];
+                             if (!draw_tile) draw_tile = renderer.make_worker();
+                             return draw_tile(tile, chosen.seed, image, rays);
+                         });
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
@@ -120,8 +103,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         (by_sobol(settings) || by_tent(settings) || in_batches(settings) || refines))
         throw app::UsageError(
             "a scene with meshes is drawn with jittered samples, path by path: leave out "
-            "--sampler, "
-            "--filter, --batches, --target-error and --time-budget");
+            "--sampler, --filter, --batches, --target-error and --time-budget");
     const auto explain = [&](const effects::Choice& choice) {
         if (settings.explain) settings.explain(effects::explanation(scene, settings.file, choice));
     };

@@ -1,9 +1,7 @@
 // All renderers are compiled here, once, because that takes long.
 
-#include <app/run.hpp>
-#include <cassert>
 #include <rt/choose_renderer.hpp>
-#include <rt/for_each_pixel.hpp>
+#include <rt/draw_by_tiles.hpp>
 #include <rt/renderers.hpp>
 
 #include "tile_renderer.hpp"
@@ -18,18 +16,9 @@ TileRenderer make_narrowest(const Effects& needed, const SceneDescription& scene
     const PixelShader shade = renderer_makers[number](scene, width, height, quality);
     const auto draw = [shade](const Tile& tile, std::uint64_t seed, Image& image,
                               std::uint64_t& rays) {
-        std::int64_t done = 0;
-        for_each_pixel(tile, [&](int x, int y) {
-            if (app::Interruption::signal() != 0) return;
-            image.at(x, y) = shade(x, y, seed, rays);
-            assert(is_finite(image.at(x, y)));
-            ++done;
-        });
-        return done;
+        return draw_pixels(tile, image, [&](int x, int y) { return shade(x, y, seed, rays); });
     };
-    const Effects chosen = renderer_effects[number];
-    return {{chosen, without(every_effect, chosen), renderer_effects.size()},
-            [draw] { return DrawTile{draw}; }};
+    return {choice_of(renderer_effects, number), [draw] { return DrawTile{draw}; }};
 }
 
 }  // namespace effects

@@ -11,6 +11,7 @@
 #include <rt/render_pixel.hpp>
 #include <rt/scene.hpp>
 #include <rt/tile.hpp>
+#include <span>
 
 namespace effects {
 
@@ -20,6 +21,11 @@ struct Choice {
     std::size_t renderers = 1;     // how many there are to choose from
     bool in_batches = false;       // whether it follows many paths at a time
 };
+
+// Of renderers with these effects, the one with this index.
+inline Choice choice_of(std::span<const rt::Effects> renderers, std::size_t index) {
+    return {renderers[index], without(rt::every_effect, renderers[index]), renderers.size()};
+}
 
 // Draws the pixels of a tile with this seed, and returns how many are done: all, unless a signal
 // came meanwhile (app::Interruption) and the renderer asks for that. The rays that it took are
@@ -53,7 +59,7 @@ TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
 // Chapter 12's: pixel by pixel, with meshes. Also what --show asks for.
 TileRenderer make_meshed(const rt::SceneDescription& scene, int width, int height,
                          const rt::Quality& quality);
-app::Picture show_meshed(const rt::SceneDescription& scene, const app::Settings& settings,
+app::Picture show_meshed(rt::SceneDescription scene, const app::Settings& settings,
                          app::Progress& progress);
 // The mesh in the bytes of an OBJ file. With smooth normals: true or false, or as the file has
 // them. Throws std::invalid_argument, which says what is wrong with the file.

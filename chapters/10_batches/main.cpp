@@ -1,11 +1,9 @@
 // Chapter 10: a hundred thousand spheres, drawn in batches of paths that make each bounce together.
 
 #include <app/run.hpp>
-#include <atomic>
 #include <optional>
 #include <rt/batch_renderer.hpp>
-#include <rt/canvas.hpp>
-#include <rt/render_tiles.hpp>
+#include <rt/draw_by_tiles.hpp>
 #include <rt/show_description.hpp>
 #include <thread>
 
@@ -23,32 +21,16 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const ReadyScene<scene_effects> scene{description, settings.width, settings.height};
     const Quality quality{settings.spp, settings.depth, *settings.seed};
 
-    Image image = Canvas<Color>{settings.width, settings.height};
-    app::draw_unfinished(image);
-    std::atomic<std::uint64_t> all_rays = 0;
-    std::atomic<std::int64_t> pixels_done = 0;
-    const app::Interruption interruption;
-    const TileGrid grid{settings.width, settings.height, 32};
-    progress.start(tile_count(grid));
     // Each worker has batches of its own, and keeps their memory from tile to tile.
     std::vector<std::optional<BatchRenderer<scene_effects>>> renderers(
         static_cast<std::size_t>(settings.threads));
-    render_tiles(grid, settings.threads, [&](const Tile& tile, int worker) {
-        if (interruption.signal() != 0) return;
-        auto& mine = renderers[static_cast<std::size_t>(worker)];
-        if (!mine) mine.emplace(scene, quality);
-        std::uint64_t rays = 0;
-        mine->draw(tile, image, rays);
-        all_rays += rays;
-        pixels_done += pixel_count(tile);
-        progress.step();
-    });
-    app::Picture picture{std::move(image), all_rays};
-    if (const int signal = interruption.signal()) {
-        const auto all = static_cast<double>(picture.image.pixels().size());
-        picture.stopped = {signal, static_cast<double>(pixels_done) / all};
-    }
-    return picture;
+    return draw_by_tiles({settings.width, settings.height, 32}, settings.threads, progress,
+                         [&](const Tile& tile, int worker, Image& image, std::uint64_t& rays) {
+                             auto& mine = renderers[static_cast<std::size_t>(worker)];
+                             if (!mine) mine.emplace(scene, quality);
+                             mine->draw(tile, image, rays);
+                             return pixel_count(tile);
+                         });
 }
 
 }  // namespace

@@ -7,12 +7,10 @@
 
 #include <algorithm>
 #include <app/run.hpp>
-#include <atomic>
-#include <rt/canvas.hpp>
-#include <rt/for_each_pixel.hpp>
-#include <rt/mesh_renderer.hpp>
-#include <rt/render_tiles.hpp>
-#include <rt/show_paths.hpp>
+#include <rt/draw_by_tiles.hpp>
+#include <rt/mesh_scene.hpp>
+#include <rt/renderer.hpp>
+#include <rt/show_description.hpp>
 #include <thread>
 
 #include "scene.hpp"
@@ -27,38 +25,21 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const std::int64_t pixels = std::int64_t{settings.width} * settings.height;
     const auto count = static_cast<int>(std::clamp<std::int64_t>(3 * pixels, 100'000, 1'000'000));
     Scene made = make_scene(count, *settings.view);
-    const MeshScene<scene_effects> scene{made.description, std::move(made.meshes), settings.width,
-                                         settings.height};
-    if (!settings.show.empty()) {
-        const auto path = [&](const auto& ray, const auto& world, Rng& random) {
-            return scene.radiance(world, ray, settings.depth, random);
-        };
-        return show_world(settings, progress, scene.ready.camera, scene.world, path, render_tiles);
-    }
-    Image image = Canvas<Color>{settings.width, settings.height};
-    app::draw_unfinished(image);
-    std::atomic<std::uint64_t> all_rays = 0;
-    std::atomic<std::int64_t> pixels_done = 0;
-    const app::Interruption interruption;
-    const TileGrid grid{settings.width, settings.height, 16};
-    progress.start(tile_count(grid));
-    const JitteredSamples samples{*settings.seed, settings.spp};
-    render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
-        if (interruption.signal() != 0) return;
-        std::uint64_t rays = 0;
-        for_each_pixel(tile, [&](int x, int y) {
-            image.at(x, y) = scene.pixel(samples, settings.depth, x, y, rays);
-        });
-        all_rays += rays;
-        pixels_done += pixel_count(tile);
-        progress.step();
-    });
-    app::Picture picture{std::move(image), all_rays};
-    if (const int signal = interruption.signal()) {
-        const auto all = static_cast<double>(picture.image.pixels().size());
-        picture.stopped = {signal, static_cast<double>(pixels_done) / all};
-    }
-    return picture;
+    const int width = settings.width, height = settings.height;
+    if (!settings.show.empty())
+        return show_ready(MeshScene<scene_effects>{made.description, width, height, made.meshes},
+                          settings, progress);
+    const Renderer<scene_effects, MeshScene<scene_effects>> renderer{
+        made.description,
+        width,
+        height,
+        {settings.spp, settings.depth, *settings.seed},
+        made.meshes};
+    return draw_by_tiles({width, height, 16}, settings.threads, progress,
+                         [&](const Tile& tile, int, Image& image, std::uint64_t& rays) {
+                             return draw_pixels(tile, image,
+                                                [&](int x, int y) { return renderer(x, y, rays); });
+                         });
 }
 
 }  // namespace

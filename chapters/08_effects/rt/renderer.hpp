@@ -6,6 +6,7 @@
 #include <rt/render_pixel.hpp>
 #include <rt/sample_rng.hpp>
 #include <rt/through_haze.hpp>
+#include <utility>
 
 namespace rt {
 
@@ -27,13 +28,16 @@ struct JitteredSamples {
     }
 };
 
-// Draws a scene with these effects, and no others (given).
-template <Effects effects>
+// Draws a scene with these effects, and no others (given). Scene is what it is made ready as.
+template <Effects effects, class Scene = ReadyScene<effects>>
 class Renderer {
   public:
-    // The effects must cover those of the scene, which must outlive the renderer.
-    Renderer(const SceneDescription& scene, int width, int height, const Quality& quality)
-        : scene_{scene, width, height}, quality_{quality} {}
+    // The effects must cover those of the scene, which must outlive the renderer. `more` is what
+    // Scene is made of besides.
+    template <class... More>
+    Renderer(const SceneDescription& scene, int width, int height, const Quality& quality,
+             More&&... more)
+        : scene_{scene, width, height, std::forward<More>(more)...}, quality_{quality} {}
 
     // The color of a pixel, which depends on the scene, the quality and the pixel alone.
     Color operator()(int column, int row) const {
@@ -49,8 +53,8 @@ class Renderer {
     // that of JitteredSamples.
     template <class Samples>
     Color operator()(const Samples& samples, int column, int row, std::uint64_t& rays) const {
-        return pixel(CountingWorld<typename RendererTypes<effects>::World>{scene_.world, rays},
-                     samples, column, row);
+        return pixel(CountingWorld<decltype(Scene::world)>{scene_.world, rays}, samples, column,
+                     row);
     }
 
   private:
@@ -90,7 +94,7 @@ class Renderer {
                                  quality_.depth, random);
     }
 
-    ReadyScene<effects> scene_;
+    Scene scene_;
     Quality quality_;
 };
 

@@ -3,19 +3,36 @@
 #include <rt/ready_scene.hpp>
 #include <rt/render_tiles.hpp>
 #include <rt/show_paths.hpp>
+#include <string>
+#include <utility>
 
 namespace rt {
+
+// What --show asks for, of a scene that is ready (given).
+template <class Scene>
+app::Picture show_ready(const Scene& scene, const app::Settings& settings,
+                        app::Progress& progress) {
+    const auto path = [&](const auto& ray, const auto& world, Rng& random) {
+        return lit_path_radiance(ray, world, scene.materials, scene.sky, scene.lights, scene.fog,
+                                 SkyEnding{}, settings.depth, random);
+    };
+    return show_world(settings, progress, scene.camera, scene.world, path, render_tiles);
+}
+
+// Where --show asks for hits, they are those of a pinhole camera at the moment at which the shutter
+// opens (given).
+inline void hold_still(CameraDescription& camera, const std::string& show) {
+    if (show == "bounces" || show == "samples") return;
+    camera.lens = {};
+    camera.shutter = 0;
+}
 
 // What --show asks for, of a scene (given), drawn by a renderer that has these effects. Settings
 // that a scene has, too, are those of the program.
 template <Effects effects>
 app::Picture show_description(SceneDescription scene, const app::Settings& settings,
                               app::Progress& progress) {
-    // A hit is that of a pinhole camera at the moment at which the shutter opens.
-    if (settings.show != "bounces" && settings.show != "samples") {
-        scene.camera.lens = {};
-        scene.camera.shutter = 0;
-    }
+    hold_still(scene.camera, settings.show);
     if (settings.show == "sphere") {
         // Each sphere gets a material of its own, whose number then says which sphere was hit.
         const auto shared = std::move(scene.materials);
@@ -25,12 +42,8 @@ app::Picture show_description(SceneDescription scene, const app::Settings& setti
             sphere.material = static_cast<int>(scene.materials.size()) - 1;
         }
     }
-    const ReadyScene<effects> ready{scene, settings.width, settings.height};
-    const auto path = [&](const auto& ray, const auto& world, Rng& random) {
-        return lit_path_radiance(ray, world, ready.materials, ready.sky, ready.lights, ready.fog,
-                                 SkyEnding{}, settings.depth, random);
-    };
-    return show_world(settings, progress, ready.camera, ready.world, path, render_tiles);
+    return show_ready(ReadyScene<effects>{scene, settings.width, settings.height}, settings,
+                      progress);
 }
 
 }  // namespace rt

@@ -41,10 +41,8 @@ DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
     };
 }
 
-constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>) {
-    return std::array{make_draw_pass<few_effects[number]>...};
-}
-(std::make_index_sequence<few_effects.size()>{});
+constexpr auto makers =
+    ::effects::for_few_effects([]<Effects effects> { return &make_draw_pass<effects>; });
 
 // Tiles filtered by a tent. The larger they are, the fewer pixels are sampled for two of them.
 constexpr int tent_tile_side = 64;
@@ -61,10 +59,8 @@ template <Effects effects>
         };
 }
 
-constexpr auto tent_makers = []<std::size_t... number>(std::index_sequence<number...>) {
-    return std::array{make_draw_tent<few_effects[number]>...};
-}
-(std::make_index_sequence<few_effects.size()>{});
+constexpr auto tent_makers =
+    ::effects::for_few_effects([]<Effects effects> { return &make_draw_tent<effects>; });
 
 // A way to draw passes, as TileRenderer is one to draw pictures.
 struct PassRenderer {
@@ -76,10 +72,8 @@ struct PassRenderer {
 PassRenderer make_passes(const SceneDescription& scene, int width, int height,
                          const Quality& quality, bool sobol) {
     const std::size_t number = narrowest(needed_effects(scene), few_effects);
-    const Effects chosen = few_effects[number];
     const DrawPass draw = makers[number](scene, width, height, quality, sobol);
-    return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
-            [draw] { return draw; }};
+    return {effects::choice_of(few_effects, number), [draw] { return draw; }};
 }
 
 PassRenderer make_batched_passes(const SceneDescription& scene, int width, int height,
@@ -176,11 +170,8 @@ TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height
 TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
                        const rt::Quality& quality) {
     const std::size_t number = rt::narrowest(rt::needed_effects(scene), few_effects);
-    const rt::Effects chosen = few_effects[number];
     const DrawTile draw = samples::tent_makers[number](scene, width, height, quality);
-    return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
-            [draw] { return draw; },
-            samples::tent_tile_side};
+    return {choice_of(few_effects, number), [draw] { return draw; }, samples::tent_tile_side};
 }
 
 app::Picture refine(const rt::SceneDescription& scene, const app::Settings& settings,

@@ -1,15 +1,13 @@
 // What chapter 08's program draws scenes with meshes with. It is linked into that program.
 
-#include <array>
 #include <memory>
 #include <rt/choose_renderer.hpp>
-#include <rt/for_each_pixel.hpp>
-#include <rt/mesh_renderer.hpp>
+#include <rt/draw_by_tiles.hpp>
+#include <rt/mesh_scene.hpp>
 #include <rt/needed_effects.hpp>
-#include <rt/render_tiles.hpp>
-#include <rt/show_paths.hpp>
+#include <rt/renderer.hpp>
+#include <rt/show_description.hpp>
 #include <stdexcept>
-#include <utility>
 
 #include "few_effects.hpp"
 #include "tile_renderer.hpp"
@@ -30,25 +28,18 @@ SceneMeshes meshes_of(const SceneDescription& scene) {
 template <Effects effects>
 DrawTile make_drawing(const SceneDescription& description, int width, int height,
                       const Quality& quality) {
-    const auto scene = std::make_shared<const MeshScene<effects>>(
-        description, meshes_of(description), width, height);
-    return
-        [scene, quality](const Tile& tile, std::uint64_t seed, Image& image, std::uint64_t& rays) {
-            const JitteredSamples samples{seed, quality.samples_per_pixel};
-            std::int64_t done = 0;
-            for_each_pixel(tile, [&](int x, int y) {
-                if (app::Interruption::signal() != 0) return;
-                image.at(x, y) = scene->pixel(samples, quality.depth, x, y, rays);
-                ++done;
-            });
-            return done;
-        };
+    const auto renderer = std::make_shared<const Renderer<effects, MeshScene<effects>>>(
+        description, width, height, quality, meshes_of(description));
+    return [renderer, count = quality.samples_per_pixel](const Tile& tile, std::uint64_t seed,
+                                                         Image& image, std::uint64_t& rays) {
+        return draw_pixels(tile, image, [&](int x, int y) {
+            return (*renderer)(JitteredSamples{seed, count}, x, y, rays);
+        });
+    };
 }
 
-constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>) {
-    return std::array{make_drawing<few_effects[number]>...};
-}
-(std::make_index_sequence<few_effects.size()>{});
+constexpr auto makers =
+    ::effects::for_few_effects([]<Effects effects> { return &make_drawing<effects>; });
 
 }  // namespace
 }  // namespace triangles
@@ -56,26 +47,16 @@ constexpr auto makers = []<std::size_t... number>(std::index_sequence<number...>
 effects::TileRenderer effects::make_meshed(const rt::SceneDescription& scene, int width, int height,
                                            const rt::Quality& quality) {
     const std::size_t number = rt::narrowest(rt::needed_effects(scene), few_effects);
-    const rt::Effects chosen = few_effects[number];
     const DrawTile draw = triangles::makers[number](scene, width, height, quality);
-    return {{chosen, without(few_effects.back(), chosen), few_effects.size()},
-            [draw] { return draw; }};
+    return {choice_of(few_effects, number), [draw] { return draw; }};
 }
 
-app::Picture effects::show_meshed(const rt::SceneDescription& scene, const app::Settings& settings,
+app::Picture effects::show_meshed(rt::SceneDescription scene, const app::Settings& settings,
                                   app::Progress& progress) {
-    rt::SceneDescription still = scene;
-    if (settings.show != "bounces" && settings.show != "samples") {
-        still.camera.lens = {};
-        still.camera.shutter = 0;
-    }
-    const rt::MeshScene<rt::every_effect> ready{still, triangles::meshes_of(still), settings.width,
-                                                settings.height};
-    const auto path = [&](const auto& ray, const auto& world, rt::Rng& random) {
-        return ready.radiance(world, ray, settings.depth, random);
-    };
-    return rt::show_world(settings, progress, ready.ready.camera, ready.world, path,
-                          rt::render_tiles);
+    hold_still(scene.camera, settings.show);
+    return rt::show_ready(rt::MeshScene<rt::every_effect>{scene, settings.width, settings.height,
+                                                          triangles::meshes_of(scene)},
+                          settings, progress);
 }
 
 rt::Mesh effects::read_mesh(const std::string& bytes, std::optional<bool> smooth) {

@@ -1,0 +1,53 @@
+#pragma once
+#include <app/run.hpp>
+#include <atomic>
+#include <cassert>
+#include <rt/canvas.hpp>
+#include <rt/for_each_pixel.hpp>
+#include <rt/image.hpp>
+#include <rt/render_tiles.hpp>
+
+namespace rt {
+
+// A picture, tile by tile, drawn by this many threads until a signal comes (given).
+// draw(tile, worker, image, rays) adds the rays that a tile took to `rays`, and returns how many of
+// its pixels are done.
+template <class DrawTile>
+app::Picture draw_by_tiles(const TileGrid& grid, int threads, app::Progress& progress,
+                           const DrawTile& draw) {
+    Image image = Canvas<Color>{grid.width, grid.height};
+    app::draw_unfinished(image);
+    std::atomic<std::uint64_t> all_rays = 0;
+    std::atomic<std::int64_t> pixels_done = 0;
+    const app::Interruption interruption;
+    progress.start(tile_count(grid));
+    render_tiles(grid, threads, [&](const Tile& tile, int worker) {
+        if (app::Interruption::signal() != 0) return;
+        std::uint64_t rays = 0;
+        pixels_done += draw(tile, worker, image, rays);
+        all_rays += rays;
+        progress.step();
+    });
+    app::Picture picture{std::move(image), all_rays};
+    if (const int signal = app::Interruption::signal()) {
+        const auto all = static_cast<double>(picture.image.pixels().size());
+        picture.stopped = {signal, static_cast<double>(pixels_done) / all};
+    }
+    return picture;
+}
+
+// Draws a tile pixel by pixel until a signal comes (given): the colors are color(x, y). Returns how
+// many pixels are done.
+template <class ColorOf>
+std::int64_t draw_pixels(const Tile& tile, Image& image, const ColorOf& color) {
+    std::int64_t done = 0;
+    for_each_pixel(tile, [&](int x, int y) {
+        if (app::Interruption::signal() != 0) return;
+        image.at(x, y) = color(x, y);
+        assert(is_finite(image.at(x, y)));
+        ++done;
+    });
+    return done;
+}
+
+}  // namespace rt

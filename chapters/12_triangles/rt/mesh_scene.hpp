@@ -1,0 +1,26 @@
+#pragma once
+#include <rt/mesh_materials.hpp>
+#include <rt/mesh_world.hpp>
+#include <rt/ready_scene.hpp>
+
+namespace rt {
+
+// A scene with meshes, made ready for a renderer with these effects (given): what chapter 08 makes
+// ready, with the triangles in a tree of their own beside its world, and materials that know them.
+template <Effects effects>
+struct MeshScene : ReadyScene<effects> {
+    using Spheres = ReadyScene<effects>;
+    Mesh mesh;
+    Aggregate<decltype(Spheres::world), TriangleTree> world;
+    MeshMaterials<decltype(Spheres::materials)> materials;
+
+    MeshScene(const SceneDescription& scene, int width, int height, SceneMeshes meshes)
+        : Spheres{scene, width, height},
+          mesh{std::move(meshes.mesh)},
+          world{std::move(Spheres::world), make_wide_tree(meshes.triangles)},
+          materials{std::move(Spheres::materials), &mesh} {}
+    MeshScene(const MeshScene&) = delete;
+    MeshScene& operator=(const MeshScene&) = delete;
+};
+
+}  // namespace rt
