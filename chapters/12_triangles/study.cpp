@@ -55,7 +55,7 @@ bool meets_any(const std::vector<Way>& ways, const Ray& ray) {
     return false;
 }
 
-// How many of a million rays slip out of a closed mesh, and what a test costs.
+// How many of a million rays slip out of a closed mesh.
 void study_leaks(study::Report& report) {
     constexpr int few = 200'000;
     for (const int belts : {4, 8, 16}) {
@@ -120,8 +120,8 @@ void study_needles(study::Report& report) {
     }
 }
 
-// A picture from inside of the closed ball, each triangle in a gray of its own; through a leak
-// white comes in. The truth is that no ray gets out.
+// Colors seen from inside the closed ball: its triangles are gray, and white comes in through a
+// leak. The truth is that no ray gets out.
 void study_pixels(study::Report& report) {
     const auto ball = triangles_of(closed_ball(8), 0, 0);
     for (const bool to_edges : {false, true}) {
@@ -130,8 +130,9 @@ void study_pixels(study::Report& report) {
             std::vector<Color> truth(rays.size(), Color{Real(0.5), Real(0.5), Real(0.5)}), seen;
             for (const Ray& ray : rays)
                 seen.push_back(meets_any(ways, ray) ? truth.front() : Color{1, 1, 1});
-            report.add(study::pixel_error(variant, to_edges, "0 rays to anywhere, 1 rays to edges",
-                                          study::root_mean_square_error(seen, truth)));
+            report.add(study::pixel_error(
+                variant + std::string{to_edges ? ", rays to edges" : ", rays to anywhere"},
+                to_edges, "rays to edges", study::root_mean_square_error(seen, truth)));
         });
     }
 }

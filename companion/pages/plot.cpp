@@ -45,13 +45,24 @@ struct Panel {
     Quantity x, y;
 };
 
+bool any_measured(const Measurements& rows, Quantity quantity) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const Measurement& row) { return measured(row, quantity); });
+}
+
+// Whether each variant has a single row in each precision.
+bool is_single(const Measurements& rows) {
+    std::set<std::pair<std::string, std::string>> seen;
+    return std::all_of(rows.begin(), rows.end(), [&](const Measurement& row) {
+        return seen.insert({row.variant, row.precision}).second;
+    });
+}
+
 std::vector<Panel> all_panels(const Measurements& rows, bool over_x) {
     using study::Row;
-    const bool has_error = std::any_of(rows.begin(), rows.end(), [](const Measurement& row) {
-        return measured(row, &Row::error);
-    });
     const Panel error{&Row::x, &Row::error}, cost{&Row::x, &Row::cost};
-    if (!has_error) return {cost};
+    if (!any_measured(rows, &Row::error)) return {cost};
+    if (!any_measured(rows, &Row::cost)) return {error};
     if (!over_x) return {{&Row::cost, &Row::error}};
     // Level lines tell no more than a table does. If the cost is level, the error gets all the
     // room.
@@ -163,11 +174,11 @@ std::string curve(const Look& look, const std::string& precision, const std::str
 }
 
 // A bar, with its value to the right of it.
-std::string bar(double left, double right, double top, const Measurement& row) {
+std::string bar(double left, double right, double top, const Measurement& row, double value) {
     return "<rect class='bar c" + std::to_string(row.precision == "float") + "' x='" + px(left) +
            "' y='" + px(top) + "' width='" + px(right - left) + "' height='13'>" +
-           title(row.variant + ", " + row.precision + ": " + shown(row.error)) + "</rect>" +
-           text(right + 6, top + 11, shown(row.error));
+           title(row.variant + ", " + row.precision + ": " + shown(value)) + "</rect>" +
+           text(right + 6, top + 11, shown(value));
 }
 
 // A value with its unit, if the quantity's name ends with one: "5.1 ns" of "time / ns".
@@ -271,40 +282,41 @@ std::string picture(const std::string& name, const std::string& parts, double he
            ">\n" + style + "<rect class='paper' width='" + size + "/>\n" + parts + "</svg>\n";
 }
 
-// The variants with their largest errors, the largest first.
-std::vector<std::string> by_error(const Measurements& rows) {
+// The variants, that with the largest value first.
+std::vector<std::string> by_largest(const Measurements& rows, Quantity quantity) {
     std::map<std::string, double> largest;
     for (const Measurement& row : rows) {
-        const double error = std::isfinite(row.error) ? row.error : INFINITY;
-        double& so_far = largest.try_emplace(row.variant, error).first->second;
-        so_far = std::max(so_far, error);
+        const double value = std::isfinite(row.*quantity) ? row.*quantity : INFINITY;
+        double& so_far = largest.try_emplace(row.variant, value).first->second;
+        so_far = std::max(so_far, value);
     }
     std::vector<std::string> order;
-    for (const auto& [variant, error] : largest) order.push_back(variant);
+    for (const auto& [variant, value] : largest) order.push_back(variant);
     std::stable_sort(order.begin(), order.end(),
                      [&](const auto& a, const auto& b) { return largest.at(a) > largest.at(b); });
     return order;
 }
 
-// The errors alone as bars: the largest on top, double above float.
-std::string bars(const Measurements& rows) {
-    const std::vector<std::string> order = by_error(rows), both = precisions(rows);
+// One quantity alone as bars: the largest on top, double above float.
+std::string bars(const Measurements& rows, Quantity quantity) {
+    const std::vector<std::string> order = by_largest(rows, quantity), both = precisions(rows);
     std::size_t longest = 0;
     for (const std::string& variant : order) longest = std::max(longest, letters(variant));
     constexpr double top = 48, thick = 16, gap = 8;
     const double bottom =
         top + thick * static_cast<double>(rows.size()) + gap * static_cast<double>(order.size());
     const double left = std::min(0.5 * width, 24 + 6.6 * static_cast<double>(longest));
-    const Axis axis{rows, &study::Row::error, left, width - 70};
+    const Axis axis{rows, quantity, left, width - 70};
     std::string parts = heading(22, rows.front().study) +
-                        axis_below(axis, bottom, top - 8, rows.front().error_name);
+                        axis_below(axis, bottom, top - 8, name_of(rows, quantity));
     double y = top;
     for (const std::string& variant : order) {
         const double begin = y;
         for (const std::string& precision : both)
             for (const Measurement& row : rows)
                 if (row.variant == variant && row.precision == precision) {
-                    parts += bar(left, std::max(axis.at(row.error), left + 1), y, row);
+                    const double value = row.*quantity;
+                    parts += bar(left, std::max(axis.at(value), left + 1), y, row, value);
                     y += thick;
                 }
         parts += text(left - 8, (begin + y) / 2 + 3, variant, to_the_left) + '\n';
@@ -339,10 +351,9 @@ std::string frontier(Measurements rows, const Axis& x, const Axis& y) {
 }  // namespace
 
 std::string plot_svg(const Measurements& rows) {
-    if (std::all_of(rows.begin(), rows.end(), [](const Measurement& row) {
-            return measured(row, &study::Row::error) && !measured(row, &study::Row::cost);
-        }))
-        return bars(rows);
+    const bool has_error = any_measured(rows, &study::Row::error);
+    if (has_error != any_measured(rows, &study::Row::cost) && is_single(rows))
+        return bars(rows, has_error ? &study::Row::error : &study::Row::cost);
     std::set<double> xs;
     for (const Measurement& row : rows) xs.insert(row.x);
     const std::vector<Panel> panels = all_panels(rows, xs.size() >= 3);

@@ -8,7 +8,8 @@ namespace companion {
 
 // An SVG picture of the rows of one study: one color per variant, double solid and float dashed. If
 // x takes three values or more, error and cost are drawn over x side by side, or the error alone if
-// the cost does not depend on x; otherwise error over cost. A study that timed nothing gets bars.
+// the cost does not depend on x; otherwise error over cost. Where only one of the two was measured,
+// it is drawn over x, or as bars if each variant has a single value in each precision.
 std::string plot_svg(const Measurements& rows);
 
 // What an error costs in several studies of the same variants: a panel each, error over cost, with

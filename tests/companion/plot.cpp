@@ -114,7 +114,7 @@ TEST_CASE("double is solid, float is dashed, and a dot says its values", "[plot]
     CHECK(svg.find("<title>a_b^{c}, float: 4 ns at 3</title>") != std::string::npos);
 }
 
-TEST_CASE("a study that timed nothing is drawn as bars", "[plot]") {
+TEST_CASE("a single error or time of each variant is drawn as a bar, and more over x", "[plot]") {
     auto all = rows({1}, {1e-9});
     all.back().error = 0.5;
     for (Measurement& row : all) row.cost_name = "";
@@ -124,6 +124,16 @@ TEST_CASE("a study that timed nothing is drawn as bars", "[plot]") {
     CHECK(svg.find("10⁻⁸") != std::string::npos);
     // The longest bar comes first, which is on top.
     CHECK(svg.find("say &quot;") < svg.find("a_b^{c}"));
+
+    auto times = rows({1}, {0});
+    for (Measurement& row : times) row.error_name = "";
+    CHECK(count(companion::plot_svg(times), "class='bar ") == 4);
+
+    auto many = rows({1, 10}, {1e-9, 0.5});
+    for (Measurement& row : many) row.cost_name = "";
+    const std::string lines = companion::plot_svg(many);
+    CHECK(count(lines, "class='bar ") == 0);
+    CHECK(count(lines, "class='line'") >= 4);
 }
 
 TEST_CASE("every kind of study is drawn, whatever its names hold", "[plot]") {
