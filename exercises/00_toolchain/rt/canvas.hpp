@@ -7,7 +7,7 @@
 
 namespace rt {
 
-// Exercise 00.3. A picture as a value. The object itself is three members: two numbers and the
+// Exercise 00.3. A picture as a value. The object itself has three members: two numbers and the
 // address of its pixels, which are on the heap, row by row from the top. A canvas owns its pixels:
 // it alone allocates and releases them, and a copy has pixels of its own. Pixel is any type that
 // has a default value and can be copied without an exception.
@@ -23,12 +23,13 @@ class Canvas {
     // no todo in it. Left empty, it leaks memory.)
     ~Canvas() {}
 
-    // Exercise 00.3, the copy constructor. Make as many pixels of its own, with the same colors.
+    // Exercise 00.3, the copy constructor. Allocate as many pixels as the other canvas has, and
+    // give them the same colors.
     Canvas(const Canvas& other) { rt::todo("00.3", other); }
 
-    // Exercise 00.3, the move constructor. Take over the other canvas's pixels: copy none, and
-    // leave it with no pixels, 0 wide and 0 high. When it works, write noexcept before its {; the
-    // text says why.
+    // Exercise 00.3, the move constructor. Take over the other canvas's pixels without copying any,
+    // and leave that canvas without pixels, 0 wide and 0 high. When this works, write noexcept
+    // before the {; the text says why.
     Canvas(Canvas&& other) { rt::todo("00.3", other); }
 
     // Exercise 00.3, assignment. `other` is a value: the caller has already copied or moved into
@@ -63,9 +64,9 @@ class Canvas {
     Pixel* pixels_ = nullptr;
 };
 
-// Exercise 00.3. The canvas upside down: its first row becomes the last. Takes and returns a value:
-// a canvas that is moved into it comes out with the same memory, and no other row or canvas is made
-// on the way. std::swap(a, b) exchanges two pixels.
+// Exercise 00.3. The canvas upside down: its first row becomes the last. The function takes and
+// returns a value. If a canvas is moved into it, the result has the same memory; no other row or
+// canvas is made on the way. std::swap(a, b) exchanges two pixels.
 // Star: an empty canvas stays empty.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
@@ -74,7 +75,7 @@ Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
 
 // Exercise 00.3. The largest pixel, compared by <, of a canvas that is not empty. The result is a
 // reference: the pixel itself, not a copy, valid for as long as the canvas lives.
-// Star: of several that are equally large, the first.
+// Star: if several pixels are equally large, return the first of them.
 template <class Pixel>
 const Pixel& largest(const Canvas<Pixel>& canvas) {
     rt::todo("00.3", canvas);

@@ -9,8 +9,8 @@ namespace rt {
 // Star: it is right to a few roundings of the result, even beside a corner that is a million times
 // as bright, and at a corner it is exactly the corner's color.
 //
-// This line is a declaration: it ends in a semicolon and has no body. The body, the definition, is
-// in gradient.cpp.
+// This line is a declaration: it ends in a semicolon and has no body. The definition, which has the
+// body, is in gradient.cpp.
 Color gradient(const Corners& corners, Real across, Real down);
 
 }  // namespace rt

@@ -8,9 +8,9 @@
 
 namespace rt {
 
-// Exercise 03.1. The real solutions of a t^2 + b t + c = 0, given its discriminant b^2 - 4 a c: the
-// caller knows how to compute that best. Return {} (no solution) if the discriminant is negative.
-// If it is 0, the one solution is both low and high.
+// Exercise 03.1. The real solutions of a t^2 + b t + c = 0, given its discriminant b^2 - 4 a c,
+// which each caller computes in its own way. Return {} (no solution) if the discriminant is
+// negative. If it is 0, the one solution is both low and high.
 // Star: return {} if the discriminant is NaN, and if a and b are both 0. If a = 0, the one solution
 // is both low and high. Each is within 4 units in the last place if the discriminant is exact.
 // Source: Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 1.8.

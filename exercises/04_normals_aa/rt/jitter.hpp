@@ -8,20 +8,20 @@
 
 namespace rt {
 
-// Exercise 04.5. The pixel is cut into n x n cells; cell 0 is the top left one, cell n the
-// first of the second row. Turns `place`, a sample point within a cell, 0 <= x, y < 1, into its
-// offset within the pixel. Cell k of a row reaches from k / n, which belongs to it, to
-// (k + 1) / n, which does not.
-// Star: both the sum and the division round, and still the quotient stays below (k + 1) / n.
+// Exercise 04.5. The pixel is cut into n x n cells; cell 0 is the top left one, cell n the first of
+// the second row. Turns `place`, a sample point within a cell, 0 <= x, y < 1, into its offset
+// within the pixel. Cell k of a row reaches from k / n, which belongs to it, to (k + 1) / n, which
+// does not.
+// Star: although the sum and the division are rounded, the quotient stays below (k + 1) / n.
 inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
     return rt::todo("04.5", cell, n, place);
 }
 
-// Exercise 04.5. The average color of a pixel over this many samples, 1 or more. sample(offset) is
-// called with one random offset in each cell of the finest n x n grid that the samples suffice for,
-// and with offsets anywhere in the pixel for the rest of them, each with a random place of its own.
-// The samples may come in any order.
-// Star: the average of a million samples is not off in float, either. ColorSum, from
+// Exercise 04.5. The average color of a pixel over this many samples, 1 or more, in any order.
+// sample(offset) is called with a random offset in each cell of the finest n x n grid that has no
+// more cells than there are samples. For each sample that remains, it is called with a random
+// offset anywhere in the pixel. Each offset is made from a random place of its own.
+// Star: in float, too, the average of a million samples is accurate. ColorSum, from
 // rt/color_sum.hpp, adds them up in double.
 template <class Random, class Sample>
 Color pixel_average(int samples, Random& random, Sample sample) {

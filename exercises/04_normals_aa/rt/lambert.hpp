@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// Exercise 04.2. The share of a distant light that falls on a surface: the cosine of the angle
+// Exercise 04.2. The fraction of a distant light that falls on a surface: the cosine of the angle
 // between the surface's normal and the direction to the light, however small, and 0 where the
 // surface faces away. Both vectors must have length 1.
 // Source: Lambert, "Photometria", 1760.

@@ -9,15 +9,15 @@
 
 namespace rt {
 
-// A matte material: it looks equally bright from everywhere.
+// A matte material: it looks equally bright from every direction.
 struct Lambertian {
     Color albedo;  // the share of light that comes back, each channel in [0, 1]
 };
 
-// Exercise 04.4. How light comes back from a matte surface, wherever it came from: on the side
-// that the ray came from, in a random direction, drawn from `random` with probability density
-// cos / pi about the normal there. The attenuation is the albedo alone: the density already
-// includes the cosine of Lambert's law. Nothing is absorbed: there is always a Scatter.
+// Exercise 04.4. How a matte surface scatters light from any direction: to the side that the ray
+// came from, in a random direction, drawn from `random` with probability density cos / pi about the
+// normal on that side. The attenuation is the albedo alone, because the density already includes
+// the cosine of Lambert's law. Nothing is absorbed: there is always a Scatter.
 // Star: the direction has length 1 within 2 epsilon, and its cosine with the normal on that side is
 // greater than 0, whatever is drawn.
 template <class Random>

@@ -5,9 +5,9 @@
 
 namespace rt {
 
-// Exercise 04.6. The point where a ray that leaves a surface in this direction starts. It is off
-// the surface, along the normal, on the side that the direction points to, by point_error or a bit
-// more, and never four times as far.
+// Exercise 04.6. The point where a ray that leaves a surface in this direction starts. It is moved
+// off the surface, along the normal, to the side that the direction points to. The distance is at
+// least point_error and less than four times as much.
 // Star: from there hit_sphere does not find the surface again, whatever its size and position, as
 // long as the radius is at least 2 units in the last place of the center. A ray that goes into the
 // sphere starts inside and meets its far side if the radius times the cosine of direction and

@@ -15,15 +15,15 @@ struct Dielectric {
     Real index = Real(1.5);  // of refraction: the inside's divided by the outside's
 };
 
-// The same with Schlick's reflectance instead of the exact one, to compare the two.
+// The same with Schlick's reflectance instead of the exact one, for comparison.
 struct SchlickDielectric {
     Real index = Real(1.5);
 };
 
 // Exercise 05.5. How a path goes on from the surface of glass: reflected with the probability
-// reflectance(cosine, eta), otherwise refracted. Either way carries all of the light on, because
-// the random choice already weighs both. `incoming` has length 1; reflectance is one of the
-// functions of exercise 05.4, or any other. One random number decides; if the reflectance is 0,
+// reflectance(cosine, eta), otherwise refracted. Either way the path keeps all of its light,
+// because the random choice already weights both. `incoming` has length 1; reflectance is one of
+// the functions of exercise 05.4, or any other. One random number decides; if the reflectance is 0,
 // none is drawn. The index may be below 1, like that of a bubble.
 // Star: reflected light stays on its side of the surface, even if it grazes: use above_horizon().
 template <class Reflectance, class Random>

@@ -7,27 +7,27 @@
 
 namespace rt {
 
-// Exercise 05.4. In all three functions, `cosine` is that of the angle between the normal and
-// the light that arrives, in [0, 1]. eta, greater than 0, is the index of refraction on the side
-// that the light comes from, divided by the index behind the surface.
+// Exercise 05.4. In all three functions, `cosine` is that of the angle between the normal and the
+// light that arrives, in [0, 1]. eta, greater than 0, is the index of refraction on the side that
+// the light comes from, divided by the index on the other side.
 // Star: a cosine that rounding has put above 1 counts as 1. None of the functions loses digits,
 // however close eta is to 1, or the angle to the critical angle: each is off by at most
 // rounding_bound(50) times 1 + (eta cosine / c)^2, where c is the cosine of the refraction angle;
 // Schlick's by five times that. For eta = 1 nothing is reflected.
 
-// The cosine of the angle behind the surface. None at total reflection.
+// The cosine of the refraction angle. None at total reflection.
 inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
     return rt::todo("05.4", cosine, eta);
 }
 
-// The share of unpolarized light that is reflected, in [0, 1]; 1 at total reflection.
+// The fraction of unpolarized light that is reflected, in [0, 1]; 1 at total reflection.
 // Source: Fresnel's equations.
 inline Real fresnel_reflectance(Real cosine, Real eta) {
     return rt::todo("05.4", cosine, eta);
 }
 
 // The same by Schlick's approximation, with the cosine on the side of the smaller index, so that
-// the share is the same from both sides of a surface, and 1 where total reflection begins.
+// the reflectance is the same from both sides of a surface, and 1 where total reflection begins.
 // Source: Schlick, "An inexpensive BRDF model for physically-based rendering", 1994.
 inline Real schlick_reflectance(Real cosine, Real eta) {
     return rt::todo("05.4", cosine, eta);

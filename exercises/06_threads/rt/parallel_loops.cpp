@@ -14,9 +14,9 @@ namespace rt {
 // parallel_loops.hpp says what the two functions do.
 
 #ifdef RT_HAS_OPENMP
-// Exercise 06.5. A plain loop over the jobs, and one line above it that makes OpenMP share out its
-// jobs: a parallel for with a dynamic schedule, in num_threads(workers). omp_get_thread_num() is
-// the number of the thread that calls it.
+// Exercise 06.5. A plain loop over the jobs, and above it one line that makes OpenMP divide the
+// jobs among threads: a parallel for with a dynamic schedule, in num_threads(workers).
+// omp_get_thread_num() is the number of the thread that calls it.
 void loop_with_openmp(int jobs, int workers, const std::function<void(int, int)>& work) {
     rt::todo("06.5", jobs, workers, work);
 }

@@ -21,8 +21,8 @@ inline Tile tile_at(const TileGrid& grid, int index) {
 }
 
 // Exercise 06.3. Takes the next of `count` tiles: every index 0 ... count - 1 is returned to
-// exactly one caller, and none is returned only when all are taken. The counter starts at 0; it may
-// be any type that counts like std::atomic<int>. Between any two steps on it another worker may
+// exactly one caller, and {} only after all are taken. The counter starts at 0; it may be any type
+// that counts like std::atomic<int>. Between any two operations on the counter, another worker may
 // take a tile.
 template <class Counter>
 std::optional<int> take_tile(Counter& next, int count) {

@@ -6,10 +6,10 @@
 
 namespace rt {
 
-// Exercise 06.4. The generator of one sample of one pixel. What it draws depends on these four
-// numbers alone, never on which thread asks, when, or in which order. If any of the numbers is
-// different, so is the generator: its draws, the first and all later ones, have nothing to do with
-// this one's. x, y and sample are 0 or more. Every bit of the four numbers counts, and the state
+// Exercise 06.4. The generator of one sample of one pixel. It draws numbers that depend on these
+// four arguments alone, never on which thread asks, when, or in which order. If any argument
+// differs, the result is another generator, whose draws, from the first one on, are unrelated to
+// this one's. x, y and sample are 0 or more. Every bit of the four arguments counts, and the state
 // has 64 bits.
 inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
     return rt::todo("06.4", seed, x, y, sample);
@@ -17,7 +17,8 @@ inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
 
 // Exercise 06.4. The average of draw(sample, random) over sample = 0 ... samples - 1, 1 or more, in
 // this order, each with its own generator. draw returns a Color and takes its random numbers from
-// `random`, an Rng&. Plain sums are accurate enough: rounding_bound(4 samples + 8) of the largest.
+// `random`, an Rng&. Plain sums are accurate enough: the average may be off by rounding_bound(4
+// samples + 8) times the largest color.
 template <class Draw>
 Color average_samples(std::uint64_t seed, int x, int y, int samples, const Draw& draw) {
     return rt::todo("06.4", seed, x, y, samples, draw);

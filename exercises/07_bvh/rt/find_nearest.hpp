@@ -5,20 +5,21 @@
 
 namespace rt {
 
-// Exercise 07.4. Tests one shape, here a sphere, with search.meets_shape(number), and remembers it
-// in search.nearest and search.within.max if its hit is the nearest so far. Of equally near shapes
-// the one with the highest number counts, as in SphereList, whatever order they come in. The
-// type is Search or another one with the same members, so the function is written over types,
-// like the path loop.
+// Exercise 07.4. Tests one shape, here a sphere, with search.meets_shape(number). If its hit is the
+// nearest so far, remembers it in search.nearest and search.within.max. Of equally near shapes the
+// one with the highest number counts, as in SphereList, whatever order they come in. The type is
+// Search or another type with the same members, so the function is written over types, like the
+// path loop.
 template <class AnySearch>
 void try_shape(int number, AnySearch& search) {
     rt::todo("07.4", number, search);
 }
 
-// Exercise 07.4. Tries every shape below a node that may give a nearer hit than the nearest so
-// far. If the ray does not meet a box, by search.meets(box), everything in it is skipped. Test each
-// box once, a leaf's too, before what is below it, and the right child's after all below the left
-// one. A leaf holds the shapes search.order[i] for the `count` numbers i = first, first + 1, ...
+// Exercise 07.4. Tests every shape below a node that may give a nearer hit than the nearest so far.
+// If the ray does not meet a box, by search.meets(box), skip everything in it. Test each box once,
+// also that of a leaf, before everything below it, and the right child's box after everything below
+// the left child. A leaf holds the shapes search.order[i] for the `count` indices i = first, first
+// + 1, ...
 // Star: trees have up to most_levels + 20 levels, and many threads search them at the same time.
 template <class AnySearch>
 void find_nearest(const TreeNode& node, AnySearch& search) {

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-// Exercise 07.1. True when the ray meets the box, grown by ray.margin on all sides, at some t of
-// the interval. Source of the idea: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986.
+// Exercise 07.1. True if the ray meets the box, grown by ray.margin on all sides, at some t of the
+// interval. Source of the idea: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986.
 // Star: faces, edges and corners belong to the box, and a ray that runs within a face meets it. A
 // component of the direction may be 0 or -0: then ray.inverse has infinity or -infinity there. The
 // margin covers all rounding: add no other tolerance. Always false for the empty box, Box{}, and

@@ -16,17 +16,16 @@ inline Ray object_ray(const Instance& instance, const Ray& ray) {
     return rt::todo("08.5", instance, ray);
 }
 
-// Exercise 08.5. The smallest t within the interval at which the ray of the world meets the
-// instance, from outside or from inside; none if it misses.
+// Exercise 08.5. The smallest t within the interval at which the world's ray meets the instance,
+// from outside or from inside; none if it misses.
 inline std::optional<Real> hit_instance(const Instance& instance, const Ray& ray, Interval within) {
     return rt::todo("08.5", instance, ray, within);
 }
 
-// Exercise 08.5. Everything about the point where a ray of the world meets an instance at t,
-// which hit_instance returned; all of it in the world's coordinates. The point lies on the
-// surface; the normal has length 1, points outward, and is right for stretched spheres as well;
-// front is true if the ray came from outside; point_error is instance_error for this point.
-// material is the instance's.
+// Exercise 08.5. Everything about the point where a ray of the world meets an instance at t, which
+// hit_instance returned, in the world's coordinates. The point lies on the surface. The normal has
+// length 1, points outward, and is right for stretched spheres, too. front is true if the ray came
+// from outside, point_error is instance_error for this point, and material is the instance's.
 inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
     return rt::todo("08.5", instance, ray, t);
 }

@@ -7,13 +7,15 @@
 
 namespace rt {
 
-// Exercise 10.2. Takes the list of rays that meet a node, one ray or more, down the tree. For
-// each child whose box at least one of them meets, the list of those that do, in the same
-// order, goes on: to tree.leaf(the child's number, that list), or farther down. Visit the
-// children in the order of tree.order(node), nearest first, each with everything below it.
+// Exercise 10.2. Takes the list of rays that meet a node, one ray or more, down the tree. For each
+// child, the rays that meet the child's box form a list in the same order. Unless it is empty, this
+// list goes on: to tree.leaf(the child's number, the list) if the child is a leaf, otherwise
+// farther down. Visit the children in the order of tree.order(node), nearest first, and finish each
+// child before you begin the next.
 // Star: a node's list and masks must still be intact when its second child's turn comes, in chains
 // of a hundred nodes and for lists of a hundred thousand rays. So put a child's list and masks
-// behind them in the scratch, and pass the room behind those on. The tree's functions:
+// behind the node's in the scratch memory, and pass on the memory behind them. The tree's
+// functions:
 //   tree.test(node, list, masks)   writes a mask for each ray of the list: bit k is set if the ray
 //                                  meets the box of child number k. Returns the bits that any ray
 //                                  has. Call it once for a node, when its turn comes: hits found

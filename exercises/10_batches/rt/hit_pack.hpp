@@ -5,14 +5,14 @@
 
 namespace rt {
 
-// Exercise 10.3. Tests a sphere, with this number in the scene, against all rays of a pack. If a
+// Exercise 10.3. Tests the sphere with this number in the scene against all rays of a pack. If a
 // ray meets it at a t in [0, rays.t], both ends included, rays.t becomes the smallest such t and
 // rays.sphere the number. Returns a mask: -1 for the rays that take this hit, and 0 for the others;
-// nothing else in the rays changes. It is hit_sphere of 03.2, for all rays at once: the same
-// operations in the same order, so that each t has the same bits, the sign of a zero included.
-// Star: of equally near spheres the one with the highest number counts: a ray whose rays.t is the
-// same t, and whose rays.sphere is a higher number, keeps both. (With the same number it counts as
-// met.) roots_from_discriminant of 03.1 is a part of it: its q may be 0. A ray whose direction has
+// nothing else in the rays changes. This is hit_sphere of 03.2 for all rays at once, with the same
+// operations in the same order, so that each t has the same bits, even the sign of a zero.
+// Star: of equally near spheres the one with the highest number counts: if rays.t is the same t and
+// rays.sphere a higher number, the ray keeps both. (With the same number, the hit counts.) The
+// function includes roots_from_discriminant of 03.1, whose q may be 0. A ray whose direction has
 // length 0 or contains NaN meets nothing.
 inline PackMask hit_pack(const Sphere& sphere, PackInteger number, RayPack& rays) {
     return rt::todo("10.3", sphere, number, rays);

@@ -7,8 +7,8 @@ namespace rt {
 
 // Exercise 10.4. cosine_direction of 04.3 for a pack: for each normal, of length 1, a direction of
 // length 1, with the probability density cos / pi about it. `place` has sample points of the unit
-// square, 0 <= x, y < 1. Use the same operations as there and in orthonormal_basis of 01.8, in the
-// same order: then each result has the bits that it would have alone.
+// square, 0 <= x, y < 1. Use the same operations in the same order as cosine_direction and as
+// orthonormal_basis of 01.8, so that each result has the same bits as for a single normal.
 // Star: `active` has a bit for each lane that is used; any combination may occur. The other lanes
 // may hold anything, even vectors without a direction or NaN: their results do not matter, but they
 // must not make the function throw.

@@ -6,12 +6,12 @@
 
 namespace rt {
 
-// Exercise 11.1. Takes one more number into account: count, mean and squares are then those of all
-// numbers so far. It stores no number.
+// Exercise 11.1. Updates the count, mean and squares in `known` to include one more number. It
+// stores no number.
 // Star: the digits of squares survive even if the numbers are far from 0 and close together (no
-// cancellation): the mean is off by at most (count + 4) epsilon / 2 times the largest number,
-// without its sign, and sqrt(squares / count) by 3 sqrt(count) epsilon times it. The number and its
-// square are finite.
+// cancellation). In units of the largest absolute value of a number, the mean is off by at most
+// (count + 4) epsilon / 2, and sqrt(squares / count) by at most 3 sqrt(count) epsilon. The number
+// and its square are finite.
 // Source: Welford, "Note on a method for calculating corrected sums of squares and products",
 // Technometrics 1962.
 inline void add(RunningVariance& known, Real number) {
@@ -19,8 +19,8 @@ inline void add(RunningVariance& known, Real number) {
 }
 
 // The variance of the distribution that the numbers were drawn from, estimated without bias:
-// squares / (count - 1), because the numbers are nearer to their own mean than to the true one.
-// Infinite with fewer than two numbers, which say nothing about it.
+// squares / (count - 1), because the numbers are nearer to their own mean than to the true mean.
+// Infinite with fewer than two numbers, which say nothing about the variance.
 inline Real variance(const RunningVariance& known) {
     return rt::todo("11.1", known);
 }

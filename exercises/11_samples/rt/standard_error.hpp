@@ -14,9 +14,8 @@ inline Real standard_error(const RunningVariance& known) {
 }
 
 // The probability that a mean with this standard error is within a distance of the true mean, on
-// either side. It is that of the normal distribution, which is right for means of many numbers:
-// erf(distance / (sqrt(2) error)), with std::erf. distance is 0 or more and finite, error is 0 or
-// more.
+// either side, by the normal distribution, which describes means of many numbers: erf(distance /
+// (sqrt(2) error)), with std::erf. distance is 0 or more and finite, and error is 0 or more.
 // Star: both may be as large or as small as a Real can be. If the error is 0, the probability is 1,
 // even at distance 0; if the error is infinite, it is 0.
 inline Real chance_within(Real distance, Real error) {
@@ -26,9 +25,9 @@ inline Real chance_within(Real distance, Real error) {
 // How many numbers are needed for their mean to have at most this standard error: variance /
 // error^2, rounded up, at least 1 and at most `most`, which is 1 or more. variance is 0 or more,
 // and error is 0 or more and finite.
-// Star: the variance may be infinite, and the square of the error need not fit into a Real. With a
-// variance of 0 one number is enough, even for error 0. Otherwise error 0 takes `most`, and so does
-// an infinite variance.
+// Star: the variance may be infinite, and the square of the error need not fit into a Real. If the
+// variance is 0, one number is enough, even for an error of 0. Otherwise the result is `most` if
+// the error is 0 or the variance is infinite.
 inline std::int64_t samples_for(Real variance, Real error, std::int64_t most) {
     return rt::todo("11.2", variance, error, most);
 }

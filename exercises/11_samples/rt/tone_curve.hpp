@@ -6,8 +6,8 @@
 namespace rt {
 
 // Exercise 11.5. The same light with a longer or shorter exposure, as photographers count it: each
-// stop doubles the light, each negative one halves it, and half a stop is a factor of the root
-// of 2. Between -100 and 100 stops.
+// stop doubles the light, each negative stop halves it, and half a stop is a factor of the root of
+// 2. stops is between -100 and 100.
 inline Color exposed(const Color& color, Real stops) {
     return rt::todo("11.5", color, stops);
 }
@@ -19,14 +19,14 @@ inline Real luminance(const Color& color) {
     return rt::todo("11.5", color);
 }
 
-// The brightness that a screen shows for a luminance, which is finite and not negative:
-// L (1 + L / white^2) / (1 + L). Dark tones hardly change, bright tones are compressed, and
-// `white`, greater than 0, becomes 1; anything brighter gets more than 1.
+// The brightness that a screen shows for a luminance, which is finite and not negative: L (1 + L /
+// white^2) / (1 + L). Dark tones hardly change, and bright tones are compressed. A luminance of
+// `white`, greater than 0, becomes 1, and a brighter one more than 1.
 // Star: if white is infinite, the curve is L / (1 + L), which never reaches 1. A luminance or a
-// white of 1e30 in float and of 1e200 in double is not too bright, and a luminance as small is not
-// too dark. A white may be as dark as 1e-25 in float and 1e-170 in double: it becomes 1, too.
-// Source: Reinhard, Stark, Shirley and
-// Ferwerda, "Photographic tone reproduction for digital images", SIGGRAPH 2002.
+// white may be as bright as 1e30 in float and 1e200 in double, a luminance as dark as 1e-30 and
+// 1e-200, and a white as dark as 1e-25 and 1e-170, which becomes 1, too.
+// Source: Reinhard, Stark, Shirley and Ferwerda, "Photographic tone reproduction for digital
+// images", SIGGRAPH 2002.
 inline Real tone_curve(Real luminance, Real white) {
     return rt::todo("11.5", luminance, white);
 }

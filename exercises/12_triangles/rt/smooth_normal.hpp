@@ -10,28 +10,28 @@ namespace rt {
 
 // Exercise 12.3. The normals of the three corners, interpolated with the weights 1 - u - v, u and
 // v, at length 1. `flat` is the triangle's own normal.
-// Star: if the result is on the other side of the triangle than `flat`, it is turned around;
-// where the three cancel, the result is `flat`.
+// Star: if the result is not on the side of `flat`, it is turned around; if the three normals
+// cancel, the result is `flat`.
 // Source: Phong, "Illumination for computer generated pictures", Comm. ACM 18, 1975.
 inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Vec3 flat) {
     return rt::todo("12.3", normals, u, v, flat);
 }
 
 // Exercise 12.3. `smooth` itself, if a mirror with that normal reflects `incoming` to the side of
-// the triangle that it came from. All have length 1; `flat` is on the side of `smooth`.
-// Star: elsewhere, `smooth` bent toward the light's side until the mirror direction runs along
+// the triangle that the light came from. All have length 1; `flat` is on the side of `smooth`.
+// Star: otherwise, `smooth` is bent toward the light's side until the mirror direction runs along
 // the triangle; the result is still on the side of `flat`. It is `flat` if `incoming` runs along
 // the triangle itself.
-// Source: the idea is in Keller et al., "The Iray light transport simulation and rendering
-// system", 2017.
+// Source: the idea is in Keller et al., "The Iray light transport simulation and rendering system",
+// 2017.
 inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     return rt::todo("12.3", smooth, flat, incoming);
 }
 
-// Exercise 12.3. The direction in which light goes on, as a material has chosen it by the smooth
-// normal, made right for the triangle: if it is above `smooth` (a positive dot product) it must
-// be above `flat`, and if below, below. A direction on the wrong side is mirrored at the
-// triangle; any other is returned as it is. All have length 1.
+// Exercise 12.3. Corrects the direction of scattered light, which a material has chosen by the
+// smooth normal. If the direction is above `smooth` (a positive dot product), it must be above
+// `flat`, and if it is below, below. A direction on the wrong side is mirrored at the triangle; any
+// other direction is returned unchanged. All have length 1.
 // Star: the computed dot product with `flat` is not 0, whatever was rounded.
 inline Vec3 keep_side(Vec3 direction, Vec3 smooth, Vec3 flat) {
     return rt::todo("12.3", direction, smooth, flat);

@@ -10,13 +10,12 @@
 namespace rt {
 
 // Exercise 12.4. Everything about the point where a ray meets a triangle at t, which hit_triangle
-// has returned for them: t; the point, by the weights of the corners; the normal, from which a, b
-// and c go around counterclockwise; whether the ray came from there (front); the material; and
-// kept_as_light(number) for `light`. point_error says how far off the plane rounding may have left
-// the point.
-// Star: a ray that leave_surface starts from here does not meet the triangle again, be it far from
-// the scene's origin or as thin as a needle; and the error is at most 40 epsilon times (the largest
-// coordinate of the point + that of an edge).
+// has returned: t; the point, by the weights of the corners; the normal, seen from which a, b and c
+// go around counterclockwise; whether the ray came from that side (front); the material;
+// kept_as_light(number) for `light`; and point_error, how far off the plane the point may be.
+// Star: a ray that leave_surface starts here does not meet the triangle again, even if the triangle
+// is far from the scene's origin or as thin as a needle. The error is at most 40 epsilon times the
+// sum of the largest coordinate of the point and that of an edge.
 // Source of the idea: Pharr, Jakob and Humphreys, "Physically Based Rendering", section 6.8.
 inline Hit surface_hit(const SceneTriangle& triangle, const Ray& ray, Real t) {
     return rt::todo("12.4", triangle, ray, t);

@@ -9,21 +9,21 @@
 namespace rt {
 
 // Exercise 12.2. The box around a triangle.
-// Star: grown on all sides by hit_margin times the largest coordinate in it, as in 07.2, so that no
-// rounding lets a ray hit the triangle and miss the box. Triangles in a wall have a flat box.
+// Star: grow it on all sides by hit_margin times the largest coordinate in it, as in 07.2, so that
+// no rounding lets a ray hit the triangle and miss the box. Triangles in a wall have a flat box.
 inline Box bounds_of(const SceneTriangle& triangle) {
     return rt::todo("12.2", triangle);
 }
 
-// Exercise 12.2. The t within the interval at which a ray meets the triangle: what a tree asks of a
-// shape.
+// Exercise 12.2. The t within the interval at which a ray meets the triangle, or none. The tree
+// calls this function.
 inline std::optional<Real> hit_shape(const SceneTriangle& triangle, const Ray& ray,
                                      Interval within) {
     return rt::todo("12.2", triangle, ray, within);
 }
 
-// Exercise 12.2. The triangles of a mesh, all of this material, in their order. They are numbered
-// from `first` on.
+// Exercise 12.2. The triangles of a mesh, all of this material, in their order, with the numbers
+// first, first + 1, ...
 inline std::vector<SceneTriangle> triangles_of(const Mesh& mesh, int material, int first) {
     return rt::todo("12.2", mesh, material, first);
 }
