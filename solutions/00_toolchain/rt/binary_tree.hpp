@@ -9,11 +9,11 @@ namespace rt {
 // Node is any type with two members std::unique_ptr<Node> left, right, such as rt::RangeNode. An
 // empty tree is nullptr.
 
-// A balanced tree over the numbers first, first + 1, ... last - 1. Its root is made from
-// Node(first, last). If that is more than one number, the left child is the tree over the first
-// half of them, and the right child is the tree over the rest, which is one larger when their count
-// is odd. If last equals first, the tree is empty. last is never below first, and last - first
-// fits an int.
+// A balanced tree over the numbers first, first + 1, ... last - 1. If last equals first, the tree
+// is empty; last is never less, and last - first fits an int. The root is made from Node(first,
+// last). If there is more than one number, the left child is the tree over their first half, and
+// the right child the tree over the rest, which has one number more than the left half if their
+// count is odd.
 template <class Node>
 std::unique_ptr<Node> make_tree(int first, int last) {
     if (first >= last) return nullptr;

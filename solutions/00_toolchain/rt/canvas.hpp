@@ -6,7 +6,7 @@
 
 namespace rt {
 
-// A picture as a value. The object itself is three members: two numbers and the address of its
+// A picture as a value. The object itself has three members: two numbers and the address of its
 // pixels, which are on the heap, row by row from the top. A canvas owns its pixels: it alone
 // allocates and releases them, and a copy has pixels of its own. Pixel is any type that has a
 // default value and can be copied without an exception.
@@ -77,8 +77,9 @@ class Canvas {
     Pixel* pixels_ = nullptr;
 };
 
-// The canvas upside down: its first row becomes the last. Takes and returns a value: a canvas that
-// is moved into it comes out with the same memory, and no other row or canvas is made on the way.
+// The canvas upside down: its first row becomes the last. The function takes and returns a value.
+// If a canvas is moved into it, the result has the same memory; no other row or canvas is made on
+// the way.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
     for (int y = 0; y < canvas.height() / 2; ++y)

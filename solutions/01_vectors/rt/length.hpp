@@ -33,9 +33,9 @@ RT_NOT_INLINED inline Vec3 normalize_scaled(Vec3 v) {
     return scaled / std::sqrt(squared);
 }
 
-// The vector of length 1 in the direction of v, for any finite v but zero. Each component is
-// within 3.5 units in the last place. Throws std::domain_error if v is zero or not finite: then it
-// has no direction.
+// The vector of length 1 in the direction of v, for any finite v except zero. Each component is
+// within 3.5 units in the last place. Throws std::domain_error if v is zero or not finite, because
+// v then has no direction.
 inline Vec3 normalize(Vec3 v) {
     const Real squared = dot(v, v);
     if (safe_squares.contains(squared)) return v / std::sqrt(squared);

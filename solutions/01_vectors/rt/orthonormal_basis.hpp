@@ -4,8 +4,8 @@
 
 namespace rt {
 
-// A right-handed basis with the given unit vector as its w. Lengths and right angles are exact
-// within 8 epsilon (|u.u - 1|, |u.v| and so on) for every w: no direction makes it fail.
+// A right-handed basis with the given unit vector as its w. For every w, lengths and right angles
+// are accurate to 8 epsilon (|u.u - 1|, |u.v| and so on).
 // Source: Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017.
 inline Basis orthonormal_basis(Vec3 w) {
     const Real sign = std::copysign(Real(1), w.z);

@@ -21,10 +21,10 @@ inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
     return {within(cell % n, place.x), within(cell / n, place.y)};
 }
 
-// The average color of a pixel over this many samples, 1 or more. sample(offset) is called with one
-// random offset in each cell of the finest n x n grid that the samples suffice for, and with
-// offsets anywhere in the pixel for the rest of them, all independent. ColorSum keeps the average
-// of many samples right even in float.
+// The average color of a pixel over this many samples, 1 or more. sample(offset) is called with a
+// random offset in each cell of the finest n x n grid that has no more cells than there are
+// samples, and with a random offset anywhere in the pixel for each sample that remains; all are
+// independent. ColorSum keeps the average of many samples accurate even in float.
 template <class Random, class Sample>
 Color pixel_average(int samples, Random& random, Sample sample) {
     int n = 1;

@@ -4,7 +4,7 @@
 
 namespace rt {
 
-// The share of a distant light that falls on a surface: the cosine of the angle between the
+// The fraction of a distant light that falls on a surface: the cosine of the angle between the
 // surface's normal and the direction to the light, and 0 where the surface faces away. Both vectors
 // must have length 1. Source: Lambert, "Photometria", 1760.
 inline Real lambert(Vec3 normal, Vec3 to_light) {

@@ -13,9 +13,9 @@ struct Lambertian {
     Color albedo;  // the share of light that comes back, each channel in [0, 1]
 };
 
-// How light comes back from a matte surface: on the side that the ray came from, in a random
-// direction of length 1 with probability density cos / pi about the normal there. The density
-// already includes the cosine of Lambert's law, so the attenuation is the albedo alone.
+// How a matte surface scatters light: to the side that the ray came from, in a random direction of
+// length 1 with probability density cos / pi about the normal on that side. The density already
+// includes the cosine of Lambert's law, so the attenuation is the albedo alone.
 template <class Random>
 std::optional<Scatter> scatter(const Lambertian& material, [[maybe_unused]] Vec3 incoming,
                                const Hit& hit, Random& random) {

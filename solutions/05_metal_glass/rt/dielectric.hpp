@@ -20,8 +20,8 @@ struct SchlickDielectric {
 };
 
 // How a path goes on from the surface of glass: reflected with the probability reflectance(cosine,
-// eta), otherwise refracted. Either way carries all of the light on, because the random choice
-// already weighs both. `incoming` has length 1.
+// eta), otherwise refracted. Either way the path keeps all of its light, because the random choice
+// already weights both. `incoming` has length 1.
 template <class Reflectance, class Random>
 Scatter scatter_at_glass(Real index, Reflectance reflectance, Vec3 incoming, const Hit& hit,
                          Random& random) {

@@ -7,11 +7,11 @@
 namespace rt {
 
 // In all three functions, `cosine` is that of the angle between the normal and the light that
-// arrives, in [0, 1] (a value that rounding has put above 1 counts as 1). eta, greater than 0,
-// is the index of refraction on the side that the light comes from, divided by the index
-// behind the surface.
+// arrives, in [0, 1] (a value that rounding has put above 1 counts as 1). eta, greater than 0, is
+// the index of refraction on the side that the light comes from, divided by the index on the other
+// side.
 
-// The cosine of the angle behind the surface. None at total reflection.
+// The cosine of the refraction angle. None at total reflection.
 inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
     // 1 - eta^2 (1 - cosine^2), in terms that cancel only where total reflection begins.
     const Real scaled = eta * std::min(cosine, Real(1));
@@ -20,7 +20,7 @@ inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
     return std::sqrt(squared);
 }
 
-// The share of unpolarized light that is reflected, in [0, 1]. 0 for eta = 1, 1 at total
+// The fraction of unpolarized light that is reflected, in [0, 1]. 0 for eta = 1, 1 at total
 // reflection. Source: Fresnel's equations; here r_s = (eta c - c') / (eta c + c') is written as
 // (eta^2 - 1) / (eta c + c')^2, and r_p = r_s cos(a + a') / cos(a - a'): no cancellation does harm,
 // however close together the two indices are.
@@ -37,7 +37,7 @@ inline Real fresnel_reflectance(Real cosine, Real eta) {
 }
 
 // The same by Schlick's approximation, with the cosine on the side of the smaller index, so that
-// the share is the same from both sides of a surface, and 1 where total reflection begins.
+// the reflectance is the same from both sides of a surface, and 1 where total reflection begins.
 // Source: Schlick, "An inexpensive BRDF model for physically-based rendering", 1994.
 inline Real schlick_reflectance(Real cosine, Real eta) {
     if (eta > 1) {

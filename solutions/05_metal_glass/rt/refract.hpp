@@ -7,10 +7,10 @@
 namespace rt {
 
 // The direction of light that arrives along `incoming` and passes through the surface. `normal`
-// points to the side that the light comes from; both have length 1. eta is the index of refraction
-// on that side divided by the index behind the surface, greater than 0. None if all light is
-// reflected, which is when eta times the sine of the angle between `incoming` and the normal
-// exceeds 1. If eta = 1, the direction stays as it is, bit for bit. Source: Snell's law.
+// points to the side that the light comes from; both have length 1. eta, greater than 0, is the
+// index of refraction on that side divided by the index on the other side. None at total
+// reflection: when eta times the sine of the angle between `incoming` and the normal exceeds 1. If
+// eta = 1, the direction stays as it is, bit for bit. Source: Snell's law.
 inline std::optional<Vec3> refract(Vec3 incoming, Vec3 normal, Real eta) {
     if (eta == 1) return incoming;
     // The part along the surface, times eta: its length is the sine of the angle

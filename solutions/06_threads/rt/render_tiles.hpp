@@ -26,8 +26,8 @@ inline Tile tile_at(const TileGrid& grid, int index) {
 }
 
 // Takes the next of `count` tiles: every index 0 ... count - 1 is returned to exactly one caller,
-// and none is returned when all are taken. The counter starts at 0; it may be any type that
-// counts like std::atomic<int>.
+// and {} only after all are taken. The counter starts at 0; it may be any type that counts like
+// std::atomic<int>.
 template <class Counter>
 std::optional<int> take_tile(Counter& next, int count) {
     // Reads and adds 1 in a single step, which no other worker can interrupt.

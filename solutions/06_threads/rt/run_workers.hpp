@@ -7,10 +7,10 @@
 namespace rt {
 
 // Calls work(0), work(1), ... work(workers - 1), each in a thread of its own, all at the same time,
-// and returns when all have ended. If some of them throw, the exception of the one with the lowest
-// number is thrown again here, after all have ended. If a thread cannot be started, what
-// std::thread throws reaches the caller, after the running threads have ended. For 0 workers there
-// is nothing to do.
+// and returns when all have ended. If some calls throw, the exception of the worker with the lowest
+// number is thrown again here, after all have ended. If a thread cannot be started, the exception
+// of std::thread reaches the caller, after the running threads have ended. For 0 workers there is
+// nothing to do.
 template <class Work>
 void run_workers(int workers, const Work& work) {
     // A slot for each worker: no two threads write to the same memory.

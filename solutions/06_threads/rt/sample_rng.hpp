@@ -5,9 +5,9 @@
 
 namespace rt {
 
-// The generator of one sample of one pixel. What it draws depends on these four numbers alone,
-// never on which thread asks, when, or in which order. If any of the numbers is different, so is
-// the generator: its draws have nothing to do with this one's. x, y and sample are 0 or more.
+// The generator of one sample of one pixel. It draws numbers that depend on these four arguments
+// alone, never on which thread asks, when, or in which order. If any argument differs, the result
+// is another generator, whose draws are unrelated to this one's. x, y and sample are 0 or more.
 inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
     const auto pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
     const std::uint64_t state =

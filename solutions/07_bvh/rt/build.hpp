@@ -7,12 +7,12 @@
 
 namespace rt {
 
-// Both functions work on a part of the tree's order: the numbers of some spheres, whose boxes are
-// boxes[number]. They move the numbers within it and copy nothing.
+// Both functions work on a part of the tree's order: `order`, which holds the numbers of some
+// spheres, whose boxes are boxes[number]. They move the numbers within `order` and copy nothing.
 
 // Sorts the numbers by the middles of their boxes, along the axis on which these middles are
-// farthest apart. Returns how many of them go to the left: half, or 0 if there are only leaf_size
-// or fewer, which need no split.
+// farthest apart. Returns how many of the numbers go to the left: half, or 0 if there are at most
+// leaf_size spheres, which need no split.
 inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {
     const auto count = static_cast<int>(order.size());
     if (count <= leaf_size) return 0;
@@ -28,9 +28,9 @@ inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {
     return count / 2;
 }
 
-// The tree over this part of the order, which begins at index `first` of the whole order. It must
-// have at least one number. split(order, boxes) is split_in_half or another function like it. Below
-// most_levels levels, split_in_half is always used.
+// The tree over this part of the order, which begins at index `first` of the whole order. It has at
+// least one number. split(order, boxes) is split_in_half or a function like it. From level
+// most_levels on, split_in_half is always used.
 template <class Split>
 std::unique_ptr<TreeNode> build_node(std::span<int> order, int first, std::span<const Box> boxes,
                                      const Split& split, int level = 0) {

@@ -4,9 +4,9 @@
 
 namespace rt {
 
-// Tests one shape, and remembers it in search.nearest and search.within.max if its hit is the
-// nearest so far. Of equally near shapes the one with the highest number counts, as in SphereList,
-// whatever order they come in.
+// Tests one shape. If its hit is the nearest so far, remembers it in search.nearest and
+// search.within.max. Of equally near shapes the one with the highest number counts, as in
+// SphereList, whatever order they come in.
 template <class AnySearch>
 void try_shape(int number, AnySearch& search) {
     const auto t = search.meets_shape(number);
@@ -17,7 +17,7 @@ void try_shape(int number, AnySearch& search) {
     search.nearest = number;
 }
 
-// Tries every shape below a node that may give a nearer hit than the nearest so far. If the ray
+// Tests every shape below a node that may give a nearer hit than the nearest so far. If the ray
 // does not meet a box, everything in it is skipped.
 template <class AnySearch>
 void find_nearest(const TreeNode& node, AnySearch& search) {

@@ -4,9 +4,9 @@
 
 namespace rt {
 
-// The effects that change the picture of this scene. Whatever is in the scene but cannot be seen is
-// not among them: a material that no sphere is made of, a light without light, fog without density,
-// a lens without an opening, motion while the shutter is closed.
+// The effects that change the picture of this scene, without effects that cannot be seen: a
+// material that no sphere is made of, a light without light, fog without density, a lens without an
+// opening, motion while the shutter is closed.
 inline Effects effects_of(const SceneDescription& scene) {
     Effects effects;
     for (const SphereDescription& sphere : scene.spheres) {

@@ -9,10 +9,10 @@
 namespace rt {
 
 // The ray through a point of a pixel (see primary_ray) from a point of the lens. `place`, a sample
-// point of the unit square, 0 <= x, y < 1, chooses the latter: sample points spread evenly over the
-// square give points spread evenly over the lens. All rays through one point of the picture meet in
-// the plane of focus, at focus_distance in front of the eye. The direction has length 1. The ray
-// from the lens's middle, place.x = 0, is the pinhole's, bit for bit.
+// point of the unit square, 0 <= x, y < 1, chooses the point of the lens: sample points spread
+// evenly over the square give points spread evenly over the lens. All rays through one point of the
+// picture meet in the plane of focus, at focus_distance in front of the eye. The direction has
+// length 1. The ray from the lens's middle, place.x = 0, is the pinhole's, bit for bit.
 // Source: the thin lens; Cook, Porter and Carpenter, "Distributed ray tracing", SIGGRAPH 1984.
 inline Ray lens_ray(const Camera& camera, const Lens& lens, int column, int row, Vec2 offset,
                     Vec2 place) {

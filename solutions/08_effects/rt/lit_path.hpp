@@ -7,10 +7,11 @@
 namespace rt {
 
 // Next-event estimation: the light that comes straight from one of the lights, chosen at random,
-// and turns at this place toward the eye. `ray` brings everything but the origin and the direction.
-// Star: if the path goes on, it may find the light by itself, and the two share it by their
-// weights. The core has no weights: a light that a path finds counts in full where none was
-// sampled, and otherwise not at all.
+// and that this place scatters toward the eye. `ray` brings everything but the origin and the
+// direction.
+// Star: if the path goes on, it may find the light by itself, and the two samples share the light
+// by their weights. The core has no weights: a light that a path finds counts in full where no
+// light was sampled, and otherwise not at all.
 template <class AnyRay, class World, class Lights, class Materials, class Medium, class Random>
 Color direct_light(AnyRay ray, const World& world, const Lights& lights,
                    const Place<Materials, Medium>& place, [[maybe_unused]] bool goes_on,

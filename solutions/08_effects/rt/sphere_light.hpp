@@ -12,10 +12,10 @@
 
 namespace rt {
 
-// 1 - cos a, where a is the angle between the direction to the light's middle and to its rim, as
-// seen from a point outside of it at this distance from the middle. Computed from
-// sin a = radius / distance, without the cancellation of 1 - cos a for lights that are small or
-// far. Within 7 units in the last place if it is at least std::numeric_limits<Real>::min().
+// 1 - cos a. Seen from a point outside of the light at this distance from its middle, a is the
+// angle between the directions to the middle and to the rim. The result is computed from sin a =
+// radius / distance, without the cancellation of 1 - cos a for lights that are small or far. It is
+// within 7 units in the last place if it is at least std::numeric_limits<Real>::min().
 inline Real cone_height(Real radius, Real distance) {
     const Real sine = radius / distance;
     // (d - r) (d + r) / d^2 instead of 1 - sine^2, which cancels close to the light.

@@ -4,11 +4,11 @@
 
 namespace rt {
 
-// The color that gets to the eye. If the type AnyHaze has a member `density`, the
-// share exp(-density * distance()) of `color` gets through, and haze.color makes up the rest.
-// distance() is a search: ask once at most. It may be infinite. Where the density is 0, and for a
-// type without that member, return `color` as it is, and do not ask: `if constexpr` alone compiles
-// for both types.
+// The color that gets to the eye. If the type AnyHaze has a member `density`, the fraction
+// exp(-density * distance()) of `color` gets through, and haze.color makes up the rest. distance()
+// is a search, so it is called once at most; it may return infinity. If the density is 0 or the
+// type has no such member, the result is `color` as it is, and distance() is not called. Only `if
+// constexpr` compiles for both types.
 template <class AnyHaze, class Distance>
 Color through_haze(const AnyHaze& haze, Color color, const Distance& distance) {
     if constexpr (requires { haze.density; }) {

@@ -7,8 +7,8 @@
 namespace rt {
 
 // Takes the list of rays that meet a node down the tree. For each child, in the order of
-// tree.order(node), which is nearest first for these rays, the list of those that meet its box goes
-// on: to tree.leaf(its number, list), or farther down.
+// tree.order(node), which is nearest first for these rays, the list of the rays that meet its box
+// goes on: to tree.leaf(its number, list), or farther down.
 //   tree.test(node, list, masks)   tells which children's boxes each ray meets, one bit each, and
 //                                  returns the bits that any of the rays has
 //   tree.order(node)               the children's numbers, nearest first

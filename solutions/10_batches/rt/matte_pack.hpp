@@ -6,7 +6,7 @@ namespace rt {
 
 // cosine_direction of 04.3 for a pack: for each normal, of length 1, a direction with the
 // probability density cos / pi about it. `place` has sample points of the unit square. Each result
-// has the bits that it would have alone.
+// has the same bits as for a single normal.
 inline Vec3Pack cosine_direction(Vec3Pack normal, PlacePack place, PackBits active) {
     const Pack radius = sqrt(place.x), height = sqrt(1 - place.x);
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);

@@ -5,9 +5,9 @@
 
 namespace rt {
 
-// Takes one more number into account: count, mean and squares are then those of all numbers so
-// far. It stores no number. The digits of squares survive even if the numbers are far from 0 and
-// close together (no cancellation). The number and its square are finite.
+// Updates the count, mean and squares in `known` to include one more number. It stores no number.
+// The digits of squares survive even if the numbers are far from 0 and close together (no
+// cancellation). The number and its square are finite.
 // Source: Welford, "Note on a method for calculating corrected sums of squares and products",
 // Technometrics 1962.
 inline void add(RunningVariance& known, Real number) {
@@ -18,8 +18,8 @@ inline void add(RunningVariance& known, Real number) {
 }
 
 // The variance of the distribution that the numbers were drawn from, estimated without bias:
-// squares / (count - 1), because the numbers are nearer to their own mean than to the true one.
-// Infinite with fewer than two numbers, which say nothing about it.
+// squares / (count - 1), because the numbers are nearer to their own mean than to the true mean.
+// Infinite with fewer than two numbers, which say nothing about the variance.
 inline Real variance(const RunningVariance& known) {
     if (known.count < 2) return infinity;
     return known.squares / static_cast<Real>(known.count - 1);

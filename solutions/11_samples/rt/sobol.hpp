@@ -13,11 +13,10 @@ inline std::uint32_t reversed_bits(std::uint32_t x) {
     return (x & 0xaaaaaaaau) >> 1 | (x & 0x55555555u) << 1;
 }
 
-// Point `index` of Sobol's sequence in two dimensions, counted from point 0, which is (0, 0), in
-// the order of the formula itself (not that of a Gray code). x has the bits of the index in
-// reverse order. y is the exclusive or of one column for each bit of the index that is 1:
-// column 0, which belongs to the last bit, is 0x80000000, and each next column is c ^ c >> 1,
-// where c is the column before it.
+// Point `index` of Sobol's sequence in two dimensions, in the order of the formula itself (not that
+// of a Gray code); point 0 is (0, 0). x has the bits of the index in reverse order. y is the
+// exclusive or of one column for each bit of the index that is 1. Column 0, which belongs to the
+// lowest bit, is 0x80000000, and each next column is c ^ c >> 1, where c is the column before it.
 //
 // Of the points k 2^m, k 2^m + 1 ... (k + 1) 2^m - 1, exactly one is in each of the 2^m boxes of
 // equal size and shape into which repeated halving can cut the square. Source: Sobol', "On the
@@ -40,20 +39,20 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 
 // Owen's scrambling, a shuffling of all 32-bit fractions. A random bit decides whether to swap the
 // two halves of the interval, two more bits decide whether to swap the two halves of each half, and
-// so on. So each bit of the fraction is flipped or not. That depends on the seed and on all bits
-// before it, and on no bit after it. If two fractions agree in their first n bits and differ in the
-// next one, so do their results. Over all seeds, the seven flips of the first three bits have each
-// of their 128 patterns equally often. Of the later flips, each happens half of the time, and any
-// two are unrelated; 32 bits of a seed cannot make all of them independent. All bits of the seed
-// count: seed + 1 gives another scrambling, in which a flip may be the opposite of that with seed,
-// as the first one is here.
+// so on. Whether a bit of the fraction is flipped thus depends on the seed and on all higher bits,
+// and on no lower bit. If two fractions agree in their first n bits and differ in the next bit, so
+// do their results. Over all seeds, the seven flips of the first three bits have each of their 128
+// patterns equally often. Each later flip happens half of the time, and any two are unrelated; 32
+// bits of a seed cannot make all of them independent. All bits of the seed count: seed + 1 gives
+// another scrambling, in which a flip may be the opposite, as the first one is here.
 //
-// This needs a hash, and any good one will do. This one works on x, the fraction with its bits
-// reversed. There, the bits before a bit are those to its right, and a product or a sum carries
-// only to the left. In this order: x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 & ~1),
-// x ^= seed >> 8, x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted
-// (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and Karras, "Stratified sampling for
-// stochastic transparency", EGSR 2011; the two numbers: Vegdahl, "Building a better LK hash", 2021.
+// Scrambling needs a hash, and any good one will do. The one here works on x, the fraction with its
+// bits reversed. In x, the higher bits of the fraction are to the right, and a product or a sum
+// carries only to the left. The steps in their order:
+// x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 & ~1), x ^= seed >> 8, x ^= x * 0x53a22864.
+// Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and
+// Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the two numbers: Vegdahl,
+// "Building a better LK hash", 2021.
 inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     std::uint32_t x = reversed_bits(fraction);
     // The factors are even: a bit is changed by the bits before it, and not by itself, which could

@@ -4,9 +4,9 @@
 
 namespace rt {
 
-// The same light with a longer or shorter exposure, as photographers count it: each
-// stop doubles the light, each negative one halves it, and half a stop is a factor of the root
-// of 2. Between -100 and 100 stops.
+// The same light with a longer or shorter exposure, as photographers count it: each stop doubles
+// the light, each negative stop halves it, and half a stop is a factor of the root of 2. stops is
+// between -100 and 100.
 inline Color exposed(const Color& color, Real stops) {
     return color * portable::exp2(stops);
 }
@@ -18,13 +18,14 @@ inline Real luminance(const Color& color) {
     return Real(0.2126) * color.r + Real(0.7152) * color.g + Real(0.0722) * color.b;
 }
 
-// The brightness that a screen shows for a luminance, which is finite and not negative:
-// L (1 + L / white^2) / (1 + L). Dark tones hardly change, bright tones are compressed, and
-// `white`, greater than 0, becomes 1; anything brighter gets more than 1. If white is infinite, the
-// curve is L / (1 + L), which never reaches 1. A luminance or a white of 1e30 in float and of 1e200
-// in double is not too bright, and a luminance as small is not too dark. A white may be as dark as
-// 1e-25 in float and 1e-170 in double: it becomes 1, too. Source: Reinhard, Stark, Shirley and
-// Ferwerda, "Photographic tone reproduction for digital images", SIGGRAPH 2002.
+// The brightness that a screen shows for a luminance, which is finite and not negative: L (1 + L /
+// white^2) / (1 + L). Dark tones hardly change, and bright tones are compressed. A luminance of
+// `white`, greater than 0, becomes 1, and a brighter one more than 1. If white is infinite, the
+// curve is L / (1 + L), which never reaches 1. A luminance or a white may be as bright as 1e30 in
+// float and 1e200 in double, a luminance as dark as 1e-30 and 1e-200, and a white as dark as 1e-25
+// and 1e-170, which becomes 1, too.
+// Source: Reinhard, Stark, Shirley and Ferwerda, "Photographic tone reproduction for digital
+// images", SIGGRAPH 2002.
 inline Real tone_curve(Real luminance, Real white) {
     const Real pressed = luminance / (1 + luminance);
     return pressed + pressed / white * (luminance / white);

@@ -6,12 +6,12 @@
 
 namespace rt {
 
-// How many samples a place of the picture is worth if the mean square error of the whole picture is
-// to be error^2 with the least work: spread * mean_spread / error^2, rounded up and kept within the
-// limits. spread is the standard deviation of the place's samples, mean_spread is its mean over all
-// places; both are 0 or more. A spread of 0 gets limits.least, whatever the mean is; otherwise an
-// infinite spread or mean gets limits.most. error is greater than 0 and finite; its square need not
-// fit into a Real.
+// How many samples a part of the picture needs if the mean square error of the whole picture is to
+// be error^2 with the fewest samples: spread * mean_spread / error^2, rounded up and kept within
+// the limits. spread is the standard deviation of the part's samples, and mean_spread the mean of
+// all parts' spreads; both are 0 or more. A spread of 0 gets limits.least, whatever the mean is;
+// otherwise an infinite spread or mean gets limits.most. error is greater than 0 and finite; its
+// square need not fit into a Real.
 // Source: Neyman, "On the two different aspects of the representative method", 1934.
 inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limits) {
     const Real wanted = spread == 0 ? Real(0) : std::ceil(spread / error * (mean_spread / error));
@@ -20,10 +20,10 @@ inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limit
     return static_cast<int>(wanted);
 }
 
-// How many samples of a place each half takes in all. What one half has seen, spread and
-// mean_spread, decides for the other half: no sample decides when its own mean is good enough, so
-// both means stay unbiased. The mean of both halves is to have this error. Each half may then have
-// sqrt(2) times that error, because the halves err independently.
+// How many samples of a part of the picture each half takes in all. What one half has seen, its
+// spread and mean_spread, decides for the other half: no sample decides when its own mean is good
+// enough, so both means stay unbiased. The mean of both halves is to have this error. Each half may
+// then have sqrt(2) times that error, because the halves err independently.
 inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error,
                                   CountLimits limits) {
     const Real of_each = error * std::numbers::sqrt2_v<Real>;
@@ -31,16 +31,17 @@ inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread,
             worth_of(spread.first, mean_spread.first, of_each, limits)};
 }
 
-// The mean of both halves. Each counts the same, however many samples it took: weights that follow
-// the counts would follow what the halves have seen, which would bring back a bias. It is finite if
-// both means are.
+// The mean of both halves. Each half has the same weight, however many samples it took: the counts
+// follow what the halves have seen, so weights that follow the counts would bring back a bias. The
+// result is finite if both means are.
 inline Real twin_mean(Halves<Real> mean) {
     return mean.first / 2 + mean.second / 2;
 }
 
 // An estimate of the mean square error of twin_mean: the square of half the difference of the
 // halves. It is unbiased if the halves err independently, and nearly so if their counts are
-// crossed. One place says little; the mean over many places says how wrong the picture is.
+// crossed. For one part of the picture the estimate says little; its mean over many parts tells the
+// error of the picture.
 inline Real twin_square_error(Halves<Real> mean) {
     const Real half = (mean.first - mean.second) / 2;
     return half * half;

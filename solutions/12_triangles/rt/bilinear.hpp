@@ -6,7 +6,7 @@
 
 namespace rt {
 
-// Two pixels side by side, and the share of the second in a color between their middles.
+// Two pixels side by side, and the weight of the second in a color between their middles.
 struct PixelPair {
     std::array<int, 2> pixel{};
     Real share;
@@ -20,9 +20,9 @@ inline PixelPair pixels_at(Real place, int count) {
     return {{before % count, (before + 1) % count}, within - first};
 }
 
-// The color of an image at a place in it: the four pixels around it, weighted by how near their
-// middles are. (0, 0) is the lower left corner, (1, 1) the upper right one; outside, the image
-// repeats. The place must be finite.
+// The color at a position in an image, `place`: the mean of the four pixels around it, weighted by
+// how near their middles are. (0, 0) is the lower left corner, (1, 1) the upper right corner;
+// outside, the image repeats. The coordinates must be finite.
 inline Color bilinear(const Image& image, Vec2 place) {
     const PixelPair x = pixels_at(place.x, image.width()),
                     y = pixels_at(1 - place.y, image.height());

@@ -7,25 +7,24 @@
 
 namespace rt {
 
-// Twice the area of the triangle (0, 0), p, q: greater than 0 if the way from p to q goes around
+// Twice the area of the triangle (0, 0), p, q: greater than 0 if the edge from p to q goes around
 // (0, 0) counterclockwise, and less than 0 if clockwise. The sign is exact.
 inline Real area_before(Vec3 p, Vec3 q) {
     return difference_of_products(p.x, q.y, p.y, q.x);
 }
 
-// True if an edge from p to q goes around the ray counterclockwise. If the ray meets the edge
-// itself, it counts as moved a little along x, and far less along y: so one of the two triangles
-// with this edge has the ray, and not both.
+// True if the edge from p to q goes around the ray counterclockwise. If the ray meets the edge
+// itself, the ray counts as moved a little along x, and far less along y, so that exactly one of
+// the two triangles with this edge has the ray.
 inline bool goes_around(Vec3 p, Vec3 q, Real area) {
     if (area != 0) return area > 0;
     return p.y != q.y ? p.y > q.y : p.x < q.x;
 }
 
-// Where a ray meets a triangle at a t within the interval, from either side. A triangle without
-// area is never met. The point of the ray at t is off the plane by at most 16 epsilon times the
-// largest coordinate of a corner, seen from the ray's origin. Of the rays that meet a surface of
-// triangles, none slips between two that share an edge, or is met by both; areas must neither
-// overflow nor underflow.
+// The hit of a ray and a triangle at a t within the interval, from either side. None for a triangle
+// without area. The point of the ray at t is off the plane by at most 16 epsilon times the largest
+// coordinate of a corner, seen from the ray's origin. If a ray meets a surface of triangles at a
+// shared edge, exactly one of the two triangles is hit; areas must neither overflow nor underflow.
 inline std::optional<TriangleHit> hit_triangle(const Triangle& triangle, const Ray& ray,
                                                Interval within) {
     const ShearedRay sheared{ray};

@@ -11,8 +11,9 @@
 
 namespace rt {
 
-// The corner from which a polygon is best cut into triangles, like a fan: from there all of them
-// face the same way as the polygon, and have an area. The first corner, if there is no such one.
+// The corner from which a polygon is best cut into triangles, like a fan: all triangles of the fan
+// from there face the same way as the polygon, and have an area. The first corner, if there is no
+// such corner.
 inline std::size_t fan_start(const std::vector<Vec3>& corners) {
     const std::size_t count = corners.size();
     // Twice the area of triangle i of the fan from a corner, along its normal.
@@ -31,7 +32,7 @@ inline std::size_t fan_start(const std::vector<Vec3>& corners) {
     return 0;
 }
 
-// Throws std::invalid_argument unless a list of this many things has this number.
+// Throws std::invalid_argument unless a list with this many entries has this index.
 inline void expect_number(int number, std::size_t count, const std::string& name) {
     if (number < 0 || static_cast<std::size_t>(number) >= count)
         throw std::invalid_argument(name + " of a corner does not exist; there are " +
@@ -40,7 +41,7 @@ inline void expect_number(int number, std::size_t count, const std::string& name
 
 // The polygons, cut into triangles. Their normals get the length 1; a corner whose normal has
 // length 0 gets none. Throws std::invalid_argument, which names the polygon, counted from 1, if a
-// polygon has fewer than three corners, or a corner a number that belongs to nothing.
+// polygon has fewer than three corners, or if an index has no entry in its list.
 inline Mesh make_mesh(const Polygons& from) {
     Mesh mesh{from.points, from.normals, from.places, {}};
     for (Vec3& normal : mesh.normals)
@@ -68,10 +69,10 @@ inline Mesh make_mesh(const Polygons& from) {
     return mesh;
 }
 
-// Gives each corner without a normal that of its point: the mean of the normals of the triangles
+// Gives the corners without a normal that of their point: the mean of the normals of the triangles
 // around it, each weighted by its angle there, so that it does not matter how a flat side was cut.
-// Where they cancel, the corner stays without. Source: Thürmer and Wüthrich, "Computing vertex
-// normals from polygonal facets", Journal of Graphics Tools 3(1), 1998.
+// If the normals cancel, the corner stays without one. Source: Thürmer and Wüthrich, "Computing
+// vertex normals from polygonal facets", Journal of Graphics Tools 3(1), 1998.
 inline void add_normals(Mesh& mesh) {
     std::vector<Vec3> sums(mesh.points.size());
     for (const auto& triangle : mesh.triangles)

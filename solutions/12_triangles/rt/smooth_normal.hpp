@@ -7,9 +7,9 @@
 
 namespace rt {
 
-// The normal of a curved surface that the triangle stands for, at the weights u and v: those of the
-// three corners, interpolated, of length 1. It is on the side of `flat`, the triangle's own normal,
-// and `flat` itself where the three cancel.
+// The normal, at the weights u and v, of the curved surface that the triangle stands for: the
+// normals of the three corners, interpolated, of length 1. It is on the side of `flat`, the
+// triangle's own normal, and it is `flat` itself if the three cancel.
 inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Vec3 flat) {
     const Vec3 sum = (1 - u - v) * normals[0] + u * normals[1] + v * normals[2];
     if (sum == Vec3{}) return flat;
@@ -17,9 +17,9 @@ inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Ve
     return dot(normal, flat) < 0 ? -normal : normal;
 }
 
-// The smooth normal, bent where a mirror with it would send light below the triangle: then the
-// mirror direction runs along the triangle. All have length 1; `flat` is on the side of `smooth`.
-// It is `flat` for light that runs along the triangle itself.
+// The smooth normal. It is bent if a mirror with it would send light below the triangle; the mirror
+// direction then runs along the triangle. All have length 1; `flat` is on the side of `smooth`. The
+// result is `flat` for light that runs along the triangle itself.
 inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     const Real side = dot(incoming, flat) > 0 ? Real(-1) : Real(1);  // where the light comes from
     const Vec3 up = side * flat, mirrored = reflect(incoming, smooth);
@@ -31,8 +31,8 @@ inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     return dot(bent, up) > 0 ? side * normalize(bent) : flat;
 }
 
-// A direction that a material has chosen by the smooth normal, made right for the triangle: light
-// that is reflected stays above it, and light that goes through gets below. A direction on the
+// Corrects the direction of scattered light, which a material has chosen by the smooth normal:
+// reflected light stays above the triangle, and refracted light gets below it. A direction on the
 // wrong side is mirrored at the triangle. All have length 1.
 inline Vec3 keep_side(Vec3 direction, Vec3 smooth, Vec3 flat) {
     const Vec3 side = dot(direction, smooth) < 0 ? -flat : flat;

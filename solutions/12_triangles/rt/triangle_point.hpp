@@ -8,9 +8,9 @@
 
 namespace rt {
 
-// Everything about the point where a ray meets a triangle at t, which must be what hit_triangle
-// returned for them: the point, by the weights of the corners; the triangle's normal; the side; and
-// how far off the plane rounding may have left the point.
+// Everything about the point where a ray meets a triangle at t, which must be the t that
+// hit_triangle returned: the point, by the weights of the corners; the triangle's normal; the side;
+// and how far off the plane rounding may have left the point.
 inline Hit surface_hit(const SceneTriangle& triangle, const Ray& ray, Real t) {
     const auto& [a, b, c] = triangle.shape;
     const Vec3 ab = b - a, ac = c - a;

@@ -18,7 +18,8 @@ inline Box bounds_of(const SceneTriangle& triangle) {
     return {box.low - grown, box.high + grown};
 }
 
-// The t within the interval at which a ray meets the triangle: what a tree asks of a shape.
+// The t within the interval at which a ray meets the triangle, or none. The tree calls this
+// function.
 inline std::optional<Real> hit_shape(const SceneTriangle& triangle, const Ray& ray,
                                      Interval within) {
     const auto hit = hit_triangle(triangle.shape, ray, within);
