@@ -195,17 +195,17 @@ TEST_CASE("00.4 a tree is made of halves", "[00.4]") {
                 for (int i = 0; i < count; ++i) expected.push_back(first + i);
                 {
                     INFO(
-                        "the leaves must stand for each thing once, in order.\nHint: the left "
-                        "child has first to middle, the right one middle to last: `last` itself is "
-                        "not among the things");
+                        "the leaves must stand for each number once, in order.\nHint: the left "
+                        "child goes from first to middle, the right child from middle to last: "
+                        "`last` itself is not one of the numbers");
                     REQUIRE(things == expected);
                 }
                 {
                     INFO(
-                        "each thing is in the tree; which node's children are not its two "
-                        "halves?\nHint: middle = first + (last - first) / 2; of an odd number the "
-                        "right half is the larger one, and a single thing is a leaf. Below 0, "
-                        "(first + last) / 2 is rounded the other way");
+                        "every number is in the tree; which node's children are not its two "
+                        "halves?\nHint: middle = first + (last - first) / 2; if the count is odd, "
+                        "the right half is larger, and a single number is a leaf. Below 0, (first "
+                        "+ last) / 2 is rounded the other way");
                     REQUIRE(unbalanced(root.get()) == "none");
                 }
                 INFO("nodes that were made: each is needed once");
@@ -233,7 +233,7 @@ TEST_CASE("00.4 taking apart destroys every node once", "[00.4]") {
     check_memory();
     rt::Rng rng{4, 4};
     for (int i = 0; i < 100; ++i) rt::take_apart(random_tree(static_cast<int>(rng() % 40), rng));
-    INFO("Hint: move the children out into a list, then let the node go");
+    INFO("Hint: move the children out into a list, then destroy the node");
     check_memory();
 }
 

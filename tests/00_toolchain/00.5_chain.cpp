@@ -67,10 +67,10 @@ std::string misled(const std::vector<Link>& links, std::size_t i) {
                "nowhere, not to the next link.\nHint: is each link connected? `for (auto link : "
                "links)` goes through copies of them, `auto&` through the links themselves";
     return where +
-           "to another address, not to the next link in the same vector.\nHint: it must not lead "
-           "into the old chain. Nor into memory that the vector has left: a full vector moves all "
-           "its links elsewhere, so connect them when it is complete. Nor into another vector: a "
-           "copy lies elsewhere, so return the one that you connected";
+           "to another address, not to the next link in the same vector.\nHint: it may lead into "
+           "the old chain. It may lead into memory that the vector has left: a full vector moves "
+           "all its links elsewhere, so connect them when it is complete. Or it may lead into "
+           "another vector: a copy lies elsewhere, so return the vector that you connected";
 }
 
 // Whether the links follow each other in memory with the values of the chain.

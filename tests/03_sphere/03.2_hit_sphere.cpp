@@ -283,8 +283,8 @@ TEST_CASE("03.2 a ray that starts on the surface", "[03.2][hard]") {
         const Real radius = any_size(rng, -1, 1);
         const Vec3 center{rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(-3, 3)};
         check_both({center, radius}, {center + radius * any_direction(rng), any_direction(rng)},
-                   "the start is rounded to the surface, so c is nothing but rounding: 0 within "
-                   "what the bound allows");
+                   "the start is rounded to the surface, so c consists of rounding errors: the t "
+                   "must be 0 within the bound");
     }
 }
 

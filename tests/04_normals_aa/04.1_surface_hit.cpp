@@ -154,7 +154,7 @@ TEST_CASE("04.1 the side is right for every ray", "[04.1]") {
         const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);
         if (hit.t != shot.t) {
             INFO(text(shot));
-            INFO("Hint: pass t on as it is, a number of steps of the direction's length");
+            INFO("Hint: pass t on unchanged; it counts multiples of the direction");
             REQUIRE(text(hit.t) == text(shot.t));
         }
         if (hit.material != 0) {
@@ -330,8 +330,8 @@ TEST_CASE("04.1 a sphere too far away to be seen has a normal all the same", "[0
         }();
         {
             HINT(expected, hit.normal,
-                 "the zero vector has no direction; such a sphere is hit head on: take the ray's "
-                 "direction turned around, with length 1");
+                 "the zero vector has no direction; such a sphere is hit head on: take the "
+                 "reversed direction of the ray, with length 1");
             REQUIRE(error_in_ulp(hit.normal, expected) <= 8);
         }
         INFO("Hint: hit head on means hit from outside");

@@ -48,10 +48,11 @@ TEST_CASE("05.3 light that enters glass bends toward the normal", "[05.3]") {
         const Vec3 computed = refract_or_fail(incoming, floor_normal, real(eta));
         INFO("light along " << text(incoming) << " meets a surface with the normal "
                             << text(floor_normal) << ", eta = " << eta << ": its sine is "
-                            << sine_in << ", and the sine behind is " << sine_out);
+                            << sine_in << ", and the sine of the refraction angle is " << sine_out);
         const char* hint =
-            "sine behind = eta * sine before; the part along the surface is scaled by eta, and the "
-            "part along the normal follows from length 1";
+            "the sine of the refraction angle is eta times the sine of the incoming angle; the "
+            "part along the surface is scaled by eta, and the part along the normal follows from "
+            "length 1";
         if (computed.y > 0) hint = "the refracted light must point to the other side";
         if (computed.x < 0) hint = "along the surface the light keeps its direction";
         HINT(expected, computed, hint);
@@ -84,8 +85,8 @@ TEST_CASE("05.3 the law of refraction holds for 100000 directions", "[05.3]") {
         worst = std::max(worst, off_in_epsilons);
         if (off_in_epsilons <= allowed) continue;
         INFO("incoming " << text(incoming) << ", normal " << text(normal) << ", eta " << text(eta));
-        INFO("the sine behind the surface: expected " << text(expected) << ", actual "
-                                                      << text(computed));
+        INFO("the sine of the refraction angle: expected " << text(expected) << ", actual "
+                                                           << text(computed));
         INFO(
             "Hint: a sine from sqrt(1 - cosine^2) loses digits. This is how far it is off, in "
             "epsilon");
@@ -286,8 +287,8 @@ TEST_CASE("05.3 a large ratio of indices does not blur the critical angle", "[05
             const Exact cosine = -dot(exact(*refracted), exact(normal));
             const Exact expected = -as_stored * (Exact(2) + as_stored);
             INFO("Hint: with e = eta * sine - 1, the square of the cosine is -e (1 + eta * sine)");
-            INFO("the square of the cosine behind: expected " << expected.high << ", actual "
-                                                              << (cosine * cosine).high);
+            INFO("the square of the refraction angle's cosine: expected "
+                 << expected.high << ", actual " << (cosine * cosine).high);
             // 4 of 16 epsilon
             const double off_in_sixteenths =
                 std::abs((cosine * cosine - expected).high) * 16 / expected.high;
@@ -329,7 +330,8 @@ TEST_CASE("05.3 grazing light enters at the critical angle", "[05.3][hard]") {
         for (const Real height : {Real(0), std::numeric_limits<Real>::min(), rt::epsilon}) {
             const Vec3 computed = refract_or_fail({1, -height, 0}, floor_normal, eta);
             HINT(eta, computed.x,
-                 "at a right angle to the normal the sine is 1, and behind the surface it is eta");
+                 "at a right angle to the normal the sine is 1, and that of the refraction angle "
+                 "is eta");
             CHECK(error_in_ulp(computed.x, exact(eta)) <= 4);
             CHECK(computed.y < 0);
         }

@@ -105,9 +105,10 @@ TEST_CASE("05.4 the cosine behind the surface follows from the law of refraction
             INFO("cosine " << text(cosine) << ", eta " << text(eta) << ": light goes through here");
             REQUIRE(computed.has_value());
         }
-        check_error(*computed, surface.beyond(), allowed(surface), eta, cosine,
-                    "cosine behind = sqrt(1 - eta^2 (1 - cosine^2)); where that cancels, "
-                    "difference_of_products(eta c, eta c, eta - 1, eta + 1) keeps the digits");
+        check_error(
+            *computed, surface.beyond(), allowed(surface), eta, cosine,
+            "the cosine of the refraction angle is sqrt(1 - eta^2 (1 - cosine^2)); where that "
+            "cancels, difference_of_products(eta c, eta c, eta - 1, eta + 1) keeps the digits");
     });
     CHECK(!rt::refracted_cosine(real(0.5), real(1.5)).has_value());
 }
@@ -142,8 +143,8 @@ TEST_CASE("05.4 Fresnel reflectance is the mean over both polarizations", "[05.4
         check_error(computed, surface.reflectance(), allowed(surface), eta, cosine, hint);
         if (0 <= computed && computed <= 1) return;
         INFO("cosine " << text(cosine) << ", eta " << text(eta)
-                       << ".\nHint: rounding may put the reflectance above 1; it is a share: take "
-                          "std::min(Real(1), ...)");
+                       << ".\nHint: rounding may put the reflectance above 1; it is a fraction: "
+                          "take std::min(Real(1), ...)");
         REQUIRE(text(computed) == "from 0 to 1");
     });
 }
@@ -175,8 +176,8 @@ TEST_CASE("05.4 Schlick takes the cosine on the thinner side", "[05.4]") {
     for_each_interface([](Real eta, Real cosine, const Interface& surface) {
         check_error(rt::schlick_reflectance(cosine, eta), surface.schlick(), 5 * allowed(surface),
                     eta, cosine,
-                    eta > 1 ? "from the denser side (eta > 1), Schlick's cosine is the one behind "
-                              "the surface"
+                    eta > 1 ? "from the denser side (eta > 1), Schlick's formula takes the cosine "
+                              "of the refraction angle"
                             : "r0 + (1 - r0) (1 - cosine)^5 with r0 = ((1 - eta) / (1 + eta))^2");
     });
 }
@@ -218,7 +219,7 @@ TEST_CASE("05.4 no ratio and no angle costs digits", "[05.4][hard]") {
         }
         check_error(*beyond, surface.beyond(), allowed(surface) * surface.beyond().high, eta,
                     cosine,
-                    "the cosine behind: 1 - eta^2 (1 - cosine^2) cancels; "
+                    "the cosine of the refraction angle: 1 - eta^2 (1 - cosine^2) cancels; "
                     "difference_of_products(eta c, eta c, eta - 1, eta + 1) keeps the digits");
         const Real fresnel = rt::fresnel_reflectance(cosine, eta);
         check_error(fresnel, surface.reflectance(), allowed(surface), eta, cosine,
@@ -226,13 +227,13 @@ TEST_CASE("05.4 no ratio and no angle costs digits", "[05.4][hard]") {
                     "cancel");
         if (!(0 <= fresnel && fresnel <= 1)) {
             INFO("cosine " << text(cosine) << ", eta " << text(eta)
-                           << ".\nHint: rounding may put the reflectance above 1; it is a share: "
-                              "take std::min(Real(1), ...)");
+                           << ".\nHint: rounding may put the reflectance above 1; it is a "
+                              "fraction: take std::min(Real(1), ...)");
             REQUIRE(text(fresnel) == "from 0 to 1");
         }
         check_error(rt::schlick_reflectance(cosine, eta), surface.schlick(), 5 * allowed(surface),
                     eta, cosine,
-                    "Schlick's formula: take the same cosine behind for eta > 1; there is no "
+                    "Schlick's formula: take the same refracted cosine for eta > 1; there is no "
                     "other special case");
     });
     // And where nothing goes through, however near that is to the critical angle.
@@ -247,7 +248,7 @@ TEST_CASE("05.4 no ratio and no angle costs digits", "[05.4][hard]") {
         const auto beyond = rt::refracted_cosine(cosine, eta);
         if (!beyond) continue;
         INFO("cosine " << text(cosine) << ", eta " << text(eta)
-                       << ": the square of the cosine behind would be "
+                       << ": the square of the refraction angle's cosine would be "
                        << surface.squared_beyond().high << ": expected none, actual "
                        << text(*beyond) << ".\nHint: return {} if it is below 0, however slightly");
         REQUIRE_FALSE(beyond.has_value());
@@ -280,7 +281,7 @@ TEST_CASE("05.4 both formulas are continuous at total reflection", "[05.4][hard]
             const double rounding = static_cast<double>(rt::rounding_bound(8));
             REQUIRE(fresnel >= 1 - fresnel_falls);
             REQUIRE(schlick >= 1 - schlick_falls - rounding);
-            INFO("the reflectance is a share, 1 at most");
+            INFO("the reflectance is a fraction, at most 1");
             if (fresnel > 1) REQUIRE(text(real(fresnel)) == "1 at most");
             if (schlick > 1 + rounding) REQUIRE(text(real(schlick)) == "1 at most");
         }

@@ -155,7 +155,7 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
                 INFO(describe());
                 INFO("attenuation "
                      << bounce.attenuation
-                     << "\nHint: the random choice already weighs both ways; do not dim either");
+                     << "\nHint: the random choice already weights both ways; do not dim either");
                 REQUIRE(text(Vec3{bounce.attenuation.r, bounce.attenuation.g,
                                   bounce.attenuation.b}) == "(1, 1, 1)");
             }
@@ -194,10 +194,10 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
         if (!(std::abs(share - expected) <= 2 * rt::epsilon)) {
             INFO(describe());
             HINT(expected, share,
-                 through ? "this is the share that is reflected: reflect if random.uniform() is "
-                           "less than the reflectance, even a tiny one"
-                         : "this is the share that is reflected. If refract returns none, that is "
-                           "all");
+                 through ? "this is the reflected fraction: reflect if random.uniform() is less "
+                           "than the reflectance, even a tiny one"
+                         : "this is the reflected fraction. If refract returns none, all light is "
+                           "reflected");
             REQUIRE(text(share) == text(expected));
         }
         const bool asks_right = std::abs(cosine - cosine_expected) <= 8 * rt::epsilon &&
@@ -226,7 +226,7 @@ TEST_CASE("05.5 glass keeps all light", "[05.5]") {
             for (int i = 0; i < 20; ++i) {
                 const auto bounce = scatter(rt::Dielectric{real(1.5)}, arriving_at_floor(degrees),
                                             floor_hit(front), rng);
-                INFO("Hint: the random choice already weighs both ways; do not dim either");
+                INFO("Hint: the random choice already weights both ways; do not dim either");
                 REQUIRE(bounce.has_value());
                 const rt::Color weight = bounce->attenuation;
                 if (!(weight == rt::Color{1, 1, 1}))

@@ -116,11 +116,10 @@ void check_attenuation(const Sample& sample, const Bounce& bounce) {
     if (!is_right) {
         INFO(text_of(sample) << ": " << text_of(*bounce));
         INFO(
-            "expected each channel of the attenuation in [0, 1]: "
-            "no more light leaves than arrives\n"
-            "Hint: where the path chooses one of several ways, the choice already weighs them: do "
-            "not add them up, and do not divide by the probability. The cosine is -dot(incoming, "
-            "facing_normal(hit))");
+            "expected each channel of the attenuation in [0, 1]: no more light leaves than "
+            "arrives\nHint: where the path chooses one of several ways, the choice already weights "
+            "them: do not add them up, and do not divide by the probability. The cosine is "
+            "-dot(incoming, facing_normal(hit))");
         REQUIRE(text_of(bounce->attenuation) == "within [0, 1]");
     }
     REQUIRE(is_right);

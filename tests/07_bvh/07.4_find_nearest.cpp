@@ -221,10 +221,10 @@ TEST_CASE("07.4 a search of another type is asked its own questions", "[07.4]") 
     const std::vector<Vec3> motions{{0, 0, -1}, {0, 0, 2}, {}};
     MovedSearch search{{two.spheres, two.order, {{0, 0, 0}, {0, 0, -1}}, {}}, motions};
     rt::find_nearest(two.root, search);
-    check_winner(search, {0, 5},
-                 "chapter 08 searches with other types, whose meets_shape finds spheres that "
-                 "move: leave \"template <class AnySearch>\" as it is, and hand the search on as "
-                 "AnySearch&");
+    check_winner(
+        search, {0, 5},
+        "chapter 08 searches with other types, whose meets_shape finds spheres that move: leave "
+        "\"template <class AnySearch>\" as it is, and pass the search on as AnySearch&");
 }
 
 TEST_CASE("07.4 the same hits as the linear list", "[07.4]") {

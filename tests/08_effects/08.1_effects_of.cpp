@@ -29,7 +29,7 @@ void check(const SceneDescription& scene, const Effects& expected, const char* h
 }  // namespace
 
 TEST_CASE("08.1 matte spheres under a sky call for nothing", "[08.1]") {
-    check(ball_of(matte), {}, "a matte sphere, a pinhole and the sky are there anyway");
+    check(ball_of(matte), {}, "matte spheres, the pinhole and the sky need no effect");
     check({}, {}, "an empty scene calls for nothing");
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("08.1 light that is black is none", "[08.1][hard]") {
 TEST_CASE("08.1 a closed shutter stops all motion", "[08.1][hard]") {
     SceneDescription scene = ball_of(matte);
     scene.spheres[0].velocity = {0, -1, 0};
-    check(scene, {}, "the sphere moves, but the shutter is open for a time of 0");
+    check(scene, {}, "the sphere moves, but the shutter time is 0");
     scene.camera.shutter = 1;
     scene.spheres[0].velocity = {0, 0, 0};
     check(scene, {}, "the shutter is open, but nothing moves");

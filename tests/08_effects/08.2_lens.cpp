@@ -106,7 +106,7 @@ void check_places(const Case& any, rt::Rng& rng) {
         {
             INFO("how far from the eye the ray starts, in halves of the aperture: expected "
                  << text(std::sqrt(x)) << ", actual " << text(away)
-                 << ".\nHint: the radius is the square root of place.x, the share of the area "
+                 << ".\nHint: the radius is the square root of place.x, the fraction of the area "
                     "within it");
             const bool is_close = std::abs(away - std::sqrt(x)) <= rounding;
             REQUIRE(is_close);
@@ -116,7 +116,7 @@ void check_places(const Case& any, rt::Rng& rng) {
             "where the ray starts, to the right of the eye and up, in halves of the aperture; for "
             "place.y = 0 that is "
             << pair(on_lens(any, {x, 0})) << "; expected " << pair(expected) << ", actual "
-            << pair(at) << ".\nHint: place.y is the share of a turn, and a full turn is 2 pi");
+            << pair(at) << ".\nHint: place.y is the fraction of a turn, and a full turn is 2 pi");
         const bool is_close = apart(at, expected) <= rounding;
         REQUIRE(is_close);
     }

@@ -145,7 +145,9 @@ void check_cone(const Sphere& light, Vec3 from, rt::Rng& rng) {
     {
         const Real expected = 1 / (2 * rt::pi * height);
         const Real density = rt::light_density(light, from);
-        INFO("light_density.\nHint: 1 / (2 pi h), with h for the distance of `from` to the middle");
+        INFO(
+            "light_density.\nHint: 1 / (2 pi h), where h is cone_height for the distance from "
+            "`from` to the middle");
         if (!(std::abs(density / expected - 1) <= rt::rounding_bound(80)))
             REQUIRE(text(density) == text(expected));
     }
@@ -187,7 +189,7 @@ void check_cone(const Sphere& light, Vec3 from, rt::Rng& rng) {
             const auto pair = [](Vec2 v) { return '(' + text(v.x) + ", " + text(v.y) + ')'; };
             INFO("the direction, seen along the way to the middle; for place.y = 0 it is "
                  << pair(beside(x, 0))
-                 << ".\nHint: place.y is the share of a turn, and a full turn is 2 pi");
+                 << ".\nHint: place.y is the fraction of a turn, and a full turn is 2 pi");
             REQUIRE(pair(at) == pair(expected));
         }
         check_sample(light, from, {x, y});

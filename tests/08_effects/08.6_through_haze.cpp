@@ -49,7 +49,7 @@ TEST_CASE("08.6 haze dims what is behind it", "[08.6]") {
     // Black haze takes light away and adds none. exp(-ln 2) = 1/2.
     const Real half = real(0.69314718055994530942);
     check({half, {}}, orange, 1, Real(0.5) * orange,
-          "the share exp(-density * distance) gets through, here a half");
+          "the fraction exp(-density * distance) gets through, here a half");
     check({half, {}}, orange, 3, Real(0.125) * orange,
           "the haze is three times as long: a half of a half of a half gets through");
     check({3 * half, {}}, orange, 1, Real(0.125) * orange,
@@ -67,7 +67,7 @@ TEST_CASE("08.6 the color of haze makes up the rest", "[08.6]") {
     check({half, blue}, orange, 2, Real(0.25) * orange + Real(0.75) * blue,
           "a quarter gets through, and three quarters are the haze's");
     check({Real(0.1), blue}, blue, 7, blue,
-          "what has the haze's color keeps it: the two shares add up to 1");
+          "an object of the haze's color keeps it: the two fractions add up to 1");
 }
 
 TEST_CASE(
@@ -114,7 +114,7 @@ TEST_CASE("08.6 nothing is left of a bright lamp behind dense haze", "[08.6][har
     const Color lamp{real(1e6), real(1e9), real(1e12)};
     const char* const hint =
         "nothing gets through, so only the haze's color is left; color + (1 - share) * (haze - "
-        "color) subtracts a huge number from itself: weigh the two by share and 1 - share instead";
+        "color) subtracts a huge number from itself: weight the two by share and 1 - share instead";
     check_same(seen(Haze{1, blue}, lamp, far_away), blue, hint);
     check_same(seen(Haze{1, blue}, lamp, 10'000), blue, hint);
     // A little of it: exp(-20) of 1e6 is 0.002.

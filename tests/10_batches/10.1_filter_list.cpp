@@ -52,8 +52,8 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
                          << ", but yours gives " << count << ' ' << text(actual, first));
         {
             INFO(
-                "Hint: `to` has room for as many paths as the list has, and no more: the memory "
-                "before and after it belongs to others");
+                "Hint: `to` has room for as many paths as the list has, and no more: do not write "
+                "to the memory before or after it");
             REQUIRE(to.stands());
         }
         {
@@ -61,8 +61,8 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
             REQUIRE(count == expected.size());
         }
         INFO(
-            "Hint: the paths, not their indices in the list, in the same order; masks[i] belongs "
-            "to list[i]");
+            "Hint: copy the paths list[i], not their indices i, in the same order; masks[i] "
+            "belongs to list[i]");
         REQUIRE(text(actual, first) == text(expected, first));
     }
     CHECK(is_right);

@@ -43,8 +43,8 @@ void check_log(const Log& actual, const Log& expected) {
     for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
         std::size_t from = 0;
         const char* hint =
-            "each node that a ray meets is tested once, when its turn comes, and each leaf that a "
-            "ray meets is visited once; the children in the order of tree.order(node)";
+            "test each node that a ray meets once, when its turn comes, and visit each leaf that a "
+            "ray meets once; take the children in the order of tree.order(node)";
         if (i < expected.size() && i < actual.size()) {
             if (expected[i] == actual[i]) continue;
             const Rays &a = expected[i].rays, &b = actual[i].rays;
@@ -53,9 +53,9 @@ void check_log(const Log& actual, const Log& expected) {
             from = other < 10 ? 0 : static_cast<std::size_t>(other);
             if (expected[i].is_leaf == actual[i].is_leaf && expected[i].number == actual[i].number)
                 hint =
-                    "a child gets the rays that meet its box, all of them and no others; if they "
-                    "were right before, what an earlier child wrote has destroyed this node's list "
-                    "or masks: check which room it got";
+                    "a child gets exactly the rays that meet its box. If the lists before were "
+                    "right, an earlier child has overwritten this node's list or masks: check "
+                    "which memory you passed to it";
         }
         INFO("question " << i << ": expected " << text(expected, i, from) << ", but yours asks "
                          << text(actual, i, from));
@@ -161,7 +161,7 @@ void check_descend(int levels, std::uint64_t seed, std::size_t rays, bool is_cha
     INFO("it begins at node " << root << " with " << text(list));
     check_log(tree.log, expected);
     INFO("Hint: there is room for " << levels + 1 << " lists of " << rays
-                                    << " rays and their masks; yours writes beside it");
+                                    << " rays and their masks; yours writes outside of it");
     REQUIRE(lists.stands());
     REQUIRE(masks.stands());
 }
@@ -223,7 +223,7 @@ TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come late
     std::vector<std::uint8_t> masks(100);
     rt::descend(tree, 0, rays, {lists.data(), masks.data()});
     INFO(
-        "a chain of four nodes: expected 3, 3, 2 and 2 rays in their tests\nHint: a node is tested "
-        "when its turn has come, not before its neighbor's leaves have been visited");
+        "a chain of four nodes: expected 3, 3, 2 and 2 rays in their tests\nHint: test a node only "
+        "after all leaves of the children before it have been visited");
     CHECK(tree.lengths == std::vector<std::size_t>{3, 3, 2, 2});
 }

@@ -67,7 +67,7 @@ void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, cons
                           << "\nactual: " << state(hit[i] != 0, pack.t[i], pack.sphere[i]));
         INFO("Hint: " << hint);
         {
-            INFO("the mask that is returned: -1 where the ray has met this sphere, else 0");
+            INFO("the returned mask: -1 where the ray hits this sphere, else 0");
             REQUIRE(hit[i] == (hits ? -1 : 0));
         }
         REQUIRE(text(pack.t[i]) == text(expected.t));
@@ -78,7 +78,8 @@ void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, cons
         same_bits(pack.origin, before.origin) && same_bits(pack.direction, before.direction);
     if (!rest_is_same) {
         INFO(
-            "Hint: change only t and sphere of the rays: the next sphere needs the rest as it was");
+            "Hint: change only t and sphere of the rays: the next sphere needs the other members "
+            "unchanged");
         REQUIRE(same_bits(pack.origin, before.origin));
         REQUIRE(same_bits(pack.direction, before.direction));
     }
@@ -122,7 +123,7 @@ TEST_CASE("10.3 rays from all sides", "[10.3]") {
         Rays rays;
         for (OneRay& one : rays) one.ray = any_ray(rng, sphere, 2);
         check_pack(sphere, round, rays,
-                   "hit_sphere's operations in its order, each with all rays at once");
+                   "use hit_sphere's operations in their order, each for all rays at once");
     }
 }
 
@@ -153,26 +154,28 @@ TEST_CASE("10.3 only what is nearer than before counts", "[10.3]") {
                                            : any_size(rng, -2, 3);
         }
         check_pack(sphere, 7, rays,
-                   "the interval is from 0 to rays.t; what lies beyond does not count");
+                   "the interval is from 0 to rays.t; a hit beyond it does not count");
     }
 }
 
 TEST_CASE("10.3 an equally near sphere of a higher number stays", "[10.3]") {
     rt::Rng rng{103, 3};
     for (int round = 0; round < 3000; ++round)
-        check_ties(rng, 7, 8, 7, "at the very same t a sphere with a higher number stays");
+        check_ties(rng, 7, 8, 7, "at exactly the same t, a sphere with a higher number is kept");
 }
 
 TEST_CASE("10.3 an equally near sphere of a lower number gives way", "[10.3]") {
     rt::Rng rng{103, 7};
     for (int round = 0; round < 3000; ++round)
-        check_ties(rng, 7, 0, 7, "at the very same t the higher number counts, here the new one");
+        check_ties(rng, 7, 0, 7,
+                   "at exactly the same t, the higher number counts, here that of the new sphere");
 }
 
 TEST_CASE("10.3 the same sphere at the same place counts as met", "[10.3]") {
     rt::Rng rng{103, 8};
     for (int round = 0; round < 300; ++round)
-        check_ties(rng, 7, 7, 1, "only a higher number than this sphere's own keeps the ray");
+        check_ties(rng, 7, 7, 1,
+                   "the ray keeps its old hit only if that sphere has a higher number");
 }
 
 TEST_CASE("10.3 one ray of a pack that meets it or one that does not", "[10.3]") {
@@ -184,7 +187,7 @@ TEST_CASE("10.3 one ray of a pack that meets it or one that does not", "[10.3]")
             rays.fill(one_meets ? misses : meets);
             rays[k] = one_meets ? meets : misses;
             check_pack(sphere, 7, rays,
-                       "each ray by itself: what one does is no reason to stop for the others");
+                       "each ray counts by itself: if one misses, the others must go on");
         }
 }
 
@@ -223,8 +226,8 @@ TEST_CASE("10.3 far small grazing and touching", "[10.3][hard]") {
             }
         }
         check_pack(sphere, 3, rays,
-                   "q may be 0: both solutions are 0 then; a t of 0 counts; a direction of length "
-                   "0 meets nothing");
+                   "if q is 0, both solutions are 0, and a t of 0 counts; a direction of length 0 "
+                   "meets nothing");
     }
 }
 

@@ -32,7 +32,7 @@ void check_pack(const Lots& lots, rt::PackBits active, const char* hint) {
         directions = rt::cosine_direction(normal, place, active);
     } catch (const std::domain_error&) {
         INFO("Hint: pass `active` to normalize: then a lane without a direction does not matter");
-        FAIL("it throws because of a lane of the pack that is not active");
+        FAIL("it throws because of a lane that is not active");
     }
     bool all_same = true;
     for (std::size_t i = 0; i < pack_size; ++i) {
@@ -74,7 +74,7 @@ TEST_CASE("10.4 the circle goes all the way around", "[10.4]") {
     for (int step = 0; step < 1000; ++step) {
         for (std::size_t i = 0; i < pack_size; ++i)
             lots[i].place = {real(0.25), static_cast<Real>(step) / 1000};
-        check_pack(lots, all_active, "place.y is the part of a whole turn");
+        check_pack(lots, all_active, "place.y is the fraction of a full turn");
     }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("10.4 normals along the axes and sample points at the edge", "[10.4][h
             if (rng() % 8 == 0) lot.place.x = rt::epsilon / 2;
             if (rng() % 8 == 0) lot.place.y = static_cast<Real>(rng() % 8) / 8;
         }
-        check_pack(lots, all_active, "the sign is that of w.z, also of -0");
+        check_pack(lots, all_active, "take the sign of w.z, even if w.z is -0");
     }
 }
 

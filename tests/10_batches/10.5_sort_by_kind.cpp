@@ -40,13 +40,15 @@ void check_sort(const Kinds& kinds, std::uint8_t beside) {
         for (std::size_t kind = 0; kind <= count; ++kind) {
             INFO("the result's [" << kind << "]: expected " << first_expected[kind]
                                   << ", but yours gives " << first[kind]);
-            INFO("Hint: [k] is how many numbers have a kind less than k; the last one counts all");
+            INFO(
+                "Hint: element [k] is the count of numbers whose kind is less than k; the last "
+                "element counts all");
             REQUIRE(first[kind] == first_expected[kind]);
         }
         {
             INFO(
-                "Hint: `sorted` is as long as `kinds`, and nothing must be written beyond its "
-                "ends: does each kind begin at its own index, and go on by one?");
+                "Hint: `sorted` is as long as `kinds`; write nothing outside of it. Does each kind "
+                "begin at its own index, and does this index grow by one?");
             REQUIRE(to.stands());
         }
         for (std::size_t place = 0; place < sorted.size(); ++place) {
@@ -56,7 +58,7 @@ void check_sort(const Kinds& kinds, std::uint8_t beside) {
                            << sorted[place]
                            << (sorted[place] == 0xdeadbeef ? ": nothing was written there" : ""));
             INFO(
-                "Hint: the numbers i, not their kinds; numbers of the same kind stay in their "
+                "Hint: write the numbers i, not their kinds; numbers of the same kind keep their "
                 "order");
             REQUIRE(sorted[place] == sorted_expected[place]);
         }
@@ -118,7 +120,9 @@ TEST_CASE("10.5 two hundred thousand numbers", "[10.5][hard]") {
     {
         INFO("200000 numbers: expected a few thousandths of a second, but yours takes " << seconds
                                                                                         << " s");
-        INFO("Hint: the time must grow as the list does: go through it twice, with no loop inside");
+        INFO(
+            "Hint: the time must be in proportion to the list's length: go through the list twice, "
+            "without an inner loop");
         REQUIRE(seconds < 1);
     }
     check_sort<8>(kinds);

@@ -48,15 +48,15 @@ Exactly exactly(const Numbers& numbers) {
 }
 
 const char* const plain_hint =
-    "the squares grow by the product of two distances: that of the number from the mean before, "
-    "and that from the mean with it";
+    "squares grows by a product: the number's distance from the old mean times its distance from "
+    "the new mean";
 const char* const cancels_hint =
-    "where the numbers are far larger than their distances, the sum of their squares and the "
-    "square of their sum are almost the same number, and their difference has no digits left. "
-    "Subtract the mean first, then multiply";
+    "if the numbers are far larger than the distances between them, the sum of their squares and "
+    "the square of their sum are almost equal, and their difference has no digits left. Subtract "
+    "the mean first, then multiply";
 const char* const divisor_hint =
-    "squares / (count - 1). The numbers lie nearer to their own mean than to the true one, and one "
-    "less makes up for that";
+    "squares / (count - 1). The numbers lie nearer to their own mean than to the true mean, and "
+    "dividing by one less makes up for that";
 
 // Compares what is known of the numbers with their exact mean and squares. Every step may round the
 // mean once or twice, which moves a mean by half a unit of the largest number and hardly shows in
@@ -76,8 +76,8 @@ void check_known(const RunningVariance& known, const Numbers& numbers, const cha
     }
     if (!(std::abs((mean - Exact(known.mean)).high) <= (count + 4) * unit)) {
         const char* words =
-            "a new number moves the mean by its distance from it, divided by how many numbers "
-            "there are, including the new one";
+            "a new number moves the mean by its distance from the mean, divided by the count that "
+            "includes the new number";
         if (only_single_precision(known.mean, mean.high)) words = single_precision_hint;
         INFO("expected the mean " << checkpoint::text(mean) << ", but yours is "
                                   << checkpoint::text(known.mean) << ".\nHint: " << words);
@@ -254,8 +254,7 @@ TEST_CASE("11.1 many places at once do not mix", "[11.1]") {
     }
     for (std::size_t i = 0; i < 20; ++i)
         check_known(known[i], numbers[i],
-                    "everything that is remembered is in `known`: nothing else is kept from one "
-                    "call to the next");
+                    "keep everything in `known`, and nothing else from one call to the next");
 }
 
 TEST_CASE("11.1 far from zero no digits of the spread are lost", "[11.1][hard]") {
@@ -324,7 +323,7 @@ TEST_CASE("11.1 numbers of all sizes", "[11.1][hard]") {
 
 TEST_CASE("11.1 more numbers than an int can count", "[11.1][hard]") {
     const char* const hint =
-        "the count is a std::int64_t: turn it into a Real, not into an int or a float";
+        "the count is a std::int64_t: convert it to a Real, not to an int or a float";
     for (const std::int64_t count :
          {16'777'217LL, 123'456'789LL, 3'000'000'001LL, 5'000'000'000'001LL}) {
         const auto all = static_cast<double>(count);

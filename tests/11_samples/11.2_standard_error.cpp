@@ -64,8 +64,8 @@ void check_chance(Real distance, Real error, Exact expected, const char* hint) {
 }
 
 const char* const chance_hint =
-    "erf(distance / (sqrt(2) error)): a normal distribution lies within one standard error with "
-    "0.683, within two with 0.954 and within three with 0.997, both sides together";
+    "erf(distance / (sqrt(2) error)): with a normal distribution, the probability is 0.683 within "
+    "one standard error, 0.954 within two and 0.997 within three, both sides together";
 
 void check_count(Real variance, Real error, std::int64_t most, std::int64_t fewest,
                  std::int64_t greatest, const char* hint) {
@@ -102,20 +102,20 @@ void check_rounded_count(Real variance, Real error, std::int64_t most, const cha
 }
 
 const char* const count_hint =
-    "the standard error is sqrt(variance / count). Set it equal to the error and solve for the "
-    "count; a part of a sample counts as a whole one";
+    "the standard error is sqrt(variance / count). Set it equal to the error, solve for the count, "
+    "and round up";
 const char* const overflow_hint =
     "variance / error^2 may be far larger than a std::int64_t can be, and error * error may lose "
-    "its digits. Compare with `most` before you turn a Real into a std::int64_t, and divide by the "
-    "error twice";
+    "its digits. Compare with `most` before you convert a Real to a std::int64_t, and divide by "
+    "the error twice";
 
 }  // namespace
 
 TEST_CASE("11.2 the standard error of the mean", "[11.2]") {
     const char* const hint =
-        "the variance of a mean is the variance of one number divided by how many there are: four "
-        "times the numbers, half the error. variance() already divides by count - 1; the mean "
-        "takes all of them";
+        "the variance of a mean is the variance of one number divided by the count: four times as "
+        "many numbers halve the error. variance() already divides by count - 1; for the mean, "
+        "divide by the whole count";
     check_error({2, 5, 8}, hint);     // variance 8, error 2
     check_error({4, 10, 90}, hint);   // variance 30
     check_error({9, -3, 72}, hint);   // variance 9, error 1
@@ -134,8 +134,7 @@ TEST_CASE("11.2 fewer than two numbers leave the error open", "[11.2]") {
         const Real actual = rt::standard_error(known);
         INFO(text(known));
         HINT(rt::infinity, actual,
-             "nothing is known about how far the numbers scatter: the error may be as large as you "
-             "like");
+             "the spread of the numbers is unknown, so the error may be as large as you like");
         REQUIRE(checkpoint::text(actual) == checkpoint::text(rt::infinity));
     }
 }
@@ -180,8 +179,8 @@ TEST_CASE("11.2 how many numbers an error takes", "[11.2]") {
 
 TEST_CASE("11.2 the error of billions of numbers", "[11.2][hard]") {
     const char* const hint =
-        "the count is a std::int64_t: turn it into a Real, not into an int or a float, and turn it "
-        "before you multiply";
+        "the count is a std::int64_t: convert it to a Real, not to an int or a float, before you "
+        "multiply";
     rt::Rng rng{112, 4};
     for (const std::int64_t count :
          {16'777'217LL, 123'456'789LL, 2'147'483'649LL, 4'294'967'297LL, 5'000'000'000'001LL})
@@ -190,12 +189,12 @@ TEST_CASE("11.2 the error of billions of numbers", "[11.2][hard]") {
     for (int i = 0; i < 200; ++i) {
         const auto size = any_size(rng, -most, most);
         check_error({static_cast<std::int64_t>(2 + rng() % 1000), 0, size},
-                    "a variance of this size is a usual number, its square is not");
+                    "a variance of this size fits into a Real, but its square does not");
     }
 }
 
 TEST_CASE("11.2 without an error the mean is surely right", "[11.2][hard]") {
-    const char* const hint = "0 / 0 is NaN: an error of 0 leaves nothing to chance";
+    const char* const hint = "0 / 0 is NaN: with an error of 0, the probability is 1";
     for (const Real distance : {Real(0), -Real(0), smallest, Real(1), largest})
         for (const Real error : {Real(0), -Real(0)}) check_chance(distance, error, 1, hint);
     for (const Real distance : {Real(0), smallest, Real(1), largest})
@@ -210,12 +209,12 @@ TEST_CASE("11.2 small chances and sizes of all kinds", "[11.2][hard]") {
         const Real error = any_size(rng, low, -low);
         const Real distance = error * any_size(rng, low, 0);
         check_chance(distance, error, exact_chance(Exact(distance) / Exact(error)),
-                     "a small chance is about 0.8 distance / error: 1 - erfc() of it has lost its "
-                     "digits");
+                     "a small probability is about 0.8 distance / error; computed as 1 - erfc(), "
+                     "it has lost its digits");
     }
     const char* const hint =
-        "the quotient of distance and error is a usual number: divide them first, before anything "
-        "is multiplied or squared";
+        "the quotient of distance and error is an ordinary number: divide first, before you "
+        "multiply or square anything";
     for (const Real size : {smallest, smallest * 8, largest / 4, largest / 2})
         for (const Real ratio : {Real(0.5), Real(1), Real(2)})
             if (ratio >= 1 || size > 1) check_chance(size * ratio, size, exact_chance(ratio), hint);
@@ -262,8 +261,8 @@ TEST_CASE("11.2 counts of all sizes", "[11.2][hard]") {
     check_count(largest, 1, any, any, overflow_hint);
     // One more than the greatest count. As a Real, the greatest count is this number, too.
     check_count(std::ldexp(Real(1), 63), 1, any, any,
-                "as a Real, `most` may be a little larger than it is, here 2^63. So a Real that "
-                "equals it need not fit into a std::int64_t: compare with >=, not with >");
+                "converted to a Real, `most` may become a little larger, here 2^63, so a Real "
+                "equal to it need not fit into a std::int64_t: compare with >=, not with >");
     check_count(largest, smallest, 7, 7, overflow_hint);
     check_count(smallest, largest, any, 1, overflow_hint);
     check_count(smallest, 1, any, 1, overflow_hint);

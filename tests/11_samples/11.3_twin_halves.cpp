@@ -48,14 +48,13 @@ bool is_right(int actual, Expected expected) {
 }
 
 const char* const worth_hint =
-    "in proportion to the spread, the deviation and not the variance: with n = spread * "
-    "mean_spread / error^2 samples the place's variance spread^2 / n is spread / mean_spread times "
-    "error^2, and the mean of that over all places is error^2. A part of a sample counts as a "
-    "whole one";
+    "in proportion to the spread, which is the standard deviation and not the variance: with n = "
+    "spread * mean_spread / error^2 samples, the variance spread^2 / n of a part of the picture is "
+    "spread / mean_spread times error^2, whose mean over all parts is error^2. Round up";
 const char* const limits_hint = "at least limits.least and at most limits.most";
 const char* const overflow_hint =
     "error * error overflows or underflows here, or the result does not fit into an int. Divide "
-    "each spread by the error, and compare with the limits before you turn a Real into an int";
+    "each spread by the error, and compare with the limits before you convert a Real to an int";
 void check_worth(Real spread, Real mean_spread, Real error, CountLimits limits, Expected expected,
                  const char* hint) {
     const int actual = rt::worth_of(spread, mean_spread, error, limits);
@@ -78,11 +77,11 @@ std::string both_counts(Halves<int> counts) {
 }
 
 const char* const crossed_hint =
-    "what the second half has seen decides how many samples the first half takes, and the other "
-    "way round: spread and mean spread, both of the other half";
+    "the second half's samples decide how many the first half takes, and vice versa: take both the "
+    "spread and the mean spread from the other half";
 const char* const each_hint =
     "the mean of two independent halves has half their variance: each half may have sqrt(2) times "
-    "the error that is asked for, and so takes half as many samples as one alone would";
+    "the requested error, so it takes half as many samples as it would alone";
 
 void check_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error, CountLimits limits,
                   const char* hint) {
@@ -250,9 +249,9 @@ TEST_CASE("11.3 both halves together have the error that is asked for", "[11.3]"
         }
         const double actual = std::sqrt(square_error) / static_cast<double>(error);
         // Each count is rounded up from 10,000 or more.
-        INFO(places << " places with spreads of 0.1 to 10: with your counts the error of the "
-                       "whole picture is "
-                    << actual << " times the one that is asked for.\nHint: " << each_hint);
+        INFO(places << " parts with spreads of 0.1 to 10: with your counts the error of the whole "
+                       "picture is "
+                    << actual << " times the requested error.\nHint: " << each_hint);
         REQUIRE(actual > 0.9999);
         REQUIRE(actual < 1.0001);
     }
@@ -267,13 +266,13 @@ TEST_CASE("11.3 rare light is neither lost nor gained", "[11.3]") {
         for (int picture = 0; picture < 150; ++picture) mean.add(mean_of_picture(rng, pilot));
         INFO(
             "one sample in sixteen is bright, 16, and the others are 0: the mean of 150 pictures "
-            "of 64 places must be 1, give or take "
+            "of 64 parts must be 1, give or take "
             << mean.standard_error() << ". With a pilot of " << pilot
             << " samples in each half it is " << mean.mean());
         INFO(
-            "Hint: a half whose own samples are dark so far must not stop for that reason: it "
-            "would never see the light. Where its samples decide about the other half, both "
-            "stay unbiased");
+            "Hint: a half must not stop because its own samples have been dark so far: it would "
+            "never see the light. If its samples decide about the other half instead, both stay "
+            "unbiased");
         REQUIRE(std::abs(mean.mean() - 1) <= 5 * mean.standard_error());
     }
 }
@@ -284,7 +283,7 @@ TEST_CASE("11.3 the mean of both halves and its error", "[11.3]") {
         const Real size = std::max(std::abs(mean.first), std::abs(mean.second));
         if (std::abs(actual - expected) <= rt::epsilon * size) return;
         INFO("the halves' means are " << text(mean.first) << " and " << text(mean.second));
-        HINT(expected, actual, "both halves count the same");
+        HINT(expected, actual, "both halves have the same weight");
         REQUIRE(text(actual) == text(expected));
     };
     const auto check_error = [](Halves<Real> mean, Real expected) {
@@ -329,8 +328,8 @@ TEST_CASE("11.3 the mean of both halves and its error", "[11.3]") {
 
 TEST_CASE("11.3 spreads that nobody knows and places without any", "[11.3][hard]") {
     const char* const hint =
-        "a spread is infinite where it is not known yet: such a place gets the most. A spread of 0 "
-        "gets the least, even where 0 meets infinity";
+        "an unknown spread is infinite, and such a part gets the most samples. A spread of 0 gets "
+        "the fewest, even if the mean spread is infinite";
     for (const CountLimits limits : {CountLimits{2, 50}, {1, most_of_all}, {7, 7}}) {
         const Expected least{limits.least, limits.least}, most{limits.most, limits.most};
         for (const Real error : {smallest, Real(0.01), Real(1), largest / 4}) {
@@ -404,8 +403,8 @@ TEST_CASE("11.3 means far from zero and means of all sizes", "[11.3][hard]") {
     };
     const auto check_mean = [&](Halves<Real> mean, Real expected) {
         check("the mean", mean, rt::twin_mean(mean), expected,
-              "the sum of two large numbers does not fit into a Real, their mean does: halve each "
-              "before you add them");
+              "the sum of two large numbers may not fit into a Real, although their mean does: "
+              "halve each number before you add them");
     };
     check_mean({largest, largest}, largest);
     check_mean({-largest, -largest}, -largest);
@@ -417,8 +416,7 @@ TEST_CASE("11.3 means far from zero and means of all sizes", "[11.3][hard]") {
     const Real far = for_this_precision(Real(1 << 22), std::ldexp(Real(1), 50));
     for (const Real sign : {Real(1), Real(-1)}) {
         const char* const hint =
-            "subtract first, then square: the squares of two large numbers that are almost equal "
-            "cancel";
+            "subtract first, then square: the squares of two large, almost equal numbers cancel";
         check_error({sign * far, sign * far + 2}, 1, hint);
         check_error({sign * far + 1, sign * far}, Real(0.25), hint);
         check_error({sign * far, sign * far}, 0, hint);

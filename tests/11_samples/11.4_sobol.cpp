@@ -52,9 +52,9 @@ void check_mirrored(std::uint32_t x) {
         INFO("reversed_bits(" << hex(x) << "): expected " << hex(expected) << ", but yours gives "
                               << hex(actual));
         INFO(
-            "Hint: all 32 bits change places: bit 0 goes to 31, bit 1 to 30, and so on. If you "
-            "swap larger and larger groups, there are five steps: of 16, 8, 4, 2 bits and 1 bit; "
-            "each needs both ways, >> and <<");
+            "Hint: all 32 bits change places: bit 0 becomes bit 31, bit 1 becomes bit 30, and so "
+            "on. If you swap groups of 16, 8, 4, 2 bits and 1 bit, there are five steps, and each "
+            "needs both shifts, >> and <<");
         REQUIRE(hex(actual) == hex(expected));
     }
     CHECK(is_right);
@@ -65,9 +65,10 @@ void check_point(std::uint32_t index) {
     const bool is_right = actual == expected;
     if (!is_right) {
         const char* hint =
-            "y is the exclusive or of the columns of those bits of the index that are 1, the last "
-            "bit first; the columns begin with 0x80000000, 0xc0000000, 0xa0000000, 0xf0000000: "
-            "each is c ^ c >> 1 of the one before, whether or not that one was used";
+            "y is the exclusive or of one column for each bit of the index that is 1, beginning "
+            "with the lowest bit. The columns are 0x80000000, 0xc0000000, 0xa0000000, 0xf0000000 "
+            "and so on: each is c ^ c >> 1 of the column c before it, whether or not that column "
+            "was used";
         if (actual.x != expected.x) hint = "x is reversed_bits(index)";
         // What is wrong, if the same thing is wrong at all of the first few points.
         const auto always = [](auto other) {
@@ -76,9 +77,11 @@ void check_point(std::uint32_t index) {
             return true;
         };
         if (always([](std::uint32_t i) { return expected_point(i ^ i >> 1); }))
-            hint = "this is the sequence in the order of a Gray code; here point i takes i itself";
+            hint =
+                "this is the sequence in the order of a Gray code; point i must use the bits of i "
+                "unchanged";
         else if (always([](std::uint32_t i) { return expected_point(i + 1); }))
-            hint = "this is the next point: the first one is point 0, at (0, 0)";
+            hint = "this is the next point: the first point is point 0, at (0, 0)";
         else if (always([](std::uint32_t i) {
                      const FixedPoint2 p = expected_point(i);
                      return FixedPoint2{p.y, p.x};
@@ -112,9 +115,9 @@ void check_common_bits(std::uint32_t a, std::uint32_t b, std::uint32_t seed) {
             "sums carry to the left: mirror the bits first, and mirror them back at the end";
         if (actual > expected)
             hint =
-                "two fractions that are different must stay so, from the same bit on: each bit is "
-                "flipped or not. In x ^= x * k an odd k takes the last bit of x away; k must be "
-                "even";
+                "two different fractions must stay different, from the same bit on, because each "
+                "bit is either flipped or not. In x ^= x * k, an odd k removes the last bit of x; "
+                "k must be even";
         INFO("Hint: " << hint);
         REQUIRE(actual == expected);
     }
@@ -187,7 +190,7 @@ TEST_CASE("11.4 the flips of the first bits are random and independent", "[11.4]
         // A fair coin is off by more once in 10^13 times.
         INFO(text(prefixes[k]) << ": expected to be flipped by about half of " << seeds
                                << " random seeds, but yours flips it with " << flipped
-                               << "\nHint: the seed must come into each bit, also into the first");
+                               << "\nHint: the seed must affect each bit, even the first");
         REQUIRE(std::abs(flipped - seeds / 2) < 75);
     }
     for (std::size_t k = 0; k < prefixes.size(); ++k)
@@ -202,9 +205,9 @@ TEST_CASE("11.4 the flips of the first bits are random and independent", "[11.4]
                  << different << " times");
             INFO(
                 "Hint: one flip determines the other. It is not enough to flip the same bits of "
-                "all fractions (a digital shift): whether a bit is flipped also depends on the "
-                "bits before it, and differently for each seed. So the seed is added between the "
-                "multiplications, not combined by ^ before or after all of them");
+                "all fractions (a digital shift): whether a bit is flipped must also depend on the "
+                "bits before it, in a different way for each seed. So add the seed between the "
+                "multiplications, instead of combining it by ^ before or after all of them");
             REQUIRE(is_one_half(different, seeds));
         }
 }
@@ -272,12 +275,12 @@ TEST_CASE("11.4 neighboring seeds give other points", "[11.4][hard]") {
                 INFO("point " << (is_later ? "i" : other) << " with seed S and point "
                               << (is_later ? other : "i") << " with seed S + 1, for " << seeds
                               << " random S and " << points << " points");
-                INFO("expected numbers that have nothing to do with each other, but with yours "
+                INFO("expected unrelated numbers, but with yours "
                      << same << " of " << seeds * static_cast<int>(points) << " are the same");
                 INFO(
                     "Hint: if the seed is added first, S + 1 gives the points of S again, one "
                     "index further on: the mirrored fraction of point i is i itself. Mix x by a "
-                    "multiplication before the seed comes in");
+                    "multiplication before you add the seed");
                 REQUIRE(same < seeds * static_cast<int>(points) / 8);
             }
 }
@@ -313,8 +316,8 @@ TEST_CASE("11.4 no flip of the first seven bits determines another", "[11.4][har
                  << different << " times");
             INFO(
                 "Hint: one flip often determines the other. If you use the steps of the comment, "
-                "do all of them: the seed is added (+= and not ^=, a sum carries), and x is "
-                "multiplied by the odd number of the seed's first half as well");
+                "do all of them: add the seed (by += and not by ^=, because a sum carries), and "
+                "also multiply x by the seed's upper half, made even");
             REQUIRE(std::abs(correlation) < 0.25);
         }
     CHECK(largest < 0.25);
@@ -339,8 +342,9 @@ TEST_CASE("11.4 the first seven flips have all patterns equally often", "[11.4][
          << " patterns about " << each << " times, but with yours " << never
          << " never occur, and the others up to " << *most << " times");
     INFO(
-        "Hint: any two flips may be unrelated, and three of them not. The first bits meet few bits "
-        "of the seed: do all the steps of the comment, each with another byte of the seed");
+        "Hint: three flips may be related although any two of them are not. Few bits of the seed "
+        "reach the first bits: do all the steps of the comment, each of which uses the seed in a "
+        "different way");
     // Of 128 fair counts, one is off by half once in 10^13 times.
     REQUIRE(*least > each / 2);
     REQUIRE(*most < each + each / 2);

@@ -89,8 +89,8 @@ void check_luminance(const Color& color) {
                           << checkpoint::text(static_cast<Real>(expected)) << ", but yours gives "
                           << checkpoint::text(actual));
         const char* hint =
-            "0.2126 of red, 0.7152 of green and 0.0722 of blue, which is the darkest; the light is "
-            "linear already, and has no upper limit";
+            "0.2126 of red plus 0.7152 of green plus 0.0722 of blue; the light is already linear, "
+            "and has no upper limit";
         if (only_single_precision(wide(actual), expected)) hint = single_precision_hint;
         INFO("Hint: " << hint);
         REQUIRE(checkpoint::text(actual) == checkpoint::text(static_cast<Real>(expected)));
@@ -116,12 +116,13 @@ void check_curve(Real luminance, Real white, int roundings = 16) {
         else if (!std::isfinite(actual) || actual == 0 || luminance >= 1000000 ||
                  is_near(actual, expected, few_digits))
             hint =
-                "a step on the way, such as luminance * luminance or white * white, is too large "
-                "or too small for a Real, or loses all digits: divide before you multiply, and "
-                "start with L / (1 + L)";
+                "an intermediate result, such as luminance * luminance or white * white, is too "
+                "large or too small for a Real, or loses all digits: divide before you multiply, "
+                "and start with L / (1 + L)";
         else if (is_near(actual, wide(luminance) / (1 + wide(luminance)), few_digits))
             hint =
-                "this is L / (1 + L), in which nothing becomes white: 1 + L / white^2 is missing";
+                "this is L / (1 + L), which never becomes white: the factor 1 + L / white^2 is "
+                "missing";
         INFO("Hint: " << hint);
         REQUIRE(checkpoint::text(actual) == checkpoint::text(static_cast<Real>(expected)));
     }
@@ -140,16 +141,16 @@ void check_mapped(const Color& color, Real white, int roundings = 40) {
                             << "): expected " << text(expected) << ", but yours gives "
                             << text(actual));
         const char* hint =
-            "the whole color gets one factor, the curve's luminance over the luminance before; the "
-            "result's luminance is then what the curve says";
+            "multiply the whole color by one factor, tone_curve of its luminance divided by its "
+            "luminance; the result then has the luminance that the curve gives";
         if (luminance == 0)
             hint = "the luminance of black is 0, and 0 / 0 is NaN: black stays black";
         else if (is_single(actual, expected))
             hint = single_precision_hint;
         else if (is_near(actual, wide(color), 1))
             hint =
-                "the color came back as it was. Light of any size goes through the curve: it is "
-                "dark or bright only compared with `white`, and no light but 0 is black";
+                "the color came back unchanged. The curve applies to light of any size: light is "
+                "dark or bright only compared with `white`, and only 0 is black";
         else if (is_near(actual.r, expected_curve(wide(color.r), wide(white)), few_digits) &&
                  is_near(actual.g, expected_curve(wide(color.g), wide(white)), few_digits))
             hint = "each channel went through the curve by itself: that changes the hue";

@@ -85,7 +85,7 @@ void check_weight(int across, int down, const Features& a, const Features& b,
             hint = "the normal does not count";
         else if (is(distances(across, down, floored_a, floored_b, widths).sum() / 2))
             hint =
-                "the weights take the albedo as it is, even where it is less than widths.darkest";
+                "the weights use the unchanged albedo, even where it is less than widths.darkest";
         const Real expected = static_cast<Real>(std::exp(-d.sum() / 2));
         INFO("the weight of a pixel "
              << across << " across and " << down
@@ -197,10 +197,10 @@ std::string suggestion(const Image& actual, const Scene& scene, const DenoiseWid
                        int roundings) {
     const std::pair<Slip, const char*> slips[] = {
         {Slip::in_place,
-         "pixels that are already smoothed go into the next ones: read from the picture as it was "
-         "given, and write to another one"},
+         "pixels that are already smoothed are averaged again: read from the given picture, and "
+         "write to another one"},
         {Slip::not_normalized,
-         "the sum is divided by the sum of the weights, which is different at each pixel"},
+         "divide the sum by the sum of the weights, which is different at each pixel"},
         {Slip::narrow, "the last column or row within the radius is left out, on all sides"},
         {Slip::broad, "one column or row beyond the radius counts, on all sides"},
         {Slip::albedo_stays,
@@ -211,7 +211,7 @@ std::string suggestion(const Image& actual, const Scene& scene, const DenoiseWid
          "the pixels that count are at most radius columns and at most radius rows away: a square, "
          "with its corners"},
         {Slip::floored_weight,
-         "the weights take the albedo as it is, even where it is less than widths.darkest"}};
+         "the weights use the unchanged albedo, even where it is less than widths.darkest"}};
     const int all = scene.width() * scene.height();
     for (const auto& [slip, words] : slips)
         if (first_difference(actual, reference(scene, widths, slip), roundings) == all)
@@ -322,10 +322,10 @@ TEST_CASE("11.6 a texture stays as sharp as it is", "[11.6]") {
             scene.features.at(x, y).albedo = albedo;
             scene.picture.at(x, y) = Real(3) * albedo;
         }
-    check_denoised(scene, {2, 2, real(0.5)},
-                   "the same light falls on all pixels here, and the albedo is all that is "
-                   "different. In each channel divide by the albedo of the pixel that gives light, "
-                   "and multiply by that of the pixel that gets it");
+    check_denoised(
+        scene, {2, 2, real(0.5)},
+        "the same light falls on all pixels here, and only the albedo differs. In each channel, "
+        "divide by the neighbor's albedo, and multiply by the pixel's own albedo");
 }
 
 TEST_CASE("11.6 light does not cross an edge", "[11.6]") {
@@ -393,7 +393,7 @@ TEST_CASE("11.6 one pixel or one row and a radius of any size", "[11.6][hard]") 
             check_denoised(
                 any_scene(rng, width, height), any_widths(rng, radius),
                 "the box around the pixel ends at the border of the picture. Compare the radius "
-                "with the way to the border, width - 1 - x: x + radius may overflow");
+                "with the distance to the border, width - 1 - x: x + radius may overflow");
 }
 
 TEST_CASE("11.6 surfaces that send back no light", "[11.6][hard]") {
@@ -435,7 +435,7 @@ TEST_CASE("11.6 very bright and very dark light", "[11.6][hard]") {
             for (int x = 0; x < 5; ++x) scene.picture.at(x, y) *= std::pow(Real(10), size);
         scene.picture.at(2, 2) *= 1000;
         check_denoised(scene, any_widths(rng, 2),
-                       "no step may square the light or bound it, and nothing may be added to it");
+                       "do not square the light, limit it or add anything to it");
     }
 }
 
@@ -454,7 +454,7 @@ TEST_CASE("11.6 narrow and infinite widths and pixels far away", "[11.6][hard]")
         }
     // Almost equal, and as narrow a width.
     const char* const hint =
-        "subtract first, then square: where two vectors are almost equal, the sum of their squares "
+        "subtract first, then square: if two vectors are almost equal, the sum of their squares "
         "and twice their product cancel";
     rt::Rng rng{116, 9};
     const auto near = real(for_this_precision(1e-4, 1e-9));

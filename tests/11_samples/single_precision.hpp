@@ -8,8 +8,8 @@ namespace checkpoint {
 
 // What a hint says if only_single_precision().
 inline constexpr const char* single_precision_hint =
-    "only the first seven digits are right. A Real has more: a step on the way is a `float`, by "
-    "its type or by a constant such as 0.1f";
+    "only the first seven digits are right. A Real has more: an intermediate result is a `float`, "
+    "by its type or by a constant such as 0.1f";
 
 // Whether a wrong number has the digits of a float, no more and hardly fewer, where Real is wider.
 template <class A, class B>

@@ -73,7 +73,7 @@ int count_hits(const std::vector<Triangle>& surface, const Ray& ray) {
 TEST_CASE("12.1 a small example on paper", "[12.1]") {
     const Triangle triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     check_hit(triangle, {{1, 2, 6}, {0, 0, -2}}, {}, {3, real(0.25), real(0.5)},
-              "u is the weight of b, v that of c, and t counts in directions, not in meters");
+              "u is the weight of b, v that of c, and t counts multiples of the direction");
 }
 
 TEST_CASE("12.1 a ray meets the point that it was aimed at", "[12.1]") {
@@ -115,7 +115,7 @@ TEST_CASE("12.1 only what lies within the interval counts", "[12.1]") {
         const Ray away{ray.origin, -ray.direction};
         check_none(triangle, away, {}, "t is less than 0: the triangle lies behind the ray");
         check_hit(triangle, away, {-5, 0}, {-2, real(0.3), real(0.4)},
-                  "what counts is the interval, not whether t is greater than 0");
+                  "the interval decides, not whether t is greater than 0");
         const auto hit = hit_triangle(triangle, ray, {});
         if (!hit) continue;
         const auto again = hit_triangle(triangle, ray, {hit->t, hit->t});
@@ -157,8 +157,8 @@ TEST_CASE("12.1 of two triangles that share an edge one has the ray", "[12.1][ha
             INFO("Hint: " << (hits == 0
                                   ? "the ray slips through the edge: decide by the sign of an area "
                                     "that both triangles compute from the same two points"
-                                  : "both have the ray: if an area is 0, the edge itself must "
-                                    "decide, in a way that depends on its direction"));
+                                  : "both triangles are hit: if an area is 0, the edge's direction "
+                                    "must decide"));
             REQUIRE(hits == 1);
         }
     }
@@ -201,7 +201,7 @@ TEST_CASE("12.1 corners and edges of a grid that is met from straight above", "[
                 if (hits == 1) continue;
                 INFO(text(ray) << ": expected one hit of the grid, actual " << hits);
                 INFO(
-                    "Hint: a ray through a corner counts as moved a little, the same way for all "
+                    "Hint: treat a ray through a corner as moved a little, in the same way for all "
                     "triangles around it");
                 REQUIRE(hits == 1);
             }
@@ -225,7 +225,7 @@ TEST_CASE("12.1 no ray leaves a closed surface", "[12.1][hard]") {
         if (hits == 1) continue;
         INFO(text(ray) << " starts inside a closed surface without dents: expected one hit, actual "
                        << hits);
-        INFO("Hint: is each corner seen at the same place from all triangles that have it?");
+        INFO("Hint: do all triangles around a corner see it at the same position?");
         REQUIRE(hits == 1);
     }
     SUCCEED();
@@ -348,7 +348,7 @@ TEST_CASE("12.1 a triangle without area is never met", "[12.1][hard]") {
 
 TEST_CASE("12.1 what is no number meets nothing", "[12.1][hard]") {
     const Triangle triangle{{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}};
-    const char* const hint = "a comparison with NaN is false: let that mean none";
+    const char* const hint = "a comparison with NaN is false: make false mean a miss";
     check_none(triangle, {{0, 0, 0}, {0, 0, 0}}, {}, "a direction of length 0 leads nowhere");
     for (int i = 0; i < 3; ++i) {
         Vec3 bad{0, 0, real(0.5)};
@@ -371,7 +371,9 @@ TEST_CASE("12.1 a scene 2^30 times larger or smaller is met at the same t", "[12
                 hit_triangle(placed(triangle, s, {}), {s * ray.origin, s * ray.direction}, {});
             if (text_of(scaled) == text_of(hit)) continue;
             INFO(text(triangle) << " and " << text(ray) << ", all scaled by 2^" << power);
-            INFO("Hint: is there a number that does not come from the triangle and the ray?");
+            INFO(
+                "Hint: is there a fixed number in your code that does not come from the triangle "
+                "and the ray?");
             REQUIRE(text_of(scaled) == text_of(hit));
         }
     }

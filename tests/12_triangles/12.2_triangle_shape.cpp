@@ -184,8 +184,8 @@ TEST_CASE("12.2 the margin is as wide as in 07.2", "[12.2][hard]") {
             INFO("along y the margin is " << low << " below and " << high << " above; expected "
                                           << expected);
             INFO(
-                "Hint: hit_margin * (the largest coordinate of all corners, by its size), the "
-                "same on all six sides");
+                "Hint: hit_margin * (the largest absolute coordinate of all corners), the same on "
+                "all six sides");
             REQUIRE(right);
         }
     }

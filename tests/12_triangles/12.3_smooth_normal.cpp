@@ -135,7 +135,8 @@ TEST_CASE("12.3 normals that point into the surface are turned around", "[12.3][
         for (Vec3& normal : normals) normal = -normal;
         const Vec3 actual = smooth_normal(normals, real(0.2), real(0.5), flat);
         if (actual == expected && exact_dot(actual, flat) > 0) continue;
-        HINT(expected, actual, "on the side of flat, whichever way the file's normals point");
+        HINT(expected, actual,
+             "the result is on the side of flat, whichever way the file's normals point");
         REQUIRE(actual == expected);
         REQUIRE(exact_dot(actual, flat) > 0);
     }

@@ -133,13 +133,13 @@ TEST_CASE("12.4 a ray leaves a triangle of usual size", "[12.4]") {
             INFO(text(triangle.shape) << ", left from " << text(hit.point) << " along " << text(out)
                                       << ", is met again at t = " << text(again->t));
             INFO("point_error is " << text(hit.point_error)
-                                   << ".\nHint: it must not be 0: some epsilons times the numbers "
-                                      "that are rounded");
+                                   << ".\nHint: point_error must not be 0, but some epsilons times "
+                                      "the numbers that are rounded");
             REQUIRE(!again);
         }
         if (!(hit.point_error < real(1e-3))) {
             INFO("point_error is " << text(hit.point_error)
-                                   << ".\nHint: it is a rounding error, and not a thousandth");
+                                   << ".\nHint: point_error is a rounding error, not a thousandth");
             REQUIRE(hit.point_error < real(1e-3));
         }
     }
@@ -153,9 +153,10 @@ TEST_CASE("12.4 the point is off the plane by no more than it says", "[12.4][har
         const double off = off_plane(place.triangle.shape, exact_vector(place.hit.point));
         if (off <= static_cast<double>(place.hit.point_error)) continue;
         INFO(describe(place));
-        INFO("it is off the plane by " << off
-                                       << ".\nHint: origin + t * direction has a larger error than "
-                                          "the mean of the corners, the farther the origin");
+        INFO("it is off the plane by "
+             << off
+             << ".\nHint: origin + t * direction has a larger error than the mean of the corners, "
+                "and it grows with the distance");
         REQUIRE(off <= static_cast<double>(place.hit.point_error));
     }
     SUCCEED();
@@ -242,7 +243,7 @@ TEST_CASE("12.4 a scene 2^30 times larger or smaller scales the point and its er
                               there.normal == hit.normal;
             if (same) continue;
             INFO(text(triangle.shape) << " and " << text(ray) << ", scaled by 2^" << power);
-            HINT(s * hit.point, there.point, "is there a length that comes from nowhere?");
+            HINT(s * hit.point, there.point, "is there a fixed length in your code?");
             HINT(s * hit.point_error, there.point_error, "the error grows with the lengths");
             REQUIRE(same);
         }

@@ -71,7 +71,7 @@ TEST_CASE("12.5 a square becomes two triangles", "[12.5]") {
     for (const Triangle& triangle : shapes_of(mesh)) {
         INFO(text(triangle) << ": expected twice the area 1, along z; actual "
                             << text(exact_normal(triangle)));
-        INFO("Hint: the corners go around the same way as the polygon's");
+        INFO("Hint: keep the order of the polygon's corners");
         CHECK(std::abs((exact_normal(triangle).z - Exact(1)).high) < 1e-6);
     }
 }
@@ -112,7 +112,7 @@ TEST_CASE("12.5 each corner keeps its normal and its place", "[12.5]") {
         for (const Corner& corner : triangle) {
             const Corner& given = all.polygons[0].at(static_cast<std::size_t>(corner.point));
             INFO("the corner at point " << corner.point);
-            INFO("Hint: move whole corners, each with its three numbers");
+            INFO("Hint: move whole corners, each with its three indices");
             CHECK(corner.normal == given.normal);
             CHECK(corner.place == given.place);
         }
@@ -135,12 +135,12 @@ TEST_CASE("12.5 numbers that belong to nothing are refused", "[12.5]") {
     check_refused(with_third(corners({0, 1, 4})), "polygon 3", "a point beyond the last");
     check_refused(with_third(corners({0, -1, 2})), "polygon 3", "a point before the first");
     check_refused(with_third({{0, 0}, {1, 1}, {2, 0}}), "polygon 3", "a normal beyond the last");
-    check_refused(with_third({{0, 0}, {1, -2}, {2, 0}}), "polygon 3", "a normal of number -2");
+    check_refused(with_third({{0, 0}, {1, -2}, {2, 0}}), "polygon 3", "a normal with the index -2");
     check_refused(with_third({{0, 0, 0}, {1, 0, 0}, {2, 0, 1}}), "polygon 3",
-                  "a place beyond the last");
+                  "texture coordinates beyond the last");
     check_refused(with_third({{0, 0, -2}, {1, 0, 0}, {2, 0, 0}}), "polygon 3",
-                  "a place of number -2");
-    INFO("-1 says that a corner has no normal, or no place: that is right");
+                  "texture coordinates with the index -2");
+    INFO("-1 says that a corner has no normal or no texture coordinates, and is allowed");
     CHECK(rt::make_mesh(with_third({{1, -1, 0}, {0, 0, -1}, {3}})).triangles.size() == 4);
 }
 

@@ -47,9 +47,10 @@ TEST_CASE("12.6 in the middle of a pixel its color is unmixed", "[12.6]") {
     const Image image = numbered(8, 4);
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 8; ++x)
-            check_color(image, middle(image, x, y), {static_cast<Real>(x), static_cast<Real>(y), 1},
-                        "pixel x is from x / width to (x + 1) / width, and its middle is half a "
-                        "pixel further; y counts upward in a place, and downward in an image");
+            check_color(
+                image, middle(image, x, y), {static_cast<Real>(x), static_cast<Real>(y), 1},
+                "pixel x reaches from x / width to (x + 1) / width, and its middle is half a pixel "
+                "farther on; y counts upward in texture coordinates, but downward in an image");
 }
 
 TEST_CASE("12.6 between the middles the colors are mixed", "[12.6]") {
@@ -57,8 +58,9 @@ TEST_CASE("12.6 between the middles the colors are mixed", "[12.6]") {
     rt::Rng rng{126, 1};
     for (int i = 0; i < 2000; ++i) {
         const Real x = rng.uniform(0, 7), y = rng.uniform(0, 3);
-        check_color(image, {(x + real(0.5)) / 8, 1 - (y + real(0.5)) / 4}, {x, y, 1},
-                    "the shares of two neighbors along x, then of two rows: 1 - share and share");
+        check_color(
+            image, {(x + real(0.5)) / 8, 1 - (y + real(0.5)) / 4}, {x, y, 1},
+            "mix two neighbors along x, then two rows, with the weights 1 - share and share");
     }
 }
 
@@ -124,7 +126,7 @@ TEST_CASE("12.6 far away the image still repeats", "[12.6][hard]") {
         // These are whole numbers: the left edge, and the lower one.
         INFO("at the place " << text(far) << ": " << text_of(along_x) << " and "
                              << text_of(along_y));
-        INFO("Hint: an int has no room for such a number; take the whole part away before");
+        INFO("Hint: an int has no room for such a number; subtract the whole part first");
         CHECK(std::abs(along_x.r - real(3.5)) <= 100 * rt::epsilon);
         CHECK(std::abs(along_y.g - real(1.5)) <= 100 * rt::epsilon);
     }
