@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """prose.py [FILE...]: checks the spelling and the wording of the texts that a learner reads.
 
-Reads the Markdown pages, the questions, the course's titles and captions and the companion's help, or
-the files that you name: of C++ headers it reads the comments. Leaves out code, formulas, the targets of
+Reads the Markdown pages, the known mistakes, the questions, the course's titles and captions and the companion's
+help, or the files that you name: of C++ headers it reads the comments. Leaves out code, formulas, the targets of
 links, HTML comments and names such as CMake.
 
 - Spelling: American, by hunspell's en_US and by tests/words.txt, the terms and names of this course.
 - Phrases that the texts do not use, such as "shall"; repeated words.
+- Sentences in a row that begin with So, But, And or Then, instead of being joined.
 - Lines over 125 columns, except for tables, images, code and HTML comments.
 
 Each finding is one line: file:line: what is wrong, and what would be right. Ends with 1 if there is one, or if
@@ -21,9 +22,9 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FILES = ["README.md", "CONTRIBUTING.md", "docs/**/*.md", "chapters/*/start/*.md", "chapters/*/questions.json",
-         "course.json", "companion/commands/commands.inc", "exercises/**/*.hpp", "solutions/**/*.hpp",
-         "chapters/*/rt/*.hpp"]
+FILES = ["README.md", "CONTRIBUTING.md", "docs/**/*.md", "tests/mistakes/**/*.md", "chapters/*/start/*.md",
+         "chapters/*/questions.json", "course.json", "companion/commands/commands.inc", "exercises/**/*.hpp",
+         "solutions/**/*.hpp", "chapters/*/rt/*.hpp"]
 WORD_LIST = ROOT / "tests" / "words.txt"
 HUNSPELL = ["hunspell", "-d", "en_US", "-i", "utf-8", "-a"]
 COLUMNS = 125
@@ -32,6 +33,7 @@ HIDDEN = "¤"  # stands for each character that is left out: lines and columns s
 # What is not prose in the pages, in the order in which it is hidden.
 CODE = re.compile(r"^( *)```.*?^\1```"  # fenced
                   r"|(?<=\n\n) {7}.*(?:\n+ {7}.*)*"  # indented, in an item of a hint
+                  r"|^(?:caught by|also fails|only if the answer has|compare says|data race in): [^\n]*"  # of a mistake
                   r"|<!--.*?-->", re.M | re.S)
 MARKUP = re.compile(r"(`+)[^`].*?\1|\$\$.*?\$\$|\$[^$]+\$|(?<=\])\([^)]*\)|<?https?://[^\s>]+>?|</?[a-z][^<>]*>", re.S)
 
@@ -51,13 +53,21 @@ SAID = {
     r"what came": "the actual value",
     r"as many as there are": "all of them",
     r"which one that is": "which one",
-    r"and be it": "even if it is",
     r"no end after": "timed out after",
     r"functions of school": "functions that you know from school",
     r"towards": "toward",
     r"for ever": "forever",
+    r"any more(?=[.,;:)])": "anymore",
+    r"right within|exact (to|within)": "accurate to",
+    r"(sines?|cosines?|angles?|index|indices) behind": "of refraction' or 'on the other side",
+    r"there or not": "present or absent",
+    r"for a time of": "for",
+    r"by the clock": "in seconds",
+    r"be it": "even if it is",
+    r"(your|our) \d\d\.\d|\d\d\.\d['’]s": "the name of what it does",
+    r"the one (on|behind|at|above|below) the": "the noun instead of 'the one",
 }
-PHRASES = [(re.compile(rf"\b{said}(?!\w)".replace(" ", r"\s+"), re.I), better) for said, better in SAID.items()]
+PHRASES = [(re.compile(rf"\b(?:{said})(?!\w)".replace(" ", r"\s+"), re.I), better) for said, better in SAID.items()]
 START = r"(?:\A|(?<=[.!?:;]\s)|(?<=\n\n)|(?<=[-#|>\"(] )|(?<=\d\. ))"
 PHRASES += [
     (re.compile(START + r"Who\b[^.!?]*[.!](?=\s)"), "If you …' or 'Whoever …"),
@@ -98,7 +108,10 @@ def phrases(text):
     >>> for bad in ("It shall be.", "right on\\nthe average", "some hundred rays", "some milliseconds", "chosen by lot",
     ...             "the other ones", "of which the first", "it came as: 3", "what came", "as many as there are",
     ...             "Who calls it needs it. ", "So. Who asks\\nwaits.\\n", "Were it so, it would. ", "say the the",
-    ...             "say the\\n  the", "which one that is", "and be it one", "no end after 20 s", "functions of school"):
+    ...             "say the\\n  the", "which one that is", "and be it one", "no end after 20 s", "functions of school",
+    ...             "no more, any more.",
+    ...             "right within 2", "the cosine behind", "there or not", "for a time of 0", "by the clock",
+    ...             "your 08.6", "in 03.3's loop", "the one on the left"):
     ...     assert len(list(phrases(bad))) == 1, bad
     >>> for good in ("Who calls it? ", "the one who calls", "some hundreds of rays", "the ¤¤¤ the", "It had had one."):
     ...     assert not list(phrases(good)), good
@@ -106,6 +119,30 @@ def phrases(text):
     for pattern, better in PHRASES:
         for found in pattern.finditer(text):
             yield found.start(), f"'{' '.join(found[0].split())}': write '{better}'"
+
+
+SENTENCE = re.compile(r"(?:\A|(?<=[.!?:])\s+(?=[A-Z¤*$\"(]))")
+LINKS = (2, "So But And Then".split()), (3, "So But And Then This It".split())
+
+
+def chains(text):
+    """Two sentences in a row that begin with So, But, And or Then, and three that begin with these, This or It.
+
+    >>> list(chains("Why. But how?\\nSo it is."))
+    [(5, '2 sentences in a row begin with But, So: join them')]
+    >>> list(chains("So it is. This is it. It is. Is it?"))
+    [(0, '3 sentences in a row begin with So, This, It: join them')]
+    >>> list(chains("So it is.\\n\\nBut why?\\n- And now?\\n- Then. Why so? So."))
+    []
+    """
+    for block in re.finditer(r".+(?:\n(?! *(?:[-|>#]|\d+\. )).+)*", text):
+        starts = [found.end() for found in SENTENCE.finditer(block[0])]
+        words = [re.match(r"\w*", block[0][start:])[0] for start in starts]
+        for count, links in LINKS:
+            for i, start in enumerate(starts[:len(starts) - count + 1]):
+                row = words[i:i + count]
+                if all(word in links for word in row):
+                    yield block.start() + start, f"{count} sentences in a row begin with {', '.join(row)}: join them"
 
 
 def long_lines(text):
@@ -164,7 +201,7 @@ def main(named):
         line = lambda start: text.count("\n", 0, start) + 1
         found = list(phrases(text))
         if path.suffix in (".md", ".txt"):
-            found += long_lines(text)
+            found += [*long_lines(text), *chains(text)]
         findings += [(path, line(start), what) for start, what in found]
         for start, word in words(text):
             uses.setdefault(word, []).append((path, line(start)))
