@@ -23,7 +23,7 @@ const Habit habits[]{
      "since a copy is what it makes, and const, since the original stays as it is."},
     {"unary .\\*|indirection requires|no match for .operator\\*.*operand type is",
      "\\w\\)? ?\\*\\* ?[\\w(]",
-     "`**` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
+     "`**` is not a power in C++: multiply, x * x, or call std::pow(x, n)."},
     {"expected", "[\\w)] //+ ?[\\w(]+[;)]",
      "`//` begins a comment. Between two int, `/` divides and drops the fraction."},
     {"expected|was not declared|undeclared", "\\S+ if .+ else ",
@@ -33,10 +33,10 @@ const Habit habits[]{
      "The condition stands in parentheses, and braces hold what belongs to it: `if (x > 0) { ... "
      "}`."},
     {"\\W(None|True|False|self|len|print|def|pass)\\W", "",
-     "That is Python. In C++ there are true and false, `{}` for no value, values.size() for a "
-     "length, and std::cout << x to print."},
+     "This is Python. C++ has true and false, `{}` for no value, values.size() for a length, and "
+     "std::cout << x to print."},
     {"invalid operands", "[\\w)] ?\\^ ?[\\w(]",
-     "`^` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
+     "`^` is not a power in C++: multiply, x * x, or call std::pow(x, n)."},
     // A literal of several characters, after none, or some of one character. Apostrophes within
     // words and in comments are none.
     {"conver|initialize|constant",
@@ -47,10 +47,12 @@ const Habit habits[]{
      "This calls the function here and now. A thread needs a function that it can call: "
      "`[&work, worker] { work(worker); }`."},
     {"", "\\.push_back\\( ?\\[",
-     "A thread is made in its place: `threads.emplace_back([...] { ... });`."},
+     "emplace_back makes the thread itself and needs only the function: "
+     "`threads.emplace_back([...] { ... });`."},
     {"has no member|no member named", "\\.append\\(", "A vector appends with `push_back(value)`."},
     {"optional", "return nullptr",
-     "No value is `return {};` or `return std::nullopt;`. A null pointer is something else."},
+     "To return no value, write `return {};` or `return std::nullopt;`. A null pointer is "
+     "something else."},
     {"(float|double).*(may change value|changes value|turns floating-point)|implicit conversion.*"
      "(float|double).* to .*int",
      "(^|[^:\\w])abs\\(",
@@ -82,7 +84,7 @@ const Meaning meanings[]{
      "The compiler was stopped, because it took too much time or memory. What does the code ask it "
      "to read or to compute without end?"},
     {"operator\\^|operand of .\\^|exponentiation",
-     "`^` is no power in C++: multiply, x * x, or call std::pow(x, n)."},
+     "`^` is not a power in C++: multiply, x * x, or call std::pow(x, n)."},
     {"character constant|unclosed|missing terminating",
      "Text stands in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
     {"comparisons like .X<=Y<=Z|chained comparison",

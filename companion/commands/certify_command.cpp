@@ -261,7 +261,8 @@ class Examination {
         const ComparedPicture picture = compare_picture(course_, chapter);
         if (picture.found.bit_for_bit) return {true, "the solution's bit for bit"};
         if (picture.found.same) return {true, "the solution's within the noise"};
-        if (picture.is_right()) return {true, "differs as open stars and other right answers may"};
+        if (picture.is_right())
+            return {true, "differs, as it may with open stars or other right answers"};
         return {false, "not the solution's: ./course compare " + chapter.number()};
     } catch (const app::Failure& failed) {
         return {false, failed.what()};

@@ -17,8 +17,8 @@ int reset(const Course& course, const Given& given) {
             throw app::Failure(trouble_with_files(course, exercise));
     for (const fs::path& file : exercise.files) {
         if (shipped_stub(course, file).empty())
-            throw app::Failure("nobody knows the stub of " + file.string() +
-                               " any more; git checkout -- " + file.string() +
+            throw app::Failure("the shipped stub of " + file.string() +
+                               " is not known anymore; git checkout -- " + file.string() +
                                " restores what you last committed");
         if (!fs::exists(course.root / file) ||
             read_text(course.root / file) != shipped_stub(course, file))

@@ -300,8 +300,9 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                "Is the position on the lens uniform over the disk (the square root!), is the "
                "aperture its diameter, and do all rays of a sample point meet at `focus`?")});
     add("all cores", {});
-    add("10,000 spheres", {{"10,000 spheres of all materials", crowd(seed, 48, 27),
-                            "Is the picture the same with --list? Then it is not the tree."}});
+    add("10,000 spheres",
+        {{"10,000 spheres of all materials", crowd(seed, 48, 27),
+          "Is the picture the same with --list? If so, the mistake is not in the tree."}});
     return rungs;
 }
 

@@ -273,14 +273,15 @@ TEST_CASE("05.3 a large ratio of indices does not blur the critical angle", "[05
                           << text(normal) << ": eta * sine - 1 = " << as_stored.high);
             if (as_stored.high > 0 && as_unit.high > 0) {
                 INFO(
-                    "Hint: look a second time within rounding_bound(8) * (1 + eta) of 0, on both "
-                    "sides: the rounding error grows with eta");
+                    "Hint: within rounding_bound(8) * (1 + eta) of 0, on either side, 1 - a . a is "
+                    "too close to call: the rounding error grows with eta");
                 REQUIRE(!refracted.has_value());
             }
             if (as_stored.high < 0 && as_unit.high < 0) {
                 INFO(
-                    "Hint: light goes through. The second look replaces 1 - a . a, whichever sign "
-                    "that had; the rounding error grows with eta");
+                    "Hint: light goes through. If 1 - a . a is too close to call, replace it by "
+                    "the value from the cross product, whichever sign it had; the rounding error "
+                    "grows with eta");
                 REQUIRE(refracted.has_value());
             }
             if (!refracted || excess < 16) continue;

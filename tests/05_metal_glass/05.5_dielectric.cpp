@@ -204,11 +204,11 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
                                 std::abs(eta - eta_expected) <= 4 * rt::epsilon * eta_expected;
         if ((through || cosine != -1) && !asks_right) {
             INFO(describe());
-            INFO("expected reflectance(" << text(cosine_expected) << ", " << text(eta_expected)
-                                         << "), actual reflectance(" << text(cosine) << ", "
-                                         << text(eta)
-                                         << ")\nHint: cosine = -dot(incoming, normal) with the "
-                                            "facing normal, and the eta of this side");
+            INFO("expected reflectance("
+                 << text(cosine_expected) << ", " << text(eta_expected) << "), actual reflectance("
+                 << text(cosine) << ", " << text(eta)
+                 << ")\nHint: cosine = -dot(incoming, normal) with the facing normal, and eta is "
+                    "the index on this side divided by the index on the other");
             REQUIRE(text(eta) == text(eta_expected));
             REQUIRE(text(cosine) == text(cosine_expected));
         }

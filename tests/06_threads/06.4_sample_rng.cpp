@@ -120,8 +120,8 @@ void check_unrelated(const Key& step, const char* what) {
         }
     // Of 32 distances between bits that are drawn at random, the least is 10.1 on average.
     INFO(
-        "how many of the 32 bits of the fourth draws differ, when one of them is rotated to fit "
-        "best");
+        "how many of the 32 bits of the fourth draws differ, after one draw was rotated so that "
+        "the fewest differ");
     CHECK(least_distance / 2048 > 9.5);
 }
 

@@ -41,7 +41,7 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("assignment of read-only variable 'x'", "const"));
     CHECK(says("no match for 'operator+' (operand types are 'rt::Vec3' and 'int')", "two types"));
     CHECK(says("suggest parentheses around comparison in operand of '^' [-Wparentheses]",
-               "no power"));
+               "not a power"));
     CHECK(says("infinite recursion detected [-Winfinite-recursion]", "in every case"));
     CHECK(says("all paths through this function will call itself", "in every case"));
     CHECK(says("invalid preprocessing directive #edge", "`//`"));
@@ -132,12 +132,13 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
             plain_words("a.hpp:1:2: error: " + error + "\n    1 |     " + line + "\n").find(part) !=
             std::string::npos);
     };
-    says_of("return x ** 2;", "invalid type argument of unary '*' (have 'int')", "no power");
-    says_of("return x ** 2;", "indirection requires pointer operand ('int' invalid)", "no power");
+    says_of("return x ** 2;", "invalid type argument of unary '*' (have 'int')", "not a power");
+    says_of("return x ** 2;", "indirection requires pointer operand ('int' invalid)",
+            "not a power");
     says_of("return x ^ 2;", "invalid operands of types 'double' and 'int' to binary 'operator^'",
-            "no power");
+            "not a power");
     says_of("return x ^ 2;", "invalid operands to binary expression ('double' and 'int')",
-            "no power");
+            "not a power");
     says_of("int b = a // 2;", "expected ';' at end of declaration", "comment");
     says_of("return b;", "expected ',' or ';' before 'return'", "comment");
     says_of("Real y = 1 / x if b else x;", "expected ',' or ';' before 'if'", "condition ? a : b");
