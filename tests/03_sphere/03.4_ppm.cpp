@@ -131,8 +131,7 @@ TEST_CASE("03.4 an image may have a single pixel", "[03.4][hard]") {
 }
 
 TEST_CASE("03.4 light outside of 0 to 1 is clamped", "[03.4][hard]") {
-    const char* const hint =
-        "more light than the file can hold becomes 255, less than none becomes 0";
+    const char* const hint = "light above 1 becomes 255, and negative light becomes 0";
     check_bytes(Image{1, 1, {1, Real(1.5), 1000}}, {255, 255, 255}, hint);
     check_bytes(Image{1, 1, {-1, Real(-1e-6), Real(-1e30)}}, {0, 0, 0}, hint);
     check_bytes(Image{1, 1, {1 - rt::epsilon, 1 + rt::epsilon, Real(1e30)}}, {255, 255, 255}, hint);

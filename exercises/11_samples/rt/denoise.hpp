@@ -29,8 +29,8 @@ inline Real bilateral_weight(int across, int down, const Features& a, const Feat
 // falls on a surface is, in each channel, the picture divided by the albedo of b; the average is
 // multiplied by the albedo of a. Both times, an albedo less than `darkest` counts as `darkest`, but
 // not in the weights. `features` is as large as the picture.
-// Star: at the border of the picture there are fewer pixels, whatever the radius. An albedo may be
-// 0 or more than 1, and the light very bright or very dark.
+// Star: at the border of the picture, only pixels within it count, however large the radius. An
+// albedo may be 0 or more than 1, and the light very bright or very dark.
 inline Image denoised(const Image& picture, const Canvas<Features>& features,
                       const DenoiseWidths& widths) {
     return rt::todo("11.6", picture, features, widths);
