@@ -100,8 +100,8 @@ TEST_CASE("07.1 rays in a face or an edge count as hits", "[07.1][hard]") {
             for (const Real way : {Real(1), Real(-1)})
                 for (const Real face : {Real(0), Real(1)}) {
                     const char* const hint =
-                        "0 * infinity is NaN: this plane must not decide, whether it is the nearer "
-                        "or the farther one. std::min(a, b) and std::max(a, b) return a if their "
+                        "0 * infinity is NaN: ignore this plane, whether it is the nearer or the "
+                        "farther one. std::min(a, b) and std::max(a, b) return a if their "
                         "comparison is false";
                     const Real before = Real(0.5) - 2 * way;
                     check(unit, turned({before, face, Real(0.5)}, axis),
