@@ -59,7 +59,8 @@ const Habit habits[]{
      "`abs` alone is for whole numbers, and drops the fraction: the absolute value of a Real is "
      "`std::abs(x)`."},
     {"could not convert|no viable conversion|cannot convert|no matching function for call to .abs",
-     "(^|[^:\\w])abs\\(", "Numbers have `std::abs`; `abs` alone may be another function."},
+     "(^|[^:\\w])abs\\(",
+     "For numbers, write `std::abs`; plain `abs` may be a different function."},
     {"was not declared|undeclared", "^[\\s\\d|]*\\w+ = ",
      "If the name is new, the line needs its type, such as `const Real x = ...;`. If not, is it "
      "misspelled, or declared "

@@ -120,7 +120,7 @@ std::string Yours::words() const {
                 "The solution's: " + ranges(others, joined(passing, joined(failing, unwritten))) +
                 ". All else is yours.";
         if (!failing.empty())
-            text += " These do not pass yet, and run all the same: " +
+            text += " These do not pass yet, but are used anyway: " +
                     ranges(failing, joined(rest, unwritten)) + '.';
         if (!unwritten.empty())
             text += " Still to be written: " + ranges(unwritten, joined(rest, failing)) + '.';

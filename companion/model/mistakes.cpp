@@ -130,7 +130,7 @@ class Reader {
         for (; !at_end() && line() != "```" && line() != "@@"; ++at_) {
             const char kind = line().empty() ? ' ' : line()[0];
             if (kind != ' ' && kind != '-' && kind != '+')
-                fail("expected a line with ' ', '-' or '+' before it, actual: '" + line() + '\'');
+                fail("expected a line that begins with ' ', '-' or '+', actual: '" + line() + '\'');
             const std::string code = (line().empty() ? "" : line().substr(1)) + '\n';
             if (kind != '+') edit.before += code;
             if (kind != '-') edit.after += code;

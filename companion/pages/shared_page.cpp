@@ -265,7 +265,7 @@ std::string shared_page_html(const SharedPage& page) {
     else
         out << "Its author is writing it from first principles, in C++: so far, "
             << of(all.done, all.exercises) << " exercises pass."
-            << (page.certificate ? " The final test is not passed yet." : "");
+            << (page.certificate ? " The final test has not been passed yet." : "");
     out << "</p>\n";
     if (page.picture.empty())
         out << "<p class=\"made\">There is no picture of the final scene yet.</p>\n";

@@ -31,7 +31,8 @@ rt::Scatter bounce(const Lambertian& material, Vec3 incoming, const Hit& hit, au
         INFO("normal " << text(hit.normal) << ", hit from " << (hit.front ? "outside" : "inside"));
         FAIL(
             "expected a direction, actual: an attempt to normalize the zero vector.\n"
-            "Hint: normal plus unit vector may be zero; cosine_direction (04.3) never is");
+            "Hint: the sum of the normal and a unit vector may be zero; cosine_direction (04.3) "
+            "never returns zero");
     }
     FAIL(
         "expected a Scatter, actual none.\n"
@@ -91,8 +92,8 @@ void check_distribution(bool front, std::uint64_t stream) {
     const double statistic = chi_square(counts, expected_by_cosine());
     INFO("chi-square of a 20 x 10 grid of the hemisphere against cos / pi: "
          << statistic << ", expected less than " << chi_square_limit(turns * rings - 1)
-         << ".\nHint: cosine_direction (04.3) gives directions distributed by their cosine, for a "
-            "place of two random numbers");
+         << ".\nHint: cosine_direction (04.3) turns random places in the unit square into "
+            "directions distributed by their cosine: pass it random_place(random)");
     CHECK(statistic < chi_square_limit(turns * rings - 1));
 }
 

@@ -82,7 +82,7 @@ TEST_CASE("04.5 each cell has one jittered offset", "[04.5]") {
     }
 }
 
-TEST_CASE("04.5 the average uses each cell once and all samples", "[04.5]") {
+TEST_CASE("04.5 each cell gets one sample and every sample counts in the average", "[04.5]") {
     rt::Rng rng{44, 2};
     for (int i = 1; i <= 134; ++i) {
         const int more[] = {1000, 1023, 1024, 1025}, samples = i <= 130 ? i : more[i - 131];

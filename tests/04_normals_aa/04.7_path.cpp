@@ -513,7 +513,8 @@ TEST_CASE("04.7 a gray sphere under a white sky returns its albedo", "[04.7]") {
         }
 }
 
-TEST_CASE("04.7 two facing spheres pass light on as their series says", "[04.7]") {
+TEST_CASE("04.7 between two spheres that face each other the light of all bounces adds up",
+          "[04.7]") {
     // From the point of one sphere that faces the other, a share (r / d)^2 of all bounces meets the
     // other, if d is the distance from its center: r = 1, d = 2 here, so that they almost touch.
     const double share = 0.25, albedo = 0.5;

@@ -228,8 +228,9 @@ TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
               empty    ? "this is the empty box, Box{}: it is left before it is entered"
               : zero   ? "a component of the direction is 0: see the cases with zeros and faces"
               : margin ? "each low plane goes down by the margin and each high one up"
-                       : "nothing is rounded here: touching counts, both ends of the interval "
-                         "count, and nothing else does, whether the numbers are large or small",
+                       : "nothing is rounded here: a ray that just touches the box hits it, and so "
+                         "does one that meets it exactly at an end of the interval; a ray that "
+                         "misses by any amount, however small, does not",
               grown);
         return;
     }

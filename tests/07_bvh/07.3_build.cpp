@@ -131,7 +131,8 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
     if (left == 0) {
         INFO(where);
         INFO(
-            "Hint: a leaf's count is order.size(), its first is what build_node was given; the "
+            "Hint: a leaf's count is order.size(), its member first is the first that was passed "
+            "to build_node; the "
             "right part begins where the left one ends, at first + left");
         REQUIRE(node.first == first);
         REQUIRE(node.count == static_cast<int>(order.size()));
@@ -260,7 +261,7 @@ TEST_CASE("07.3 equal centers are no trouble", "[07.3]") {
         [](auto order, auto boxes) { rt::split_in_half(order, boxes); });
 }
 
-TEST_CASE("07.3 the axis depends on this part alone", "[07.3]") {
+TEST_CASE("07.3 the axis depends only on the boxes of the part that is split", "[07.3]") {
     // Eight boxes far apart along x that do not belong to this part; its own boxes
     // are apart along y.
     std::vector<Vec3> middles;

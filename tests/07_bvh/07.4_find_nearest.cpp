@@ -346,7 +346,9 @@ TEST_CASE("07.4 a tree may have 84 levels", "[07.4][hard]") {
             const Ray ray{{start, 0, 0}, {static_cast<Real>(way), 0, 0}};
             rt::Search search{spheres, order, ray, {}}, expected = search;
             {
-                INFO("Hint, if this crashes: as many nodes may wait as the tree has levels");
+                INFO(
+                    "Hint, if this crashes: a list of nodes still to visit needs room for as many "
+                    "nodes as the tree has levels");
                 rt::find_nearest(*tree, search);
             }
             expect_of(*tree, expected);

@@ -246,7 +246,7 @@ TEST_CASE("07.5 a little cheaper is cheaper", "[07.5][hard]") {
 }
 
 TEST_CASE("07.5 a split that is cheaper by next to nothing", "[07.5][hard]") {
-    // Two cubes with a gap of 1.5 edges: the split costs as much as the leaf. A gap that is larger
+    // Two cubes, one moved by 1.5 edges: the split costs as much as the leaf. A move that is larger
     // by next to nothing makes the split cheaper, a smaller one the leaf.
     const Real little = std::ldexp(rt::epsilon, 12);
     for (int i = 0; i < 200; ++i) {
@@ -277,8 +277,9 @@ TEST_CASE("07.5 a leaf where it is cheaper", "[07.5]") {
     expect_leaf({unit}, "one sphere cannot be split");
     expect_leaf(std::vector<Box>(12, unit),
                 "12 boxes in one place: any split costs 1 + 12, a leaf 12");
-    expect_leaf({unit, {{Real(1.5), 0, 0}, {Real(2.5), 1, 1}}},
-                "the split costs 1 + (6 + 6) / 12 = 2, the same as a leaf: it must be cheaper");
+    expect_leaf(
+        {unit, {{Real(1.5), 0, 0}, {Real(2.5), 1, 1}}},
+        "the split costs 1 + (6 + 6) / 12 = 2, the same as a leaf; split only if that is cheaper");
 }
 
 TEST_CASE("07.5 equal centers are no trouble", "[07.5]") {

@@ -99,7 +99,7 @@ TEST_CASE("08.1 a material that no sphere is made of calls for nothing", "[08.1]
     check(scene, {}, "there are no spheres at all");
 }
 
-TEST_CASE("08.1 light that is black is none", "[08.1][hard]") {
+TEST_CASE("08.1 a light whose radiance is black does not count as a light", "[08.1][hard]") {
     check(ball_of(rt::Emitter{{0, 0, 0}}), {}, "a light of radiance 0 lights nothing");
     check(ball_of(rt::Emitter{{0, 0, std::numeric_limits<Real>::min()}}), {.lights = true},
           "even the faintest light is one");

@@ -446,7 +446,7 @@ TEST_CASE("08.3 a light however small is looked for", "[08.3][hard]") {
         for (const Real density : {rt::light_density(star, {0, 0, 0}), sample.density}) {
             INFO("a light of radius " << text(ratio) << " at distance 1: expected the density "
                                       << text(expected) << ", but yours gives " << text(density)
-                                      << ".\nHint: an h is not too small if it is at least "
+                                      << ".\nHint: the height h is large enough if it is at least "
                                          "std::numeric_limits<Real>::min()");
             check_near(density, expected, rt::rounding_bound(30) * expected);
         }

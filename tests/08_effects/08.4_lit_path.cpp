@@ -193,7 +193,7 @@ TEST_CASE("08.4 a sample counts its part if the path goes on", "[08.4][hard]") {
         INFO("the place has the density " << text(toward) << ", the sample " << text(density));
         const Real weight = density * density / (density * density + toward * toward);
         check_direct(direct(), toward / density * weight * Color{2, 3, 4},
-                     "times the weight, which is that of the sample: shared_weight(sample.density, "
+                     "multiply by the sample's weight, which is shared_weight(sample.density, "
                      "density of the place)");
     }
 }
@@ -242,7 +242,7 @@ TEST_CASE("08.4 light that was collected is never lost", "[08.4]") {
     check(rt::SkyEnding{}, 3, "in the sky");
     // A second surface that absorbs everything: what was collected on the way to it stays.
     lit.add({{0, 0, 0}, 1000}, rt::Lambertian{{0, 0, 0}});
-    check(rt::BlackEnding{}, 4, "in black, and most of them meet a black wall before,");
+    check(rt::BlackEnding{}, 4, "in black, most of them at a black wall,");
 }
 
 TEST_CASE("08.4 light that was collected stays where a path is absorbed", "[08.4]") {
@@ -262,7 +262,8 @@ TEST_CASE("08.4 light that was collected stays where a path is absorbed", "[08.4
     CHECK(std::abs(mean.mean() - expected) <= limit * mean.standard_error() + 0.01 * expected);
 }
 
-TEST_CASE("08.4 a bounce draws the numbers for its light and a mirror draws none", "[08.4]") {
+TEST_CASE("08.4 a matte bounce draws random numbers to sample a light and a mirror draws none",
+          "[08.4]") {
     const auto draws = [](const auto& material, int of_material, bool asks) {
         Lit lit;
         lit.add(floor_ball, material);

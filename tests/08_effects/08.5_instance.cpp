@@ -115,7 +115,8 @@ TEST_CASE("08.5 the hit of an ellipsoid", "[08.5]") {
     };
     check({{0, 0, 0}, {1, 0, 0}}, Real(3), "it begins at x = 3");
     check({{0, 0, 0}, {2, 0, 0}}, Real(1.5),
-          "twice the direction, half the t: do not normalize the object's direction");
+          "a direction twice as long halves t: do not normalize the ray's direction in the "
+          "object's space");
     check({{5, 0, 9}, {0, 0, -1}}, Real(8.5), "it reaches 0.5 along z");
     check({{5, 0, 0}, {0, 1, 0}}, Real(1), "from inside it is met as well");
     check({{5, 2, 0}, {1, 0, 0}}, {}, "it reaches 1 along y, and the ray passes at 2");

@@ -158,7 +158,7 @@ TEST_CASE("10.3 only what is nearer than before counts", "[10.3]") {
     }
 }
 
-TEST_CASE("10.3 an equally near sphere of a higher number stays", "[10.3]") {
+TEST_CASE("10.3 of two equally near spheres the one with the higher number is kept", "[10.3]") {
     rt::Rng rng{103, 3};
     for (int round = 0; round < 3000; ++round)
         check_ties(rng, 7, 8, 7, "at exactly the same t, a sphere with a higher number is kept");

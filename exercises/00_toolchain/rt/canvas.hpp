@@ -64,9 +64,9 @@ class Canvas {
     Pixel* pixels_ = nullptr;
 };
 
-// Exercise 00.3. The canvas upside down: its first row becomes the last. The function takes and
-// returns a value. If a canvas is moved into it, the result has the same memory; no other row or
-// canvas is made on the way. std::swap(a, b) exchanges two pixels.
+// Exercise 00.3. The canvas upside down: its first row becomes the last. The function takes a
+// canvas by value and returns one by value. If a canvas is moved into it, the result has the same
+// memory; no other row or canvas is made on the way. std::swap(a, b) exchanges two pixels.
 // Star: an empty canvas stays empty.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {

@@ -4,8 +4,8 @@
 
 namespace rt {
 
-// Exercise 01.1. All operators work component by component, and round each component once. Others,
-// such as s * v and +=, are given in <rt/vec3.hpp>: they call these.
+// Exercise 01.1. All operators work component by component, and round each component once. The
+// remaining operators, such as s * v and +=, are given in <rt/vec3.hpp> and call the ones below.
 
 // The vector of the same length in the opposite direction (given, as an example).
 inline Vec3 operator-(Vec3 v) {

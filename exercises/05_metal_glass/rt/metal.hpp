@@ -22,9 +22,9 @@ inline Vec3 metal_direction(Vec3 incoming, Vec3 normal, Real fuzz, Vec2 place) {
     return rt::todo("05.2", incoming, normal, fuzz, place);
 }
 
-// Exercise 05.2, the third part. How a path goes on from metal: it always does, and its light is
-// multiplied by the albedo. Use facing_normal(hit) and random_place(random); a mirror, with fuzz 0,
-// need not draw a random place.
+// Exercise 05.2, the third part. How a path goes on from metal. It is never absorbed, and its light
+// is multiplied by the albedo. Use facing_normal(hit) and random_place(random); a mirror, with fuzz
+// 0, need not draw a random place.
 template <class Random>
 std::optional<Scatter> scatter(const Metal& material, Vec3 incoming, const Hit& hit,
                                Random& random) {

@@ -14,8 +14,9 @@ inline int tile_count(const TileGrid& grid) {
     return rt::todo("06.3", grid);
 }
 
-// Exercise 06.3. Tile 0 ... tile_count(grid) - 1, row by row from the top left one. At the right
-// and lower edges of the picture a tile ends where the picture ends.
+// Exercise 06.3. The tile with number `index`, 0 ... tile_count(grid) - 1. The tiles are numbered
+// row by row, from the top left. At the right and lower edges of the picture a tile ends where the
+// picture ends.
 inline Tile tile_at(const TileGrid& grid, int index) {
     return rt::todo("06.3", grid, index);
 }

@@ -7,9 +7,8 @@ namespace rt {
 
 // Exercise 07.4. Tests one shape, here a sphere, with search.meets_shape(number). If its hit is the
 // nearest so far, remembers it in search.nearest and search.within.max. Of equally near shapes the
-// one with the highest number counts, as in SphereList, whatever order they come in. The type is
-// Search or another type with the same members, so the function is written over types, like the
-// path loop.
+// one with the highest number counts, as in SphereList, whatever order they come in. AnySearch is
+// Search or another type with the same members: the function is a template, like the path loop.
 template <class AnySearch>
 void try_shape(int number, AnySearch& search) {
     rt::todo("07.4", number, search);

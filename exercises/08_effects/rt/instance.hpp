@@ -9,9 +9,9 @@
 
 namespace rt {
 
-// Exercise 08.5. The ray in the space of the object, where the instance is the sphere of radius 1
-// around the origin: its origin is a point, its direction a vector. Do not normalize the direction:
-// then t has the same value for the object's ray and for the world's ray.
+// Exercise 08.5. The ray in the object's space, where the instance is the unit sphere around (0, 0,
+// 0). Transform the ray's origin as a point and its direction as a vector. Do not normalize the
+// direction: then t has the same value for the object's ray and for the world's ray.
 inline Ray object_ray(const Instance& instance, const Ray& ray) {
     return rt::todo("08.5", instance, ray);
 }

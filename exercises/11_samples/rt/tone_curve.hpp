@@ -22,9 +22,9 @@ inline Real luminance(const Color& color) {
 // The brightness that a screen shows for a luminance, which is finite and not negative: L (1 + L /
 // white^2) / (1 + L). Dark tones hardly change, and bright tones are compressed. A luminance of
 // `white`, greater than 0, becomes 1, and a brighter one more than 1.
-// Star: if white is infinite, the curve is L / (1 + L), which never reaches 1. A luminance or a
-// white may be as bright as 1e30 in float and 1e200 in double, a luminance as dark as 1e-30 and
-// 1e-200, and a white as dark as 1e-25 and 1e-170, which becomes 1, too.
+// Star: if white is infinite, the curve is L / (1 + L), which never reaches 1. In float, a
+// luminance may go from 1e-30 to 1e30, and a white from 1e-25 to 1e30; in double, a luminance from
+// 1e-200 to 1e200, and a white from 1e-170 to 1e200. Even the darkest white becomes 1.
 // Source: Reinhard, Stark, Shirley and Ferwerda, "Photographic tone reproduction for digital
 // images", SIGGRAPH 2002.
 inline Real tone_curve(Real luminance, Real white) {

@@ -17,8 +17,9 @@ inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Ve
     return rt::todo("12.3", normals, u, v, flat);
 }
 
-// Exercise 12.3. `smooth` itself, if a mirror with that normal reflects `incoming` to the side of
-// the triangle that the light came from. All have length 1; `flat` is on the side of `smooth`.
+// Exercise 12.3. The normal to use for a mirror: `smooth` itself, if a mirror with this normal
+// reflects `incoming` to the side of the triangle that the light came from. All have length 1;
+// `flat` is on the side of `smooth`.
 // Star: otherwise, `smooth` is bent toward the light's side until the mirror direction runs along
 // the triangle; the result is still on the side of `flat`. It is `flat` if `incoming` runs along
 // the triangle itself.

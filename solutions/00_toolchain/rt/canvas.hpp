@@ -77,9 +77,9 @@ class Canvas {
     Pixel* pixels_ = nullptr;
 };
 
-// The canvas upside down: its first row becomes the last. The function takes and returns a value.
-// If a canvas is moved into it, the result has the same memory; no other row or canvas is made on
-// the way.
+// The canvas upside down: its first row becomes the last. The function takes a canvas by value and
+// returns one by value. If a canvas is moved into it, the result has the same memory; no other row
+// or canvas is made on the way.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
     for (int y = 0; y < canvas.height() / 2; ++y)

@@ -16,7 +16,8 @@ inline int tile_count(const TileGrid& grid) {
     return tiles_along(grid.width, grid.tile_size) * tiles_along(grid.height, grid.tile_size);
 }
 
-// Tile 0 ... tile_count(grid) - 1, row by row from the top left one.
+// The tile with number `index`, 0 ... tile_count(grid) - 1. The tiles are numbered row by row, from
+// the top left.
 inline Tile tile_at(const TileGrid& grid, int index) {
     const int columns = tiles_along(grid.width, grid.tile_size);
     const int left = index % columns * grid.tile_size, top = index / columns * grid.tile_size;
