@@ -53,8 +53,8 @@ EDITS = {
 SMALL = ["--quiet", "--width", "96", "--height", "54"]
 # These take half a minute to compile. The headers of 06 and 07 are in their programs.
 SLOW = {"tracer.06", "tracer.07"}
-# Here each plain answer alone would take as long: all together must do.
-LONG = {"08_effects"}
+# Here each plain answer alone would take minutes in all: all together must do.
+LONG = {"06_threads", "07_bvh", "08_effects"}
 
 
 def plain_files(chapter):
