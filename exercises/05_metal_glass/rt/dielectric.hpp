@@ -12,7 +12,7 @@ namespace rt {
 
 // Clear glass, water or diamond: light is reflected or goes through, and none is lost.
 struct Dielectric {
-    Real index = Real(1.5);  // of refraction: the inside's divided by the outside's
+    Real index = Real(1.5);  // of refraction: inside divided by outside
 };
 
 // The same with Schlick's reflectance instead of the exact one, for comparison.

@@ -11,7 +11,7 @@ namespace rt {
 
 // A metal: from a mirror (fuzz 0) to a rough, dull shine (fuzz 1).
 struct Metal {
-    Color albedo;   // the share of light that comes back, each channel in [0, 1]
+    Color albedo;   // the fraction of light that comes back, each channel in [0, 1]
     Real fuzz = 0;  // how far reflected light strays, in [0, 1]
 };
 

@@ -8,17 +8,17 @@ namespace rt {
 
 // Exercise 06.4. The generator of one sample of one pixel. It draws numbers that depend on these
 // four arguments alone, never on which thread asks, when, or in which order. If any argument
-// differs, the result is another generator, whose draws, from the first one on, are unrelated to
-// this one's. x, y and sample are 0 or more. Every bit of the four arguments counts, and the state
+// differs, the result is a different generator, and from the first draw on its numbers are
+// unrelated. x, y and sample are 0 or more. Every bit of the four arguments counts, and the state
 // has 64 bits.
 inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
     return rt::todo("06.4", seed, x, y, sample);
 }
 
-// Exercise 06.4. The average of draw(sample, random) over sample = 0 ... samples - 1, 1 or more, in
-// this order, each with its own generator. draw returns a Color and takes its random numbers from
-// `random`, an Rng&. Plain sums are accurate enough: the average may be off by rounding_bound(4
-// samples + 8) times the largest color.
+// Exercise 06.4. The average of draw(sample, random) over sample = 0 ... samples - 1, in this
+// order, each with its own generator. There is 1 sample or more. draw returns a Color and takes its
+// random numbers from `random`, an Rng&. Plain sums are accurate enough: the average may be off by
+// rounding_bound(4 samples + 8) times the largest color.
 template <class Draw>
 Color average_samples(std::uint64_t seed, int x, int y, int samples, const Draw& draw) {
     return rt::todo("06.4", seed, x, y, samples, draw);

@@ -13,8 +13,8 @@ namespace rt {
 // Ignore the boxes of spheres that are not in `order`. Move the numbers within `order`, and copy
 // nothing.
 
-// Exercise 07.3. Sorts all numbers in ascending order of the middles of their boxes, along the axis
-// on which these middles are farthest apart; equal middles may be in any order. Returns how many of
+// Exercise 07.3. Sorts all numbers in ascending order of the centers of their boxes, along the axis
+// on which these centers are farthest apart; equal centers may be in any order. Returns how many of
 // the numbers go to the left: half (rounded down), or 0 if there are at most leaf_size spheres,
 // which need no split. Compare with <, never with <=.
 inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {

@@ -12,8 +12,8 @@ namespace rt {
 // interval. Source of the idea: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986.
 // Star: faces, edges and corners belong to the box, and a ray that runs within a face meets it. A
 // component of the direction may be 0 or -0: then ray.inverse has infinity or -infinity there. The
-// margin covers all rounding: add no other tolerance. Always false for the empty box, Box{}, and
-// for an empty interval (min > max).
+// margin covers all rounding: add no other tolerance. The result is always false for the empty box,
+// Box{}, and for an empty interval (min > max).
 inline bool hit_box(const Box& box, const SlabRay& ray, Interval within) {
     return rt::todo("07.1", box, ray, within);
 }

@@ -32,8 +32,8 @@ inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
 
 // Exercise 08.5. The smallest box around an instance, grown on all sides by
 //     margin_factor(instance) * hit_margin * (m + r),
-// where m is the largest absolute coordinate of the box's middle, and r the largest of the three
-// distances from the middle to a side.
+// where m is the largest absolute coordinate of the box's center, and r the largest of the three
+// distances from the center to a face.
 inline Box bounds_of(const Instance& instance) {
     return rt::todo("08.5", instance);
 }

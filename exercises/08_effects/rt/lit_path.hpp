@@ -9,7 +9,7 @@ namespace rt {
 
 // Exercise 08.4. Next-event estimation: one sample of the light that comes straight from a light to
 // this place and leaves it toward the eye, as the text says step by step; black if none comes.
-// `ray` led to this place, and its type may have more members than a ray: change its origin and
+// `ray` led to this place, and its type may have more members than Ray: change its origin and
 // direction, and pass it on. Draw no random number of your own; call sees_light at most once.
 // Star: multiply by place.fog.gets_through(ray, distance), the fraction that gets through the fog.
 // If the path goes on, also multiply by shared_weight(density of the sample, density of the place).
@@ -24,7 +24,7 @@ Color direct_light(AnyRay ray, const World& world, const Lights& lights,
 // lights and fog, with the four changes of the text. Draw random numbers in this order: next_place,
 // scatter, the ending (if it is called), direct_light. Without lights and fog the result is that of
 // path_radiance, to the last bit.
-// Star: multiply a light that the path meets after a sample by its share, shared_weight(density of
+// Star: multiply a light that the path meets after a sample by its weight, shared_weight(density of
 // the bounce, lights.density(that light, the bounce's point)). `goes_on` is true unless the path
 // ends in the sky.
 template <class AnyRay, class World, class Materials, class Sky, class Lights, class Medium,

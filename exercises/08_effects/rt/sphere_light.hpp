@@ -10,10 +10,10 @@
 
 namespace rt {
 
-// Exercise 08.3. 1 - cos a. Seen from a point outside of a light, a is the angle between the
-// direction to its middle and the direction to its rim: 0 < radius < distance.
-// Star: within 7 units in the last place, even for small and far lights, if the result is at least
-// std::numeric_limits<Real>::min(), because smaller numbers have fewer digits.
+// Exercise 08.3. 1 - cos a. Seen from a point outside a light, a is the angle between the
+// directions to its center and to its rim. `distance` is that of the center: 0 < radius < distance.
+// Star: accurate to 7 units in the last place, even for small and far lights, if the result is at
+// least std::numeric_limits<Real>::min(), because smaller numbers have fewer digits.
 inline Real cone_height(Real radius, Real distance) {
     return rt::todo("08.3", radius, distance);
 }
@@ -26,14 +26,14 @@ inline Real light_density(const Sphere& light, Vec3 from) {
     return rt::todo("08.3", light, from);
 }
 
-// Exercise 08.3. A direction to a sphere that shines, of length 1, the distance to the sphere's
-// surface along it, and light_density. `place` is a sample point, 0 <= x, y < 1. x says how far the
-// direction is from the middle (0) toward the rim (1), in the cap's height; y is the fraction of a
-// turn around the middle, counted from any direction. None if the point is not outside of the
-// light.
+// Exercise 08.3. A direction of length 1 to a sphere that shines, the distance to its surface in
+// this direction, and light_density. `place` is a sample point, 0 <= x, y < 1. x says how far the
+// direction is from the center (0) toward the rim (1), measured in the cap's height; y is the
+// fraction of a turn around the center, counted from any direction. None if the point is not
+// outside the light.
 // Star: the point may also be inside or on the surface; then all directions must be equally likely.
 // None where the density is 0. The length is 1 within 5 epsilon. The distance leads to the surface
-// within rounding_bound(60) * (d + r), where d is the distance of the middle and r the radius; for
+// within rounding_bound(60) * (d + r), where d is the distance of the center and r the radius; for
 // x = 0 it is d - r within rounding_bound(30) of itself. Source: Wang, "Physically correct direct
 // lighting for distribution ray tracing", Graphics Gems III, 1992.
 inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, Vec2 place) {

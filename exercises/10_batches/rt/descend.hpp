@@ -19,7 +19,7 @@ namespace rt {
 //   tree.test(node, list, masks)   writes a mask for each ray of the list: bit k is set if the ray
 //                                  meets the box of child number k. Returns the bits that any ray
 //                                  has. Call it once for a node, when its turn comes: hits found
-//                                  later shorten the rays, but a box too many costs little
+//                                  later shorten the rays, but an extra test costs little
 //   tree.order(node)               the numbers of the children, 0 to 7, each once
 //   tree.child(node, place)        child number `place`, a WideChild: child.is_leaf() tells whether
 //                                  it is a leaf or a node, and child.number() which one

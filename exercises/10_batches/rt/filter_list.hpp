@@ -6,7 +6,7 @@
 
 namespace rt {
 
-// Exercise 10.1. Copies to `to` the paths of a list whose mask has this bit, 0 to 7, in the same
+// Exercise 10.1. Copies the paths of a list whose mask has this bit, 0 to 7, to `to` in the same
 // order, and returns how many there are. masks[i] belongs to list[i]; its other bits do not matter.
 // `to` has room for as many paths as the list has, and does not overlap it.
 // Star: a path is any number of 32 bits; the list may be empty, or hold more than a hundred

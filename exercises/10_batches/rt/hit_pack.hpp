@@ -11,7 +11,7 @@ namespace rt {
 // nothing else in the rays changes. This is hit_sphere of 03.2 for all rays at once, with the same
 // operations in the same order, so that each t has the same bits, even the sign of a zero.
 // Star: of equally near spheres the one with the highest number counts: if rays.t is the same t and
-// rays.sphere a higher number, the ray keeps both. (With the same number, the hit counts.) The
+// rays.sphere is a higher number, the ray keeps both. (With the same number, the hit counts.) The
 // function includes roots_from_discriminant of 03.1, whose q may be 0. A ray whose direction has
 // length 0 or contains NaN meets nothing.
 inline PackMask hit_pack(const Sphere& sphere, PackInteger number, RayPack& rays) {

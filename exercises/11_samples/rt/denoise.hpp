@@ -11,10 +11,10 @@
 namespace rt {
 
 // Exercise 11.6. The weight of pixel b's light for pixel a; b is `across` and `down` pixels away.
-// It is exp(-d / 2), where d is the sum of three squares: of the distance in the picture, which is
-// the root of across^2 + down^2, of the distance of the albedos (their channels are the components
-// of a vector) and of the distance of the normals, each divided by its width before it is squared.
-// So a pixel has weight 1 for itself, and less for every other pixel.
+// It is exp(-d / 2), where d is the sum of the squares of three distances, each divided by its
+// width before it is squared: in the picture, sqrt(across^2 + down^2); between the albedos, as
+// vectors of three channels; and between the normals. So a pixel has weight 1 for itself, and less
+// for every other pixel.
 // Star: `across` and `down` may be negative, and large. No square may overflow or vanish because a
 // width is small. Source: Tomasi and Manduchi, "Bilateral filtering for gray and color images",
 // ICCV 1998; with features instead of colors: Petschnigg et al., "Digital photography with flash
@@ -24,11 +24,11 @@ inline Real bilateral_weight(int across, int down, const Features& a, const Feat
     return rt::todo("11.6", across, down, a, b, widths);
 }
 
-// The picture, with the light of each pixel a averaged over the pixels b at most `radius` columns
-// and rows away: the sum of weight times light, divided by the sum of the weights. The light that
-// falls on a surface is, in each channel, the picture divided by the albedo of b; the average is
-// multiplied by the albedo of a. Both times, an albedo less than `darkest` counts as `darkest`, but
-// not in the weights. `features` is as large as the picture.
+// The denoised picture. Each pixel a gets the average light of the pixels b at most `radius`
+// columns and rows away: the sum of weight times light, divided by the sum of the weights. The
+// light of b is, in each channel, its color divided by its albedo; the average is multiplied by the
+// albedo of a. Both times, an albedo less than `darkest` counts as `darkest`, but not in the
+// weights. `features` is as large as the picture.
 // Star: at the border of the picture, only pixels within it count, however large the radius. An
 // albedo may be 0 or more than 1, and the light very bright or very dark.
 inline Image denoised(const Image& picture, const Canvas<Features>& features,

@@ -31,7 +31,7 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // do their results.
 // Star: over all seeds, the seven flips of the first three bits have each of their 128 patterns
 // equally often. Each later flip happens half of the time, and any two are unrelated. The seed has
-// 32 bits, and all of them count: seed + 1 gives another scrambling, in which a flip may be the
+// 32 bits, and all of them count: seed + 1 gives a different scrambling, in which a flip may be the
 // opposite, as the first one is here. Scrambling needs a hash, and any good one will do. The one
 // here works on x, the fraction with its bits reversed. In x, the higher bits of the fraction are
 // to the right, and a product or a sum carries only to the left. The steps in their order:

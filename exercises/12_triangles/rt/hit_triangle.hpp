@@ -10,8 +10,7 @@ namespace rt {
 
 // Exercise 12.1. The hit of a ray and a triangle, from either side, if its t lies within the
 // interval (both ends count). In the result, u and v are the weights of the corners b and c: the
-// point is (1 - u - v) a + u b + v c. None if the ray misses, and if it is parallel to the
-// triangle.
+// point is (1 - u - v) a + u b + v c. None if the ray misses the triangle or is parallel to it.
 // Star: if two triangles share an edge, exactly one of them is hit by a ray through the edge; the
 // same holds for triangles around a shared corner. Return none for a triangle without area, however
 // it is turned, and for a ray that contains NaN. The point of the ray at t is off the triangle's

@@ -24,7 +24,7 @@ inline Mesh make_mesh(const Polygons& from) {
 
 // Exercise 12.5. Gives the corners without a normal a new one, which all such corners at the same
 // point share: the mean of the normals of the triangles around the point, each weighted by its
-// area, of length 1. The existing normals keep their indices.
+// triangle's area, scaled to length 1. The existing normals keep their indices.
 // Star: weight each normal by its triangle's angle at the point instead, so that it does not matter
 // how a flat side was cut. If the sum is zero, the corner stays without a normal. Source: Thürmer
 // and Wüthrich, "Computing vertex normals from polygonal facets", 1998.

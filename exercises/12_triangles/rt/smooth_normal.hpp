@@ -9,7 +9,7 @@
 namespace rt {
 
 // Exercise 12.3. The normals of the three corners, interpolated with the weights 1 - u - v, u and
-// v, at length 1. `flat` is the triangle's own normal.
+// v, and scaled to length 1. `flat` is the triangle's own normal.
 // Star: if the result is not on the side of `flat`, it is turned around; if the three normals
 // cancel, the result is `flat`.
 // Source: Phong, "Illumination for computer generated pictures", Comm. ACM 18, 1975.
@@ -31,8 +31,8 @@ inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
 
 // Exercise 12.3. Corrects the direction of scattered light, which a material has chosen by the
 // smooth normal. If the direction is above `smooth` (a positive dot product), it must be above
-// `flat`, and if it is below, below. A direction on the wrong side is mirrored at the triangle; any
-// other direction is returned unchanged. All have length 1.
+// `flat`, too; if it is below `smooth`, it must be below `flat`. A direction on the wrong side is
+// mirrored at the triangle; any other direction is returned unchanged. All have length 1.
 // Star: the computed dot product with `flat` is not 0, whatever was rounded.
 inline Vec3 keep_side(Vec3 direction, Vec3 smooth, Vec3 flat) {
     return rt::todo("12.3", direction, smooth, flat);

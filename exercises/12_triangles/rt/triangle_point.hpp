@@ -10,8 +10,8 @@
 namespace rt {
 
 // Exercise 12.4. Everything about the point where a ray meets a triangle at t, which hit_triangle
-// has returned: t; the point, by the weights of the corners; the normal, seen from which a, b and c
-// go around counterclockwise; whether the ray came from that side (front); the material;
+// has returned: t; the point, by the weights of the corners; the normal, on the side from which a,
+// b and c run counterclockwise; whether the ray came from that side (front); the material;
 // kept_as_light(number) for `light`; and point_error, how far off the plane the point may be.
 // Star: a ray that leave_surface starts here does not meet the triangle again, even if the triangle
 // is far from the scene's origin or as thin as a needle. The error is at most 40 epsilon times the

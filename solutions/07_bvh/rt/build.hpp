@@ -10,7 +10,7 @@ namespace rt {
 // Both functions work on a part of the tree's order: `order`, which holds the numbers of some
 // spheres, whose boxes are boxes[number]. They move the numbers within `order` and copy nothing.
 
-// Sorts the numbers by the middles of their boxes, along the axis on which these middles are
+// Sorts the numbers by the centers of their boxes, along the axis on which these centers are
 // farthest apart. Returns how many of the numbers go to the left: half, or 0 if there are at most
 // leaf_size spheres, which need no split.
 inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {

@@ -12,10 +12,10 @@
 
 namespace rt {
 
-// 1 - cos a. Seen from a point outside of the light at this distance from its middle, a is the
-// angle between the directions to the middle and to the rim. The result is computed from sin a =
-// radius / distance, without the cancellation of 1 - cos a for lights that are small or far. It is
-// within 7 units in the last place if it is at least std::numeric_limits<Real>::min().
+// 1 - cos a. Seen from a point outside the light, at this distance from its center, a is the angle
+// between the directions to the center and to the rim. The result is computed from sin a = radius /
+// distance, without the cancellation of 1 - cos a for lights that are small or far. It is within 7
+// units in the last place if it is at least std::numeric_limits<Real>::min().
 inline Real cone_height(Real radius, Real distance) {
     const Real sine = radius / distance;
     // (d - r) (d + r) / d^2 instead of 1 - sine^2, which cancels close to the light.
@@ -55,7 +55,7 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
     }
     const Real whole = cone_height(radius, distance);
     if (!std::isnormal(whole)) return {};
-    // Archimedes once more: heights of a cap are spread evenly. 1 - cos of the angle to the middle:
+    // Archimedes once more: heights of a cap are spread evenly. 1 - cos of the angle to the center:
     const Real height = place.x * whole;
     const Real cosine = 1 - height, sine = std::sqrt(height * (2 - height));
     const auto turn = sine_cosine_of_turn(place.y);

@@ -7,9 +7,9 @@
 namespace rt {
 
 // Sorts the numbers 0, 1, 2 ... by kinds[i], which is less than `count`: the numbers of kind k are
-// written in ascending order to `sorted`, from index result[k] on, before result[k + 1]. The
-// function takes linear time: it counts first, then puts each number where it belongs. `sorted` is
-// as long as `kinds`.
+// written in ascending order to `sorted`, from index result[k] to result[k + 1] - 1. The function
+// takes linear time: it counts first, then puts each number where it belongs. `sorted` is as long
+// as `kinds`.
 template <std::size_t count>
 std::array<std::size_t, count + 1> sort_by_kind(std::span<const std::uint8_t> kinds,
                                                 std::span<std::uint32_t> sorted) {

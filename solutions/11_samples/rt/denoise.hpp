@@ -11,14 +11,13 @@
 namespace rt {
 
 // The weight of pixel b's light for pixel a; b is `across` and `down` pixels away (either may be
-// negative, and large). It is exp(-d / 2), where d is the sum of three squares: of the distance in
-// the picture, which is the root of across^2 + down^2, of the distance of the albedos (their
-// channels are the components of a vector) and of the distance of the normals, each divided by its
-// width before it is squared. So a pixel has weight 1 for itself, and every other pixel has less,
-// the farther away it is and the more its surface differs. No square may overflow or vanish because
-// a width is small. Source: Tomasi and Manduchi, "Bilateral filtering for gray and color images",
-// ICCV 1998; with features instead of colors: Petschnigg et al., "Digital photography with flash
-// and no-flash image pairs", SIGGRAPH 2004.
+// negative, and large). It is exp(-d / 2), where d is the sum of the squares of three distances,
+// each divided by its width before it is squared: in the picture, sqrt(across^2 + down^2); between
+// the albedos, as vectors of three channels; and between the normals. So a pixel has weight 1 for
+// itself, and every other pixel has less, the farther away it is and the more its surface differs.
+// No square may overflow or vanish because a width is small. Source: Tomasi and Manduchi,
+// "Bilateral filtering for gray and color images", ICCV 1998; with features instead of colors:
+// Petschnigg et al., "Digital photography with flash and no-flash image pairs", SIGGRAPH 2004.
 inline Real bilateral_weight(int across, int down, const Features& a, const Features& b,
                              const DenoiseWidths& widths) {
     // Divides before squaring.

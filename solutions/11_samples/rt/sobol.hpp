@@ -43,8 +43,8 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // and on no lower bit. If two fractions agree in their first n bits and differ in the next bit, so
 // do their results. Over all seeds, the seven flips of the first three bits have each of their 128
 // patterns equally often. Each later flip happens half of the time, and any two are unrelated; 32
-// bits of a seed cannot make all of them independent. All bits of the seed count: seed + 1 gives
-// another scrambling, in which a flip may be the opposite, as the first one is here.
+// bits of a seed cannot make all of them independent. All bits of the seed count: seed + 1 gives a
+// different scrambling, in which a flip may be the opposite, as the first one is here.
 //
 // Scrambling needs a hash, and any good one will do. The one here works on x, the fraction with its
 // bits reversed. In x, the higher bits of the fraction are to the right, and a product or a sum
