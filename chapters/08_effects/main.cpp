@@ -56,12 +56,8 @@ bool by_tent(const app::Settings& settings) {
 }
 
 void check_together(const app::Settings& settings) {
-    if (by_sobol(settings) && in_batches(settings))
-        throw app::UsageError(
-            "--batches and --sampler sobol exclude each other: batches are drawn with jittered "
-            "samples");
     if (!by_tent(settings)) return;
-    for (const char* const other : {"batches", "target-error", "time-budget"})
+    for (const char* const other : {"target-error", "time-budget"})
         if (settings.given.count(other) > 0)
             throw app::UsageError("--filter tent and --" + std::string{other} +
                                   " exclude each other: only a picture with --spp is filtered");
@@ -76,9 +72,10 @@ effects::TileRenderer make_renderer(const SceneDescription& scene, const app::Se
     const auto& [width, height, samples, depth, seed] = scene.settings;
     const Quality quality{samples, depth, seed};
     if (!scene.meshes.empty()) return effects::make_meshed(scene, width, height, quality);
-    if (by_tent(settings)) return effects::make_tent(scene, width, height, quality);
-    if (by_sobol(settings)) return effects::make_sobol(scene, width, height, quality);
-    if (in_batches(settings)) return effects::make_batched(scene, width, height, quality);
+    const bool batches = in_batches(settings);
+    if (by_tent(settings)) return effects::make_tent(scene, width, height, quality, batches);
+    if (by_sobol(settings)) return effects::make_sobol(scene, width, height, quality, batches);
+    if (batches) return effects::make_batched(scene, width, height, quality);
     return effects::make_narrowest(needed_effects(scene), scene, width, height, quality);
 }
 

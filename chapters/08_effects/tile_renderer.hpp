@@ -27,6 +27,11 @@ inline Choice choice_of(std::span<const rt::Effects> renderers, std::size_t inde
     return {renderers[index], without(rt::every_effect, renderers[index]), renderers.size()};
 }
 
+// A renderer with these effects, in batches.
+inline Choice batched_choice(const rt::Effects& effects) {
+    return {effects, without(rt::every_effect, effects), 1, true};
+}
+
 // Draws the pixels of a tile with this seed, and returns how many are done: all, unless a signal
 // came meanwhile (app::Interruption) and the renderer asks for that. The rays that it took are
 // added to `rays`.
@@ -48,13 +53,12 @@ TileRenderer make_narrowest(const rt::Effects& needed, const rt::SceneDescriptio
 // batches lack, it is the narrowest one.
 TileRenderer make_batched(const rt::SceneDescription& scene, int width, int height,
                           const rt::Quality& quality);
-// Chapter 11's: with samples from Sobol's sequence.
+// Chapter 11's: with samples from Sobol's sequence, path by path or in batches as above.
 TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height,
-                        const rt::Quality& quality);
-
+                        const rt::Quality& quality, bool in_batches);
 // The same, each sample shared by the pixels around it: a tent is the reconstruction filter.
 TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
-                       const rt::Quality& quality);
+                       const rt::Quality& quality, bool in_batches);
 
 // Chapter 12's: pixel by pixel, with meshes. Also what --show asks for.
 TileRenderer make_meshed(const rt::SceneDescription& scene, int width, int height,

@@ -76,10 +76,9 @@ class Cover {
         return image;
     }
     DrawPass batch_pass(int count) const {
-        return [renderer = BatchRenderer<cover_effects>{ready_, {count, cover_.depth, 1}}](
+        return [count, renderer = BatchRenderer<cover_effects>{ready_, {count, cover_.depth, 1}}](
                    const Tile& tile, const Pass& pass, Image& image, std::uint64_t& rays) mutable {
-            renderer.set_seed(seed_of(pass));
-            renderer.draw(tile, image, rays);
+            renderer.draw(JitteredPoints{{seed_of(pass), count}}, tile, image, rays);
         };
     }
 

@@ -27,17 +27,28 @@ same "the final scene"
 for scene in "$scenes"/*.json; do
     same "$scene" "$scene"
 done
+# Sobol's points, and those filtered: with a lens, with all materials, and with lights, path by path.
+for scene in cover textures lights; do
+    same "$scene, Sobol" "$scenes/$scene.json" --sampler sobol
+    same "$scene, tent" "$scenes/$scene.json" --filter tent
+done
 
-# explains SCENE RENDERER: what --explain says draws the scene.
+# explains SCENE RENDERER options...: what --explain says draws the scene.
 explains() {
-    "$program" "$scenes/$1.json" --batches --explain --width 16 --height 9 --spp 1 \
-        --out "$place/$1.ppm" >"$place/said"
-    grep -q "^renderer: $2\$" "$place/said" || {
-        complain "--explain does not say what draws $1.json:"
+    scene=$1
+    expected=$2
+    shift 2
+    "$program" "$scenes/$scene.json" --batches "$@" --explain --width 16 --height 9 --spp 1 \
+        --out "$place/$scene.ppm" >"$place/said"
+    grep -q "^renderer: $expected\$" "$place/said" || {
+        complain "--explain $* does not say what draws $scene.json:"
         cat "$place/said"
     }
 }
-explains matte "mirror, fuzz, glass, texture, lens, in batches"
+for way in "--sampler jittered" "--sampler sobol" "--filter tent"; do
+    # shellcheck disable=SC2086  # two words
+    explains matte "mirror, fuzz, glass, texture, lens, in batches" $way
+done
 # Lights take each path on by itself: batches would gain nothing.
 explains lights "mirror, fuzz, glass, texture, lens, lights, one of [0-9]*"
 [ "$failures" -eq 0 ]

@@ -17,23 +17,14 @@ std::function<DrawTile()> make_workers(const SceneDescription& description, int 
     const auto scene =
         std::make_shared<const ReadyScene<batch_effects>>(description, width, height);
     return [scene, quality] {
+        const int count = quality.samples_per_pixel;
         const auto renderer = std::make_shared<BatchRenderer<batch_effects>>(*scene, quality);
-        return [scene, renderer](const Tile& tile, std::uint64_t seed, Image& image,
-                                 std::uint64_t& rays) {
-            renderer->set_seed(seed);
-            renderer->draw(tile, image, rays);
+        return [scene, count, renderer](const Tile& tile, std::uint64_t seed, Image& image,
+                                        std::uint64_t& rays) {
+            renderer->draw(JitteredPoints{{seed, count}}, tile, image, rays);
             return pixel_count(tile);
         };
     };
-}
-
-// The smallest tiles with enough paths for a batch.
-int tile_side(int samples_per_pixel) {
-    int side = 16;
-    while (static_cast<std::size_t>(side * side) * static_cast<std::size_t>(samples_per_pixel) <
-           batch_size)
-        side *= 2;
-    return side;
 }
 
 }  // namespace
@@ -44,7 +35,6 @@ effects::TileRenderer effects::make_batched(const rt::SceneDescription& scene, i
     const rt::Effects needed = rt::needed_effects(scene);
     if (!covers(rt::batch_effects, needed))
         return make_narrowest(needed, scene, width, height, quality);
-    return {{rt::batch_effects, without(rt::every_effect, rt::batch_effects), 1, true},
-            batches::make_workers(scene, width, height, quality),
-            batches::tile_side(quality.samples_per_pixel)};
+    return {batched_choice(rt::batch_effects), batches::make_workers(scene, width, height, quality),
+            rt::batch_tile_side(quality.samples_per_pixel)};
 }

@@ -1,7 +1,6 @@
 #pragma once
 #include <rt/leave_surface.hpp>
 #include <rt/path_record.hpp>
-#include <rt/rng.hpp>
 #include <rt/vector_registers.hpp>
 
 namespace rt {
@@ -40,22 +39,20 @@ inline Arrivals arrive(const PathRecord* paths, const Surface* surfaces, const P
     return all;
 }
 
-// Two random numbers for each path: random_place of 04.3.
+// Two random numbers for each of `size` paths: random_place of 04.3. random(i) is the generator of
+// path i.
 struct PlacePack {
     Pack x{}, y{};
 };
-template <class Record>
-PlacePack random_places(std::size_t size, const Record& record) {
+template <class RandomOf>
+PlacePack random_places(std::size_t size, const RandomOf& random) {
     PlacePack places;
     for (std::size_t i = 0; i < size; ++i) {
-        Rng& random = record(i).random;
-        places.x[i] = random.uniform();
-        places.y[i] = random.uniform();
+        auto& own = random(i);
+        places.x[i] = own.uniform();
+        places.y[i] = own.uniform();
     }
     return places;
-}
-inline PlacePack random_places(PathRecord* paths, const PathPack& pack) {
-    return random_places(pack.size, [&](std::size_t i) -> PathRecord& { return paths[pack[i]]; });
 }
 
 // leave_surface of 04.6.

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <rt/color.hpp>
 #include <rt/path_list.hpp>
-#include <rt/rng.hpp>
 #include <rt/vec3_pack.hpp>
 
 namespace rt {
@@ -19,8 +18,7 @@ struct alignas(64) PathRecord {
     PackInteger sphere = -1;  // which sphere was hit there; -1 before any hit
 
     Color throughput{1, 1, 1};
-    std::int32_t sample = 0;  // the sample whose light it brings
-    Rng random{0, 0};
+    std::int32_t sample = 0;  // the sample whose light it brings, and whose random numbers it draws
 };
 
 // The rays of a pack of paths, side by side.

@@ -1,6 +1,7 @@
 #pragma once
 #include <rt/batch_search.hpp>
 #include <rt/ready_scene.hpp>
+#include <rt/rng.hpp>
 #include <rt/scatter_packs.hpp>
 #include <rt/sort_by_kind.hpp>
 #include <rt/surfaces.hpp>
@@ -10,7 +11,7 @@ namespace rt {
 // One bounce of all paths of a batch (given): path_radiance of 04.7, one step for all paths at a
 // time. Paths are sorted by what they meet. Each kind of material has its own kernel, which writes
 // the paths that go on, one after the other, and makes their rays ready for the next search.
-template <Effects effects>
+template <Effects effects, class Random = Rng>
 class PlainBatch {
   public:
     PlainBatch(const ReadyScene<effects>& scene, std::size_t most_paths)
@@ -22,11 +23,13 @@ class PlainBatch {
           next_(paths.size()),
           kinds_(most_paths),
           sorted_(paths.size()) {
+        randoms.reserve(most_paths);
         search_.make_room(most_paths);
     }
 
     std::vector<PathRecord> paths;  // on their way, and room for a pack that is not full
     std::vector<Color> light;       // of samples, once they have ended
+    std::vector<Random> randoms;    // of samples
 
     // Makes room for the light of this many new paths.
     void begin(std::size_t count) { std::fill_n(light.begin(), count, Color{}); }
@@ -87,15 +90,17 @@ class PlainBatch {
     template <class Material>
     void scatter_some(const PathPack& pack) {
         const Arrivals at = arrive(paths.data(), surfaces_.all.data(), pack);
+        const auto random = [&](std::size_t i) -> Random& {
+            return randoms[static_cast<std::size_t>(paths[pack[i]].sample)];
+        };
         const Vec3Pack direction =
-            scatter_pack(static_cast<const Material*>(nullptr), at, paths.data(), pack);
+            scatter_pack(static_cast<const Material*>(nullptr), at, random, pack);
         set_rays(next_, left_, leave_surface(at, direction), direction);
         for (std::size_t i = 0; i < pack.size; ++i) {
             const PathRecord& path = paths[pack[i]];
             PathRecord& next = next_[left_++];
             next.throughput = path.throughput * attenuation<Material>(path, at, i);
             next.sample = path.sample;
-            next.random = path.random;
         }
     }
 

@@ -27,20 +27,22 @@ inline PlacePack pixel_to_viewport(const Camera& camera, const PixelPack& pixel)
     return {right / width * camera.viewport.width, -down / height * camera.viewport.height};
 }
 
-inline PrimaryRays primary_rays(const Camera& camera, const PixelPack& pixel, PathRecord*,
-                                std::size_t size) {
+// random(i) is the generator of path i.
+template <class RandomOf>
+PrimaryRays primary_rays(const Camera& camera, const PixelPack& pixel, const RandomOf&,
+                         std::size_t size) {
     const PlacePack p = pixel_to_viewport(camera, pixel);
     const auto [u, v, w] = camera.basis;
     const Vec3Pack toward = to_world(pack_of(u), pack_of(v), pack_of(w), {p.x, p.y, pack_of(-1)});
     return {pack_of(camera.eye), normalize(toward, first_bits(size))};
 }
 
-inline PrimaryRays primary_rays(const LensCamera& with_lens, const PixelPack& pixel,
-                                PathRecord* paths, std::size_t size) {
-    if (!(with_lens.lens.aperture > 0)) return primary_rays(with_lens.camera, pixel, paths, size);
-    const auto record = [&](std::size_t i) -> PathRecord& { return paths[i]; };
+template <class RandomOf>
+PrimaryRays primary_rays(const LensCamera& with_lens, const PixelPack& pixel,
+                         const RandomOf& random, std::size_t size) {
+    if (!(with_lens.lens.aperture > 0)) return primary_rays(with_lens.camera, pixel, random, size);
     const PlacePack p = pixel_to_viewport(with_lens.camera, pixel),
-                    place = random_places(size, record);
+                    place = random_places(size, random);
     const Pack radius = with_lens.lens.aperture / 2 * sqrt(place.x);
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);
     const Pack right = radius * cosine, up = radius * sine;

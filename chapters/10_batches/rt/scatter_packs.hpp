@@ -10,23 +10,26 @@
 namespace rt {
 
 // The materials' scatter(), for packs of paths that arrive at the same material (given): the
-// direction in which each goes on. The first argument only says which material it is. The
-// arithmetic is that of chapters 04 and 05, written once more: there a ray takes one side of an
-// `if`, and here rays of one pack may take both.
+// direction in which each goes on. The first argument only says which material it is; random(i) is
+// the generator of path i. The arithmetic is that of chapters 04 and 05, written once more: there a
+// ray takes one side of an `if`, and here rays of one pack may take both.
 
 // All matte materials, whatever their color.
-template <class Matte>
-Vec3Pack scatter_pack(const Matte*, const Arrivals& at, PathRecord* paths, const PathPack& pack) {
-    return cosine_direction(at.facing_normal, random_places(paths, pack), pack.active);
+template <class Matte, class RandomOf>
+Vec3Pack scatter_pack(const Matte*, const Arrivals& at, const RandomOf& random,
+                      const PathPack& pack) {
+    return cosine_direction(at.facing_normal, random_places(pack.size, random), pack.active);
 }
 
-inline Vec3Pack scatter_pack(const Mirror*, const Arrivals& at, PathRecord*, const PathPack& pack) {
+template <class RandomOf>
+Vec3Pack scatter_pack(const Mirror*, const Arrivals& at, const RandomOf&, const PathPack& pack) {
     return above_horizon(reflect(at.direction, at.facing_normal), at.facing_normal, pack.active);
 }
 
-inline Vec3Pack scatter_pack(const Metal*, const Arrivals& at, PathRecord* paths,
-                             const PathPack& pack) {
-    const PlacePack place = random_places(paths, pack);
+template <class RandomOf>
+Vec3Pack scatter_pack(const Metal*, const Arrivals& at, const RandomOf& random,
+                      const PathPack& pack) {
+    const PlacePack place = random_places(pack.size, random);
     const Pack z = 1 - 2 * place.x, radius = 2 * sqrt(place.x * (1 - place.x));
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);
     const Vec3Pack uniform{radius * cosine, radius * sine, z};
@@ -67,13 +70,14 @@ inline Vec3Pack refract(Vec3Pack incoming, Vec3Pack normal, Pack eta, PackBits a
     return refracted;
 }
 
-inline Vec3Pack scatter_pack(const Dielectric*, const Arrivals& at, PathRecord* paths,
-                             const PathPack& pack) {
+template <class RandomOf>
+Vec3Pack scatter_pack(const Dielectric*, const Arrivals& at, const RandomOf& random,
+                      const PathPack& pack) {
     const Pack eta = at.front ? 1 / at.parameter : at.parameter;
     const Pack reflected = fresnel_reflectance(-dot(at.direction, at.facing_normal), eta);
     Pack drawn = pack_of(1);
     for_each_bit(bits_of(reflected > 0) & pack.active,
-                 [&](std::size_t i) { drawn[i] = paths[pack[i]].random.uniform(); });
+                 [&](std::size_t i) { drawn[i] = random(i).uniform(); });
     PackMask can_go;
     const Vec3Pack through = refract(at.direction, at.facing_normal, eta, pack.active, can_go);
     const PackMask goes = can_go & ~(drawn < reflected);

@@ -28,7 +28,12 @@ constexpr int pilot_passes = 2;  // of each half
 
 using effects::few_effects;
 
-// Passes of samples from Sobol's sequence, or jittered ones.
+// The least set of few_effects that has those that the scene needs.
+std::size_t number_for(const SceneDescription& scene) {
+    return narrowest(needed_effects(scene), few_effects);
+}
+
+// Sobol's points path by path, passes of them or of jittered samples.
 template <Effects effects>
 DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
                         const Quality& quality, bool sobol) {
@@ -43,6 +48,26 @@ DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
 
 constexpr auto makers =
     ::effects::for_few_effects([]<Effects effects> { return &make_draw_pass<effects>; });
+
+// Sobol's points in batches: draw(renderer, arguments...) for a renderer of one's own.
+using Batches = BatchRenderer<batch_effects, SobolPoints>;
+
+bool can_be_batched(const SceneDescription& scene) {
+    return covers(batch_effects, needed_effects(scene));
+}
+
+template <class Draw>
+auto batch_workers(const SceneDescription& description, int width, int height,
+                   const Quality& quality, const Draw& draw) {
+    const auto scene =
+        std::make_shared<const ReadyScene<batch_effects>>(description, width, height);
+    return [scene, quality, draw] {
+        return [scene, draw, renderer = std::make_shared<Batches>(*scene, quality)](
+                   const Tile& tile, const auto& pass, Image& image, std::uint64_t& rays) {
+            return draw(*renderer, tile, pass, image, rays);
+        };
+    };
+}
 
 // Tiles filtered by a tent. The larger they are, the fewer pixels are sampled for two of them.
 constexpr int tent_tile_side = 64;
@@ -69,15 +94,8 @@ struct PassRenderer {
     int tile_side = 16;
 };
 
-PassRenderer make_passes(const SceneDescription& scene, int width, int height,
-                         const Quality& quality, bool sobol) {
-    const std::size_t number = narrowest(needed_effects(scene), few_effects);
-    const DrawPass draw = makers[number](scene, width, height, quality, sobol);
-    return {effects::choice_of(few_effects, number), [draw] { return draw; }};
-}
-
-PassRenderer make_batched_passes(const SceneDescription& scene, int width, int height,
-                                 const Quality& quality) {
+PassRenderer make_jittered_batches(const SceneDescription& scene, int width, int height,
+                                   const Quality& quality) {
     const effects::TileRenderer renderer = effects::make_batched(scene, width, height, quality);
     return {renderer.choice,
             [make = renderer.make_worker] {
@@ -87,6 +105,28 @@ PassRenderer make_batched_passes(const SceneDescription& scene, int width, int h
                 };
             },
             renderer.tile_side};
+}
+
+PassRenderer make_sobol_batches(const SceneDescription& scene, int width, int height,
+                                const Quality& quality) {
+    const int count = quality.samples_per_pixel;
+    return {effects::batched_choice(batch_effects),
+            batch_workers(scene, width, height, quality,
+                          [count](Batches& renderer, const Tile& tile, const Pass& pass,
+                                  Image& image, std::uint64_t& rays) {
+                              renderer.draw({sobol_samples(pass, count)}, tile, image, rays);
+                          }),
+            batch_tile_side(count)};
+}
+
+PassRenderer make_passes(const SceneDescription& scene, int width, int height,
+                         const Quality& quality, bool sobol, bool in_batches) {
+    if (in_batches && can_be_batched(scene))
+        return sobol ? make_sobol_batches(scene, width, height, quality)
+                     : make_jittered_batches(scene, width, height, quality);
+    const std::size_t number = number_for(scene);
+    const DrawPass draw = makers[number](scene, width, height, quality, sobol);
+    return {effects::choice_of(few_effects, number), [draw] { return draw; }};
 }
 
 std::string text_of(const char* format, double number) {
@@ -155,8 +195,9 @@ namespace effects {
 
 // All samples of a pixel in one pass.
 TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height,
-                        const rt::Quality& quality) {
-    const samples::PassRenderer passes = samples::make_passes(scene, width, height, quality, true);
+                        const rt::Quality& quality, bool in_batches) {
+    const samples::PassRenderer passes =
+        samples::make_passes(scene, width, height, quality, true, in_batches);
     const auto make_worker = [make = passes.make_worker] {
         return [draw = make()](const rt::Tile& tile, std::uint64_t seed, rt::Image& image,
                                std::uint64_t& rays) {
@@ -168,10 +209,21 @@ TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height
 }
 
 TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
-                       const rt::Quality& quality) {
-    const std::size_t number = rt::narrowest(rt::needed_effects(scene), few_effects);
-    const DrawTile draw = samples::tent_makers[number](scene, width, height, quality);
-    return {choice_of(few_effects, number), [draw] { return draw; }, samples::tent_tile_side};
+                       const rt::Quality& quality, bool in_batches) {
+    using namespace samples;
+    if (in_batches && can_be_batched(scene))
+        return {batched_choice(batch_effects),
+                batch_workers(scene, width, height, quality,
+                              [count = quality.samples_per_pixel](
+                                  Batches& renderer, const Tile& tile, std::uint64_t seed,
+                                  Image& image, std::uint64_t& rays) {
+                                  draw_with_tent(renderer, {seed, count}, tile, image, rays);
+                                  return pixel_count(tile);
+                              }),
+                tent_tile_side};
+    const std::size_t number = number_for(scene);
+    const DrawTile draw = tent_makers[number](scene, width, height, quality);
+    return {choice_of(few_effects, number), [draw] { return draw; }, tent_tile_side};
 }
 
 app::Picture refine(const rt::SceneDescription& scene, const app::Settings& settings,
@@ -184,8 +236,7 @@ app::Picture refine(const rt::SceneDescription& scene, const app::Settings& sett
     const bool in_batches = settings.given.count("batches") > 0;
     // Sobol's points, unless jittered samples are asked for.
     const bool sobol = settings.given.count("sampler") == 0 || settings.picked.front() == "sobol";
-    const PassRenderer drawing = in_batches ? make_batched_passes(scene, width, height, quality)
-                                            : make_passes(scene, width, height, quality, sobol);
+    const PassRenderer drawing = make_passes(scene, width, height, quality, sobol, in_batches);
     explain(drawing.choice);
 
     // Writing the file takes time, too.

@@ -26,12 +26,16 @@ DrawPass jittered_passes(const AnyRenderer& renderer, int count) {
     });
 }
 
-// Passes with the next `count` of Sobol's points in each pixel.
+// The next `count` of Sobol's points in each pixel.
+inline SobolSamples sobol_samples(const Pass& pass, int count) {
+    return {pass.seed, count, static_cast<std::uint32_t>(pass.number * count)};
+}
+
+// Passes with these points.
 template <class AnyRenderer>
 DrawPass sobol_passes(const AnyRenderer& renderer, int count, int left = 0) {
-    return draw_passes(renderer, left, [count](const Pass& pass) {
-        return SobolSamples{pass.seed, count, static_cast<std::uint32_t>(pass.number * count)};
-    });
+    return draw_passes(renderer, left,
+                       [count](const Pass& pass) { return sobol_samples(pass, count); });
 }
 
 }  // namespace rt

@@ -6,7 +6,7 @@
 #include <rt/color_sum.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
-#include <rt/sobol_samples.hpp>
+#include <rt/sobol_points.hpp>
 #include <rt/tile.hpp>
 
 namespace rt {
@@ -24,46 +24,76 @@ struct KeptSamples {
     }
 };
 
-// Draws a tile with a tent as the reconstruction filter (given). A sample counts for all pixels
-// whose middle is less than a pixel away, across and down: (1 - |x|) (1 - |y|) at the distance x,
-// y. So four pixels share it, with weights that add up to 1. A pixel is the mean of its samples,
-// weighted like that.
-//
-// Pixels just outside of the tile are sampled, too. Their samples are those that the next tile
-// takes, and they are added in the picture's order: what a pixel becomes does not depend on tiles
-// and threads.
-template <class AnyRenderer>
-void draw_with_tent(const AnyRenderer& renderer, const SobolSamples& samples, const Tile& tile,
-                    Image& image, std::uint64_t& rays) {
+// The samples of a tile, with a tent as the reconstruction filter (given). A sample counts for all
+// pixels whose middle is less than a pixel away, across and down: (1 - |x|) (1 - |y|) at the
+// distance x, y. So four pixels share it, with weights that add up to 1. A pixel is the mean of its
+// samples, weighted like that.
+class TentSums {
+  public:
+    explicit TentSums(const Tile& tile)
+        : tile_{tile}, sums_{tile.right - tile.left, tile.bottom - tile.top} {}
+
+    // The pixels that are sampled: also those just outside of the tile. Their samples are those
+    // that the next tile takes, and they are added in the picture's order: what a pixel becomes
+    // does not depend on tiles and threads.
+    Tile sampled() const {
+        return {tile_.left - 1, tile_.top - 1, tile_.right + 1, tile_.bottom + 1};
+    }
+
+    // A sample at this offset in pixel (x, y).
+    void add(int x, int y, Vec2 offset, const Color& light) {
+        for (int down = around(offset.y), j = down; j <= down + 1; ++j)
+            for (int right = around(offset.x), i = right; i <= right + 1; ++i) {
+                const int column = x + i - tile_.left, row = y + j - tile_.top;
+                if (column < 0 || row < 0 || column >= sums_.width() || row >= sums_.height())
+                    continue;
+                const Real share = weight(offset.x, i) * weight(offset.y, j);
+                Sum& sum = sums_.at(column, row);
+                sum.light.add(share * light);
+                sum.weight += static_cast<double>(share);
+            }
+    }
+
+    void write(Image& image) const {
+        for_each_pixel(tile_, [&](int x, int y) {
+            const Sum& sum = sums_.at(x - tile_.left, y - tile_.top);
+            image.at(x, y) = sum.light.mean(1) / static_cast<Real>(sum.weight);
+        });
+    }
+
+  private:
     struct Sum {
         ColorSum light;
         double weight = 0;
     };
-    Canvas<Sum> sums{tile.right - tile.left, tile.bottom - tile.top};
-    const auto around = [](Real offset) { return offset < Real(0.5) ? -1 : 0; };
-    const auto weight = [](Real offset, int pixel) {
+    static int around(Real offset) { return offset < Real(0.5) ? -1 : 0; }
+    static Real weight(Real offset, int pixel) {
         return 1 - std::abs(offset - Real(0.5) - static_cast<Real>(pixel));
-    };
-    for_each_pixel(
-        {tile.left - 1, tile.top - 1, tile.right + 1, tile.bottom + 1}, [&](int x, int y) {
-            const auto keep = [&](Vec2 offset, const Color& light) {
-                for (int down = around(offset.y), j = down; j <= down + 1; ++j)
-                    for (int right = around(offset.x), i = right; i <= right + 1; ++i) {
-                        const int column = x + i - tile.left, row = y + j - tile.top;
-                        if (column < 0 || row < 0 || column >= sums.width() || row >= sums.height())
-                            continue;
-                        const Real share = weight(offset.x, i) * weight(offset.y, j);
-                        Sum& sum = sums.at(column, row);
-                        sum.light.add(share * light);
-                        sum.weight += static_cast<double>(share);
-                    }
-            };
-            renderer(KeptSamples<decltype(keep)>{samples, keep}, x, y, rays);
-        });
-    for_each_pixel(tile, [&](int x, int y) {
-        const Sum& sum = sums.at(x - tile.left, y - tile.top);
-        image.at(x, y) = sum.light.mean(1) / static_cast<Real>(sum.weight);
+    }
+
+    Tile tile_;
+    Canvas<Sum> sums_;
+};
+
+// Draws a tile, filtered by a tent (given): path by path, or in batches.
+template <class AnyRenderer>
+void draw_with_tent(const AnyRenderer& renderer, const SobolSamples& samples, const Tile& tile,
+                    Image& image, std::uint64_t& rays) {
+    TentSums sums{tile};
+    for_each_pixel(sums.sampled(), [&](int x, int y) {
+        const auto keep = [&](Vec2 offset, const Color& light) { sums.add(x, y, offset, light); };
+        renderer(KeptSamples<decltype(keep)>{samples, keep}, x, y, rays);
     });
+    sums.write(image);
+}
+template <Effects effects>
+void draw_with_tent(BatchRenderer<effects, SobolPoints>& renderer, const SobolSamples& samples,
+                    const Tile& tile, Image& image, std::uint64_t& rays) {
+    TentSums sums{tile};
+    renderer.each(
+        {samples}, sums.sampled(), rays,
+        [&](int x, int y, Vec2 offset, const Color& light) { sums.add(x, y, offset, light); });
+    sums.write(image);
 }
 
 }  // namespace rt

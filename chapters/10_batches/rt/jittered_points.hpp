@@ -1,0 +1,57 @@
+#pragma once
+#include <cmath>
+#include <rt/renderer.hpp>
+#include <vector>
+
+namespace rt {
+
+// Where a path starts in the picture: at a place in a cell of a pixel (04.5).
+struct SamplePoint {
+    Real column, row;
+    Vec2 first;  // the cell's first corner, in cells
+    Vec2 place;  // in the unit square
+    Vec2 end;    // the largest offset in the cell; infinite: the cell is the pixel
+};
+
+// JitteredSamples (given), handed over one by one, before their paths are followed.
+class JitteredPoints {
+  public:
+    using Random = Rng;
+
+    explicit JitteredPoints(const JitteredSamples& samples) : samples_{samples} {
+        while ((cells_ + 1) * (cells_ + 1) <= samples.count) ++cells_;
+        for (int cell = 0; cell < cells_; ++cell)
+            ends_.push_back(
+                std::nextafter(static_cast<Real>(cell + 1) / static_cast<Real>(cells_), Real(0)));
+    }
+
+    int count() const { return samples_.count; }
+    int cells() const { return cells_; }  // in each row of a pixel
+
+    // Calls add(point, random) for each sample of a pixel, in their order.
+    template <class Add>
+    void each(int x, int y, const Add& add) const {
+        const std::uint64_t seed = samples_.seed;
+        Rng places = pixel_rng(seed, x, y);
+        int sample = 0;
+        const auto add_next = [&](Vec2 first, Vec2 end) {
+            add(SamplePoint{static_cast<Real>(x), static_cast<Real>(y), first, random_place(places),
+                            end},
+                sample_rng(seed, x, y, sample++));
+        };
+        for (int down = 0; down < cells_; ++down)
+            for (int right = 0; right < cells_; ++right)
+                add_next({static_cast<Real>(right), static_cast<Real>(down)},
+                         {end_of(right), end_of(down)});
+        while (sample < samples_.count) add_next({}, {infinity, infinity});
+    }
+
+  private:
+    Real end_of(int cell) const { return ends_[static_cast<std::size_t>(cell)]; }
+
+    JitteredSamples samples_;
+    int cells_ = 1;
+    std::vector<Real> ends_;  // the largest offset in each cell
+};
+
+}  // namespace rt
