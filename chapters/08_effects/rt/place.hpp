@@ -2,6 +2,7 @@
 #include <optional>
 #include <rt/color.hpp>
 #include <rt/fog.hpp>
+#include <rt/fuzz_density.hpp>
 #include <rt/interval.hpp>
 #include <rt/leave_surface.hpp>
 #include <rt/lights.hpp>
@@ -32,10 +33,16 @@ struct Place {
         return materials(incoming, *hit, random);
     }
     // The probability density, per solid angle, with which scatter() takes a direction; 0 for
-    // mirrors, glass and rough metal, for which light cannot be sampled.
+    // mirrors and glass, for which light cannot be sampled, and for rough metal, where that pays
+    // only with weights.
     Real density(Vec3 direction) const {
         return collision ? fog.density(incoming, direction)
                          : scatter_density(materials, *hit, direction);
+    }
+    // Star: the same, and the density of rough metal. It has no upper limit, so it takes weights.
+    Real shared_density(Vec3 direction) const {
+        return collision ? fog.density(incoming, direction)
+                         : scatter_density(materials, incoming, *hit, direction);
     }
     // Where a ray that leaves in this direction begins.
     Vec3 origin(Vec3 direction) const { return collision ? point : leave_surface(*hit, direction); }

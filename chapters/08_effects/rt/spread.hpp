@@ -18,8 +18,8 @@ struct OwnMaterial;
 
 // The probability density, per solid angle, with which scatter() of a material takes a direction
 // (given). It is 0 for materials for which light cannot be sampled: mirrors and glass allow single
-// directions only, lights in the lobe of fuzz are found by the path itself, and the density of a
-// material that you invent is unknown.
+// directions only, lights in rough metal are found by the path itself (or with fuzz_density.hpp),
+// and the density of a material that you invent is unknown.
 inline Real cosine_density(const Hit& hit, Vec3 direction) {
     return lambert(facing_normal(hit), direction) / pi;
 }

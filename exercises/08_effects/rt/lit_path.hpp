@@ -13,6 +13,7 @@ namespace rt {
 // direction, and pass it on. Draw no random number of your own; call sees_light at most once.
 // Star: multiply by place.fog.gets_through(ray, distance), the fraction that gets through the fog.
 // If the path goes on, also multiply by shared_weight(density of the sample, density of the place).
+// Here place.shared_density may replace place.density: it also has the density of rough metal.
 template <class AnyRay, class World, class Lights, class Materials, class Medium, class Random>
 Color direct_light(AnyRay ray, const World& world, const Lights& lights,
                    const Place<Materials, Medium>& place, [[maybe_unused]] bool goes_on,

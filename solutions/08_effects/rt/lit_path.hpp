@@ -19,7 +19,7 @@ Color direct_light(AnyRay ray, const World& world, const Lights& lights,
     const std::optional<ChosenLight> chosen = lights.choose(place.point, random);
     if (!chosen) return {};
     const LightSample& sample = chosen->sample;
-    const Real toward = place.density(sample.direction);
+    const Real toward = place.shared_density(sample.direction);
     if (!(toward > 0)) return {};
     ray.origin = place.origin(sample.direction);
     ray.direction = sample.direction;
@@ -59,7 +59,7 @@ Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materia
         const Color arriving = throughput;  // the share of light from here that reaches the eye
         const PathEnd end = bounces < depth ? PathEnd::none : ending(throughput, random);
         if (!lights.empty()) {
-            drawn = place.density(bounce->direction);
+            drawn = place.shared_density(bounce->direction);
             if (drawn > 0)
                 light += arriving *
                          direct_light(ray, world, lights, place, end != PathEnd::in_sky, random);

@@ -27,6 +27,7 @@ struct World {
 struct Materials {
     std::function<std::optional<rt::Scatter>(rt::Vec3, const rt::Hit&, rt::Rng&)> bounce;
     std::function<rt::Real(const rt::Hit&, rt::Vec3)> spread;
+    std::function<rt::Real(rt::Vec3, const rt::Hit&, rt::Vec3)> spread_of_all;
     std::function<bool(const rt::Hit&)> is_inside_of_glass;
 
     std::optional<rt::Scatter> operator()(rt::Vec3 incoming, const rt::Hit& hit,
@@ -35,6 +36,10 @@ struct Materials {
     }
     friend rt::Real scatter_density(const Materials& set, const rt::Hit& hit, rt::Vec3 direction) {
         return set.spread(hit, direction);
+    }
+    friend rt::Real scatter_density(const Materials& set, rt::Vec3 incoming, const rt::Hit& hit,
+                                    rt::Vec3 direction) {
+        return set.spread_of_all(incoming, hit, direction);
     }
     friend bool came_through_glass(const Materials& set, const rt::Hit& hit) {
         return set.is_inside_of_glass(hit);

@@ -205,6 +205,27 @@ TEST_CASE("there is no fog inside glass") {
                std::exp(-0.8));
 }
 
+TEST_CASE("light sampled at rough metal is the light found by chance") {
+    struct Chance : rt::SceneLights {
+        static constexpr bool empty() { return true; }
+    };
+    for (const Real fuzz : {Real(0.2), Real(0.5), Real(1)}) {
+        Lit lit;
+        lit.add({{0, -100, 0}, 100}, rt::Metal{{1, Real(0.9), Real(0.8)}, fuzz});
+        lit.add({{1, Real(0.5), 0}, Real(0.5)}, rt::Metal{{1, 1, 1}, fuzz});
+        lit.add_light({{0, 2, -2}, Real(0.5)}, {2, 3, 4});
+        lit.add_light({{0, 3, 5}, 2}, {1, 1, 0});
+        INFO("fuzz " << text(fuzz));
+        // Onto the floor, also nearly flat, where much of the lobe is folded up, and onto the ball.
+        for (const Vec3 to :
+             {Vec3{0, Real(-0.8), -2}, Vec3{0, Real(-0.05), -2}, Vec3{1, Real(-0.2), -2}}) {
+            const Ray ray{{0, 1, 2}, rt::normalize(to)};
+            check_same(lit.mean(ray, lit.lights, rt::SkyEnding{}, 5, 20000, 21),
+                       lit.mean(ray, Chance{lit.lights}, rt::SkyEnding{}, 5, 200000, 22));
+        }
+    }
+}
+
 TEST_CASE("lights and fog at any scale give the same light") {
     for (const Real scale : {Real(1e-9), Real(1e9)}) {
         const auto scene = [](Real s) {

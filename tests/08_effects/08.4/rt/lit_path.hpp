@@ -27,6 +27,9 @@ Materials as_materials(const Given& set) {
                 return set(incoming, hit, random);
             },
             [&](const rt::Hit& hit, rt::Vec3 out) { return scatter_density(set, hit, out); },
+            [&](rt::Vec3 in, const rt::Hit& hit, rt::Vec3 out) {
+                return scatter_density(set, in, hit, out);
+            },
             [&](const rt::Hit& hit) { return came_through_glass(set, hit); }};
 }
 template <class Given>
