@@ -4,7 +4,6 @@
 #include <study/pixel_error.hpp>
 #include <study/timing.hpp>
 
-#include "equal_time.hpp"
 #include "features.hpp"
 #include "scene.hpp"
 #include "ways.hpp"
@@ -248,7 +247,6 @@ void run_study(study::Report& report) {
     study_stopping(report);
     study_denoiser(report, "matte floor", {448, 372, 512, 420});
     study_denoiser(report, "metal and glass", {540, 390, 604, 438});
-    study_equal_time(report);
 }
 
 }  // namespace samples

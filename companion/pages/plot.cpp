@@ -403,8 +403,15 @@ std::string plot_file(const std::filesystem::path& table, const std::string& stu
 }
 
 std::map<std::string, std::string> plots_of(const std::filesystem::path& table) {
-    const std::vector<Measurements> studies = by_study(read_measurements(table));
-    if (table.filename() == "accuracy.csv") return {{"accuracy.svg", trade_svg(studies)}};
+    std::vector<Measurements> studies = by_study(read_measurements(table));
+    if (table.filename() == "accuracy.csv") {
+        // The other studies say more about the same pictures.
+        std::erase_if(studies, [](const Measurements& rows) {
+            return rows.front().error_name != "RMSE in a pixel" ||
+                   rows.front().cost_name != "time / ms";
+        });
+        return {{"accuracy.svg", trade_svg(studies)}};
+    }
     std::map<std::string, std::string> plots;
     for (const Measurements& rows : studies)
         plots[plot_file(table, rows.front().study)] = plot_svg(rows);

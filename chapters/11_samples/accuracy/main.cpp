@@ -1,4 +1,4 @@
-// What every setting of the ray tracer costs and is worth, on three scenes: docs/accuracy.md.
+// What every setting of the ray tracer costs and is worth: docs/accuracy.md.
 //
 //     accuracy_study DIR && accuracy_study_float DIR
 //
@@ -8,13 +8,12 @@
 #include <app/run.hpp>
 #include <filesystem>
 #include <fstream>
-#include <rt/batch_renderer.hpp>
 #include <rt/sphere_list.hpp>
-#include <string>
-#include <study/pixel_error.hpp>
-#include <study/timing.hpp>
+#include <rt/tent_filter.hpp>
 
 #include "../ways.hpp"
+#include "equal_time.hpp"
+#include "measured.hpp"
 #include "subjects.hpp"
 
 namespace rt {
@@ -28,8 +27,8 @@ inline Real scatter_density(const SchlickDielectric&, const Hit&, Vec3) {
 namespace accuracy {
 namespace {
 
-constexpr int width = 64, height = 36, usual_depth = 32;
-constexpr int truth_samples = 4096;
+constexpr int width = 192, height = 108, usual_depth = 32, truth_depth = 64;
+constexpr Tile whole{0, 0, width, height};
 
 // Lamps that are found by chance alone: they say that there are none to aim at.
 struct ChanceLights : SceneLights {
@@ -68,57 +67,127 @@ SchlickMaterials with_schlick(const Materials& exact) {
     return all;
 }
 
+// The converged pictures of a scene, for both filters.
+struct Truths {
+    Truth box, displayed_box, tent, displayed_tent;
+
+    std::array<Truth*, 4> all() { return {&box, &displayed_box, &tent, &displayed_tent}; }
+};
+
+// One file for both precisions: that of double.
+void write(std::ostream& out, const Truth& truth) {
+    out.precision(17);
+    out << truth.square << '\n';
+    for (const double channel : truth.mean) out << channel << ' ';
+    out << '\n';
+}
+void read(std::istream& in, Truth& truth) {
+    truth.mean.resize(std::size_t{3} * width * height);
+    in >> truth.square;
+    for (double& channel : truth.mean) in >> channel;
+}
+
 template <Effects effects>
 class Subject {
   public:
-    Subject(std::string name, SceneDescription description, study::Report& report,
-            const std::filesystem::path& folder)
-        : name_{std::move(name)}, description_{std::move(description)}, report_{report} {
-        truth_ = find_truth(folder / ("accuracy-" + name_ + ".truth"));
+    Subject(std::string name, SceneDescription description, const std::filesystem::path& folder)
+        : name_{std::move(name)}, description_{std::move(description)} {
+        const auto file = folder / ("accuracy-" + name_ + ".truth");
+        if (study::precision() == "double") {
+            truths_ = find_truths();
+            std::ofstream out{file};
+            for (const Truth* truth : truths_.all()) write(out, *truth);
+        } else {
+            std::ifstream in{file};
+            for (Truth* truth : truths_.all()) read(in, *truth);
+            if (!in) throw std::runtime_error(file.string() + " is missing: run accuracy_study");
+        }
     }
 
-    void measure_all() {
-        const auto& [camera, world, materials, sky, lights, fog, haze] = scene_;
-        using World = std::decay_t<decltype(world)>;
-        const auto sobol = [](std::uint64_t seed, int n) { return SobolSamples{seed, n}; };
-        const auto add_singly = [&](const char* setting, const auto& in, const auto& of,
-                                    const auto& lit_by, const auto& ending, int depth) {
-            add(setting, [&, depth](int n, std::uint64_t seed) {
-                return draw(sobol(seed, n), in, of, lit_by, ending, depth);
+    // Where the samples are, how they are weighted, and how paths are followed.
+    void add_samplers(int most_samples) {
+        for (int n = 4; n <= most_samples; n *= 4) {
+            add("independent", n, [=, this](auto seed) {
+                return draw_usual(samples::IndependentSamples{seed, n});
             });
-        };
-        add("independent", [&](int n, std::uint64_t seed) {
-            return draw_usual(samples::IndependentSamples{seed, n});
-        });
-        add("jittered", [&](int n, std::uint64_t seed) {
-            return draw_usual(JitteredSamples{seed, n});
-        });
-        add("Sobol", [&](int n, std::uint64_t seed) { return draw_usual(sobol(seed, n)); });
-        if constexpr (covers(batch_effects, effects))
-            add("jittered in batches",
-                [&](int n, std::uint64_t seed) { return draw_batches(n, seed); });
-        add("Sobol in twin halves", [&](int n, std::uint64_t seed) { return draw_twins(n, seed); });
-        for (const int depth : {2, 4, 8, 16})
-            add_singly(("depth " + std::to_string(depth)).c_str(), world, materials, lights,
-                       SkyEnding{}, depth);
-        add_singly("depth 8, black", world, materials, lights, BlackEnding{}, 8);
-        add_singly("roulette from 4", world, materials, lights, RouletteEnding{}, 4);
-        add_singly("Schlick", world, with_schlick(materials), lights, SkyEnding{}, usual_depth);
+            add("jittered", n, [=, this](auto seed) {
+                return draw_usual(JitteredSamples{seed, n});
+            });
+            add("Sobol", n, [=, this](auto seed) { return draw_usual(SobolSamples{seed, n}); });
+            add("Sobol in twin halves", n, [=, this](auto seed) { return draw_twins(seed, n); });
+            add("Sobol, tent", n, [=, this](auto seed) { return draw_tent(renderer_, seed, n); });
+            if constexpr (covers(batch_effects, effects)) {
+                add("jittered in batches", n, [=, this](auto seed) {
+                    return draw_batches(JitteredPoints{JitteredSamples{seed, n}});
+                });
+                add("Sobol in batches", n, [=, this](auto seed) {
+                    return draw_batches(SobolPoints{{seed, n}});
+                });
+                add("Sobol in batches, tent", n, [=, this](auto seed) {
+                    Batches<SobolPoints> renderer{scene_, usual_quality};
+                    return draw_tent(renderer, seed, n);
+                });
+            }
+        }
+    }
+
+    // Everything else, with 16 of Sobol's points.
+    void add_settings() {
+        for (const int depth : {4, 8, 16})
+            add("depth " + std::to_string(depth), scene_.world, scene_.materials, scene_.lights,
+                SkyEnding{}, depth);
+        add("depth 8, black", scene_.world, scene_.materials, scene_.lights, BlackEnding{}, 8);
+        add("roulette from 4", scene_.world, scene_.materials, scene_.lights, RouletteEnding{}, 4);
+        add("Schlick", scene_.world, schlick_, scene_.lights);
         if constexpr (effects.lights)
-            add_singly("lamps by chance", world, materials, ChanceLights{lights}, SkyEnding{},
-                       usual_depth);
-        add_singly("t > 0.001", SkippingWorld<World>{world, Real(0.001)}, materials, lights,
-                   SkyEnding{}, usual_depth);
-        add_singly("t > 0.001, scene / 1000", SkippingWorld<World>{world, 1}, materials, lights,
-                   SkyEnding{}, usual_depth);
-        add_singly("list of spheres", list(), materials, lights, SkyEnding{}, usual_depth);
-        const Renderer<every_effect> widest{description_, width, height, {1, usual_depth, 1}};
-        add("every effect compiled in", [&](int n, std::uint64_t seed) {
-            return samples::draw_with(widest, sobol(seed, n), width, height);
+            add("lamps by chance", scene_.world, scene_.materials, chance_);
+        add("t > 0.001", skipping_, scene_.materials, scene_.lights);
+        add("t > 0.001, scene / 1000", skipping_all_, scene_.materials, scene_.lights);
+        add("list of spheres", list_, scene_.materials, scene_.lights);
+        const auto widest = std::make_shared<const Renderer<every_effect>>(description_, width,
+                                                                           height, usual_quality);
+        add("every effect compiled in", usual_samples, [widest](auto seed) {
+            return samples::draw_with(*widest, SobolSamples{seed, usual_samples}, width, height);
         });
+    }
+
+    void measure(study::Report& report) {
+        accuracy::measure(measured_);
+        for (const Measured& one : measured_) {
+            const auto& [way, linear, displayed, ms] = one;
+            const Measured& usual = jittered(way.samples);
+            const auto add = [&](const char* study, double error, const char* error_name,
+                                 double cost, const char* cost_name) {
+                report.add({name_ + study, way.setting, static_cast<double>(way.samples),
+                            "samples per pixel", error, error_name, cost, cost_name});
+            };
+            add("", linear.rmse(), "RMSE in a pixel", study::median(ms), "time / ms");
+            add(" bias", linear.bias(), "bias in a pixel",
+                50 * interval_of(linear.squares) / mean_of(linear.squares), "RMSE 95 % / +-%");
+            const Worth in_light = worth(linear.squares, ms, usual.linear.squares, usual.ms);
+            add(" worth", in_light.times, "1 / (error^2 time) / jittered's", in_light.percent,
+                "95 % / +-%");
+            add(" displayed", displayed.rmse(), "RMSE as displayed", 0, "");
+            const Worth shown = worth(displayed.squares, ms, usual.displayed.squares, usual.ms);
+            add(" displayed worth", shown.times, "1 / (error^2 time) / jittered's", shown.percent,
+                "95 % / +-%");
+        }
+        const double ns = study::time_ns(
+            [&] {
+                study::keep(ReadyScene<effects>{description_, width, height});
+            },
+            {.rounds = 3});
+        report.add({.study = "building",
+                    .variant = name_,
+                    .x = static_cast<double>(description_.spheres.size()),
+                    .x_name = "spheres",
+                    .cost = 1e-6 * ns,
+                    .cost_name = "time / ms"});
     }
 
   private:
+    static constexpr int usual_samples = 16;
+    static constexpr Quality usual_quality{usual_samples, usual_depth, 1};
     static constexpr Effects every_effect{.mirror = true,
                                           .fuzz = true,
                                           .glass = true,
@@ -128,6 +197,31 @@ class Subject {
                                           .lights = true,
                                           .fog = true,
                                           .instances = true};
+    template <class Points>
+    using Batches = BatchRenderer<effects, Points>;
+
+    const Measured& jittered(int samples) const {
+        return *std::find_if(measured_.begin(), measured_.end(), [&](const Measured& one) {
+            return one.way.setting == "jittered" && one.way.samples == samples;
+        });
+    }
+
+    void add(const std::string& setting, int samples,
+             std::function<Image(std::uint64_t seed)> draw) {
+        const bool tent = setting.ends_with("tent");
+        measured_.push_back({{setting, samples, std::move(draw)},
+                             Errors{tent ? truths_.tent : truths_.box},
+                             Errors{tent ? truths_.displayed_tent : truths_.displayed_box},
+                             {}});
+    }
+    // The world, materials and lights must outlive it.
+    template <class World, class Materials, class Lights, class Ending = SkyEnding>
+    void add(const std::string& setting, const World& world, const Materials& materials,
+             const Lights& lights, const Ending& ending = {}, int depth = usual_depth) {
+        add(setting, usual_samples, [=, this, &world, &materials, &lights](auto seed) {
+            return draw(SobolSamples{seed, usual_samples}, world, materials, lights, ending, depth);
+        });
+    }
 
     template <class Samples, class World, class Materials, class Lights, class Ending>
     RT_INLINES_ALL Color pixel(const Samples& samples, const World& world,
@@ -145,86 +239,106 @@ class Subject {
     Image draw(const Samples& samples, const World& world, const Materials& materials,
                const Lights& lights, const Ending& ending, int depth) const {
         Image image = Canvas<Color>{width, height};
-        for_each_pixel({0, 0, width, height}, [&](int x, int y) {
+        for_each_pixel(whole, [&](int x, int y) {
             image.at(x, y) = pixel(samples, world, materials, lights, ending, depth, x, y);
         });
         return image;
     }
     template <class Samples>
-    Image draw_usual(const Samples& samples, int depth = usual_depth) const {
-        return draw(samples, scene_.world, scene_.materials, scene_.lights, SkyEnding{}, depth);
+    Image draw_usual(const Samples& samples) const {
+        return draw(samples, scene_.world, scene_.materials, scene_.lights, SkyEnding{},
+                    usual_depth);
     }
-
-    Image draw_batches(int n, std::uint64_t seed) const {
-        BatchRenderer<effects> renderer{scene_, {n, usual_depth, seed}};
+    template <class Points>
+    Image draw_batches(const Points& points) const {
+        Batches<Points> renderer{scene_, usual_quality};
         Image image = Canvas<Color>{width, height};
         std::uint64_t rays = 0;
-        renderer.draw({0, 0, width, height}, image, rays);
+        renderer.draw(points, whole, image, rays);
         return image;
     }
-    Image draw_twins(int n, std::uint64_t seed) const {
-        const Renderer<effects> renderer{description_, width, height, {1, usual_depth, 1}};
+    template <class AnyRenderer>
+    static Image draw_tent(AnyRenderer& renderer, std::uint64_t seed, int n) {
+        Image image = Canvas<Color>{width, height};
+        std::uint64_t rays = 0;
+        draw_with_tent(renderer, SobolSamples{seed, n}, whole, image, rays);
+        return image;
+    }
+    Image draw_twins(std::uint64_t seed, int n) const {
         return samples::refine({width, height, 4}, seed, n,
-                               [&](int count) { return sobol_passes(renderer, count); })
+                               [&](int count) { return sobol_passes(renderer_, count); })
             .image;
     }
 
-    SphereList list() const { return {prepare_shapes(description_).still}; }
-
-    // One picture for both precisions: that of double.
-    Image find_truth(const std::filesystem::path& file) const {
-        if (study::precision() == "double") {
-            const Image truth = draw_usual(SobolSamples{77, truth_samples}, 64);
-            std::ofstream out{file};
-            out.precision(17);
-            for (const Color& color : truth.pixels())
-                out << color.r << ' ' << color.g << ' ' << color.b << '\n';
-            return truth;
+    Truths find_truths() const {
+        constexpr int count = 1024;  // the samples of each half
+        std::array<Image, 2> box, tent;
+        for (const std::size_t half : {0, 1}) {
+            box[half] = tent[half] = Canvas<Color>{width, height};
+            TentSums filtered{whole};
+            Canvas<ColorSum> sums{width, height};
+            const auto keep = [&](int x, int y, Vec2 offset, const Color& light) {
+                filtered.add(x, y, offset, light);
+                if (x >= 0 && y >= 0 && x < width && y < height) sums.at(x, y).add(light);
+            };
+            const SobolSamples samples{1001 + half, count};
+            const Quality quality{count, truth_depth, 1};
+            std::uint64_t rays = 0;
+            if constexpr (covers(batch_effects, effects)) {
+                Batches<SobolPoints> renderer{scene_, quality};
+                renderer.each({samples}, filtered.sampled(), rays, keep);
+            } else {
+                const Renderer<effects> renderer{description_, width, height, quality};
+                for_each_pixel(filtered.sampled(), [&](int x, int y) {
+                    const auto keep_here = [&](Vec2 offset, const Color& light) {
+                        keep(x, y, offset, light);
+                    };
+                    renderer(KeptSamples<decltype(keep_here)>{samples, keep_here}, x, y, rays);
+                });
+            }
+            filtered.write(tent[half]);
+            for_each_pixel(whole,
+                           [&](int x, int y) { box[half].at(x, y) = sums.at(x, y).mean(count); });
         }
-        Image truth = Canvas<Color>{width, height};
-        std::ifstream in{file};
-        for_each_pixel({0, 0, width, height}, [&](int x, int y) {
-            Color& color = truth.at(x, y);
-            in >> color.r >> color.g >> color.b;
-        });
-        if (!in) throw std::runtime_error(file.string() + " cannot be read: run accuracy_study");
-        return truth;
-    }
-
-    // The error and the time of a setting, over the samples. The error is known
-    // best where samples are few.
-    template <class Draw>
-    void add(const std::string& setting, const Draw& draw_picture) {
-        for (int n = 1; n <= 64; n *= 4) {
-            const int seeds = n == 64 ? 2 : 4;
-            double squares = 0;
-            const double ns = study::time_ns(
-                [&] {
-                    for (int seed = 1; seed <= seeds; ++seed) {
-                        const Image image = draw_picture(n, static_cast<std::uint64_t>(seed));
-                        const double error =
-                            study::root_mean_square_error(image.pixels(), truth_.pixels());
-                        squares += error * error / seeds;
-                    }
-                },
-                {.rounds = 1});
-            report_.add({name_, setting, static_cast<double>(n), "samples per pixel",
-                         std::sqrt(squares), "RMSE in a pixel", 1e-6 * ns / seeds, "time / ms"});
-        }
+        return {{linear(box[0]), linear(box[1])},
+                {displayed(box[0]), displayed(box[1])},
+                {linear(tent[0]), linear(tent[1])},
+                {displayed(tent[0]), displayed(tent[1])}};
     }
 
     std::string name_;
     SceneDescription description_;
     ReadyScene<effects> scene_{description_, width, height};
-    Image truth_;
-    study::Report& report_;
+    Renderer<effects> renderer_{description_, width, height, usual_quality};
+    using World = std::decay_t<decltype(scene_.world)>;
+    SphereList list_{prepare_shapes(description_).still};
+    SchlickMaterials schlick_ = with_schlick(scene_.materials);
+    ChanceLights chance_;
+    SkippingWorld<World> skipping_{scene_.world, Real(0.001)}, skipping_all_{scene_.world, 1};
+    Truths truths_;
+    std::vector<Measured> measured_;
 };
 
 void run(const std::filesystem::path& folder) {
     study::Report report{"accuracy"};
-    Subject<cover_effects>{"cover", cover_scene(), report, folder}.measure_all();
-    Subject<lamp_effects>{"lamps", lamp_scene(), report, folder}.measure_all();
-    Subject<glass_effects>{"glass", glass_scene(), report, folder}.measure_all();
+    const auto measure = [&]<Effects effects>(const char* name, const SceneDescription& scene) {
+        Subject<effects> subject{name, scene, folder};
+        subject.add_samplers(64);
+        subject.add_settings();
+        subject.measure(report);
+    };
+    const auto measure_samplers = [&]<Effects effects>(const char* name,
+                                                       const SceneDescription& scene) {
+        Subject<effects> subject{name, scene, folder};
+        subject.add_samplers(16);
+        subject.measure(report);
+    };
+    measure.operator()<cover_effects>("cover", cover_scene());
+    measure.operator()<lamp_effects>("lamps", lamp_scene());
+    measure.operator()<glass_effects>("glass", glass_scene());
+    measure_samplers.operator()<fog_effects>("fog", fog_scene());
+    measure_samplers.operator()<bead_effects>("beads", bead_scene());
+    study_equal_time(report);
     report.print_table(stdout);
     app::write_study(report, folder);
 }

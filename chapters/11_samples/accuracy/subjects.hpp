@@ -1,25 +1,43 @@
 #pragma once
-// The three scenes of docs/accuracy.md: matte, metal and glass under a sky; lamps in the dark; and
-// glass within glass.
+// The scenes of docs/accuracy.md: matte, metal and glass under a sky; lamps in the dark, and the
+// same in fog; glass within glass; and a hundred thousand beads.
 
 #include <rt/cover_scene.hpp>
 #include <rt/scene.hpp>
 
+#include "../../10_batches/scene.hpp"
 #include "../scene.hpp"
 
 namespace accuracy {
 
 using namespace rt;
 
-constexpr Effects cover_effects{.mirror = true, .fuzz = true, .glass = true};
+constexpr Effects cover_effects{.mirror = true, .fuzz = true, .glass = true, .lens = true};
 constexpr Effects lamp_effects = samples::scene_effects;
 constexpr Effects glass_effects{.glass = true, .texture = true};
+constexpr Effects bead_effects = batches::scene_effects;
+constexpr Effects fog_effects = [] {
+    Effects all = lamp_effects;
+    all.fog = true;
+    return all;
+}();
 
 inline SceneDescription lamp_scene() {
     return samples::make_scene(samples::scene_view());
 }
+inline SceneDescription fog_scene() {
+    SceneDescription scene = lamp_scene();
+    scene.fog = Fog{{{0, 0, 0}, 30}, Real(0.03), {1, 1, 1}, Real(0.5)};
+    return scene;
+}
+// With the lens that the classic tutorial gives it.
 inline SceneDescription cover_scene() {
-    return study::cover_scene(study::make_cover());
+    SceneDescription scene = study::cover_scene(study::make_cover());
+    scene.camera.lens = {Real(0.1), 10};
+    return scene;
+}
+inline SceneDescription bead_scene() {
+    return batches::make_scene(100'000, batches::scene_view());
 }
 
 // Rows of glass balls, every other one hollow, on a checkered floor.
