@@ -13,11 +13,12 @@ namespace {
 std::string asked_part(const Given& given) {
     const bool is_rung = given.has("--rung");
     if (!is_rung && !given.has("--part")) return "";
-    const std::vector<std::string> parts = judge_parts();
+    std::vector<std::string> parts = judge_parts();
+    for (const std::string& part : optional_parts()) parts.push_back(part);
     const std::string name =
         is_rung ? "rung" + given.options.at("--rung") : given.options.at("--part");
     if (std::count(parts.begin(), parts.end(), name) > 0) return name;
-    if (is_rung) throw app::UsageError("--rung: the rungs are 1 to 9");
+    if (is_rung) throw app::UsageError("--rung: the rungs are 1 to 10");
     std::string known;
     for (const std::string& one : parts) known += (known.empty() ? "" : ", ") + one;
     throw app::UsageError("--part: there is no part '" + name + "'; the parts are " + known);

@@ -49,7 +49,9 @@ std::string what_differs(const Comparison& compared) {
 void look_at_picture(const Trial& trial, const OwnScene& scene, JudgedLine& line) {
     const auto with = [&](const OwnProgram& program) {
         return [&](std::uint64_t seed) {
-            return program.picture(scene.text, {"--seed", std::to_string(seed % 1'000'000'000 + 1)})
+            return program
+                .picture(scene.text, {"--seed", std::to_string(seed % 1'000'000'000 + 1)},
+                         scene.mesh)
                 .picture;
         };
     };
@@ -145,6 +147,38 @@ void judge_broken(const Trial& trial) {
                    [&](JudgedLine& line) { look_at_refusal(trial.own.call(call.words), line); });
 }
 
+// No ray slips between triangles that share an edge.
+void judge_edges(const Trial& trial) {
+    trial.line({false, "rung 10: no ray between two triangles", "", "only black pixels",
+                "Both triangles of an edge must decide from the same numbers on which side of it "
+                "the ray is, "
+                "as in the star of 12.1. A ray on the edge itself must hit one of them, or both."},
+               [&](JudgedLine& line) {
+                   long bright = 0, all = 0;
+                   for (const std::uint64_t more : {0, 1, 2, 3}) {
+                       const OwnScene scene = shared_corner(4 * trial.request.seed + more);
+                       const Picture picture = trial.own.picture(scene.text, {}).picture;
+                       for (long i = 0; i < picture.pixels(); ++i, ++all)
+                           bright += picture.bytes[3 * i] != 0;
+                   }
+                   line.passed = bright == 0;
+                   line.actual = line.passed ? "only black pixels"
+                                             : "in " + std::to_string(bright) + " of " +
+                                                   std::to_string(all) +
+                                                   " pixels, rays pass between black triangles";
+               });
+}
+
+void judge_broken_meshes(const Trial& trial) {
+    for (const OwnScene& scene : broken_meshes())
+        trial.line(
+            {false, "rung 10: " + scene.name, "",
+             "one line that says what is wrong, and an exit code other than 0", scene.suggestion},
+            [&](JudgedLine& line) {
+                look_at_refusal(trial.own.draw(scene.text, {}, scene.mesh).result, line);
+            });
+}
+
 void judge_part(const Trial& trial, const std::string& part) {
     for (const Rung& rung : own_rungs(trial.request.seed)) {
         if (part != "rung" + std::to_string(rung.number)) continue;
@@ -152,6 +186,11 @@ void judge_part(const Trial& trial, const std::string& part) {
         judge_pictures(trial, "rung " + std::to_string(rung.number), rung.scenes);
         if (rung.number == 8) judge_cores(trial);
         if (rung.number == 9) judge_tree(trial);
+        if (rung.number == 10) {
+            judge_edges(trial);
+            judge_broken_meshes(trial);
+            judge_mesh_tree(trial);
+        }
     }
     if (part == "hard") judge_pictures(trial, part, hard_scenes(trial.request.seed));
     if (part == "list") judge_list(trial);
@@ -165,6 +204,10 @@ void judge_part(const Trial& trial, const std::string& part) {
 std::vector<std::string> judge_parts() {
     return {"rung1", "rung2", "rung3", "rung4", "rung5",      "rung6",  "rung7",
             "rung8", "rung9", "hard",  "list",  "sanitizers", "broken", "accuracy"};
+}
+
+std::vector<std::string> optional_parts() {
+    return {"rung10"};
 }
 
 void judge(const JudgeRequest& request, const std::function<void(const JudgedLine&)>& report) {

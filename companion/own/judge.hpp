@@ -29,7 +29,7 @@ struct JudgeRequest {
     int cores = 2;               // physical ones
     double patience = 60;        // seconds for one picture
     int crowd = 10'000;          // spheres in the scenes on which all cores are measured
-    double tree_gain = 10;       // how many times as fast as --list a tree must be
+    double tree_gain = 10;       // how many times as fast as --list a tree must be; 0: any
     std::string only_line{};     // only this line; empty: all
     // Called when a line is begun, which may take long.
     std::function<void(const std::string& what)> begins = [](const std::string&) {};
@@ -38,6 +38,9 @@ struct JudgeRequest {
 // The parts of a verdict, in their order: "rung1" to "rung9", "hard", "list", "sanitizers",
 // "broken", "accuracy". A line's name begins with its part: "rung 1: ...", "hard: ...".
 std::vector<std::string> judge_parts();
+
+// Parts that are judged only if somebody asks for them: "rung10", triangles and meshes.
+std::vector<std::string> optional_parts();
 
 // Judges, and reports each line as soon as it is known. A program that cannot be built is one line
 // that fails; so is everything that was not looked at because the program did not end.

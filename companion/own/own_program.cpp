@@ -83,16 +83,19 @@ Result OwnProgram::call(const std::vector<std::string>& words) const {
 }
 
 OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
-                                   const std::vector<std::string>& options) const {
+                                   const std::vector<std::string>& options,
+                                   const std::string& mesh) const {
     static std::atomic<int> count = 0;
     const std::string number = std::to_string(count++);
     const fs::path scene_file = work_ / (number + ".txt"), picture = work_ / (number + ".ppm");
     std::ofstream{scene_file} << scene;
+    if (!mesh.empty()) std::ofstream{work_ / "shape.obj"} << mesh;
     std::vector<std::string> words{scene_file, picture};
     words.insert(words.end(), options.begin(), options.end());
     Drawn drawn{call(words), {}, {}};
     std::error_code ignored;
     fs::remove(scene_file, ignored);
+    fs::remove(work_ / "shape.obj", ignored);
     if (drawn.result.ok()) {
         if (!fs::exists(picture))
             throw app::Failure("own ended with exit code 0 but wrote no picture");
@@ -104,8 +107,9 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
 }
 
 OwnProgram::Drawn OwnProgram::picture(const std::string& scene,
-                                      const std::vector<std::string>& options) const {
-    Drawn drawn = draw(scene, options);
+                                      const std::vector<std::string>& options,
+                                      const std::string& mesh) const {
+    Drawn drawn = draw(scene, options, mesh);
     const std::string& said = drawn.result.output;
     if (!drawn.result.ok())
         throw app::Failure(program_.filename().string() + ": " + how_it_ended(drawn.result) +

@@ -31,11 +31,14 @@ class OwnProgram {
         Picture picture;    // none if the program failed
         std::string bytes;  // of the file
     };
-    // Draws a scene, given as its text. The result says how it ended; throws app::Failure only if
-    // it succeeded and yet wrote no picture.
-    Drawn draw(const std::string& scene, const std::vector<std::string>& options) const;
+    // Draws a scene, given as its text, with this text in the file shape.obj beside it if it is not
+    // empty. The result says how it ended; throws app::Failure only if it succeeded and yet wrote
+    // no picture.
+    Drawn draw(const std::string& scene, const std::vector<std::string>& options,
+               const std::string& mesh = {}) const;
     // The same for a scene that it must draw: throws app::Failure if it does not.
-    Drawn picture(const std::string& scene, const std::vector<std::string>& options) const;
+    Drawn picture(const std::string& scene, const std::vector<std::string>& options,
+                  const std::string& mesh = {}) const;
     // Calls it with any words. The folder that it runs in is empty. It may start no other process,
     // and write no file larger than 64 MB.
     Result call(const std::vector<std::string>& words) const;

@@ -41,6 +41,14 @@ class Writer {
         text_ << radius * scale_ << '\n';
         return *this;
     }
+    Writer& triangle(std::array<double, 3> a, std::array<double, 3> b, std::array<double, 3> c) {
+        text_ << "triangle ";
+        place(a);
+        place(b);
+        place(c);
+        text_ << '\n';
+        return *this;
+    }
     std::string text() const { return text_.str(); }
 
   private:
@@ -213,7 +221,145 @@ std::string crowd_of(std::uint64_t seed, int width, int height, int spheres, boo
     return scene.text();
 }
 
+// Triangles of all shapes; every second one is seen from behind.
+std::string black_triangles(Any& any) {
+    Writer scene;
+    scene.picture().camera({any(-2, 2), any(-2, 2), 7}, {0, 0, 0}, any(35, 50));
+    sky(scene, any).word("matte", {0, 0, 0});
+    for (int i = 0; i < 6; ++i) {
+        const std::array<double, 3> a{any(-3, 0), any(-2, 0), any(-2, 2)},
+            b{any(0, 3), any(-2, 0), any(-2, 2)}, c{any(-1, 1), any(0.2, 2), any(-2, 2)};
+        i % 2 == 0 ? scene.triangle(a, b, c) : scene.triangle(a, c, b);
+    }
+    return scene.text();
+}
+
+// Two leaning sheets on the ground: the camera sees the front of one and the back of the other.
+Writer sheets(Any& any) {
+    Writer scene = begin(any);
+    for (const bool back : {false, true}) {
+        const double x = back ? 0.2 : -1.6;
+        const std::array<double, 3> a{x, 0.02, any(0.3, 0.6)}, b{x + 1.4, 0.02, any(0.3, 0.6)},
+            c{x + 0.7, any(1.3, 1.6), any(-0.4, -0.2)};
+        matte(scene, any);
+        back ? scene.triangle(a, c, b) : scene.triangle(a, b, c);
+    }
+    return scene;
+}
+
+// Triangles without area, of the kinds that divide 0 by 0.
+std::string without_area(Any& any) {
+    Writer scene = sheets(any);
+    const std::array<double, 3> a{any(-1, 1), 1, any(0, 1)}, b{any(-1, 1), 0.5, any(0, 1)};
+    const std::array<double, 3> on_line{2 * b[0] - a[0], 2 * b[1] - a[1], 2 * b[2] - a[2]};
+    matte(scene, any).triangle(a, a, a).triangle(b, b, b);
+    return scene.triangle(a, a, b).triangle(a, b, a).triangle(a, b, on_line).text();
+}
+
+// How a file names a point: by its number, with numbers of other things behind it, or from the end.
+enum class Index { plain, slashes, from_the_end };
+
+// A closed vase around the y axis, of polygons whose corners run counterclockwise, seen from
+// outside: quadrilaterals, and a lid and a bottom with as many corners as the vase has sides.
+std::string vase(Any& any, int sides, int rings, Index index) {
+    std::ostringstream text;
+    text.precision(12);
+    text << "# a vase\no vase\n";
+    for (int ring = 0; ring < rings; ++ring) {
+        const double radius = any(0.5, 0.9), y = 0.02 + 1.6 * ring / (rings - 1);
+        for (int side = 0; side < sides; ++side) {
+            const double angle = 2 * 3.14159265358979 * side / sides;
+            text << "v " << radius * std::cos(angle) << ' ' << y << ' ' << radius * std::sin(angle)
+                 << '\n';
+        }
+    }
+    if (index == Index::slashes) text << "vt 0.5 0.5\nvn 0 1 0\ns off\n";
+    int polygons = 0;
+    const auto polygon = [&](const std::vector<int>& corners) {
+        text << 'f';
+        for (const int corner : corners) {
+            text << ' ' << (index == Index::from_the_end ? corner - sides * rings : corner + 1);
+            if (index == Index::slashes) text << (polygons % 2 == 0 ? "/1/1" : "//1");
+        }
+        text << '\n';
+        ++polygons;
+    };
+    std::vector<int> bottom, lid;
+    for (int side = 0; side < sides; ++side) {
+        bottom.push_back(side);
+        lid.insert(lid.begin(), (rings - 1) * sides + side);
+    }
+    polygon(bottom);
+    polygon(lid);
+    for (int ring = 0; ring + 1 < rings; ++ring)
+        for (int side = 0; side < sides; ++side) {
+            const int here = ring * sides + side, next = ring * sides + (side + 1) % sides;
+            polygon({next, here, here + sides, next + sides});
+        }
+    return text.str();
+}
+
+OwnScene matte_mesh(Any& any) {
+    Writer scene = begin(any);
+    matte(scene, any).line("mesh shape.obj");
+    return {"a mesh of polygons", scene.text(),
+            "Is every polygon cut into all of its triangles? -1 names the last point so far.",
+            vase(any, 7, 5, Index::from_the_end)};
+}
+
+OwnScene glass_mesh(Any& any) {
+    Writer scene = stage(any);
+    scene.word("glass", {any(1.3, 1.6)}).line("mesh shape.obj");
+    matte(scene, any).sphere({any(-2.5, -1.8), 0.5, any(-1, 1)}, 0.5);
+    return {"a mesh of glass", scene.text(),
+            "A triangle's outside is where its corners run counterclockwise: "
+            "cross(b - a, c - a) points there. Both sides are hit.",
+            vase(any, 9, 4, Index::slashes)};
+}
+
 }  // namespace
+
+OwnScene shared_corner(std::uint64_t seed) {
+    Any any{seed, 110};
+    const std::array<double, 3> corner{any(-1, 1), any(-1, 1), any(-1, 1)},
+        from{corner[0] + any(-2, 2), corner[1] + any(-2, 2), corner[2] + any(4, 6)};
+    Writer scene;  // the corner is the top of a pyramid that points at the camera
+    scene.picture(64, 36, 16, 1).camera(from, corner, 1e-12);
+    scene.word("sky", {1, 1, 1, 1, 1, 1}).word("matte", {0, 0, 0});
+    const int sides = 7;
+    std::vector<std::array<double, 3>> base;
+    for (int side = 0; side < sides; ++side) {
+        const double angle = 2 * 3.14159265358979 * (side + any(0, 0.5)) / sides;
+        base.push_back(
+            {corner[0] + std::cos(angle), corner[1] + std::sin(angle), corner[2] - any(0.2, 0.5)});
+    }
+    for (int side = 0; side < sides; ++side) {
+        const auto &here = base[side], &next = base[(side + 1) % sides];
+        side % 2 == 0 ? scene.triangle(corner, here, next) : scene.triangle(here, corner, next);
+    }
+    return {"no ray between two triangles", scene.text(), ""};
+}
+
+OwnScene fine_mesh(std::uint64_t seed, int width) {
+    Any any{seed, 111};
+    Writer scene;
+    scene.picture(width, width * 9 / 16, 1).camera({any(-1, 1), any(1, 2), 4}, {0, 0.8, 0}, 40);
+    sky(scene, any);
+    matte(scene, any).sphere({0, -100, 0}, 100);
+    metal(scene, any, any(0.1, 0.5)).line("mesh shape.obj");
+    return {"a mesh of 10,000 triangles", scene.text(), "", vase(any, 100, 50, Index::plain)};
+}
+
+std::vector<OwnScene> broken_meshes() {
+    const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", scene = "mesh shape.obj\n";
+    return {{"a mesh file that is not there", scene, ""},
+            {"a corner that names no point", scene, "", corners + "f 1 2 4\n"},
+            {"the corner 0", scene, "Points are counted from 1.", corners + "f 0 1 2\n"},
+            {"a corner from before the first point", scene, "", corners + "f -1 -2 -4\n"},
+            {"a polygon of two corners", scene, "", corners + "f 1 2\n"},
+            {"a word for a coordinate", scene, "", corners + "v 0 zero 1\nf 1 2 3\n"},
+            {"a triangle with a number too few", "triangle 0 0 0 1 0 0 0 1\n", ""}};
+}
 
 std::string crowd(std::uint64_t seed, int width, int height, int spheres) {
     return crowd_of(seed, width, height, spheres, false);
@@ -303,6 +449,19 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
     add("10,000 spheres",
         {{"10,000 spheres of all materials", crowd(seed, 48, 27),
           "Is the picture the same with --list? If so, the mistake is not in the tree."}});
+    add("triangles",
+        {scene("black triangles before the sky", black_triangles,
+               "Does a triangle count from both sides? A hit lies ahead of the ray, and inside of "
+               "all three edges."),
+         scene(
+             "two matte sheets", [](Any& any) { return sheets(any).text(); },
+             "Does the normal point to the side that the ray came from?"),
+         scene("triangles without area", without_area,
+               "0 / 0 is not a number, and each comparison with it is false. Is the condition "
+               "written so that such a triangle is missed?")});
+    Any any{seed, ++number};
+    rungs.back().scenes.push_back(matte_mesh(any));
+    rungs.back().scenes.push_back(glass_mesh(any));
     return rungs;
 }
 

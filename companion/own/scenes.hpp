@@ -12,6 +12,7 @@ struct OwnScene {
     std::string name;        // "a fuzzy metal ball"
     std::string text;        // the scene file
     std::string suggestion;  // where to look when the picture is wrong
+    std::string mesh = {};   // the file shape.obj beside it, if it names one
 };
 
 // One step from a sky to the whole program; the last ones ask for more than pictures.
@@ -21,7 +22,7 @@ struct Rung {
     std::vector<OwnScene> scenes;  // whose pictures must be the reference's within the noise
 };
 
-// All nine, in order.
+// All ten, in order. The tenth is optional.
 std::vector<Rung> own_rungs(std::uint64_t seed);
 
 // Scenes in which rounding shows: far, tiny, huge, nested, and scaled by 1/1000 and 1000.
@@ -36,6 +37,16 @@ std::string crowd_with_twins(std::uint64_t seed, int width, int height);
 // A few spheres of all materials through a lens, in a small picture, so that
 // each part of a program runs.
 std::string some_of_all(std::uint64_t seed);
+
+// A corner that several black triangles share, in a picture so narrow that each of its rays passes
+// within rounding of an edge. Behind them is the sky.
+OwnScene shared_corner(std::uint64_t seed);
+
+// A mesh of 10,000 triangles, in a picture of this width with one sample a pixel.
+OwnScene fine_mesh(std::uint64_t seed, int width);
+
+// Scenes that name a mesh, and what is wrong with each.
+std::vector<OwnScene> broken_meshes();
 
 // The scene for measuring the page accuracy.md.
 std::string accuracy_scene(std::uint64_t seed);

@@ -8,8 +8,9 @@
 namespace companion {
 namespace {
 
-double time_of(const Timed& timed, const std::string& scene, Clock clock) {
-    const Result result = timed.program.draw(scene, timed.options).result;
+double time_of(const Timed& timed, const std::string& scene, Clock clock,
+               const std::string& mesh = {}) {
+    const Result result = timed.program.draw(scene, timed.options, mesh).result;
     if (!result.ok()) throw app::Failure("own: " + how_it_ended(result));
     return clock == Clock::wall ? result.seconds : result.cpu_seconds;
 }
@@ -28,11 +29,11 @@ std::string number(double value, const char* format) {
 }
 
 Turns in_turns(const Timed& first, const Timed& second, const std::string& scene, Clock clock,
-               int turns) {
+               int turns, const std::string& mesh) {
     std::vector<double> of_first, of_second, ratios;
     for (int turn = 0; turn < turns; ++turn) {
-        of_first.push_back(time_of(first, scene, clock));
-        of_second.push_back(time_of(second, scene, clock));
+        of_first.push_back(time_of(first, scene, clock, mesh));
+        of_second.push_back(time_of(second, scene, clock, mesh));
         ratios.push_back(of_first.back() / of_second.back());
     }
     return {study::median(of_first), study::median(of_second), study::median(ratios)};
@@ -119,6 +120,34 @@ void judge_tree(const Trial& trial) {
                 tree{trial.own, {"--threads", "1"}};
             const std::string scene = long_enough(list, trial.request.seed, Clock::processor, 1.5);
             const Turns turns = in_turns(list, tree, scene, Clock::processor, 3);
+            line.passed = turns.ratio >= trial.request.tree_gain;
+            line.actual = times_as_fast(turns);
+        });
+}
+
+void judge_mesh_tree(const Trial& trial) {
+    trial.line({false, "rung 10: --list draws the same bytes", "", "the same bytes",
+                "The box of a triangle holds its three corners, and what rounding adds."},
+               [&](JudgedLine& line) {
+                   const OwnScene scene = fine_mesh(trial.request.seed, 48);
+                   line.passed = trial.own.picture(scene.text, {}, scene.mesh).bytes ==
+                                 trial.own.picture(scene.text, {"--list"}, scene.mesh).bytes;
+                   line.actual = line.passed ? "the same bytes" : "different bytes";
+               });
+    if (trial.request.tree_gain <= 0) return;
+    trial.line(
+        {false, "rung 10: the tree against --list", "",
+         "at least " + number(trial.request.tree_gain, "%.0f") +
+             " times as fast, in processor time, for 10,000 triangles",
+         "Are the triangles of a mesh in the tree, as the spheres are?"},
+        [&](JudgedLine& line) {
+            const Timed list{trial.own, {"--list", "--threads", "1"}},
+                tree{trial.own, {"--threads", "1"}};
+            int width = 48;  // until reading the file does not count
+            OwnScene scene = fine_mesh(trial.request.seed, width);
+            while (width < 2048 && time_of(list, scene.text, Clock::processor, scene.mesh) < 1)
+                scene = fine_mesh(trial.request.seed, width = width * 3 / 2);
+            const Turns turns = in_turns(list, tree, scene.text, Clock::processor, 3, scene.mesh);
             line.passed = turns.ratio >= trial.request.tree_gain;
             line.actual = times_as_fast(turns);
         });

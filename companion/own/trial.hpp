@@ -17,6 +17,8 @@ struct Trial {
 void judge_cores(const Trial& trial);
 void judge_tree(const Trial& trial);
 void judge_list(const Trial& trial);
+// Rung 10's tree over triangles.
+void judge_mesh_tree(const Trial& trial);
 // The page accuracy.md.
 void judge_accuracy(const Trial& trial);
 
@@ -31,7 +33,7 @@ struct Turns {
     double ratio;          // the median of first / second of each turn
 };
 Turns in_turns(const Timed& first, const Timed& second, const std::string& scene, Clock clock,
-               int turns);
+               int turns, const std::string& mesh = {});
 
 // A crowd in a picture large enough that drawing it takes the wanted time, so that the time for
 // reading the scene does not count.

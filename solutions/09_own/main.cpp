@@ -1,10 +1,12 @@
-// A path tracer in one file: spheres of matte, metal and glass under a sky, seen through a lens.
+// A path tracer in one file: spheres and triangles of matte, metal and glass under a sky, seen
+// through a lens.
 // own SCENE PICTURE.ppm [--threads N] [--seed N] [--list]
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -69,12 +71,17 @@ struct Sphere {
     double radius;
     Material material;
 };
+struct Triangle {
+    Vec3 a, b, c;
+    Material material;
+};
 struct Scene {
     int width = 400, height = 225, samples = 16, depth = 50;
     Vec3 from{0, 0, 5}, at, up{0, 1, 0};  // the camera
     double fov_deg = 40, aperture = 0, focus = 1;
     Vec3 below{1, 1, 1}, above{0.5, 0.7, 1};  // the sky
     std::vector<Sphere> spheres;
+    std::vector<Triangle> triangles;
 };
 
 void expect(bool holds, const std::string& what) {
@@ -85,11 +92,53 @@ std::istream& operator>>(std::istream& in, Vec3& v) {
     return in >> v.x >> v.y >> v.z;
 }
 
-void read_line(const std::string& line, Scene& scene, Material& material) {
+// As long as the triangle's area doubled; it points to where a, b, c run counterclockwise.
+Vec3 area(const Triangle& triangle) {
+    return cross(triangle.b - triangle.a, triangle.c - triangle.a);
+}
+
+void add_triangle(Scene& scene, const Triangle& triangle) {
+    if (length(area(triangle)) > 0) scene.triangles.push_back(triangle);
+}
+
+// The polygons of an OBJ file, each cut into triangles from its first corner.
+void read_mesh(const std::filesystem::path& path, const Material& material, Scene& scene) {
+    std::ifstream file{path};
+    expect(file.is_open(), "an OBJ file, but cannot read " + path.string());
+    std::vector<Vec3> points;
+    for (std::string line, word; std::getline(file, line);) {
+        std::istringstream in{line.substr(0, line.find('#'))};
+        if (!(in >> word) || (word != "v" && word != "f")) continue;
+        if (word == "v") {
+            in >> points.emplace_back();
+            expect(!in.fail(), "three numbers in " + path.string() + ": " + line);
+            continue;
+        }
+        std::vector<Vec3> corners;
+        while (in >> word) {
+            std::istringstream number{word.substr(0, word.find('/'))};
+            const int count = static_cast<int>(points.size());
+            int point = 0;
+            number >> point;
+            if (point < 0) point += count + 1;  // -1 is the last one so far
+            expect(number.eof() && 0 < point && point <= count,
+                   "the number of a point, not " + word);
+            corners.push_back(points[point - 1]);
+        }
+        expect(corners.size() > 2, "three corners or more in " + path.string() + ": " + line);
+        for (std::size_t i = 2; i < corners.size(); ++i)
+            add_triangle(scene, {corners[0], corners[i - 1], corners[i], material});
+    }
+}
+
+// Files that the line names are in this folder.
+void read_line(const std::string& line, const std::filesystem::path& folder, Scene& scene,
+               Material& material) {
     std::istringstream in{line};
-    std::string word, more;
+    std::string word, mesh, more;
     if (!(in >> word)) return;
     Sphere sphere{{}, 1, {}};
+    Triangle triangle;
     if (word == "picture")
         in >> scene.width >> scene.height >> scene.samples >> scene.depth;
     else if (word == "camera")
@@ -107,8 +156,12 @@ void read_line(const std::string& line, Scene& scene, Material& material) {
         in >> material.index;
     } else if (word == "sphere")
         in >> sphere.center >> sphere.radius;
+    else if (word == "triangle")
+        in >> triangle.a >> triangle.b >> triangle.c;
+    else if (word == "mesh")
+        in >> mesh;
     else
-        expect(false, "camera, glass, matte, metal, picture, sky or sphere, not " + word);
+        expect(false, "a word that the task has, not " + word);
     expect(!in.fail() && !(in >> more), "the right numbers after " + word);
     const auto [least, most] = std::minmax({scene.width, scene.height, scene.samples, scene.depth});
     expect(least > 0 && most <= 10'000, "picture numbers from 1 to 10000");
@@ -120,6 +173,8 @@ void read_line(const std::string& line, Scene& scene, Material& material) {
     expect(0 <= material.fuzz && material.fuzz <= 1, "a fuzz from 0 to 1");
     expect(material.index > 0 && sphere.radius > 0, "an index or radius greater than 0");
     if (word == "sphere") scene.spheres.push_back({sphere.center, sphere.radius, material});
+    if (word == "triangle") add_triangle(scene, {triangle.a, triangle.b, triangle.c, material});
+    if (word == "mesh") read_mesh(folder / mesh, material, scene);
 }
 
 Scene read_scene(const std::string& path) {
@@ -130,7 +185,8 @@ Scene read_scene(const std::string& path) {
     int number = 1;
     try {
         for (std::string line; std::getline(file, line); ++number)
-            read_line(line.substr(0, line.find('#')), scene, material);
+            read_line(line.substr(0, line.find('#')), std::filesystem::path{path}.parent_path(),
+                      scene, material);
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
     }
@@ -139,14 +195,21 @@ Scene read_scene(const std::string& path) {
 
 // A ray that leaves a sphere knows which one. It meets that sphere at t = 0, exactly, and at most
 // at one other point. So it needs no tolerance to leave the sphere, near or far, large or small.
+// A triangle that it leaves it never meets again. Triangles are numbered after the spheres.
 struct Ray {
     Vec3 origin, direction;  // of length 1
-    int leaves = -1;         // the number of the sphere that it starts on
+    int leaves = -1;         // the number of the surface that it starts on
 };
 struct Hit {
     double t = infinity;
-    int sphere = -1;
+    int surface = -1;
 };
+
+// Of equally near surfaces the one with the highest number counts, whatever their order.
+void keep_nearest(Hit& nearest, double t, int number) {
+    if (t > 0 && (t < nearest.t || (t == nearest.t && number > nearest.surface)))
+        nearest = {t, number};
+}
 
 void try_sphere(const std::vector<Sphere>& spheres, int number, const Ray& ray, Hit& nearest) {
     const Sphere& sphere = spheres[number];
@@ -163,9 +226,34 @@ void try_sphere(const std::vector<Sphere>& spheres, int number, const Ray& ray, 
         const double b = (distance - r) * (distance + r) / a;
         t = std::min(a, b) > 0 ? std::min(a, b) : std::max(a, b);
     }
-    // Of equally near spheres the one with the highest number counts, whatever their order.
-    if (t > 0 && (t < nearest.t || (t == nearest.t && number > nearest.sphere)))
-        nearest = {t, number};
+    keep_nearest(nearest, t, number);
+}
+
+// a b - c d with the right sign (Kahan): each product is rounded once, and its error is added.
+double difference(double a, double b, double c, double d) {
+    const double cd = c * d;
+    return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+}
+
+// The watertight test of Woop, Benthin and Wald (2013). Space is sheared so that the ray runs along
+// an axis. Then the sign of an area says on which side of an edge the ray is. The two triangles of
+// an edge compute it from the same numbers, so no ray slips between them.
+void try_triangle(const Triangle& triangle, int number, const Ray& ray, Hit& nearest) {
+    if (number == ray.leaves) return;
+    const Vec3 d = ray.direction, size{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
+    const int z = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    const int x = (z + 1) % 3, y = (z + 2) % 3;
+    const auto seen = [&](Vec3 corner) {
+        const Vec3 p = corner - ray.origin;
+        return Vec3{p[x] - d[x] / d[z] * p[z], p[y] - d[y] / d[z] * p[z], p[z] / d[z]};
+    };
+    const Vec3 a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
+    const double u = difference(b.x, c.y, b.y, c.x), v = difference(c.x, a.y, c.y, a.x),
+                 w = difference(a.x, b.y, a.y, b.x);
+    if (std::min({u, v, w}) < 0 && std::max({u, v, w}) > 0) return;  // beside it
+    if (u + v + w == 0) return;                                      // it is seen edge-on
+    const double t = (u * a.z + v * b.z + w * c.z) / (u + v + w);
+    keep_nearest(nearest, t, number);
 }
 
 struct Box {
@@ -194,13 +282,23 @@ Box box_of(const Sphere& sphere) {
     const double r = sphere.radius + 8 * epsilon * (sphere.radius + length(c));
     return {c - Vec3{r, r, r}, c + Vec3{r, r, r}};
 }
+Box box_of(const Triangle& triangle) {
+    Box box;
+    for (const Vec3 p : {triangle.a, triangle.b, triangle.c}) {
+        const double r = 64 * epsilon * length(p);
+        box.add({p - Vec3{r, r, r}, p + Vec3{r, r, r}});
+    }
+    return box;
+}
 
 class Tree {
   public:
     // A list is a tree with a single leaf.
-    Tree(const std::vector<Sphere>& spheres, bool list)
-        : spheres_{spheres}, order_(spheres.size()) {
-        const int count = static_cast<int>(spheres.size());
+    Tree(const Scene& scene, bool list)
+        : spheres_{scene.spheres},
+          triangles_{scene.triangles},
+          order_(spheres_.size() + triangles_.size()) {
+        const int count = static_cast<int>(order_.size());
         std::iota(order_.begin(), order_.end(), 0);
         build(0, count, list ? count : 2);
     }
@@ -214,23 +312,35 @@ class Tree {
   private:
     struct Node {
         Box box;
-        int first, count;  // its spheres: indices into order_
+        int first, count;  // its surfaces: indices into order_
         int axis, right;   // the left child is the next node; right is 0 in a leaf
     };
+
+    // The triangle of this number; null if it is a sphere's number.
+    const Triangle* triangle(int number) const {
+        const int spheres = static_cast<int>(spheres_.size());
+        return number < spheres ? nullptr : &triangles_[number - spheres];
+    }
+    Vec3 middle(int number) const {
+        const Triangle* const t = triangle(number);
+        return t ? 1.0 / 3 * (t->a + t->b + t->c) : spheres_[number].center;
+    }
 
     // Cuts in half along the longest side of the box.
     void build(int first, int count, int in_leaf) {
         const std::size_t index = nodes_.size();
         Box box;
-        for (int i = first; i < first + count; ++i) box.add(box_of(spheres_[order_[i]]));
+        for (int i = first; i < first + count; ++i) {
+            const Triangle* const t = triangle(order_[i]);
+            box.add(t ? box_of(*t) : box_of(spheres_[order_[i]]));
+        }
         const Vec3 size = box.high - box.low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         nodes_.push_back({box, first, count, axis, 0});
         if (count <= in_leaf) return;
         const auto begin = order_.begin() + first;
-        std::nth_element(begin, begin + count / 2, begin + count, [&](int a, int b) {
-            return spheres_[a].center[axis] < spheres_[b].center[axis];
-        });
+        std::nth_element(begin, begin + count / 2, begin + count,
+                         [&](int a, int b) { return middle(a)[axis] < middle(b)[axis]; });
         build(first, count / 2, in_leaf);
         nodes_[index].right = static_cast<int>(nodes_.size());
         build(first + count / 2, count - count / 2, in_leaf);
@@ -241,7 +351,10 @@ class Tree {
         if (!node.box.meets(ray, inverse, hit.t)) return;
         if (node.right == 0) {
             for (int i = node.first; i < node.first + node.count; ++i)
-                try_sphere(spheres_, order_[i], ray, hit);
+                if (const Triangle* const t = triangle(order_[i]))
+                    try_triangle(*t, order_[i], ray, hit);
+                else
+                    try_sphere(spheres_, order_[i], ray, hit);
             return;
         }
         const bool left_first = ray.direction[node.axis] > 0;
@@ -250,6 +363,7 @@ class Tree {
     }
 
     const std::vector<Sphere>& spheres_;
+    const std::vector<Triangle>& triangles_;
     std::vector<int> order_;
     std::vector<Node> nodes_;
 };
@@ -293,11 +407,17 @@ Vec3 scatter(const Material& material, Vec3 d, Vec3 outward, Random& random) {
     return length(next) > 0 ? unit(next) : normal;
 }
 
+// Where a path bounces; the normal points outward.
+struct Surface {
+    Vec3 point, normal;
+    const Material& material;
+};
+
 class Renderer {
   public:
     Renderer(const Scene& scene, int seed, bool list)
         : scene_{scene},
-          tree_{scene.spheres, list},
+          tree_{scene, list},
           seed_{seed},
           w_{unit(scene.from - scene.at)},
           u_{unit(cross(scene.up, w_))},
@@ -325,17 +445,28 @@ class Renderer {
         Vec3 throughput{1, 1, 1};
         for (int bounce = 0; bounce <= scene_.depth; ++bounce) {
             const Hit hit = tree_.nearest(ray);
-            if (hit.sphere < 0) {
+            if (hit.surface < 0) {
                 const double up = (ray.direction.y + 1) / 2;
                 return throughput * ((1 - up) * scene_.below + up * scene_.above);
             }
-            const Sphere& sphere = scene_.spheres[hit.sphere];
-            const Vec3 normal = unit(ray.origin + hit.t * ray.direction - sphere.center);
-            const Vec3 next = scatter(sphere.material, ray.direction, normal, random);
-            throughput = throughput * sphere.material.color;
-            ray = {sphere.center + sphere.radius * normal, next, hit.sphere};
+            const Surface surface = surface_at(ray, hit);
+            const Vec3 next = scatter(surface.material, ray.direction, surface.normal, random);
+            throughput = throughput * surface.material.color;
+            ray = {surface.point, next, hit.surface};
         }
         return {};
+    }
+
+    Surface surface_at(const Ray& ray, const Hit& hit) const {
+        const Vec3 point = ray.origin + hit.t * ray.direction;
+        const std::size_t number = hit.surface, spheres = scene_.spheres.size();
+        if (number >= spheres) {
+            const Triangle& triangle = scene_.triangles[number - spheres];
+            return {point, unit(area(triangle)), triangle.material};
+        }
+        const Sphere& sphere = scene_.spheres[number];
+        const Vec3 normal = unit(point - sphere.center);
+        return {sphere.center + sphere.radius * normal, normal, sphere.material};
     }
 
     const Scene& scene_;

@@ -267,7 +267,7 @@ class Companion(unittest.TestCase):
         (self.root / "empty").mkdir()
         self.course("own", "new", str(self.root / "empty"))
         self.course("own", code=2)
-        for words in (["--rung", "10"], ["--rung", "0"], ["--rung", "-1"], ["--seed", "-1"], ["--seed", "x"]):
+        for words in (["--rung", "11"], ["--rung", "0"], ["--rung", "-1"], ["--seed", "-1"], ["--seed", "x"]):
             self.assertEqual(self.course("own", "judge", str(folder), *words, code=2).count("\n"), 1)
         self.assertIn("rung1, rung2", self.course("own", "judge", str(folder), "--part", "x", code=2))
         self.assertIn("own judge", self.course("check", "09", code=2))

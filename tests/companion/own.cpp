@@ -54,12 +54,14 @@ TEST_CASE("every scene that is made up is a scene", "[own]") {
         std::vector<OwnScene> scenes = hard_scenes(seed);
         for (const Rung& rung : own_rungs(seed))
             scenes.insert(scenes.end(), rung.scenes.begin(), rung.scenes.end());
+        scenes.push_back(shared_corner(seed));
+        scenes.push_back(fine_mesh(seed, 64));
         scenes.push_back({"twins", crowd_with_twins(seed, 8, 8), ""});
         scenes.push_back({"accuracy", accuracy_scene(seed), ""});
         scenes.push_back({"some of all", some_of_all(seed), ""});
         for (const OwnScene& scene : scenes) {
             INFO(scene.name << ", seed " << seed);
-            const auto drawn = ours.draw(small(scene.text), {});
+            const auto drawn = ours.draw(small(scene.text), {}, scene.mesh);
             INFO(drawn.result.output);
             CHECK(drawn.result.ok());
             CHECK(drawn.picture.width == 4);
@@ -74,6 +76,10 @@ TEST_CASE("our program refuses what is broken", "[own]") {
         INFO(scene.name);
         CHECK(ours.draw(scene.text, {}).result.exit_code == 1);
     }
+    for (const OwnScene& scene : broken_meshes()) {
+        INFO(scene.name);
+        CHECK(ours.draw(scene.text, {}, scene.mesh).result.exit_code == 1);
+    }
     for (const BrokenCall& call : broken_calls()) {
         INFO(call.name);
         CHECK(ours.call(call.words).exit_code == 1);
@@ -84,7 +90,7 @@ TEST_CASE("the same seed makes the same scenes, another seed makes others", "[ow
     const auto text = [](std::uint64_t seed) { return own_rungs(seed)[2].scenes[0].text; };
     CHECK(text(5) == text(5));
     CHECK(text(5) != text(6));
-    CHECK(own_rungs(1).size() == 9);
+    CHECK(own_rungs(1).size() == 10);
     CHECK(crowd(1, 8, 8).find("nan") == std::string::npos);
 }
 
