@@ -5,9 +5,11 @@
 #include <app/files.hpp>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <rt/image_file.hpp>
 #include <rt/inverse.hpp>
 #include <rt/portable.hpp>
+#include <rt/transform.hpp>
 #include <stdexcept>
 #include <system_error>
 
@@ -197,6 +199,21 @@ class Reader {
                                  : app::meant(wanted, known, "there are ")));
     }
 
+    // The mesh of a file, which is read once, however often it is placed.
+    std::shared_ptr<const Mesh> mesh_of(const Value& file, std::optional<bool> smooth) {
+        std::shared_ptr<const Mesh>& mesh = meshes_[{file.text("the name of a mesh file"), smooth}];
+        if (mesh) return mesh;
+        const std::string bytes = read_neighbor(file, "a mesh", std::size_t{1} << 28);
+        if (!read_mesh_) file.fail("names a mesh, and this program draws none");
+        try {
+            mesh = std::make_shared<const Mesh>(read_mesh_(bytes, smooth));
+        } catch (const std::invalid_argument& wrong) {
+            file.fail("is " + app::quoted(file.text("a name")) +
+                      ", which is not a readable OBJ file: " + wrong.what());
+        }
+        return mesh;
+    }
+
     void read_mesh(const Value& mesh) {
         mesh.with_keys(
             {"file", "center", "size", "scale", "rotate_deg", "matrix", "material", "smooth"});
@@ -219,14 +236,12 @@ class Reader {
         std::optional<bool> smooth;
         if (const auto given = mesh.find("smooth")) smooth = given->yes();
         const Value file = mesh.at("file");
-        const std::string bytes = read_neighbor(file, "a mesh", std::size_t{1} << 28);
-        if (!read_mesh_) file.fail("names a mesh, and this program draws none");
-        try {
-            to.mesh = std::make_shared<const Mesh>(read_mesh_(bytes, smooth));
-        } catch (const std::invalid_argument& wrong) {
-            file.fail("is " + app::quoted(file.text("a name")) +
-                      ", which is not a readable OBJ file: " + wrong.what());
-        }
+        to.mesh = mesh_of(file, smooth);
+        for (const Vec3& point : to.mesh->points)
+            for (const Vec3& p : {point, transform_point(to.object_to_world, point)})
+                if (!(max_component(p) <= static_cast<Real>(lengths.high)))
+                    file.fail("has a point that is more than " + app::number_text(lengths.high) +
+                              " from the origin, in the file or in its place");
         triangles_ += to.mesh->triangles.size();
         if (triangles_ > limits_.triangles)
             file.fail("makes " + std::to_string(triangles_) +
@@ -548,6 +563,7 @@ class Reader {
     const Limits& limits_;
     const MeshReader& read_mesh_;
     std::size_t triangles_ = 0;  // so far
+    std::map<std::pair<std::string, std::optional<bool>>, std::shared_ptr<const Mesh>> meshes_;
     int pixels_left_ = limits_.image_pixels;
     SceneDescription scene_;
     placing::Neighbors there_;  // all spheres so far

@@ -3,34 +3,85 @@
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <rt/polygons.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace rt {
 namespace {
 
-// The library takes what is no number for 0, so lines of points are looked at first.
-void check_numbers(const std::string& bytes) {
-    std::istringstream lines{bytes};
-    int number = 0;
-    for (std::string line; std::getline(lines, line);) {
-        ++number;
-        std::istringstream words{line};
-        std::string kind, word;
-        if (!(words >> kind) || (kind != "v" && kind != "vn" && kind != "vt")) continue;
-        int count = 0;
-        while (words >> word) {
-            char* end = nullptr;
-            if (!std::isfinite(std::strtod(word.c_str(), &end)) || *end != '\0')
-                throw std::invalid_argument("line " + std::to_string(number) + " has '" +
-                                            word.substr(0, 20) + "' where a number belongs");
-            ++count;
-        }
-        if (count < (kind == "vt" ? 1 : 3))
-            throw std::invalid_argument("line " + std::to_string(number) + " has too few numbers");
+constexpr std::size_t most_corners = 255;  // of a polygon: the library counts them in a byte
+
+// The first word of a line, which it takes away; empty if there is none.
+std::string_view take_word(std::string_view& line) {
+    constexpr std::string_view blanks = " \t\r\v\f";
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+    const std::string_view word = line.substr(0, line.find_first_of(blanks));
+    line.remove_prefix(word.size());
+    return word;
+}
+
+bool is_number(std::string_view word) {
+    const std::string copy{word};
+    char* end = nullptr;
+    return word.find_first_not_of("0123456789+-.eE") == word.npos &&
+           std::isfinite(std::strtod(copy.c_str(), &end)) && *end == '\0';
+}
+
+// 7, 7/1, 7//3 or 7/1/3, all of them numbers that fit into an int and are not 0.
+bool is_corner(std::string_view word) {
+    for (int part = 0; part < 3; ++part) {
+        const std::string_view text = word.substr(0, word.find('/'));
+        const bool is_last = text.size() == word.size();
+        int number = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        const bool is_left_out = part == 1 && text.empty() && !is_last;
+        if (!is_left_out &&
+            (error != std::errc{} || end != text.data() + text.size() || number == 0))
+            return false;
+        if (is_last) return true;
+        word.remove_prefix(text.size() + 1);
     }
+    return false;
+}
+
+// What the library gets: the lines of points and polygons, and empty ones in place of the others.
+// It does not look at what it reads: a word that is no number counts as 0, a polygon of 256 corners
+// as one of none, and the tag of a line may ask for any amount of memory.
+std::string checked(std::string_view bytes) {
+    std::string lines;
+    int number = 0;
+    const auto refuse = [&](const std::string& what) {
+        throw std::invalid_argument("line " + std::to_string(number) + what);
+    };
+    while (!bytes.empty()) {
+        std::string_view line = bytes.substr(0, bytes.find('\n'));
+        bytes.remove_prefix(std::min(line.size() + 1, bytes.size()));
+        ++number;
+        const std::string_view kind = take_word(line);
+        const bool is_polygon = kind == "f";
+        if (is_polygon || kind == "v" || kind == "vn" || kind == "vt") {
+            lines += kind;
+            std::size_t count = 0;
+            for (std::string_view word; !(word = take_word(line)).empty(); ++count) {
+                if (!(is_polygon ? is_corner(word) : is_number(word)))
+                    refuse(" has '" + std::string{word.substr(0, 20)} + "' where a " +
+                           (is_polygon ? "corner" : "number") + " belongs");
+                (lines += ' ') += word;
+            }
+            if (is_polygon && (count < 3 || count > most_corners))
+                refuse(" has a polygon of " + std::to_string(count) + " corners, not 3 to " +
+                       std::to_string(most_corners));
+            if (!is_polygon && count < (kind == "vt" ? 1 : 3)) refuse(" has too few numbers");
+        }
+        lines += '\n';
+    }
+    return lines;
 }
 
 // The library's words, up to the end of their first line.
@@ -41,8 +92,7 @@ std::string first_line(const std::string& text) {
 }  // namespace
 
 Polygons read_obj(const std::string& bytes) {
-    check_numbers(bytes);
-    std::istringstream in{bytes};
+    std::istringstream in{checked(bytes)};
     tinyobj::attrib_t lists;
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> materials;
@@ -53,7 +103,11 @@ Polygons read_obj(const std::string& bytes) {
         throw std::invalid_argument(error.empty() ? "it is broken" : first_line(error));
 
     Polygons all;
-    const auto number = [](tinyobj::real_t x) { return static_cast<Real>(x); };
+    const auto number = [](tinyobj::real_t x) {
+        const auto real = static_cast<Real>(x);
+        if (!std::isfinite(real)) throw std::invalid_argument("it has a number that is too large");
+        return real;
+    };
     for (std::size_t i = 0; i + 2 < lists.vertices.size(); i += 3)
         all.points.push_back({number(lists.vertices[i]), number(lists.vertices[i + 1]),
                               number(lists.vertices[i + 2])});

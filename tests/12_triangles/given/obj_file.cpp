@@ -31,7 +31,13 @@ TEST_CASE("what cannot be read in an OBJ file is refused with its line") {
              {"v 0 0 0\nv 1 two 3\n", "line 2"},
              {"v 0 0\n", "line 1"},
              {"vn 0 inf 1\n", "line 1"},
-             {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 0 2\n", "line 4"}}) {
+             {"v 0 0x1 0\n", "'0x1'"},
+             {"v 0 0 1e999\n", "line 1"},
+             {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 0 2\n", "line 4"},
+             {"f 1 2 99999999999\n", "'99999999999'"},
+             {"f 1/ 2/ 3/\n", "'1/'"},
+             {"f 1 2 3-\n", "'3-'"},
+             {"\nf 1 2\n", "line 2 has a polygon of 2 corners"}}) {
         std::string said = "nothing was thrown";
         try {
             rt::read_obj(bytes);
@@ -43,4 +49,22 @@ TEST_CASE("what cannot be read in an OBJ file is refused with its line") {
         CHECK(said.find('\n') == std::string::npos);
     }
     CHECK(rt::read_obj("").polygons.empty());
+}
+
+TEST_CASE("what an OBJ file has besides points and polygons is left out") {
+    const rt::Polygons all = rt::read_obj(
+        "mtllib none.mtl\nt crease 999999999/-1/7\nvw 1 2\nl 1 2\np 1\nv 0 0 0 \r\nv 1 0 0\r\n"
+        "v 0 1 0\r\ng\nf 1 2 3\r\n\n");
+    CHECK(all.points.size() == 3);
+    CHECK(all.polygons == std::vector<std::vector<Corner>>{{{0}, {1}, {2}}});
+}
+
+TEST_CASE("a polygon of an OBJ file has up to 255 corners, and no other number of them") {
+    std::string points, polygon = "f";
+    for (int i = 1; i <= 256; ++i) {
+        points += "v " + std::to_string(i) + " 0 0\n";
+        polygon += ' ' + std::to_string(i);
+        if (i == 255) CHECK(rt::read_obj(points + polygon).polygons[0].size() == 255);
+    }
+    CHECK_THROWS_AS(rt::read_obj(points + polygon), std::invalid_argument);
 }

@@ -1,0 +1,70 @@
+// libFuzzer's target: whatever bytes an OBJ file holds, they make a mesh that keeps its promises
+// and can be drawn, or one line that says what is wrong.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <rt/make_mesh.hpp>
+#include <rt/mesh_scene.hpp>
+#include <rt/renderer.hpp>
+
+namespace {
+
+void must(bool holds) {
+    if (!holds) std::abort();
+}
+
+void check(const rt::Mesh& mesh) {
+    const auto known = [](int index, const auto& table) {
+        return 0 <= index && static_cast<std::size_t>(index) < table.size();
+    };
+    for (const rt::Vec3& point : mesh.points) must(is_finite(point));
+    for (const rt::Vec3& normal : mesh.normals) must(is_finite(normal));
+    for (const rt::Vec2& place : mesh.places)
+        must(std::isfinite(place.x) && std::isfinite(place.y));
+    for (const auto& triangle : mesh.triangles)
+        for (const rt::Corner& corner : triangle) {
+            must(known(corner.point, mesh.points));
+            must(corner.normal == -1 || known(corner.normal, mesh.normals));
+            must(corner.place == -1 || known(corner.place, mesh.places));
+        }
+}
+
+// A few samples of the mesh, mirrored by its normals.
+void draw(const std::shared_ptr<const rt::Mesh>& mesh) {
+    constexpr rt::Effects effects{.mirror = true, .texture = true};
+    constexpr int side = 4;
+    rt::SceneDescription scene;
+    scene.camera.view = {.from = {0, 0, 5}, .at = {}, .up = {0, 1, 0}, .vertical_fov = 1};
+    scene.images.push_back(rt::Canvas<rt::Color>{2, 2});
+    scene.materials = {rt::Metal{{1, 1, 1}, 0}, rt::PictureMatte{0}};
+    for (const int material : {0, 1})
+        scene.meshes.push_back({mesh, rt::scaling({1, 1, 1}), material});
+    const rt::Renderer<effects, rt::MeshScene<effects>> renderer{scene, side, side, {2, 4, 1}};
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const rt::Color color = renderer(x, y);
+            must(is_finite(color) && color.r >= 0 && color.g >= 0 && color.b >= 0);
+        }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string bytes(reinterpret_cast<const char*>(data), size);
+    try {
+        auto mesh = std::make_shared<rt::Mesh>(rt::make_mesh(rt::read_obj(bytes)));
+        // Chapter 08's reader of scenes refuses what is farther away.
+        for (const rt::Vec3& point : mesh->points)
+            if (!(rt::max_component(point) <= 1e9)) return 0;
+        check(*mesh);
+        if (mesh->triangles.size() > 50) return 0;
+        draw(mesh);
+        add_normals(*mesh);
+        check(*mesh);
+        draw(mesh);
+    } catch (const std::invalid_argument& error) {
+        const std::string said = error.what();
+        must(said.size() < 300 && said.find('\n') == said.npos);
+    }
+    return 0;
+}
