@@ -71,11 +71,11 @@ void check_together(const app::Settings& settings) {
 effects::TileRenderer make_renderer(const SceneDescription& scene, const app::Settings& settings) {
     const auto& [width, height, samples, depth, seed] = scene.settings;
     const Quality quality{samples, depth, seed};
-    if (!scene.meshes.empty()) return effects::make_meshed(scene, width, height, quality);
     const bool batches = in_batches(settings);
     if (by_tent(settings)) return effects::make_tent(scene, width, height, quality, batches);
     if (by_sobol(settings)) return effects::make_sobol(scene, width, height, quality, batches);
     if (batches) return effects::make_batched(scene, width, height, quality);
+    if (!scene.meshes.empty()) return effects::make_meshed(scene, width, height, quality);
     return effects::make_narrowest(needed_effects(scene), scene, width, height, quality);
 }
 

@@ -49,8 +49,8 @@ struct TileRenderer {
 // Pixel by pixel, each path to its end, by the narrowest renderer that has these effects.
 TileRenderer make_narrowest(const rt::Effects& needed, const rt::SceneDescription& scene, int width,
                             int height, const rt::Quality& quality);
-// Chapter 10's: the same picture, byte for byte, in batches of rays. If the scene has effects that
-// batches lack, it is the narrowest one.
+// Chapter 10's: the same picture, byte for byte, in batches of rays. If the scene has meshes or
+// effects that batches lack, it is drawn path by path.
 TileRenderer make_batched(const rt::SceneDescription& scene, int width, int height,
                           const rt::Quality& quality);
 // Chapter 11's: with samples from Sobol's sequence, path by path or in batches as above.

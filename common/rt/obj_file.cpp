@@ -26,10 +26,12 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
+// Of three digits at most in the exponent, because the library computes more of them in an int.
 bool is_number(std::string_view word) {
     const std::string copy{word};
     char* end = nullptr;
-    return word.find_first_not_of("0123456789+-.eE") == word.npos &&
+    const std::size_t exponent = std::min(word.find_first_of("eE"), word.size());
+    return word.size() - exponent <= 5 && word.find_first_not_of("0123456789+-.eE") == word.npos &&
            std::isfinite(std::strtod(copy.c_str(), &end)) && *end == '\0';
 }
 

@@ -102,7 +102,7 @@ refuses short.json 'meshes\[0\].file.*line 1 has too few numbers'
 mesh many.json "${corners}f$(seq -s ' ' 256 | sed 's/^/ /')\n"
 refuses many.json 'meshes\[0\].file.*line 4 has a polygon of 256 corners'
 mesh far.json "v 1e12 0 0\n${corners}f 1 2 3\n"
-refuses far.json 'meshes\[0\].file.*more than 1e+09 from the origin'
+refuses far.json 'meshes\[0\].file.*more than 1000000000 from the origin'
 mesh empty.json ''
 refuses empty.json 'meshes\[0\].file.*no polygons'
 mesh none.json "$corners"

@@ -32,6 +32,7 @@ std::function<DrawTile()> make_workers(const SceneDescription& description, int 
 
 effects::TileRenderer effects::make_batched(const rt::SceneDescription& scene, int width,
                                             int height, const rt::Quality& quality) {
+    if (!scene.meshes.empty()) return make_meshed(scene, width, height, quality);
     const rt::Effects needed = rt::needed_effects(scene);
     if (!covers(rt::batch_effects, needed))
         return make_narrowest(needed, scene, width, height, quality);

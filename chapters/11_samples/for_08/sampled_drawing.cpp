@@ -12,10 +12,11 @@
 #include <rt/false_colors.hpp>
 #include <rt/needed_effects.hpp>
 #include <rt/tent_filter.hpp>
+#include <span>
 #include <utility>
 
 #include "few_effects.hpp"
-#include "tile_renderer.hpp"
+#include "sampled_meshes.hpp"
 
 namespace samples {
 namespace {
@@ -28,22 +29,12 @@ constexpr int pilot_passes = 2;  // of each half
 
 using effects::few_effects;
 
-// The least set of few_effects that has those that the scene needs.
-std::size_t number_for(const SceneDescription& scene) {
-    return narrowest(needed_effects(scene), few_effects);
-}
-
-// Sobol's points path by path, passes of them or of jittered samples.
+// Path by path: passes of Sobol's points, or of jittered samples.
 template <Effects effects>
 DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
                         const Quality& quality, bool sobol) {
-    const auto renderer = std::make_shared<const Renderer<effects>>(scene, width, height, quality);
-    const int count = quality.samples_per_pixel;
-    return [renderer,
-            draw = sobol ? sobol_passes(*renderer, count) : jittered_passes(*renderer, count)](
-               const Tile& tile, const Pass& pass, Image& image, std::uint64_t& rays) {
-        draw(tile, pass, image, rays);
-    };
+    return kept_passes(std::make_shared<const Renderer<effects>>(scene, width, height, quality),
+                       quality.samples_per_pixel, sobol);
 }
 
 constexpr auto makers =
@@ -53,7 +44,7 @@ constexpr auto makers =
 using Batches = BatchRenderer<batch_effects, SobolPoints>;
 
 bool can_be_batched(const SceneDescription& scene) {
-    return covers(batch_effects, needed_effects(scene));
+    return scene.meshes.empty() && covers(batch_effects, needed_effects(scene));
 }
 
 template <class Draw>
@@ -75,17 +66,23 @@ constexpr int tent_tile_side = 64;
 template <Effects effects>
 ::effects::DrawTile make_draw_tent(const SceneDescription& scene, int width, int height,
                                    const Quality& quality) {
-    const auto renderer = std::make_shared<const Renderer<effects>>(scene, width, height, quality);
-    const int count = quality.samples_per_pixel;
-    return
-        [renderer, count](const Tile& tile, std::uint64_t seed, Image& image, std::uint64_t& rays) {
-            draw_with_tent(*renderer, SobolSamples{seed, count}, tile, image, rays);
-            return pixel_count(tile);
-        };
+    return kept_tent(std::make_shared<const Renderer<effects>>(scene, width, height, quality),
+                     quality.samples_per_pixel);
 }
 
 constexpr auto tent_makers =
     ::effects::for_few_effects([]<Effects effects> { return &make_draw_tent<effects>; });
+
+// The renderer for a scene: the one that is chosen, and how it is made.
+template <class Make>
+std::pair<effects::Choice, Make> chosen(const SceneDescription& scene,
+                                        const std::array<Make, few_effects.size()>& for_spheres,
+                                        Make for_meshes) {
+    if (!scene.meshes.empty())
+        return {effects::choice_of(std::span{few_effects}.last(1), 0), for_meshes};
+    const std::size_t number = narrowest(needed_effects(scene), few_effects);
+    return {effects::choice_of(few_effects, number), for_spheres[number]};
+}
 
 // A way to draw passes, as TileRenderer is one to draw pictures.
 struct PassRenderer {
@@ -124,9 +121,9 @@ PassRenderer make_passes(const SceneDescription& scene, int width, int height,
     if (in_batches && can_be_batched(scene))
         return sobol ? make_sobol_batches(scene, width, height, quality)
                      : make_jittered_batches(scene, width, height, quality);
-    const std::size_t number = number_for(scene);
-    const DrawPass draw = makers[number](scene, width, height, quality, sobol);
-    return {effects::choice_of(few_effects, number), [draw] { return draw; }};
+    const auto [choice, make] = chosen(scene, makers, &effects::make_meshed_passes);
+    const DrawPass draw = make(scene, width, height, quality, sobol);
+    return {choice, [draw] { return draw; }};
 }
 
 std::string text_of(const char* format, double number) {
@@ -221,9 +218,9 @@ TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
                                   return pixel_count(tile);
                               }),
                 tent_tile_side};
-    const std::size_t number = number_for(scene);
-    const DrawTile draw = tent_makers[number](scene, width, height, quality);
-    return {choice_of(few_effects, number), [draw] { return draw; }, tent_tile_side};
+    const auto [choice, make] = chosen(scene, tent_makers, &make_meshed_tent);
+    const DrawTile draw = make(scene, width, height, quality);
+    return {choice, [draw] { return draw; }, tent_tile_side};
 }
 
 app::Picture refine(const rt::SceneDescription& scene, const app::Settings& settings,

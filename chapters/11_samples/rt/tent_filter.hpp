@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <rt/canvas.hpp>
 #include <rt/color_sum.hpp>
 #include <rt/for_each_pixel.hpp>
@@ -94,6 +95,17 @@ void draw_with_tent(BatchRenderer<effects, SobolPoints>& renderer, const SobolSa
         {samples}, sums.sampled(), rays,
         [&](int x, int y, Vec2 offset, const Color& light) { sums.add(x, y, offset, light); });
     sums.write(image);
+}
+
+// The same for a renderer that is kept, as a function of the tile, the seed, the image and the
+// rays. It returns the number of pixels.
+template <class AnyRenderer>
+auto kept_tent(std::shared_ptr<const AnyRenderer> renderer, int count) {
+    return [renderer, count](const Tile& tile, std::uint64_t seed, Image& image,
+                             std::uint64_t& rays) -> std::int64_t {
+        draw_with_tent(*renderer, SobolSamples{seed, count}, tile, image, rays);
+        return pixel_count(tile);
+    };
 }
 
 }  // namespace rt

@@ -18,18 +18,11 @@ namespace {
 using namespace rt;
 using effects::DrawTile, effects::few_effects;
 
-SceneMeshes meshes_of(const SceneDescription& scene) {
-    SceneMeshes meshes;
-    for (const MeshDescription& mesh : scene.meshes)
-        meshes.add(*mesh.mesh, mesh.object_to_world, mesh.material);
-    return meshes;
-}
-
 template <Effects effects>
 DrawTile make_drawing(const SceneDescription& description, int width, int height,
                       const Quality& quality) {
     const auto renderer = std::make_shared<const Renderer<effects, MeshScene<effects>>>(
-        description, width, height, quality, meshes_of(description));
+        description, width, height, quality);
     return [renderer, count = quality.samples_per_pixel](const Tile& tile, std::uint64_t seed,
                                                          Image& image, std::uint64_t& rays) {
         return draw_pixels(tile, image, [&](int x, int y) {
@@ -54,8 +47,7 @@ effects::TileRenderer effects::make_meshed(const rt::SceneDescription& scene, in
 app::Picture effects::show_meshed(rt::SceneDescription scene, const app::Settings& settings,
                                   app::Progress& progress) {
     hold_still(scene.camera, settings.show);
-    return rt::show_ready(rt::MeshScene<rt::every_effect>{scene, settings.width, settings.height,
-                                                          triangles::meshes_of(scene)},
+    return rt::show_ready(rt::MeshScene<rt::every_effect>{scene, settings.width, settings.height},
                           settings, progress);
 }
 

@@ -5,6 +5,14 @@
 
 namespace rt {
 
+// The meshes of a scene's description (given).
+inline SceneMeshes meshes_of(const SceneDescription& scene) {
+    SceneMeshes meshes;
+    for (const MeshDescription& mesh : scene.meshes)
+        meshes.add(*mesh.mesh, mesh.object_to_world, mesh.material);
+    return meshes;
+}
+
 // A scene with meshes, made ready for a renderer with these effects (given): what chapter 08 makes
 // ready, with the triangles in a tree of their own beside its world, and materials that know them.
 template <Effects effects>
@@ -14,6 +22,8 @@ struct MeshScene : ReadyScene<effects> {
     Aggregate<decltype(Spheres::world), TriangleTree> world;
     MeshMaterials<decltype(Spheres::materials)> materials;
 
+    MeshScene(const SceneDescription& scene, int width, int height)
+        : MeshScene{scene, width, height, meshes_of(scene)} {}
     MeshScene(const SceneDescription& scene, int width, int height, SceneMeshes meshes)
         : Spheres{scene, width, height},
           mesh{std::move(meshes.mesh)},

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <rt/cross.hpp>
+#include <rt/dot.hpp>
 #include <rt/interval.hpp>
 #include <rt/sheared_ray.hpp>
 #include <rt/todo.hpp>

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <rt/canvas.hpp>
 #include <rt/make_mesh.hpp>
 #include <rt/mesh_scene.hpp>
 #include <rt/renderer.hpp>

@@ -33,6 +33,7 @@ TEST_CASE("what cannot be read in an OBJ file is refused with its line") {
              {"vn 0 inf 1\n", "line 1"},
              {"v 0 0x1 0\n", "'0x1'"},
              {"v 0 0 1e999\n", "line 1"},
+             {"v 0 0 1e-99999999999\n", "line 1"},
              {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 0 2\n", "line 4"},
              {"f 1 2 99999999999\n", "'99999999999'"},
              {"f 1/ 2/ 3/\n", "'1/'"},
