@@ -440,6 +440,18 @@ class Renderer {
     }
 
   private:
+    Surface surface_at(const Ray& ray, const Hit& hit) const {
+        const Vec3 point = ray.origin + hit.t * ray.direction;
+        const std::size_t number = hit.surface, spheres = scene_.spheres.size();
+        if (number >= spheres) {
+            const Triangle& triangle = scene_.triangles[number - spheres];
+            return {point, unit(area(triangle)), triangle.material};
+        }
+        const Sphere& sphere = scene_.spheres[number];
+        const Vec3 normal = unit(point - sphere.center);
+        return {sphere.center + sphere.radius * normal, normal, sphere.material};
+    }
+
     // The light that comes back along a ray. A path that has bounced `depth` times brings none.
     Vec3 light(Ray ray, Random& random) const {
         Vec3 throughput{1, 1, 1};
@@ -455,18 +467,6 @@ class Renderer {
             ray = {surface.point, next, hit.surface};
         }
         return {};
-    }
-
-    Surface surface_at(const Ray& ray, const Hit& hit) const {
-        const Vec3 point = ray.origin + hit.t * ray.direction;
-        const std::size_t number = hit.surface, spheres = scene_.spheres.size();
-        if (number >= spheres) {
-            const Triangle& triangle = scene_.triangles[number - spheres];
-            return {point, unit(area(triangle)), triangle.material};
-        }
-        const Sphere& sphere = scene_.spheres[number];
-        const Vec3 normal = unit(point - sphere.center);
-        return {sphere.center + sphere.radius * normal, normal, sphere.material};
     }
 
     const Scene& scene_;
