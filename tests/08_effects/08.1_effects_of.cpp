@@ -28,9 +28,9 @@ void check(const SceneDescription& scene, const Effects& expected, const char* h
 
 }  // namespace
 
-TEST_CASE("08.1 matte spheres under a sky call for nothing", "[08.1]") {
+TEST_CASE("08.1 matte spheres under a sky call for no effect", "[08.1]") {
     check(ball_of(matte), {}, "matte spheres, the pinhole and the sky need no effect");
-    check({}, {}, "an empty scene calls for nothing");
+    check({}, {}, "an empty scene calls for no effect");
 }
 
 TEST_CASE("08.1 each material calls for its effect", "[08.1]") {
@@ -44,7 +44,7 @@ TEST_CASE("08.1 each material calls for its effect", "[08.1]") {
     check(ball_of(rt::OwnMaterial{{1, 1, 1}, 1}), {.own = true},
           "OwnMaterial is the material of 05.6: effects.own");
     check(ball_of(rt::Emitter{{0, 2, 0}}), {.lights = true},
-          "it shines, if only in one of the three channels");
+          "a light that shines in only one channel is a light");
 }
 
 TEST_CASE("08.1 lens and fog and motion are found", "[08.1]") {
@@ -67,15 +67,16 @@ TEST_CASE("08.1 lens and fog and motion are found", "[08.1]") {
 TEST_CASE("08.1 a sphere with a map is an instance", "[08.1]") {
     SceneDescription scene = ball_of(rt::Metal{{1, 1, 1}, 0});
     scene.maps = {rt::scaling({2, 1, 1}), rt::scaling({1, 2, 1})};
-    check(scene, {.mirror = true}, "the sphere has no map: its number is -1");
+    check(scene, {.mirror = true}, "the sphere has no map: its member map is -1");
     for (const int map : {0, 1}) {
         scene.spheres[0].map = map;
-        check(scene, {.mirror = true, .instances = true},
-              "the sphere has a map, and a material like any other: maps are numbered from 0");
+        check(
+            scene, {.mirror = true, .instances = true},
+            "the sphere has map 0, because maps are numbered from 0; its material counts as usual");
     }
 }
 
-TEST_CASE("08.1 all spheres are looked at", "[08.1]") {
+TEST_CASE("08.1 the effects of all spheres count", "[08.1]") {
     SceneDescription scene = ball_of(rt::Dielectric{});
     scene.materials.push_back(rt::Metal{{1, 1, 1}, 0});
     scene.materials.push_back(rt::Metal{{1, 1, 1}, 1});
@@ -84,11 +85,11 @@ TEST_CASE("08.1 all spheres are looked at", "[08.1]") {
     scene.camera.shutter = 1;
     scene.spheres[1].velocity = {0, 1, 0};
     check(scene, {.mirror = true, .fuzz = true, .glass = true, .motion = true},
-          "glass, a mirror that moves, rough metal and a matte sphere: the last one does not undo "
-          "what those before it need");
+          "glass, a mirror that moves, rough metal and a matte sphere: the last sphere must not "
+          "reset the effects of those before it");
 }
 
-TEST_CASE("08.1 a material that no sphere is made of calls for nothing", "[08.1][hard]") {
+TEST_CASE("08.1 a material that no sphere is made of calls for no effect", "[08.1][hard]") {
     SceneDescription scene = ball_of(matte);
     scene.materials.push_back(rt::Dielectric{});
     scene.materials.push_back(rt::Metal{{1, 1, 1}, Real(0.5)});
@@ -102,7 +103,7 @@ TEST_CASE("08.1 a material that no sphere is made of calls for nothing", "[08.1]
 TEST_CASE("08.1 a light whose radiance is black does not count as a light", "[08.1][hard]") {
     check(ball_of(rt::Emitter{{0, 0, 0}}), {}, "a light of radiance 0 lights nothing");
     check(ball_of(rt::Emitter{{0, 0, std::numeric_limits<Real>::min()}}), {.lights = true},
-          "even the faintest light is one");
+          "even the faintest light is a light");
 }
 
 TEST_CASE("08.1 a closed shutter stops all motion", "[08.1][hard]") {
@@ -113,18 +114,19 @@ TEST_CASE("08.1 a closed shutter stops all motion", "[08.1][hard]") {
     scene.spheres[0].velocity = {0, 0, 0};
     check(scene, {}, "the shutter is open, but nothing moves");
     scene.spheres[0].velocity = {-1, 0, 1};
-    check(scene, {.motion = true}, "the velocity (-1, 0, 1) adds up to 0, but is motion");
+    check(scene, {.motion = true},
+          "the components of the velocity (-1, 0, 1) add up to 0, but the sphere moves");
     scene.spheres[0].velocity = {0, for_this_precision(Real(1e-30), Real(1e-200)), 0};
     check(scene, {.motion = true},
-          "even the slowest motion is motion, and its square is too small for a number: compare "
-          "with Vec3{}");
+          "even the slowest motion is motion, but the square of its speed underflows to 0: compare "
+          "the velocity with Vec3{}");
 }
 
-TEST_CASE("08.1 fog without density and a lens without opening are none", "[08.1][hard]") {
+TEST_CASE("08.1 fog of density 0 and a lens of aperture 0 do not count", "[08.1][hard]") {
     SceneDescription scene = ball_of(matte);
     scene.fog = rt::Fog{{{0, 0, 0}, 5}, 0};
     scene.camera.lens = {0, 7};
-    check(scene, {}, "the fog's density is 0, and the aperture as well");
+    check(scene, {}, "the fog's density and the aperture are both 0");
     scene.fog->density = std::numeric_limits<Real>::min();
     check(scene, {.fog = true}, "even the thinnest fog is fog");
     scene.fog = rt::Fog{{{0, 0, 0}, 5}, Real(0.2), {0, 0, 0}};
@@ -132,11 +134,11 @@ TEST_CASE("08.1 fog without density and a lens without opening are none", "[08.1
           "fog of the color black scatters nothing, but like smoke it dims what is behind it");
     scene = ball_of(matte);
     scene.camera.lens.aperture = Real(1e-9);
-    check(scene, {.lens = true}, "a scene may be small: even an aperture of 1e-9 is one");
+    check(scene, {.lens = true}, "a scene may be small: even an aperture of 1e-9 is a lens");
 }
 
 // Scenes with everything there is, much of it just not visible, and the effects that they call for.
-TEST_CASE("08.1 any scene calls for what can be seen of it", "[08.1][hard]") {
+TEST_CASE("08.1 a scene calls for exactly the effects that can be seen in it", "[08.1][hard]") {
     rt::Rng rng{81, 1};
     const auto one_of = [&](unsigned n) { return rng() % n == 0; };
     const auto any_number = [&] {
@@ -234,8 +236,8 @@ TEST_CASE("08.1 any scene calls for what can be seen of it", "[08.1][hard]") {
         INFO("the shutter is open for " << text(scene.camera.shutter) << ", the aperture is "
                                         << text(scene.camera.lens.aperture) << list);
         INFO(
-            "Hint: lens and fog are there with or without spheres, a sphere of any material may "
-            "move, and what one sphere calls for, no other sphere takes back");
+            "Hint: lens and fog count with or without spheres, and a sphere of any material may "
+            "move. Only ever set an effect to true: no sphere may set it back to false");
         REQUIRE(names(found) == names(expected));
     }
 }

@@ -31,8 +31,8 @@ constexpr Real direction_error = rt::rounding_bound(40);
 
 void check_close(Vec3 computed, Vec3 expected, Real allowed, const char* hint) {
     const bool is_close = max_component(computed - expected) <= allowed;
-    INFO("they differ by " << text(max_component(computed - expected)) << "; the limit is "
-                           << text(allowed));
+    INFO("expected and actual value differ by " << text(max_component(computed - expected))
+                                                << "; the limit is " << text(allowed));
     HINT(expected, computed, hint);
     CHECK(is_close);
 }
@@ -104,17 +104,19 @@ void check_places(const Case& any, rt::Rng& rng) {
         const Real away = std::sqrt(at.x * at.x + at.y * at.y);
         INFO(text_of(any) << ", place " << text(x) << ", " << text(y));
         {
-            INFO("how far from the eye the ray starts, in halves of the aperture: expected "
-                 << text(std::sqrt(x)) << ", actual " << text(away)
-                 << ".\nHint: the radius is the square root of place.x, the fraction of the area "
-                    "within it");
+            INFO(
+                "the distance of the ray's origin from the eye, in halves of the aperture: "
+                "expected "
+                << text(std::sqrt(x)) << ", actual " << text(away)
+                << ".\nHint: the radius is the square root of place.x, because place.x is the "
+                   "fraction of the lens's area within this radius");
             const bool is_close = std::abs(away - std::sqrt(x)) <= rounding;
             REQUIRE(is_close);
         }
         const auto pair = [](Vec2 v) { return '(' + text(v.x) + ", " + text(v.y) + ')'; };
         INFO(
-            "where the ray starts, to the right of the eye and up, in halves of the aperture; for "
-            "place.y = 0 that is "
+            "the ray's origin, seen from the eye, to the right and up, in halves of the aperture; "
+            "with place.y = 0 it is "
             << pair(on_lens(any, {x, 0})) << "; expected " << pair(expected) << ", actual "
             << pair(at) << ".\nHint: place.y is the fraction of a turn, and a full turn is 2 pi");
         const bool is_close = apart(at, expected) <= rounding;
@@ -135,8 +137,9 @@ void check_direction(const Case& any, Vec2 place) {
     // position counts more.
     const Real eye = max_component(any.camera.eye) / any.lens.focus_distance;
     check_close(ray.direction, expected, direction_error + 8 * rt::epsilon * eye,
-                "from (x, y) on the lens it goes along (p.x - x / f, p.y - y / f, -1), turned by "
-                "the camera's basis; p is the point of the viewport at this offset in the pixel");
+                "the ray from (x, y) on the lens has the direction (p.x - x / f, p.y - y / f, -1), "
+                "turned by the camera's basis and normalized; p is the point of the viewport at "
+                "this offset in the pixel");
 }
 
 // The point of a ray in the plane of focus.
@@ -159,7 +162,7 @@ std::string in_camera(Vec3 v) {
 
 }  // namespace
 
-TEST_CASE("08.2 the ray from the middle of the lens is the pinhole's", "[08.2]") {
+TEST_CASE("08.2 the ray from the middle of the lens is the same as through a pinhole", "[08.2]") {
     const Lens lens{Real(0.5), 4};
     for (const int column : {0, 31, 80, 159})
         for (const int row : {0, 45, 89}) {
@@ -167,9 +170,10 @@ TEST_CASE("08.2 the ray from the middle of the lens is the pinhole's", "[08.2]")
             for (const Real turn : {Real(0), Real(0.3)}) {
                 const Ray ray = rt::lens_ray(usual, lens, column, row, middle, {0, turn});
                 check_close(ray.origin, expected.origin, 4 * rt::epsilon,
-                            "place.x = 0 is the middle of the lens: the eye");
+                            "place.x = 0 is the middle of the lens, where the eye is");
                 check_close(ray.direction, expected.direction, direction_error,
-                            "from the middle of the lens it goes on as from a pinhole");
+                            "the ray from the middle of the lens has the same direction as through "
+                            "a pinhole");
             }
         }
 }
@@ -199,16 +203,16 @@ TEST_CASE("08.2 all rays of a pixel meet in the plane of focus", "[08.2]") {
                             "origin moves along u and v, to the sample point on the lens");
                         if (off == Vec3{}) REQUIRE(text(ray.origin) != text(usual.eye));
                     }
-                    INFO("seen by the camera, to the right and up, the ray starts at "
-                         << in_camera(off) << " and goes along "
+                    INFO("to the right and up, as the camera sees it, the ray starts at "
+                         << in_camera(off) << " and moves by "
                          << in_camera(ray.direction / -rt::dot(ray.direction, usual.basis.w))
-                         << " for each 1 ahead; the pinhole's goes along "
+                         << " for each unit ahead; the ray through a pinhole moves by "
                          << in_camera(pinhole / -rt::dot(pinhole, usual.basis.w)));
                     check_close(in_focus(usual, lens, ray), expected,
                                 rt::rounding_bound(80) * scale,
-                                "the point in focus is where the pinhole's ray meets the plane at "
-                                "focus_distance along the direction of view; what starts to the "
-                                "right must turn left: p - x / f");
+                                "the point in focus is where the ray through a pinhole meets the "
+                                "plane at focus_distance along the direction of view; a ray that "
+                                "starts to the right of the eye must turn left: p - x / f");
                 });
             }
     }
@@ -222,10 +226,11 @@ TEST_CASE("08.2 the lens is a disk that faces the direction of view", "[08.2]") 
         const Vec3 off = rt::lens_ray(usual, lens, 20, 70, middle, place).origin - usual.eye;
         sum += off;
         farthest = std::max(farthest, rt::length(off));
-        INFO("the origin is off the eye by " << text(off));
+        INFO("the ray's origin is off the eye by " << text(off));
         {
             const Real tilt = std::abs(rt::dot(off, usual.basis.w));
-            INFO("and " << text(tilt) << " before or behind the lens: use the camera's u and v");
+            INFO("and " << text(tilt)
+                        << " of it in front of the lens or behind it: use the camera's u and v");
             if (tilt > rt::rounding_bound(30) * 4) CHECK(text(tilt) == "0");
         }
         INFO(
@@ -234,12 +239,12 @@ TEST_CASE("08.2 the lens is a disk that faces the direction of view", "[08.2]") 
         CHECK(rt::length(off) < lens.aperture * Real(0.501));
     });
     {
-        INFO("the farthest of 256 sample points: it should be almost 0.4 off the eye");
+        INFO("the farthest of 256 sample points should be almost 0.4 away from the eye");
         CHECK(farthest > Real(0.39));
     }
-    INFO("the mean of the sample points is off the eye by "
+    INFO("the distance from the eye to the mean of the sample points is "
          << text(rt::length(sum / 256))
-         << ".\nHint: they lie all the way around the eye: a full turn is 2 pi");
+         << ".\nHint: the sample points lie all the way around the eye: a full turn is 2 pi");
     CHECK(rt::length(sum / 256) < Real(0.001));
 }
 
@@ -249,7 +254,7 @@ TEST_CASE("08.2 the sample points are spread evenly over the lens", "[08.2]") {
     for (int i = 0; i < 40; ++i) check_places(any_case(rng, 1, -2, 0), rng);
 }
 
-TEST_CASE("08.2 every place in a pixel has rays of its own", "[08.2]") {
+TEST_CASE("08.2 each offset in a pixel has its own rays", "[08.2]") {
     rt::Rng rng{82, 2};
     for (int i = 0; i < 400; ++i) {
         const Case any = any_case(rng, 1, -2, 0);
@@ -258,14 +263,14 @@ TEST_CASE("08.2 every place in a pixel has rays of its own", "[08.2]") {
         {
             INFO(text_of(any));
             check_close(ray.direction, pinhole.direction, direction_error,
-                        "from the middle of the lens, place.x = 0, it goes on as primary_ray does "
-                        "for this pixel and offset");
+                        "from the middle of the lens, place.x = 0, the direction is that of "
+                        "primary_ray for this pixel and offset");
         }
         check_direction(any, {rng.uniform(), rng.uniform()});
     }
 }
 
-TEST_CASE("08.2 lenses of all sizes and distances of focus", "[08.2][hard]") {
+TEST_CASE("08.2 lenses of all sizes and focus distances", "[08.2][hard]") {
     rt::Rng rng{82, 3};
     const Real smallest = for_this_precision(Real(-4), Real(-11));
     for (int i = 0; i < 400; ++i) {
@@ -276,7 +281,8 @@ TEST_CASE("08.2 lenses of all sizes and distances of focus", "[08.2][hard]") {
     }
     const Case pinhole{usual, {0, 4}, 20, 70, middle};
     INFO("aperture 0");
-    check_close(ray_of(pinhole, {Real(0.7), Real(0.2)}).origin, usual.eye, 0, "that is a pinhole");
+    check_close(ray_of(pinhole, {Real(0.7), Real(0.2)}).origin, usual.eye, 0,
+                "a lens of aperture 0 is a pinhole: the ray starts at the eye");
 }
 
 TEST_CASE("08.2 far from the origin no digits are lost", "[08.2][hard]") {
@@ -290,9 +296,9 @@ TEST_CASE("08.2 far from the origin no digits are lost", "[08.2][hard]") {
         const Vec3 expected = rt::lens_ray(near, lens, 150, 4, middle, place).direction;
         const Vec3 direction = rt::lens_ray(moved, lens, 150, 4, middle, place).direction;
         check_close(direction, expected, direction_error,
-                    "the direction does not depend on where the eye is: do not go from one point "
-                    "of the world to another, but from a point on the lens to a point in the plane "
-                    "of focus, both relative to the eye");
+                    "the direction does not depend on where the eye is: do not subtract points of "
+                    "the world, but a point on the lens from a point in the plane of focus, both "
+                    "relative to the eye");
     });
 }
 
@@ -304,7 +310,7 @@ TEST_CASE("08.2 at any scale the directions are the same", "[08.2][hard]") {
         for_each_place(5, [&](Vec2 place) {
             const Ray expected = rt::lens_ray(usual, lens, 10, 80, middle, place);
             const Ray ray = rt::lens_ray(scaled, scaled_lens, 10, 80, middle, place);
-            INFO("everything times " << text(scale));
+            INFO("all lengths are multiplied by " << text(scale));
             check_close(ray.direction, expected.direction, 4 * direction_error,
                         "only ratios of lengths may count");
             check_close(ray.origin / scale, expected.origin, rt::rounding_bound(60) * 4,
@@ -313,8 +319,7 @@ TEST_CASE("08.2 at any scale the directions are the same", "[08.2][hard]") {
     }
 }
 
-TEST_CASE("08.2 a lens in focus at the far end of all numbers is a pinhole for stars",
-          "[08.2][hard]") {
+TEST_CASE("08.2 all rays are parallel if the focus is at the largest distances", "[08.2][hard]") {
     // Compared with the distance, the lens is nothing: all rays of a pixel are parallel.
     const Lens lens{Real(0.5), std::numeric_limits<Real>::max() / 8};
     const Vec3 expected = rt::primary_ray(usual, 12, 70, middle).direction;

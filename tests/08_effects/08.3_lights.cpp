@@ -85,7 +85,7 @@ void check_sample(const Sphere& light, Vec3 from, Vec2 place) {
     const Vec3 point = sample.distance * sample.direction - apart;
     {
         const Real away = rt::length(point);
-        INFO("how far the point there is from the light's middle"
+        INFO("the distance from the sampled point to the light's center"
              << hint_on_size(light.radius, distance));
         if (!(std::abs(away - light.radius) / scale <= rt::rounding_bound(60)))
             CHECK(text(away) == text(light.radius));
@@ -97,11 +97,11 @@ void check_sample(const Sphere& light, Vec3 from, Vec2 place) {
     }
     // The near side: the one that is seen.
     if (distance > light.radius) {
-        INFO("it must be the near side of the light");
+        INFO("the sample must lie on the near side of the light");
         CHECK(rt::dot(point, sample.direction) / scale < rt::rounding_bound(60));
     }
     const Real density = rt::light_density(light, from);
-    INFO("the sample's density, and light_density");
+    INFO("the sample's density must be that of light_density");
     if (!(std::abs(sample.density - density) <= rt::rounding_bound(20) * density))
         CHECK(text(sample.density) == text(density));
 }
@@ -116,7 +116,7 @@ void check_middle(const Sphere& light, Vec3 from) {
     INFO("a light of radius " << text(light.radius) << " around " << text(light.center)
                               << ", seen from " << text(from) << ", place 0, 0");
     {
-        INFO("place.x = 0 is the light's middle, in the direction "
+        INFO("place.x = 0 must lead to the light's center, in the direction "
              << text(apart / distance) << ", but yours gives " << text(sample.direction)
              << ".\nHint: orthonormal_basis(w) with w = (center - from) / d, of length 1, turns "
                 "(0, 0, 1) there");
@@ -124,8 +124,9 @@ void check_middle(const Sphere& light, Vec3 from) {
             REQUIRE(text(sample.direction) == text(apart / distance));
     }
     HINT(exact(way), sample.distance,
-         "the distance to the nearest point of the light is d - r; close to the light a difference "
-         "of d cos and the root has no digits left: use the form with (d - r) (d + r) above");
+         "the distance to the nearest point of the light is d - r; close to the light, the "
+         "difference of d cos and the root has no digits left: use the form with (d - r) (d + r) "
+         "in the numerator");
     check_near(sample.distance, way, rt::rounding_bound(30) * way);
 }
 
@@ -147,7 +148,7 @@ void check_cone(const Sphere& light, Vec3 from, rt::Rng& rng) {
         const Real density = rt::light_density(light, from);
         INFO(
             "light_density.\nHint: 1 / (2 pi h), where h is cone_height for the distance from "
-            "`from` to the middle");
+            "`from` to the center");
         if (!(std::abs(density / expected - 1) <= rt::rounding_bound(80)))
             REQUIRE(text(density) == text(expected));
     }
@@ -181,15 +182,18 @@ void check_cone(const Sphere& light, Vec3 from, rt::Rng& rng) {
         INFO("place " << text(x) << ", " << text(y));
         if (!(std::abs(away - sine) <= rounding)) {
             INFO(
-                "the sine of the angle to the middle, divided by that of the rim.\nHint: with k = "
+                "the sine of the sample's angle from the light's center, divided by the sine of "
+                "the rim's angle.\nHint: with k = "
                 "place.x * h the cosine is 1 - k and the sine sqrt(k (2 - k))");
             REQUIRE(text(away) == text(sine));
         }
         if (!(gap(at, expected) <= 2 * rounding)) {
             const auto pair = [](Vec2 v) { return '(' + text(v.x) + ", " + text(v.y) + ')'; };
-            INFO("the direction, seen along the way to the middle; for place.y = 0 it is "
-                 << pair(beside(x, 0))
-                 << ".\nHint: place.y is the fraction of a turn, and a full turn is 2 pi");
+            INFO(
+                "the direction's two components perpendicular to the way to the light's center; "
+                "with place.y = 0 they are "
+                << pair(beside(x, 0))
+                << ".\nHint: place.y is the fraction of a turn, and a full turn is 2 pi");
             REQUIRE(pair(at) == pair(expected));
         }
         check_sample(light, from, {x, y});
@@ -198,7 +202,7 @@ void check_cone(const Sphere& light, Vec3 from, rt::Rng& rng) {
 
 }  // namespace
 
-TEST_CASE("08.3 how high the cap is in which a light is seen", "[08.3]") {
+TEST_CASE("08.3 the height of the cap in which a light is seen", "[08.3]") {
     // A light as far away as its diameter is seen at 30 degrees to each side.
     {
         HINT(Exact(1) - sqrt(Exact(3)) / Exact(2), rt::cone_height(1, 2),
@@ -221,8 +225,9 @@ TEST_CASE("08.3 the density is one over the solid angle", "[08.3]") {
         check_near(density, expected, rt::rounding_bound(30) * expected);
     }
     const Real inside = rt::light_density(usual, usual.center + Vec3{Real(0.2), 0, Real(0.1)});
-    INFO("from inside: expected " << text(1 / (4 * rt::pi)) << ", but yours gives " << text(inside)
-                                  << ".\nHint: there the light is seen in every direction");
+    INFO("for a point inside the light: expected "
+         << text(1 / (4 * rt::pi)) << ", but yours gives " << text(inside)
+         << ".\nHint: from inside, the light is seen in every direction");
     check_near(inside, 1 / (4 * rt::pi), 4 * rt::epsilon);
 }
 
@@ -244,7 +249,7 @@ TEST_CASE("08.3 place.x is the height in the cap and place.y the turn", "[08.3]"
                 const Real cosine = rt::dot(direction, apart / distance);
                 const Exact expected = Exact(1) - exact(x) * height;
                 INFO("place " << text(x) << ", " << text(turn)
-                              << ": the cosine of the angle to the light's middle");
+                              << ": the cosine of the angle to the light's center");
                 HINT(expected, cosine,
                      "1 - place.x * h, whatever place.y is; the turn is 2 pi place.y");
                 check_near(cosine, static_cast<Real>(expected.high), rt::rounding_bound(40));
@@ -293,11 +298,12 @@ TEST_CASE("08.3 the samples are spread evenly over the light as it is seen", "[0
     INFO("36 parts of equal solid angle should get 100 of 3600 sample points each; chi-square is "
          << statistic << "; expected less than " << chi_square_limit(35)
          << ".\nHint: the height of the cap, 1 - cos, is spread evenly, not the angle to the "
-            "middle; and the turn goes all the way around, 2 pi");
+            "center; and the turn goes all the way around, 2 pi");
     CHECK(statistic < chi_square_limit(35));
 }
 
-TEST_CASE("08.3 a facing light gives the irradiance of the textbook", "[08.3]") {
+TEST_CASE("08.3 a light that faces the surface gives the irradiance of the textbook formula",
+          "[08.3]") {
     // E = pi L sin^2 a. Over sample points in the middle of equal strips, the mean of cos / density
     // is exact, because the cosine changes evenly with place.x.
     const Real radiance = 3;
@@ -311,13 +317,13 @@ TEST_CASE("08.3 a facing light gives the irradiance of the textbook", "[08.3]") 
         const Real expected = rt::pi * radiance / distance / distance;
         INFO("a light of radius 1 and radiance 3 at distance " << text(distance));
         HINT(exact(expected), sum / 256,
-             "each sample counts radiance * cosine / density; so 1 / density is the solid angle, "
-             "and the directions lie evenly in it");
+             "each sample counts radiance * cosine / density; so 1 / density must be the solid "
+             "angle, and the directions must be spread evenly in it");
         check_near(sum / 256, expected, rt::rounding_bound(400) * expected);
     }
 }
 
-TEST_CASE("08.3 small and far lights keep their digits", "[08.3][hard]") {
+TEST_CASE("08.3 no digits are lost for small and distant lights", "[08.3][hard]") {
     for (Real distance = 2; distance < for_this_precision(Real(1e15), Real(1e100)); distance *= 7)
         check_height(1, distance);
     // The sun in its true size, seen from its true distance.
@@ -338,7 +344,7 @@ TEST_CASE("08.3 just above the surface of a light nothing cancels", "[08.3][hard
     }
 }
 
-TEST_CASE("08.3 at the rim of a light the way to it is a number", "[08.3][hard]") {
+TEST_CASE("08.3 at the rim of a light the distance is never NaN", "[08.3][hard]") {
     // The last sample point before the rim: h and k differ by one unit in the
     // last place, if at all.
     const Real last = 1 - rt::epsilon / 2;
@@ -350,11 +356,11 @@ TEST_CASE("08.3 at the rim of a light the way to it is a number", "[08.3][hard]"
         const LightSample sample = sampled(light, {0, height, 0}, {last, random.uniform()});
         const Real distance = sample.distance;
         if (distance > 0 && distance <= height) continue;
-        INFO("a light of radius " << text(light.radius) << " at distance " << text(height)
-                                  << ", place.x = 1 - epsilon / 2: yours gives the distance "
-                                  << text(distance)
-                                  << ".\nHint: k may be almost h, and then h (2 - h) - k (2 - k) "
-                                     "may be rounded to less than 0. (h - k) (2 - h - k) never is");
+        INFO("a light of radius "
+             << text(light.radius) << " at distance " << text(height)
+             << ", place.x = 1 - epsilon / 2: yours gives the distance " << text(distance)
+             << ".\nHint: k may be almost h, and then h (2 - h) - k (2 - k) may be rounded to less "
+                "than 0. (h - k) (2 - h - k) is equal and never negative");
         REQUIRE(text(distance) == text(std::sqrt(gap * (2 + gap)) * light.radius));
     }
 }
@@ -363,9 +369,9 @@ TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]")
     const Sphere light{{1, 1, 1}, 3};
     {
         const Real density = rt::light_density(light, {1, 4, 1});
-        INFO("on the surface itself, d = r, expected " << text(1 / (4 * rt::pi))
-                                                       << ", but yours gives " << text(density)
-                                                       << ".\nHint: d <= r is inside");
+        INFO("on the surface itself, d = r, expected "
+             << text(1 / (4 * rt::pi)) << ", but yours gives " << text(density)
+             << ".\nHint: a point with d <= r counts as inside");
         check_near(density, 1 / (4 * rt::pi), 4 * rt::epsilon);
     }
     rt::Rng rng{83, 2};
@@ -425,7 +431,7 @@ TEST_CASE("08.3 from a point on the surface every direction has a distance", "[0
         }
 }
 
-TEST_CASE("08.3 huge and tiny scenes overflow nowhere", "[08.3][hard]") {
+TEST_CASE("08.3 nothing overflows in huge and tiny scenes", "[08.3][hard]") {
     const int power = std::is_same_v<Real, float> ? 100 : 1000;
     for (const Real scale : {std::ldexp(Real(1), power), std::ldexp(Real(1), -power)}) {
         check_height(1, 3, scale);
@@ -436,7 +442,7 @@ TEST_CASE("08.3 huge and tiny scenes overflow nowhere", "[08.3][hard]") {
     }
 }
 
-TEST_CASE("08.3 a light however small is looked for", "[08.3][hard]") {
+TEST_CASE("08.3 even a very small light is sampled", "[08.3][hard]") {
     // As long as the height of its cap is a number with all its digits.
     const Real smallest = 4 * std::sqrt(std::numeric_limits<Real>::min());
     for (Real ratio = std::sqrt(rt::epsilon) / 4; ratio > smallest; ratio /= 32) {
@@ -453,7 +459,8 @@ TEST_CASE("08.3 a light however small is looked for", "[08.3][hard]") {
     }
 }
 
-TEST_CASE("08.3 a light too small for a number is not looked for", "[08.3][hard]") {
+TEST_CASE("08.3 a light whose cap is too small for a normal number is not sampled",
+          "[08.3][hard]") {
     // Of two heights, a hundredth more and a hundredth less than that number, only the
     // first has a density.
     for (const Real factor : {Real(1.01), Real(0.99)}) {
@@ -477,10 +484,10 @@ TEST_CASE("08.3 a light too small for a number is not looked for", "[08.3][hard]
             INFO("light_density gives "
                  << text(density)
                  << " instead of 0.\nHint: below std::numeric_limits<Real>::min() a number does "
-                    "not have full precision, and one over it may be infinite");
+                    "not have full precision, and 1 divided by it may be infinite");
             CHECK(density == 0);
         }
-        INFO("where light_density is 0, sample_light gives no sample");
+        INFO("where light_density is 0, sample_light must give no sample");
         CHECK_FALSE(rt::sample_light(star, {0, 0, 0}, {Real(0.5), Real(0.5)}).has_value());
     }
 }

@@ -155,7 +155,7 @@ struct Direct {
         before();
         INFO("lights.choose draws from `random`; direct_light itself must draw nothing");
         CHECK(random() == before());
-        INFO("lights.choose must be asked from place.point");
+        INFO("lights.choose must be called with place.point");
         CHECK(lights.asked_from == place.point);
         asked = world.asked;
         return color;
@@ -170,7 +170,7 @@ void check_direct(Color found, Color expected, const char* hint) {
 
 }  // namespace
 
-TEST_CASE("08.4 one sample of direct light counts what the formula says", "[08.4]") {
+TEST_CASE("08.4 one sample of direct light has the value of the formula", "[08.4]") {
     // cos = 0.8, so that a white floor takes this direction with the density 0.8 / pi.
     const Real toward = Real(0.8) / rt::pi;
     const Vec3 up{Real(0.6), Real(0.8), 0};
@@ -180,13 +180,13 @@ TEST_CASE("08.4 one sample of direct light counts what the formula says", "[08.4
         direct.goes_on = false;
         INFO("the place has the density " << text(toward) << ", the sample " << text(density));
         check_direct(direct(), toward / density * radiance,
-                     "density of the place / density of the sample * radiance; if you have written "
-                     "weights, the weight is 1 where the path does not go on");
+                     "divide the place's density by the sample's density, and multiply by the "
+                     "radiance; if you use weights, the weight is 1 if the path does not go on");
         CHECK(direct.asked == 1);
     }
 }
 
-TEST_CASE("08.4 a sample counts its part if the path goes on", "[08.4][hard]") {
+TEST_CASE("08.4 a sample is multiplied by its weight if the path goes on", "[08.4][hard]") {
     const Real toward = Real(0.8) / rt::pi;
     for (const Real density : {Real(0.1), Real(0.5), Real(40)}) {
         Direct direct{{Real(0.6), Real(0.8), 0}, 5, density};
@@ -198,21 +198,21 @@ TEST_CASE("08.4 a sample counts its part if the path goes on", "[08.4][hard]") {
     }
 }
 
-TEST_CASE("08.4 what is in the way or behind the surface gives no light", "[08.4]") {
+TEST_CASE("08.4 a light that is hidden or behind the surface gives no light", "[08.4]") {
     const Color black;
     Direct direct{{0, 1, 0}, 5, 1};
     direct.lit.world.spheres.push_back({{{0, 3, 0}, Real(0.5)}, 0});
-    check_direct(direct(), black, "a sphere is between the place and the light: sees_light");
+    check_direct(direct(), black, "a sphere is between the place and the light: call sees_light");
     Direct behind{{0, 1, 0}, 5, 1};
     behind.goes_on = false;
     behind.lit.world.spheres.push_back({{{0, 8, 0}, Real(0.5)}, 0});
-    check_direct(behind(), Color{2, 3, 4} / rt::pi, "what is behind the light is not in the way");
+    check_direct(behind(), Color{2, 3, 4} / rt::pi, "an object behind the light is not in the way");
     Direct below{{1, Real(-0.5), 0}, 5, 1};
     check_direct(below(), black, "the light lies below the floor: the place's density is 0 there");
     CHECK(below.asked == 0);
     Direct none{{0, 1, 0}, 5, 1};
     none.lights.sample.reset();
-    check_direct(none(), black, "lights.choose gave none");
+    check_direct(none(), black, "lights.choose gave no sample, so there is no direct light");
 }
 
 TEST_CASE("08.4 direct light comes through the fog", "[08.4][hard]") {
@@ -221,7 +221,8 @@ TEST_CASE("08.4 direct light comes through the fog", "[08.4][hard]") {
     // The way is 5 units long, and 2 of them are foggy; the ray to the floor stays outside.
     direct.lit.fog = {{{{0, 3, 0}, 1}, Real(0.5), {1, 1, 1}, 0}};
     check_direct(direct(), std::exp(Real(-1)) / rt::pi * Color{2, 3, 4},
-                 "times place.fog.gets_through(ray, sample.distance), along the new ray");
+                 "multiply by place.fog.gets_through(ray, sample.distance), where ray is the ray "
+                 "to the light");
 }
 
 TEST_CASE("08.4 light that was collected is never lost", "[08.4]") {
@@ -245,7 +246,7 @@ TEST_CASE("08.4 light that was collected is never lost", "[08.4]") {
     check(rt::BlackEnding{}, 4, "in black, most of them at a black wall,");
 }
 
-TEST_CASE("08.4 light that was collected stays where a path is absorbed", "[08.4]") {
+TEST_CASE("08.4 an absorbed path keeps the light that it has collected", "[08.4]") {
     // A white floor under a light; whatever leaves the floor is absorbed by a wall around it.
     const rt::SphereList world{{{floor_ball, 0}, {{{0, 0, 0}, 1000}, 1}, {{{0, 40, 0}, 1}, 2, 0}}};
     const rt::MaterialSet<rt::Lambertian, Absorbing> materials{{white, Absorbing{}, white}};
@@ -322,7 +323,7 @@ TEST_CASE("08.4 a light that is seen directly shows its radiance", "[08.4]") {
     check_mean(lit.mean({{0, 1, 0}, {0, 1, 0}}, lit.lights, rt::SkyEnding{}, 3, 10, 1), 2);
 }
 
-TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
+TEST_CASE("08.4 a floor gets as much light as the formula says", "[08.4]") {
     // Facing the light: E = pi L sin^2 a; a white floor sends back E / pi.
     for (const Real distance : {Real(1.2), Real(3), Real(40)}) {
         // Away from the scene's origin.
@@ -336,7 +337,7 @@ TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
         INFO("distance " << text(distance));
         INFO(
             "Hint: a bounce from a place where the light was sampled may meet it, too. Do not "
-            "count it twice: after such a bounce, the light brings nothing more");
+            "count it twice: after such a bounce, the light adds nothing more");
         // The light sample alone, it and the bounce, and the bounce alone.
         check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 1, 8000, 1), expected);
         check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 2, 8000, 2), expected);
@@ -344,15 +345,15 @@ TEST_CASE("08.4 a floor gets the light that the formula says", "[08.4]") {
         check_mean(lit.mean(ray, chance, rt::SkyEnding{}, 2, 40000, 3), expected);
         {
             INFO(
-                "paths end by roulette. With weights: those that ended might have met the light, "
-                "too, so the sample shares with them");
+                "paths end by roulette. If you use weights: a path that ended might have met the "
+                "light, too, so the sample still has its weight");
             check_mean(lit.mean(ray, lit.lights, rt::RouletteEnding{Real(0.5)}, 1, 40000, 6),
                        expected);
         }
     }
 }
 
-TEST_CASE("08.4 small lights are found that paths hardly meet", "[08.4]") {
+TEST_CASE("08.4 small lights are found although paths hardly ever meet them", "[08.4]") {
     // The light's share of the sky is 1 in 250000.
     Lit lit;
     lit.add(floor_ball, white);
@@ -401,13 +402,13 @@ void check_both_ways(const Lit& lit, const Ray& ray, int count) {
     const FoundByChance chance{lit.lights};
     const Mean direct = lit.mean(ray, lit.lights, rt::RouletteEnding{}, 4, count, 11);
     const Mean pure = lit.mean(ray, chance, rt::RouletteEnding{}, 4, 8 * count, 12);
-    INFO("variance a sample: " << direct.variance() << " direct, " << pure.variance() << " pure");
+    INFO("variance per sample: " << direct.variance() << " direct, " << pure.variance() << " pure");
     check_same(direct, pure);
 }
 
 }  // namespace
 
-TEST_CASE("08.4 looking for lights and finding them by chance agree within noise", "[08.4]") {
+TEST_CASE("08.4 sampling lights and finding them by chance agree within noise", "[08.4]") {
     for (const Ray& ray : {to_floor, to_glass, to_metal}) check_both_ways(varied(false), ray, 5000);
     // A gray room, where much light comes by way of several walls: each takes its share.
     Lit room;
@@ -416,12 +417,12 @@ TEST_CASE("08.4 looking for lights and finding them by chance agree within noise
     check_both_ways(room, to_floor, 5000);
 }
 
-TEST_CASE("08.4 in fog looking for lights and finding them by chance agree", "[08.4][hard]") {
+TEST_CASE("08.4 in fog sampling lights and finding them by chance agree", "[08.4][hard]") {
     for (const Ray& ray : {to_floor, to_glass, to_nothing})
         check_both_ways(varied(true), ray, 5000);
 }
 
-TEST_CASE("08.4 what a mirror shows of a light counts in full", "[08.4]") {
+TEST_CASE("08.4 a light that is seen in a mirror counts in full", "[08.4]") {
     // Most light comes to the floor by way of the mirror around it: a matte bounce, then a mirror,
     // for which no light was looked for, then the light.
     Lit lit;
@@ -433,7 +434,8 @@ TEST_CASE("08.4 what a mirror shows of a light counts in full", "[08.4]") {
     const Mean direct = lit.mean(ray, lit.lights, rt::RouletteEnding{}, 6, 6000, 21);
     const Mean pure = lit.mean(ray, chance, rt::RouletteEnding{}, 6, 20000, 22);
     INFO(
-        "the light is looked for, and found by chance alone. A mirror gives a density of 0, so no "
-        "light is sampled there: what the path finds after it counts in full");
+        "the mean with sampled lights must equal the mean with lights found by chance alone. A "
+        "mirror gives a density of 0, so no light is sampled there: a light that the path meets "
+        "after it counts in full");
     check_same(direct, pure);
 }

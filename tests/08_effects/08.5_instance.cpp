@@ -85,14 +85,14 @@ Real terms(const Mat4& m, Vec3 v) {
 
 }  // namespace
 
-TEST_CASE("08.5 the ray goes to the object's space", "[08.5]") {
+TEST_CASE("08.5 the ray is transformed to the object's space", "[08.5]") {
     const Instance instance = rt::make_instance(egg, 0);
     const Ray ray = rt::object_ray(instance, {{9, 2, 1}, {-4, 0, 3}});
-    INFO("an ellipsoid around (5, 0, 0) that reaches 2, 1 and 0.5 along x, y and z");
+    INFO("an ellipsoid around (5, 0, 0) with the semi-axes 2, 1 and 0.5 along x, y and z");
     {
         HINT((Vec3{2, 2, 2}), ray.origin,
-             "the origin (9, 2, 1) is a point: transform_point with world_to_object. First -(5, 0, "
-             "0), then divided by 2, 1 and 0.5");
+             "the origin (9, 2, 1) is a point: use transform_point with world_to_object, which "
+             "subtracts (5, 0, 0) and then divides by 2, 1 and 0.5");
         CHECK(ray.origin == Vec3{2, 2, 2});
     }
     HINT((Vec3{-2, 0, 6}), ray.direction,
@@ -108,24 +108,24 @@ TEST_CASE("08.5 the hit of an ellipsoid", "[08.5]") {
         const auto t = rt::hit_instance(instance, ray, within);
         const bool same = t.has_value() == expected.has_value() &&
                           (!t || std::abs(*t - *expected) <= 8 * rt::epsilon);
-        INFO(text(ray) << ", and an ellipsoid around (5, 0, 0) that reaches 2, 1 and 0.5 along x, "
-                          "y and z: expected "
+        INFO(text(ray) << ", and an ellipsoid around (5, 0, 0) with the semi-axes 2, 1 and 0.5 "
+                          "along x, y and z: expected "
                        << text(expected) << ", actual " << text(t) << ".\nHint: " << hint);
         CHECK(same);
     };
-    check({{0, 0, 0}, {1, 0, 0}}, Real(3), "it begins at x = 3");
+    check({{0, 0, 0}, {1, 0, 0}}, Real(3), "the ellipsoid begins at x = 3");
     check({{0, 0, 0}, {2, 0, 0}}, Real(1.5),
           "a direction twice as long halves t: do not normalize the ray's direction in the "
           "object's space");
-    check({{5, 0, 9}, {0, 0, -1}}, Real(8.5), "it reaches 0.5 along z");
-    check({{5, 0, 0}, {0, 1, 0}}, Real(1), "from inside it is met as well");
-    check({{5, 2, 0}, {1, 0, 0}}, {}, "it reaches 1 along y, and the ray passes at 2");
+    check({{5, 0, 9}, {0, 0, -1}}, Real(8.5), "the ellipsoid ends at z = 0.5");
+    check({{5, 0, 0}, {0, 1, 0}}, Real(1), "a ray from inside meets the ellipsoid, too");
+    check({{5, 2, 0}, {1, 0, 0}}, {}, "the ellipsoid ends at y = 1, and the ray passes at y = 2");
     check({{0, 0, 0}, {1, 0, 0}}, Real(7), "the near side lies before the interval",
           {4, rt::infinity});
     check({{0, 0, 0}, {1, 0, 0}}, {}, "both sides lie beyond the interval", {0, 2});
 }
 
-TEST_CASE("08.5 point and normal are the world's", "[08.5]") {
+TEST_CASE("08.5 point and normal are in world space", "[08.5]") {
     const Instance instance = rt::make_instance(egg, 7);
     // In the object's space the hit is at (0.6, 0.8, 0), which is its normal there.
     const Ray ray{{Real(6.2), 9, 0}, {0, -2, 0}};
@@ -133,19 +133,19 @@ TEST_CASE("08.5 point and normal are the world's", "[08.5]") {
     INFO(text(ray) << ", which meets the ellipsoid around (5, 0, 0) at t = 4.1");
     {
         HINT((Vec3{Real(6.2), Real(0.8), 0}), hit.point,
-             "the point of the unit sphere goes to the world by transform_point with "
+             "transform the point of the unit sphere to world space: transform_point with "
              "object_to_world");
         CHECK(is_near(hit.point, {Real(6.2), Real(0.8), 0}, 7));
     }
     {
         const Vec3 expected = rt::normalize(Vec3{Real(0.3), Real(0.8), 0});
         HINT(expected, hit.normal,
-             "normals go another way than points: transform_normal with world_to_object, then "
-             "normalize. (0.6, 0.8, 0) becomes (0.6 / 2, 0.8, 0)");
+             "normals are not transformed like points: use transform_normal with world_to_object, "
+             "then normalize. (0.6, 0.8, 0) becomes (0.6 / 2, 0.8, 0)");
         CHECK(is_near(hit.normal, expected, 1));
     }
     {
-        INFO("t must be the t of the world's ray, as it was given: expected 4.1, but yours is "
+        INFO("t must be the given t of the ray in world space: expected 4.1, but yours is "
              << checkpoint::text(hit.t));
         CHECK(hit.t == Real(4.1));
     }
@@ -153,17 +153,17 @@ TEST_CASE("08.5 point and normal are the world's", "[08.5]") {
         INFO("the ray came from outside: front must be true");
         CHECK(hit.front);
     }
-    INFO("the material is the instance's, 7");
+    INFO("the material must be the instance's: 7");
     CHECK(hit.material == 7);
     const Hit inside = rt::surface_hit(instance, {{5, 0, 0}, {0, 1, 0}}, 1);
     INFO(
-        "a ray from the middle to (5, 1, 0): it comes from inside, so front must be false, and "
+        "a ray from the center to (5, 1, 0): it comes from inside, so front must be false, and "
         "the normal points outward");
     CHECK_FALSE(inside.front);
     CHECK(is_near(inside.normal, {0, 1, 0}, 1));
 }
 
-TEST_CASE("08.5 a matrix that moves and scales alike gives a sphere", "[08.5]") {
+TEST_CASE("08.5 a matrix that moves and scales uniformly gives a sphere", "[08.5]") {
     rt::Rng rng{85, 1};
     int hits = 0;
     for (int i = 0; i < 3000; ++i) {
@@ -215,7 +215,7 @@ TEST_CASE("08.5 hits lie on the surface and the normal is perpendicular to it", 
         const Vec3 there = transform_point(instance.world_to_object, hit.point);
         const Real rounding = rt::epsilon * (8 + 8 * terms(instance.world_to_object, hit.point));
         {
-            INFO("taken back to the object, the point "
+            INFO("in the object's space, the point "
                  << text(hit.point) << " is " << text(there) << ", at the distance "
                  << text(rt::length(there)) << " from the origin; expected 1");
             REQUIRE(std::abs(rt::length(there) - 1) <= 4 * rounding);
@@ -233,7 +233,7 @@ TEST_CASE("08.5 hits lie on the surface and the normal is perpendicular to it", 
         const Vec3 middle{instance.object_to_world(0, 3), instance.object_to_world(1, 3),
                           instance.object_to_world(2, 3)};
         INFO("the normal " << text(hit.normal) << " at the point " << text(hit.point)
-                           << " must have length 1 and point outward, away from the middle "
+                           << " must have length 1 and point outward, away from the center "
                            << text(middle));
         REQUIRE(std::abs(rt::length(hit.normal) - 1) <= 8 * rt::epsilon);
         REQUIRE(dot(hit.normal, hit.point - middle) > 0);
@@ -248,7 +248,7 @@ TEST_CASE("08.5 hits lie on the surface and the normal is perpendicular to it", 
     CHECK(hits > 3000);
 }
 
-TEST_CASE("08.5 a ray that leaves does not meet the same place again", "[08.5][hard]") {
+TEST_CASE("08.5 a ray that leaves the surface does not meet it again", "[08.5][hard]") {
     rt::Rng rng{85, 3};
     long again = 0, all = 0;
     std::string first;
@@ -287,23 +287,26 @@ TEST_CASE("08.5 the box around an ellipsoid", "[08.5]") {
         const Box expected{center - grown, center + grown}, box = rt::bounds_of(instance);
         const Real size = max_component(center) + max_component(half);
         INFO("the unit sphere, mapped by"
-             << text(map) << "\nreaches " << text(half) << " from its middle, and with the margin "
+             << text(map) << "\nreaches " << text(half) << " from its center, and with the margin "
              << text(grown) << ": expected " << text(expected) << ", actual " << text(box)
              << ".\nHint: " << hint);
         CHECK(is_near(box.low, expected.low, size, 8));
         CHECK(is_near(box.high, expected.high, size, 8));
     };
     check(egg, {2, 1, Real(0.5)},
-          "the middle is the last column, and the rows say how far it reaches");
-    check(multiply(rt::translation({1, 2, 3}),
-                   multiply(rt::rotation_z(rt::pi / 4), rt::scaling({4, 3, 1}))),
-          {Real(std::sqrt(12.5)), Real(std::sqrt(12.5)), 1},
-          "the reach along x is the length of the first row: sqrt(8 + 4.5); columns are not rows");
+          "the center is the last column, and the lengths of the rows say how far the ellipsoid "
+          "reaches");
+    check(
+        multiply(rt::translation({1, 2, 3}),
+                 multiply(rt::rotation_z(rt::pi / 4), rt::scaling({4, 3, 1}))),
+        {Real(std::sqrt(12.5)), Real(std::sqrt(12.5)), 1},
+        "the reach along x is the length of the first row, sqrt(8 + 4.5), not of the first column");
     check(rt::translation({-100, 0, 0}), {1, 1, 1},
-          "take the largest coordinate by absolute value, of the middle and of the reach");
+          "take the largest coordinate by absolute value of the center, and that of the reach: "
+          "max_component");
 }
 
-TEST_CASE("08.5 boxes are tight and hold their ellipsoids", "[08.5][hard]") {
+TEST_CASE("08.5 boxes are tight and contain their ellipsoids", "[08.5][hard]") {
     rt::Rng rng{85, 4};
     for (int i = 0; i < 3000; ++i) {
         const Real size = any_size(rng, -6, 6);
@@ -329,7 +332,7 @@ TEST_CASE("08.5 boxes are tight and hold their ellipsoids", "[08.5][hard]") {
     }
 }
 
-TEST_CASE("08.5 a tree of instances finds what trying them all finds", "[08.5][hard]") {
+TEST_CASE("08.5 a tree of instances finds the same hits as testing all of them", "[08.5][hard]") {
     rt::Rng rng{85, 5};
     int hits = 0;
     for (const int count : {0, 1, 2, 7, 60}) {
@@ -353,7 +356,7 @@ TEST_CASE("08.5 a tree of instances finds what trying them all finds", "[08.5][h
             INFO(count << " ellipsoids and " << text(ray) << ": the nearest is number " << nearest
                        << " at t = " << text(within.max)
                        << ", but the search in a tree finds number " << found
-                       << " (-1 is none).\nHint: the box must hold the whole ellipsoid");
+                       << " (-1 is none).\nHint: the box must contain the whole ellipsoid");
             REQUIRE(found == nearest);
             REQUIRE(hit->t == within.max);
         }

@@ -51,9 +51,9 @@ TEST_CASE("08.6 haze dims what is behind it", "[08.6]") {
     check({half, {}}, orange, 1, Real(0.5) * orange,
           "the fraction exp(-density * distance) gets through, here a half");
     check({half, {}}, orange, 3, Real(0.125) * orange,
-          "the haze is three times as long: a half of a half of a half gets through");
+          "the way through the haze is three times as long: half of a half of a half gets through");
     check({3 * half, {}}, orange, 1, Real(0.125) * orange,
-          "the haze is three times as dense: a half of a half of a half gets through");
+          "the haze is three times as dense: half of a half of a half gets through");
     check({Real(0.25), {}}, {1, 1, 1}, 8, real(0.13533528323661269189) * Color{1, 1, 1},
           "exp(-0.25 * 8) = 0.135");
 }
@@ -63,39 +63,37 @@ TEST_CASE("08.6 the color of haze makes up the rest", "[08.6]") {
     check({half, blue}, {}, 1, Real(0.5) * blue,
           "behind the haze it is black: you see half of the haze's own color");
     check({half, blue}, orange, 1, Real(0.5) * orange + Real(0.5) * blue,
-          "a half of each: add the haze's color, and do not multiply by it");
+          "half of each color: add the haze's color, and do not multiply by it");
     check({half, blue}, orange, 2, Real(0.25) * orange + Real(0.75) * blue,
-          "a quarter gets through, and three quarters are the haze's");
+          "a quarter of the color gets through, and three quarters are the haze's color");
     check({Real(0.1), blue}, blue, 7, blue,
           "an object of the haze's color keeps it: the two fractions add up to 1");
 }
 
-TEST_CASE(
-    "08.6 right before the eye there is no haze and where nothing is hit there is nothing else",
-    "[08.6]") {
+TEST_CASE("08.6 at distance 0 there is no haze and at infinity only haze", "[08.6]") {
     check({2, blue}, orange, 0, orange, "at distance 0 everything gets through");
-    check(
-        {2, blue}, orange, far_away, blue,
-        "infinitely far away nothing gets through: only the haze is left, and sky is no exception");
+    check({2, blue}, orange, far_away, blue,
+          "infinitely far away nothing gets through: only the haze is left, and the sky is no "
+          "exception");
 }
 
-TEST_CASE("08.6 where the density is 0 the color stays and nothing is asked", "[08.6]") {
+TEST_CASE("08.6 at density 0 the color stays and the distance is not asked for", "[08.6]") {
     for (const Real distance : {Real(0), Real(3), far_away}) {
         int asked = 0;
-        check_same(seen(Haze{0, blue}, orange, distance, &asked), orange,
-                   "a renderer that has every effect also draws scenes without haze, and where a "
-                   "ray misses everything 0 times infinity is not a number: return the color "
-                   "itself if the density is 0");
+        check_same(
+            seen(Haze{0, blue}, orange, distance, &asked), orange,
+            "a renderer that has every effect also draws scenes without haze, and if a ray misses "
+            "everything, 0 times infinity is NaN: return the color itself if the density is 0");
         INFO("Hint: if the density is 0, return before you call distance(): it is a search");
         CHECK(asked == 0);
     }
 }
 
-TEST_CASE("08.6 without the effect the color stays and nothing is asked", "[08.6]") {
+TEST_CASE("08.6 without the effect the color stays and the distance is not asked for", "[08.6]") {
     for (const Real distance : {Real(0), Real(3), far_away}) {
         int asked = 0;
         check_same(seen(rt::NoHaze{}, orange, distance, &asked), orange,
-                   "a NoHaze is no haze: return the color itself");
+                   "with NoHaze there is no haze: return the color itself");
         INFO(
             "Hint: call distance() only inside of the `if constexpr`: an effect that is absent "
             "costs nothing");
@@ -137,5 +135,5 @@ TEST_CASE("08.6 nothing overflows", "[08.6][hard]") {
     const Color here = seen(Haze{Real(0.5), blue}, orange, 2);
     for (const Real scale : {Real(0x1p30), Real(0x1p-30)})
         check_same(seen(Haze{Real(0.5) / scale, blue}, orange, 2 * scale), here,
-                   "density times distance is a pure number: what counts is their product alone");
+                   "only the product of density and distance counts, and it is a pure number");
 }
