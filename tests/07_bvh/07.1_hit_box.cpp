@@ -38,37 +38,39 @@ Vec3 turned(Vec3 v, int times) {
 
 TEST_CASE("07.1 a ray through the box hits it", "[07.1]") {
     check(unit, {-1, Real(0.5), Real(0.25)}, {1, Real(0.125), Real(0.125)}, ahead, true,
-          "it is in all three slabs at once from t = 1 to 2");
-    check(unit, {-1, -1, -1}, {1, 1, 1}, ahead, true, "along the diagonal");
+          "the ray is in all three slabs at once from t = 1 to t = 2");
+    check(unit, {-1, -1, -1}, {1, 1, 1}, ahead, true, "the ray runs along the diagonal");
     check(unit, {Real(0.5), Real(0.5), Real(0.5)}, {1, 2, -4}, ahead, true,
-          "it starts inside: the box begins at a negative t and ends at a positive one");
+          "the ray starts inside: it enters the box at a negative t and leaves it at a positive t");
 }
 
 TEST_CASE("07.1 a ray past the box misses it", "[07.1]") {
-    check(unit, {-1, 3, Real(0.5)}, {1, Real(0.5), Real(0.25)}, ahead, false, "far above the box");
+    check(unit, {-1, 3, Real(0.5)}, {1, Real(0.5), Real(0.25)}, ahead, false,
+          "the ray passes far above the box");
     check(unit, {-1, Real(0.5), Real(0.5)}, {1, 2, Real(0.125)}, ahead, false,
-          "it is in the slab of x from t = 1 on, but in that of y only until 1/4: all three must "
-          "overlap");
+          "the ray is in the slab of x from t = 1 on, but in the slab of y only until t = 1/4: the "
+          "three intervals must overlap");
     check(unit, {2, Real(0.5), Real(0.5)}, {1, Real(0.125), Real(0.125)}, ahead, false,
           "the box is behind the ray");
 }
 
 TEST_CASE("07.1 a ray may run backwards along each axis", "[07.1]") {
     for (int axis = 0; axis < 3; ++axis) {
-        const char* const hint = "with a negative component the higher plane comes first";
+        const char* const hint =
+            "if a component of the direction is negative, the ray meets the high plane first";
         const Vec3 origin = turned({2, Real(0.5), Real(0.25)}, axis);
         check(unit, origin, turned({-1, Real(0.125), Real(0.125)}, axis), ahead, true, hint);
         check(unit, origin, turned({-1, 2, Real(0.125)}, axis), ahead, false,
-              "it leaves the slab of another axis before it gets there");
+              "the ray leaves the slab of another axis before it enters this one");
     }
-    check(unit, {2, 2, 2}, {-1, -1, -1}, ahead, true, "backwards along the diagonal");
+    check(unit, {2, 2, 2}, {-1, -1, -1}, ahead, true, "the ray runs backwards along the diagonal");
 }
 
-TEST_CASE("07.1 only what lies within the interval counts", "[07.1]") {
+TEST_CASE("07.1 only hits within the interval count", "[07.1]") {
     const Vec3 o{-2, Real(0.5), Real(0.25)}, d{1, Real(0.125), Real(0.125)};  // from t = 2 to 3
     check(unit, o, d, {0, 1}, false, "the box begins after the end of the interval");
     check(unit, o, d, {4, 9}, false, "the box ends before the interval begins");
-    check(unit, o, d, {0, Real(2.5)}, true, "they overlap from 2 to 2.5");
+    check(unit, o, d, {0, Real(2.5)}, true, "the box and the interval overlap from 2 to 2.5");
     check(unit, o, d, {Real(2.25), Real(2.5)}, true, "the interval lies within the box");
     check(unit, o, d, {0, 2}, true, "the ends of the interval belong to it: a hit at 2 counts");
     check(unit, o, d, {3, 9}, true, "the ends of the interval belong to it");
@@ -85,12 +87,14 @@ TEST_CASE("07.1 zero components of either sign", "[07.1][hard]") {
                         return turned({Real(0.5) - 2 * way, y, z}, axis);
                     };
                     check(unit, from(Real(0.5), Real(0.5)), d, ahead, true,
-                          "along an axis, through the middle: both planes of the other slabs are "
-                          "at infinity, one in front and one behind");
+                          "the ray runs along an axis, through the box: it meets the planes of the "
+                          "other two slabs at infinity, one in front and one behind");
                     check(unit, from(2, Real(0.5)), d, ahead, false,
-                          "along an axis, beside the box: it is never within the other slab");
+                          "the ray runs along an axis, beside the box: it is never within one of "
+                          "the slabs");
                     check(unit, from(Real(0.5), -1), d, ahead, false,
-                          "along an axis, beside the box: it is never within the other slab");
+                          "the ray runs along an axis, beside the box: it is never within one of "
+                          "the slabs");
                 }
 }
 
@@ -111,7 +115,7 @@ TEST_CASE("07.1 rays in a face or an edge count as hits", "[07.1][hard]") {
                     check(unit, turned({before, face, face}, axis), turned({way, a, -a}, axis),
                           ahead, true, hint);
                     check(unit, turned({before, face, 2}, axis), turned({way, a, a}, axis), ahead,
-                          false, "in one face's plane, but beside the box");
+                          false, "the ray lies in the plane of a face, but passes beside the box");
                 }
 }
 
@@ -123,9 +127,10 @@ TEST_CASE("07.1 flat boxes and corners count", "[07.1][hard]") {
     check(flat, {-1, 1, Real(0.5)}, {1, 0, 0}, ahead, false, "a ray above a flat box");
     const Box point{{1, 1, 1}, {1, 1, 1}};
     check(point, {0, 0, 0}, {1, 1, 1}, ahead, true, "a box of one point, hit exactly");
-    check(unit, {-1, 0, 0}, {1, 1, -1}, ahead, false, "it passes the corner at a distance");
-    check(unit, {-1, 2, Real(0.5)}, {1, -1, 0}, ahead, true, "it touches one edge, at t = 1");
-    check(unit, {2, -1, 2}, {-1, 1, -1}, ahead, true, "it touches one corner and goes on inside");
+    check(unit, {-1, 0, 0}, {1, 1, -1}, ahead, false, "the ray passes the corner at a distance");
+    check(unit, {-1, 2, Real(0.5)}, {1, -1, 0}, ahead, true, "the ray touches one edge, at t = 1");
+    check(unit, {2, -1, 2}, {-1, 1, -1}, ahead, true,
+          "the ray enters at one corner and goes on inside");
 }
 
 TEST_CASE("07.1 empty boxes and empty intervals are never hit", "[07.1][hard]") {
@@ -140,7 +145,7 @@ TEST_CASE("07.1 the margin makes the box larger", "[07.1][hard]") {
     const Vec3 above{-1, Real(1.5), Real(0.5)}, flat{1, Real(0.0625), 0};
     const char* const hint =
         "the ray passes a little more than 1/2 above the box: a margin of 1 reaches it, one of 1/2 "
-        "does not. The low plane moves down by the margin and the high one up, once";
+        "does not. Move each low plane down and each high plane up by the margin, once";
     check(unit, above, flat, ahead, false, hint, 0);
     check(unit, above, flat, ahead, false, hint, Real(0.25));
     check(unit, above, flat, ahead, false, hint, Real(0.5));
@@ -158,7 +163,7 @@ TEST_CASE("07.1 the margin makes the box larger", "[07.1][hard]") {
 
 // Everything is a whole number times a power of two, so nothing is rounded: near misses from afar,
 // at all scales, with a different one for each axis.
-TEST_CASE("07.1 right for all kinds of whole numbers", "[07.1][hard]") {
+TEST_CASE("07.1 small whole numbers of all kinds give the exact result", "[07.1][hard]") {
     rt::Rng rng{71, 1};
     const auto whole = [&](long low, long high) {
         return low + static_cast<long>(rng() % static_cast<unsigned long>(high - low + 1));
@@ -273,11 +278,12 @@ TEST_CASE("07.1 a near miss is a miss in any direction", "[07.1][hard]") {
             continue;
         }
         check({low, high}, origin, d, ahead, over,
-              over ? "it just cuts an edge of the box: it is inside for a short way"
-                   : "it passes close to an edge of the box: nothing but the margin is added",
+              over ? "the ray just cuts an edge of the box: it is inside for a short distance"
+                   : "the ray passes close to an edge of the box and misses: add nothing but the "
+                     "margin",
               margin);
         return;
     }
-    INFO("the test itself is wrong if it tries few rays");
+    INFO("the test itself is wrong if it tries only a few rays");
     CHECK(right > 2000);
 }

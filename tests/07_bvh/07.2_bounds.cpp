@@ -26,7 +26,9 @@ TEST_CASE("07.2 the box around a sphere", "[07.2]") {
     INFO("your " << checkpoint::text(box));
     const Real near = rt::hit_margin * 16;
     const auto check = [&](Real value, Real expected) {
-        HINT(expected, value, "center minus radius to center plus radius, a little more");
+        HINT(expected, value,
+             "the box reaches from center minus radius to center plus radius, and on each side a "
+             "margin farther");
         CHECK(std::abs(value - expected) <= near);
     };
     check(box.low.x, -3);
@@ -71,11 +73,12 @@ TEST_CASE("07.2 the margin is as wide as the proof asks", "[07.2]") {
     }
 }
 
-TEST_CASE("07.2 two boxes join to one", "[07.2]") {
+TEST_CASE("07.2 the union of two boxes contains both", "[07.2]") {
     const auto check = check_join;
     const Box a{{0, 0, 0}, {1, 1, 1}}, b{{-2, Real(0.5), 3}, {Real(0.5), 5, 4}};
     const Box expected{{-2, 0, 0}, {1, 5, 4}};
-    const char* const hint = "the smaller of the lows and the larger of the highs, along each axis";
+    const char* const hint =
+        "take the smaller of the two lows and the larger of the two highs, along each axis";
     check(a, b, expected, hint);
     check(b, a, expected, hint);
     check(a, a, a, hint);
@@ -91,7 +94,7 @@ TEST_CASE("07.2 two boxes join to one", "[07.2]") {
     check(flat, a, {{0, 0, 0}, {4, 1, 1}}, not_empty);
 }
 
-TEST_CASE("07.2 boxes of all sizes join exactly", "[07.2][hard]") {
+TEST_CASE("07.2 the union of boxes of all sizes is exact", "[07.2][hard]") {
     rt::Rng rng{72, 3};
     const auto any_box = [&](Real size) {
         if (rng() % 16 == 0) return Box{};
@@ -110,7 +113,7 @@ TEST_CASE("07.2 boxes of all sizes join exactly", "[07.2][hard]") {
             a, b,
             {{lower(a.low.x, b.low.x), lower(a.low.y, b.low.y), lower(a.low.z, b.low.z)},
              {higher(a.high.x, b.high.x), higher(a.high.y, b.high.y), higher(a.high.z, b.high.z)}},
-            "each of the six numbers is one of a's or of b's, with all its digits");
+            "each of the six numbers is one of the numbers of a or b, with all its digits");
     }
 }
 
@@ -159,6 +162,6 @@ TEST_CASE("07.2 no ray hits a sphere and misses its box", "[07.2][hard]") {
         const Sphere there{any_size(rng, -2, 4) * d - turn({0, sphere.radius, 0}), sphere.radius};
         hits += check(there, {{0, 0, 0}, d});
     }
-    INFO("the test itself is wrong if few of its rays hit");
+    INFO("the test itself is wrong if only a few of its rays hit");
     CHECK(hits > 15000);
 }

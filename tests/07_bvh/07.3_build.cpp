@@ -110,11 +110,11 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
                               " of them to the left";
     if (!(node.box == around)) {
         INFO(where);
-        INFO("Hint: " << (level > rt::most_levels
-                              ? "is it the part of the order that you think? From level "
-                                "most_levels on call split_in_half, and each call is one level "
-                                "deeper"
-                              : "join boxes[number] for the numbers in order, and no others"));
+        INFO("Hint: "
+             << (level > rt::most_levels
+                     ? "check which part of the order you pass on. From level most_levels on, call "
+                       "split_in_half; each child is one level deeper than its node"
+                     : "join boxes[number] for the numbers in order, and no others"));
         REQUIRE(checkpoint::text(node.box) == checkpoint::text(around));
     }
     const char* const expected = left == 0 ? "a leaf" : "a node with two children";
@@ -131,8 +131,8 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
     if (left == 0) {
         INFO(where);
         INFO(
-            "Hint: a leaf's count is order.size(), its member first is the first that was passed "
-            "to build_node; the "
+            "Hint: a leaf's count is order.size(), its member first is the argument first of "
+            "build_node; the "
             "right part begins where the left one ends, at first + left");
         REQUIRE(node.first == first);
         REQUIRE(node.count == static_cast<int>(order.size()));
@@ -175,10 +175,11 @@ TEST_CASE("07.3 half of the spheres go to the left", "[07.3]") {
         const auto boxes = boxes_at(middles);
         auto order = numbers(boxes.size());
         const int left = split_in_half(order, boxes);
-        INFO("41 spheres, farthest apart along axis " << axis << "; yours: left " << left);
+        INFO("41 spheres, farthest apart along axis "
+             << axis << "; your split puts this many to the left: " << left);
         REQUIRE(left == 20);
         CHECK(from_smallest(order) == numbers(41));
-        INFO("no center may lie beyond that of the next number in order, along this axis");
+        INFO("along this axis, the centers must be in ascending order");
         CHECK(order_of_middles(order, boxes) == ascending);
     }
 }
@@ -219,7 +220,7 @@ TEST_CASE("07.3 numbers are sorted along the longest axis of their centers", "[0
             CHECK(right);
             continue;
         }
-        INFO(order.size() << " numbers of " << boxes.size() << " boxes, of a size of about "
+        INFO(order.size() << " numbers of " << boxes.size() << " boxes, whose size is about "
                           << checkpoint::text(size) << ", around " << checkpoint::text(origin));
         REQUIRE(left == static_cast<int>(order.size()) / 2);
         REQUIRE(from_smallest(sorted) == from_smallest(order));
@@ -275,11 +276,11 @@ TEST_CASE("07.3 the axis depends only on the boxes of the part that is split", "
         "x: sort along y");
     INFO(
         "Hint: for (int number : order) take boxes[number]; start from the empty box, Box{}, "
-        "because a box at (0, 0, 0) is not one of them");
+        "because a box at (0, 0, 0) does not belong to this part");
     CHECK(first_sorted(std::span{order}.subspan(8), 4) == std::vector<int>{8, 10, 13, 15});
 }
 
-TEST_CASE("07.3 the box of a node is around its part alone", "[07.3]") {
+TEST_CASE("07.3 the box of a node is only around its own spheres", "[07.3]") {
     std::vector<Vec3> middles;
     for (int i = 0; i < 9; ++i) middles.push_back({static_cast<Real>(10 * i), 5, 5});
     const auto boxes = boxes_at(middles);
@@ -304,12 +305,12 @@ TEST_CASE("07.3 every sphere is in exactly one leaf", "[07.3]") {
         int expected = 1;
         for (int n = count; n > rt::leaf_size; n = n - n / 2) ++expected;
         HINT(static_cast<Real>(expected), static_cast<Real>(levels),
-             "each level halves the spheres, down to leaf_size");
+             "each level halves the number of spheres, down to leaf_size");
         CHECK(levels == expected);
     }
 }
 
-TEST_CASE("07.3 trees of every shape are as the splits say", "[07.3][hard]") {
+TEST_CASE("07.3 trees of every shape follow their splits", "[07.3][hard]") {
     const auto boxes = rt::bounds_of(random_spheres(400));
     for (int shape = 0; shape < 6; ++shape)
         for (const int level : {0, 1, 40, 63, 64, 65, 100}) {
@@ -357,14 +358,14 @@ TEST_CASE("07.3 the list is not copied", "[07.3]") {
     const auto root = rt::build_node(std::span{order}, 0, std::span{boxes}, rt::split_in_half);
     const std::size_t taken = allocations - before, bytes = allocated_bytes - bytes_before;
     const std::size_t nodes = static_cast<std::size_t>(nodes_of(*root));
-    INFO(nodes << " nodes, but yours took memory from the heap " << taken << " times, " << bytes
+    INFO(nodes << " nodes, but your code took memory from the heap " << taken << " times, " << bytes
                << " bytes in all.\nHint: work on the span itself, first(n) and subspan(n) of it; "
                   "std::vector and std::stable_sort take memory of their own");
     CHECK(taken == nodes);
     CHECK(bytes == nodes * sizeof(rt::TreeNode));
 }
 
-TEST_CASE("07.3 the root of a part knows where it begins", "[07.3]") {
+TEST_CASE("07.3 the root of a part of the order knows where the part begins", "[07.3]") {
     const auto boxes = rt::bounds_of(random_spheres(9));
     std::vector<int> order = numbers(9);
     const auto root =
@@ -375,7 +376,7 @@ TEST_CASE("07.3 the root of a part knows where it begins", "[07.3]") {
     CHECK(root->count == 4);
 }
 
-TEST_CASE("07.3 hard scenes have sound trees", "[07.3][hard]") {
+TEST_CASE("07.3 the trees of hard scenes are valid", "[07.3][hard]") {
     for (const NamedScene& scene : hard_scenes()) {
         const auto boxes = rt::bounds_of(scene.spheres);
         auto order = numbers(boxes.size());
@@ -384,7 +385,7 @@ TEST_CASE("07.3 hard scenes have sound trees", "[07.3][hard]") {
     }
 }
 
-TEST_CASE("07.3 bad splits do not make it deep", "[07.3][hard]") {
+TEST_CASE("07.3 bad splits do not make the tree deep", "[07.3][hard]") {
     const auto boxes = rt::bounds_of(random_spheres(2000));
     auto order = numbers(boxes.size());
     const auto one_goes_left = [](std::span<int> part, std::span<const Box>) {
@@ -395,12 +396,12 @@ TEST_CASE("07.3 bad splits do not make it deep", "[07.3][hard]") {
     const int levels = levels_of(*root), largest = largest_leaf(*root);
     {
         INFO(
-            "a split that takes off one sphere at a time; your largest leaf has "
+            "the split takes off one sphere at a time; your largest leaf has "
             << largest << " spheres, expected " << rt::leaf_size << " at most.\nHint: at level "
             << "most_levels and deeper call split_in_half, and go on while it returns more than 0");
         CHECK(largest <= rt::leaf_size);
     }
-    INFO("a split that takes off one sphere at a time; yours has "
+    INFO("the split takes off one sphere at a time; your tree has "
          << levels << " levels.\nHint: at level most_levels and deeper call split_in_half instead");
     CHECK(levels >= rt::most_levels);
     // 64 are taken off, and halves of the other 1936 have 4 or fewer after 9 levels.

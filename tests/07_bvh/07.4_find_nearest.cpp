@@ -130,7 +130,7 @@ void check_scene(const std::string& name, const Spheres& spheres, int rays) {
             continue;
         }
         INFO(name << ", " << checkpoint::text(ray));
-        check_winner(search, expected, "the linear list finds this one");
+        check_winner(search, expected, "the linear list finds this hit");
         return;
     }
     CHECK(right == rays);
@@ -141,19 +141,19 @@ void check_scene(const std::string& name, const Spheres& spheres, int rays) {
 TEST_CASE("07.4 the nearer of two spheres is found", "[07.4]") {
     const Ray ray{{0, 0, 0}, {0, 0, -1}};
     const rt::Sphere near{{0, 0, -5}, 1}, far{{0, 0, -9}, 1};
-    check_winner(ByHand{near, far}.search(ray), {0, 4}, "the left one is nearer");
+    check_winner(ByHand{near, far}.search(ray), {0, 4}, "the left sphere is nearer");
     check_winner(ByHand{far, near}.search(ray), {1, 4},
-                 "the right one is nearer: a hit on the left does not end the search");
-    check_winner(ByHand{far, {{5, 0, -5}, 1}}.search(ray), {0, 8}, "only the left one is hit");
-    check_winner(ByHand{{{5, 0, -5}, 1}, far}.search(ray), {1, 8}, "only the right one is hit");
-    check_winner(ByHand{near, far}.search({{0, 0, 0}, {0, 1, 0}}), {}, "neither is hit");
+                 "the right sphere is nearer: a hit on the left does not end the search");
+    check_winner(ByHand{far, {{5, 0, -5}, 1}}.search(ray), {0, 8}, "only the left sphere is hit");
+    check_winner(ByHand{{{5, 0, -5}, 1}, far}.search(ray), {1, 8}, "only the right sphere is hit");
+    check_winner(ByHand{near, far}.search({{0, 0, 0}, {0, 1, 0}}), {}, "neither sphere is hit");
 }
 
 TEST_CASE("07.4 only hits within the interval count", "[07.4]") {
     const Ray ray{{0, 0, 0}, {0, 0, -1}};
     const ByHand two{{{0, 0, -5}, 1}, {{0, 0, -9}, 1}};
-    check_winner(two.search(ray, {0, 3}), {}, "both are beyond the interval's end");
-    check_winner(two.search(ray, {7, 100}), {1, 8}, "the left one lies before the interval");
+    check_winner(two.search(ray, {0, 3}), {}, "both spheres are beyond the interval's end");
+    check_winner(two.search(ray, {7, 100}), {1, 8}, "the left sphere lies before the interval");
     check_winner(two.search(ray, {0, 4}), {0, 4}, "the ends of the interval belong to it");
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("07.4 near ties are decided by t and ties by number", "[07.4][hard]") 
     }
 }
 
-TEST_CASE("07.4 a search of another type is asked its own questions", "[07.4]") {
+TEST_CASE("07.4 a search of another type uses its own functions", "[07.4]") {
     const ByHand two{{{0, 0, -5}, 1}, {{0, 0, -9}, 1}};
     const std::vector<Vec3> motions{{0, 0, -1}, {0, 0, 2}, {}};
     MovedSearch search{{two.spheres, two.order, {{0, 0, 0}, {0, 0, -1}}, {}}, motions};
@@ -259,7 +259,7 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
         hint =
             "test each box only once: either the node tests its own box or its parent does, but "
             "not both. And do you move search.within.max to each hit?";
-    INFO("4096 spheres, 2047 boxes; per ray yours tests "
+    INFO("4096 spheres, 2047 boxes; per ray your search tests "
          << boxes << " boxes and " << tests
          << " spheres; expected about 79 and 30.\nHint: " << hint);
     CHECK(boxes < 95);
@@ -274,17 +274,17 @@ TEST_CASE("07.4 hits move the end of the search", "[07.4]") {
     for (int i = 0; i < 1024; ++i) add(spheres, {static_cast<Real>(i), 0, 0}, Real(0.25));
     const rt::SphereTree tree = rt::make_tree(spheres, rt::split_in_half);
     const rt::Search search = tree.search(Ray{{-5, 0, 0}, {1, 0, 0}}, {});
-    INFO("a ray along a row of 1024 spheres; yours tests " << search.box_tests << " boxes and "
-                                                           << search.shape_tests << " spheres.");
+    INFO("a ray along a row of 1024 spheres; your search tests "
+         << search.box_tests << " boxes and " << search.shape_tests << " spheres.");
     INFO(
-        "Hint: the left child comes before the right one, and nothing behind a hit is met anymore "
-        "once search.within.max is the hit's t");
-    check_winner(search, {0, Real(4.75)}, "the first in the row");
+        "Hint: the left child comes before the right one, and once search.within.max is the hit's "
+        "t, nothing behind the hit is met");
+    check_winner(search, {0, Real(4.75)}, "the first sphere of the row is the nearest");
     CHECK(search.shape_tests <= 8);
     CHECK(search.box_tests <= 30);
 }
 
-TEST_CASE("07.4 each box that counts is asked once and left before right", "[07.4][hard]") {
+TEST_CASE("07.4 each box that counts is tested once and left before right", "[07.4][hard]") {
     rt::Rng rng{74, 5};
     for (int i = 0; i < 250; ++i) {
         const int count = 1 + static_cast<int>(rng() % 60),
@@ -382,8 +382,8 @@ TEST_CASE("07.4 many threads search one tree", "[07.4][hard]") {
     int others = 0;
     for (auto& thread : threads) others += thread.get();
     INFO(
-        "how many rays hit something else when four threads search at the same time.\nHint: "
-        "nothing may be static: what belongs to one ray is in its search");
+        "the number of rays whose hit changes when four threads search at the same time.\nHint: "
+        "use no static variable: all that belongs to one ray is in its search");
     CHECK(others == 0);
 }
 

@@ -85,7 +85,8 @@ void check_split(const std::vector<int>& part, const std::vector<Box>& boxes) {
                  leaf = double(order.size()), factor = allowed(part, boxes);
     if (cost > best * factor) {
         std::string hint =
-            "try every k from 1 to count - 1 along every axis: 1 * area(A) + k * area(left) + "
+            "try every k from 1 to count - 1 along every axis; its cost is 1 * area(A) + k * "
+            "area(left) + "
             "(count - k) * area(right). In the end, the numbers must be sorted along the axis that "
             "k belongs to";
         if (k == 0)
@@ -102,8 +103,9 @@ void check_split(const std::vector<int>& part, const std::vector<Box>& boxes) {
                         "along ";
                     hint += "xyz"[axis];
                 }
-        INFO(part.size() << " spheres, yours puts " << left << " of them to the left, at a cost of "
-                         << cost << "; the best costs " << best << ", a leaf " << leaf
+        INFO(part.size() << " spheres; your split puts " << left
+                         << " of them to the left, at a cost of " << cost
+                         << "; the best split costs " << best << ", a leaf " << leaf
                          << ".\nHint: " << hint);
         REQUIRE(text(Real(cost)) == text(Real(best)));
     }
@@ -113,8 +115,8 @@ void check_split(const std::vector<int>& part, const std::vector<Box>& boxes) {
         const double better = cost_of(order, other, boxes);
         if (cost <= better * factor) continue;
         INFO(part.size()
-             << " spheres, yours puts " << left << " of them to the left, at a cost of " << cost
-             << "; the same order with " << other << " to the left costs " << better
+             << " spheres; your split puts " << left << " of them to the left, at a cost of "
+             << cost << "; the same order with " << other << " to the left costs " << better
              << ".\nHint: is this the order whose costs you computed? If you sort once more, equal "
                 "centers must come in the same order: put the lower number first");
         REQUIRE(text(Real(cost)) == text(Real(better)));
@@ -140,11 +142,11 @@ double seconds(const Work& work) {
 TEST_CASE("07.5 the surface of a box", "[07.5]") {
     {
         const Real two_three_four = surface_area(Box{{1, 1, 1}, {3, 4, 5}});
-        HINT(Real(52), two_three_four, "six faces: 2 (2 * 3 + 3 * 4 + 4 * 2)");
+        HINT(Real(52), two_three_four, "add up the six faces: 2 (2 * 3 + 3 * 4 + 4 * 2)");
         CHECK(two_three_four == 52);
     }
     const Real flat = surface_area(Box{{0, 0, 0}, {1, 0, 1}});
-    HINT(Real(2), flat, "a flat box still has two faces: an area and not a volume");
+    HINT(Real(2), flat, "a flat box still has two faces: return the surface, not the volume");
     CHECK(flat == 2);
 }
 
@@ -183,13 +185,14 @@ TEST_CASE("07.5 two groups are kept apart", "[07.5]") {
         const int left = rt::split_by_area(order, boxes);
         {
             HINT(Real(9), static_cast<Real>(left),
-                 "nine spheres are near 0 and three near 100: the boxes are smallest between them");
+                 "nine spheres are near 0 and three near 100: the boxes are smallest if you split "
+                 "between the two groups");
             REQUIRE(left == 9);
         }
         const auto is_far = [&](int i) { return i % 4 == 0; };
-        INFO("9 to the left is right along axis "
+        INFO("9 spheres to the left is the best split, along axis "
              << axis
-             << ", but the nine near ones do not come first.\n"
+             << ", but the nine near spheres do not come first.\n"
                 "Hint: after all three axes the numbers are "
                 "sorted along z; sort along the best axis once "
                 "more");
@@ -228,7 +231,7 @@ TEST_CASE("07.5 the cheapest of all splits or a leaf for any part of a scene", "
     }
 }
 
-TEST_CASE("07.5 a little cheaper is cheaper", "[07.5][hard]") {
+TEST_CASE("07.5 a split that is only a little cheaper is chosen", "[07.5][hard]") {
     // Two splits that differ by less and less: boxes in a row, all but two of the gaps alike.
     for (Real more = Real(0.1); more > 64 * rt::epsilon; more /= 7)
         for (const bool first : {true, false})
@@ -245,7 +248,7 @@ TEST_CASE("07.5 a little cheaper is cheaper", "[07.5][hard]") {
             }
 }
 
-TEST_CASE("07.5 a split that is cheaper by next to nothing", "[07.5][hard]") {
+TEST_CASE("07.5 a split and a leaf that cost almost the same", "[07.5][hard]") {
     // Two cubes, one moved by 1.5 edges: the split costs as much as the leaf. A move that is larger
     // by next to nothing makes the split cheaper, a smaller one the leaf.
     const Real little = std::ldexp(rt::epsilon, 12);
@@ -276,7 +279,7 @@ TEST_CASE("07.5 a leaf where it is cheaper", "[07.5]") {
     const Box unit{{0, 0, 0}, {1, 1, 1}};
     expect_leaf({unit}, "one sphere cannot be split");
     expect_leaf(std::vector<Box>(12, unit),
-                "12 boxes in one place: any split costs 1 + 12, a leaf 12");
+                "12 boxes in one place: any split costs 1 + 12, and a leaf costs 12");
     expect_leaf(
         {unit, {{Real(1.5), 0, 0}, {Real(2.5), 1, 1}}},
         "the split costs 1 + (6 + 6) / 12 = 2, the same as a leaf; split only if that is cheaper");
@@ -287,7 +290,7 @@ TEST_CASE("07.5 equal centers are no trouble", "[07.5]") {
         [](auto order, auto boxes) { rt::split_by_area(order, boxes); });
 }
 
-TEST_CASE("07.5 only this part counts", "[07.5]") {
+TEST_CASE("07.5 only the boxes of this part count", "[07.5]") {
     // Numbers 0 to 5 are huge, and do not belong to this part.
     std::vector<Box> boxes(6, cube({0, 0, 0}, 1000));
     for (int i = 0; i < 6; ++i) boxes.push_back(cube({5, 0, 0}, Real(0.5)));
@@ -299,7 +302,7 @@ TEST_CASE("07.5 only this part counts", "[07.5]") {
     CHECK(left == 0);
 }
 
-TEST_CASE("07.5 rays test less in its tree", "[07.5]") {
+TEST_CASE("07.5 rays make fewer tests in this tree", "[07.5]") {
     // Many small spheres on a huge one.
     Spheres spheres;
     rt::Rng rng{75, 1};
@@ -318,7 +321,7 @@ TEST_CASE("07.5 rays test less in its tree", "[07.5]") {
     }
     INFO("tests per ray: " << tests_half / 300 << " in the sorted tree, " << tests_area / 300
                            << " in yours by area");
-    INFO("Hint: if everything above passes: is A the box around this part alone?");
+    INFO("Hint: if all tests above pass, check that A is the box around this part alone");
     CHECK(4 * tests_area < 3 * tests_half);
 }
 
@@ -351,10 +354,10 @@ TEST_CASE("07.5 equal centers keep the order whose cost was computed", "[07.5][h
         {
             auto split = order;
             const int left = rt::split_by_area(split, boxes);
-            INFO(
-                count << " boxes with the same center, one of them huge: whatever the rule for "
-                         "equal centers, the rest can be kept apart from some of them\nHint: any k "
-                         "may be the best, even where the centers to its left and right are equal");
+            INFO(count
+                 << " boxes with the same center, one of them huge: whatever your rule for equal "
+                    "centers, some of the boxes can be split off from the huge one\nHint: any k "
+                    "may be the best, even where the centers to its left and right are equal");
             REQUIRE(left > 0);
         }
         check_split(order, boxes);
@@ -377,12 +380,12 @@ TEST_CASE("07.5 many spheres do not take long", "[07.5][hard]") {
         ratio = all / sorting;
         if (ratio < 15) break;
     }
-    INFO("8000 spheres: yours takes "
+    INFO("8000 spheres: your split takes "
          << ratio
-         << " times the time of sorting them.\nHint: let a box grow by one sphere per step, from "
-            "either end, and keep the areas. Then the sorting takes longest");
+         << " times the time of sorting them.\nHint: let a box grow by one sphere per step, once "
+            "from each end, and keep the areas. Then sorting is what takes longest");
     CHECK(ratio < 15);
-    INFO("yours puts " << left << " of 8000 to the left");
+    INFO("your split puts " << left << " of 8000 to the left");
     CHECK(left > 2650);
     CHECK(left < 5350);
 }

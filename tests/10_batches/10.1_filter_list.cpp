@@ -85,7 +85,7 @@ Masks some_masks(rt::Rng& rng, std::size_t size) {
 
 }  // namespace
 
-TEST_CASE("10.1 the paths whose mask has the bit in their order", "[10.1]") {
+TEST_CASE("10.1 the paths whose mask has the bit keep their order", "[10.1]") {
     check_filter({7, 3, 9, 4}, {0b0010, 0b0001, 0b0110, 0b0011}, 1);
     check_filter({7, 3, 9, 4}, {0b0010, 0b0001, 0b0110, 0b0011}, 0);
     check_filter({5}, {0b1000}, 3);
@@ -105,7 +105,7 @@ TEST_CASE("10.1 every bit of every list", "[10.1]") {
         }
 }
 
-TEST_CASE("10.1 empty lists and lists from which all or none go on", "[10.1][hard]") {
+TEST_CASE("10.1 empty lists and lists where all or no paths go on", "[10.1][hard]") {
     check_filter({}, {}, 0);
     check_filter({}, {}, 7);
     for (const std::size_t size : {1, 2, 3, 8, 255, 256, 257, 5000, 65'537}) {

@@ -23,7 +23,7 @@ std::string text(const Rays& rays, std::size_t from = 0) {
            (rays.size() > from + 10 ? " ... }" : " }");
 }
 
-// A question to a tree: test(number, rays, ...) or leaf(number, rays).
+// A test or visit to a tree: test(number, rays, ...) or leaf(number, rays).
 struct Question {
     bool is_leaf;
     std::int32_t number;
@@ -38,7 +38,7 @@ std::string text(const Log& log, std::size_t i, std::size_t from) {
            text(log[i].rays, from);
 }
 
-// Fails at the first question that is not the expected one.
+// Fails at the first test or visit that is not the expected one.
 void check_log(const Log& actual, const Log& expected) {
     for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
         std::size_t from = 0;
@@ -57,8 +57,8 @@ void check_log(const Log& actual, const Log& expected) {
                     "right, an earlier child has overwritten this node's list or masks: check "
                     "which memory you passed to it";
         }
-        INFO("question " << i << ": expected " << text(expected, i, from) << ", but yours asks "
-                         << text(actual, i, from));
+        INFO("test or visit " << i << ": expected " << text(expected, i, from) << ", but yours is "
+                              << text(actual, i, from));
         INFO("Hint: " << hint);
         REQUIRE(text(actual, i, from) == text(expected, i, from));
     }
@@ -158,10 +158,10 @@ void check_descend(int levels, std::uint64_t seed, std::size_t rays, bool is_cha
     Fenced<std::uint8_t> masks{room, 0xa5, 0xa5, 10 * room + 100};
     rt::descend(tree, root, list, {lists.data(), masks.data()});
 
-    INFO("it begins at node " << root << " with " << text(list));
+    INFO("the descent begins at node " << root << " with " << text(list));
     check_log(tree.log, expected);
     INFO("Hint: there is room for " << levels + 1 << " lists of " << rays
-                                    << " rays and their masks; yours writes outside of it");
+                                    << " rays and their masks, but your code writes outside of it");
     REQUIRE(lists.stands());
     REQUIRE(masks.stands());
 }
@@ -176,7 +176,7 @@ TEST_CASE("10.2 every leaf gets the rays that meet all boxes above it", "[10.2]"
     for (std::uint64_t seed = 0; seed < 60; ++seed) check_descend(3, 1000 + seed, 40);
 }
 
-TEST_CASE("10.2 deep trees and lists of one ray or none that goes on", "[10.2][hard]") {
+TEST_CASE("10.2 deep trees and lists where one ray or none goes on", "[10.2][hard]") {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         check_descend(5, 2000 + seed, 1);
         check_descend(5, 3000 + seed, 3);
@@ -191,8 +191,7 @@ TEST_CASE("10.2 a hundred thousand rays", "[10.2][hard]") {
     check_descend(1, 6000, 100'000, true);
 }
 
-TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come later",
-          "[10.2][hard]") {
+TEST_CASE("10.2 hits in a leaf shorten the rays for the nodes that come later", "[10.2][hard]") {
     // A chain of nodes, each with a leaf first. Once a ray has been in a leaf, it no
     // longer meets any box.
     struct Shortened {
@@ -223,7 +222,7 @@ TEST_CASE("10.2 what a leaf finds shortens the rays for the nodes that come late
     std::vector<std::uint8_t> masks(100);
     rt::descend(tree, 0, rays, {lists.data(), masks.data()});
     INFO(
-        "a chain of four nodes: expected 3, 3, 2 and 2 rays in their tests\nHint: test a node only "
+        "a chain of four nodes: expected tests with 3, 3, 2 and 2 rays\nHint: test a node only "
         "after all leaves of the children before it have been visited");
     CHECK(tree.lengths == std::vector<std::size_t>{3, 3, 2, 2});
 }

@@ -62,12 +62,13 @@ void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, cons
         INFO("sphere " << number << " at " << text(sphere.center) << " of radius "
                        << text(sphere.radius) << "; ray " << i << " of the pack, from "
                        << text(rays[i].ray.origin) << " along " << text(rays[i].ray.direction)
-                       << ", so far sphere " << rays[i].sphere << " at t = " << text(rays[i].t));
+                       << ", nearest so far is sphere " << rays[i].sphere
+                       << " at t = " << text(rays[i].t));
         INFO("expected: " << state(hits, expected.t, expected.sphere)
                           << "\nactual: " << state(hit[i] != 0, pack.t[i], pack.sphere[i]));
         INFO("Hint: " << hint);
         {
-            INFO("the returned mask: -1 where the ray hits this sphere, else 0");
+            INFO("the returned mask is -1 where the ray hits this sphere, and 0 elsewhere");
             REQUIRE(hit[i] == (hits ? -1 : 0));
         }
         REQUIRE(text(pack.t[i]) == text(expected.t));
@@ -123,7 +124,7 @@ TEST_CASE("10.3 rays from all sides", "[10.3]") {
         Rays rays;
         for (OneRay& one : rays) one.ray = any_ray(rng, sphere, 2);
         check_pack(sphere, round, rays,
-                   "use hit_sphere's operations in their order, each for all rays at once");
+                   "use the operations of hit_sphere in the same order, each for all rays at once");
     }
 }
 
@@ -139,7 +140,7 @@ TEST_CASE("10.3 rays from inside", "[10.3]") {
     }
 }
 
-TEST_CASE("10.3 only what is nearer than before counts", "[10.3]") {
+TEST_CASE("10.3 only hits that are nearer than before count", "[10.3]") {
     rt::Rng rng{103, 2};
     for (int round = 0; round < 5000; ++round) {
         const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
@@ -164,21 +165,22 @@ TEST_CASE("10.3 of two equally near spheres the one with the higher number is ke
         check_ties(rng, 7, 8, 7, "at exactly the same t, a sphere with a higher number is kept");
 }
 
-TEST_CASE("10.3 an equally near sphere of a lower number gives way", "[10.3]") {
+TEST_CASE("10.3 of two equally near spheres the one with the lower number is replaced", "[10.3]") {
     rt::Rng rng{103, 7};
     for (int round = 0; round < 3000; ++round)
-        check_ties(rng, 7, 0, 7,
-                   "at exactly the same t, the higher number counts, here that of the new sphere");
+        check_ties(
+            rng, 7, 0, 7,
+            "at exactly the same t, the higher number counts, and here the new sphere has it");
 }
 
-TEST_CASE("10.3 the same sphere at the same place counts as met", "[10.3]") {
+TEST_CASE("10.3 the same sphere at the same t counts as met", "[10.3]") {
     rt::Rng rng{103, 8};
     for (int round = 0; round < 300; ++round)
         check_ties(rng, 7, 7, 1,
                    "the ray keeps its old hit only if that sphere has a higher number");
 }
 
-TEST_CASE("10.3 one ray of a pack that meets it or one that does not", "[10.3]") {
+TEST_CASE("10.3 one ray of a pack hits or misses unlike the others", "[10.3]") {
     const Sphere sphere{{1, 2, 3}, 1};
     const OneRay meets{{{1, 2, -3}, {0, 0, 2}}, 1000, 4}, misses{{{4, 2, -3}, {0, 0, 2}}, 1000, 4};
     for (std::size_t k = 0; k < pack_size; ++k)
@@ -191,7 +193,7 @@ TEST_CASE("10.3 one ray of a pack that meets it or one that does not", "[10.3]")
         }
 }
 
-TEST_CASE("10.3 far small grazing and touching", "[10.3][hard]") {
+TEST_CASE("10.3 distant and small spheres and rays that graze or touch", "[10.3][hard]") {
     rt::Rng rng{103, 4};
     for (int round = 0; round < 20'000; ++round) {
         const Real radius = any_size(rng, -6, 6);
@@ -239,7 +241,7 @@ TEST_CASE("10.3 high numbers of spheres", "[10.3][hard]") {
                        "compare the numbers as whole numbers: rays.sphere is a pack of them");
 }
 
-TEST_CASE("10.3 what unused lanes hold does no harm", "[10.3][hard]") {
+TEST_CASE("10.3 values in unused lanes do no harm", "[10.3][hard]") {
     rt::Rng rng{103, 5};
     const Real nothing = std::numeric_limits<Real>::quiet_NaN();
     for (int round = 0; round < 2000; ++round) {

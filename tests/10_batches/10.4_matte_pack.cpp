@@ -32,7 +32,7 @@ void check_pack(const Lots& lots, rt::PackBits active, const char* hint) {
         directions = rt::cosine_direction(normal, place, active);
     } catch (const std::domain_error&) {
         INFO("Hint: pass `active` to normalize: then a lane without a direction does not matter");
-        FAIL("it throws because of a lane that is not active");
+        FAIL("your code throws because of a lane that is not active");
     }
     bool all_same = true;
     for (std::size_t i = 0; i < pack_size; ++i) {
@@ -58,14 +58,14 @@ Lot any_lot(rt::Rng& rng) {
 
 }  // namespace
 
-TEST_CASE("10.4 the bits of one direction at a time", "[10.4]") {
+TEST_CASE("10.4 each lane has the bits of the single direction", "[10.4]") {
     rt::Rng rng{104, 1};
     for (int round = 0; round < 20'000; ++round) {
         Lots lots;
         for (Lot& lot : lots) lot = any_lot(rng);
         check_pack(lots, all_active,
-                   "the operations of cosine_direction and orthonormal_basis, in their order: "
-                   "a * b * c is (a * b) * c");
+                   "use the operations of cosine_direction and orthonormal_basis in the same "
+                   "order: a * b * c is (a * b) * c");
     }
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("10.4 normals along the axes and sample points at the edge", "[10.4][h
     }
 }
 
-TEST_CASE("10.4 what unused lanes hold does no harm", "[10.4][hard]") {
+TEST_CASE("10.4 values in unused lanes do no harm", "[10.4][hard]") {
     rt::Rng rng{104, 3};
     const Real nothing = std::numeric_limits<Real>::quiet_NaN();
     for (int round = 0; round < 3000; ++round) {
@@ -130,10 +130,10 @@ TEST_CASE("10.4 any of the lanes may be active", "[10.4][hard]") {
             Lots lots;
             for (std::size_t i = 0; i < pack_size; ++i)
                 lots[i] = i < k ? any_lot(rng) : Lot{{0, 0, nothing}, {nothing, nothing}};
-            check_pack(lots, rt::first_bits(k), "a pack may be used in part");
+            check_pack(lots, rt::first_bits(k), "only some of the lanes may be in use");
             if (k == pack_size) continue;
             lots.fill({{}, {nothing, 0}});
             lots[k] = any_lot(rng);
-            check_pack(lots, rt::PackBits{1} << k, "a pack may be used in part");
+            check_pack(lots, rt::PackBits{1} << k, "only some of the lanes may be in use");
         }
 }

@@ -56,7 +56,9 @@ void check_sort(const Kinds& kinds, std::uint8_t beside) {
             INFO("sorted[" << place << "]: expected " << sorted_expected[place] << ", of kind "
                            << int(kinds[sorted_expected[place]]) << ", but yours gives "
                            << sorted[place]
-                           << (sorted[place] == 0xdeadbeef ? ": nothing was written there" : ""));
+                           << (sorted[place] == 0xdeadbeef
+                                   ? ", which means that nothing was written there"
+                                   : ""));
             INFO(
                 "Hint: write the numbers i, not their kinds; numbers of the same kind keep their "
                 "order");

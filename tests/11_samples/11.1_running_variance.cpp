@@ -55,7 +55,8 @@ const char* const cancels_hint =
     "the square of their sum are almost equal, and their difference has no digits left. Subtract "
     "the mean first, then multiply";
 const char* const divisor_hint =
-    "squares / (count - 1). The numbers lie nearer to their own mean than to the true mean, and "
+    "the variance is squares / (count - 1). The numbers lie nearer to their own mean than to the "
+    "true mean, and "
     "dividing by one less makes up for that";
 
 // Compares what is known of the numbers with their exact mean and squares. Every step may round the
@@ -88,8 +89,9 @@ void check_known(const RunningVariance& known, const Numbers& numbers, const cha
     if (!(std::abs(actual - deviation(squares.high)) <= 6 * std::sqrt(count) * unit)) {
         if (hint == plain_hint && only_single_precision(known.squares, squares.high))
             hint = single_precision_hint;
-        INFO("expected squares " << checkpoint::text(squares) << ", but yours are "
-                                 << checkpoint::text(known.squares) << ".\nHint: " << hint);
+        INFO("expected the sum of squares " << checkpoint::text(squares) << ", but yours is "
+                                            << checkpoint::text(known.squares)
+                                            << ".\nHint: " << hint);
         REQUIRE("squares " + checkpoint::text(known.squares) ==
                 "squares " + checkpoint::text(squares));
     }
@@ -228,7 +230,7 @@ TEST_CASE("11.1 fewer than two numbers say nothing about the variance", "[11.1]"
     check({1, 0, 3});
 }
 
-TEST_CASE("11.1 numbers of many kinds", "[11.1]") {
+TEST_CASE("11.1 many kinds of numbers", "[11.1]") {
     rt::Rng rng{111, 2};
     for (int i = 0; i < 300; ++i) {
         const std::size_t size = i < 100 ? 1 + rng() % 9 : 1 + rng() % 1000;
@@ -242,7 +244,7 @@ TEST_CASE("11.1 numbers of many kinds", "[11.1]") {
     }
 }
 
-TEST_CASE("11.1 many places at once do not mix", "[11.1]") {
+TEST_CASE("11.1 several running variances do not mix", "[11.1]") {
     rt::Rng rng{111, 3};
     std::vector<Numbers> numbers(20);
     std::vector<RunningVariance> known(20);
@@ -253,8 +255,7 @@ TEST_CASE("11.1 many places at once do not mix", "[11.1]") {
         if (i % 3 == 0) rt::variance(known[rng() % 20]);
     }
     for (std::size_t i = 0; i < 20; ++i)
-        check_known(known[i], numbers[i],
-                    "keep everything in `known`, and nothing else from one call to the next");
+        check_known(known[i], numbers[i], "keep everything in `known`: use no static variable");
 }
 
 TEST_CASE("11.1 far from zero no digits of the spread are lost", "[11.1][hard]") {
@@ -290,7 +291,7 @@ TEST_CASE("11.1 a million numbers", "[11.1][hard]") {
         if (count % 100'000 > 0) continue;
         const Real expected = static_cast<Real>(count) / static_cast<Real>(count - 1);
         const Real actual = rt::variance(known);
-        INFO(count << " numbers, in turns 1001 and 999");
+        INFO(count << " numbers, alternately 1001 and 999");
         HINT(expected, actual, plain_hint);
         const bool is_right =
             std::abs(actual / expected - 1) <= static_cast<Real>(count) * rt::epsilon;

@@ -64,8 +64,8 @@ void check_chance(Real distance, Real error, Exact expected, const char* hint) {
 }
 
 const char* const chance_hint =
-    "erf(distance / (sqrt(2) error)): with a normal distribution, the probability is 0.683 within "
-    "one standard error, 0.954 within two and 0.997 within three, both sides together";
+    "the probability is erf(distance / (sqrt(2) error)): with a normal distribution, it is 0.683 "
+    "within one standard error, 0.954 within two and 0.997 within three, on both sides together";
 
 void check_count(Real variance, Real error, std::int64_t most, std::int64_t fewest,
                  std::int64_t greatest, const char* hint) {
@@ -73,7 +73,7 @@ void check_count(Real variance, Real error, std::int64_t most, std::int64_t fewe
     const bool is_right = fewest <= actual && actual <= greatest;
     if (!is_right) {
         INFO("variance " << checkpoint::text(variance) << ", error " << checkpoint::text(error)
-                         << ", at most " << most);
+                         << ", most " << most);
         INFO("expected " << fewest << (fewest < greatest ? " to " + std::to_string(greatest) : "")
                          << ", but yours gives " << actual << ".\nHint: " << hint);
         REQUIRE(std::to_string(actual) == std::to_string(actual < fewest ? fewest : greatest));
@@ -128,18 +128,18 @@ TEST_CASE("11.2 the standard error of the mean", "[11.2]") {
     }
 }
 
-TEST_CASE("11.2 fewer than two numbers leave the error open", "[11.2]") {
+TEST_CASE("11.2 fewer than two numbers have an infinite error", "[11.2]") {
     for (const RunningVariance& known :
          {RunningVariance{}, {1, 5, 0}, {1, 0, 0}, {1, -2, 3}, {0, 1, 0}}) {
         const Real actual = rt::standard_error(known);
         INFO(text(known));
         HINT(rt::infinity, actual,
-             "the spread of the numbers is unknown, so the error may be as large as you like");
+             "the spread of the numbers is unknown, so the error has no bound: return infinity");
         REQUIRE(checkpoint::text(actual) == checkpoint::text(rt::infinity));
     }
 }
 
-TEST_CASE("11.2 the chance that the mean is near the true one", "[11.2]") {
+TEST_CASE("11.2 the probability that the mean is near the true mean", "[11.2]") {
     check_chance(1, 1, exact_chance(1), chance_hint);
     check_chance(2, 1, exact_chance(2), chance_hint);
     check_chance(3, 1, exact_chance(3), chance_hint);
@@ -154,7 +154,7 @@ TEST_CASE("11.2 the chance that the mean is near the true one", "[11.2]") {
     }
 }
 
-TEST_CASE("11.2 how many numbers an error takes", "[11.2]") {
+TEST_CASE("11.2 how many numbers are needed for an error", "[11.2]") {
     const std::int64_t most = 1'000'000;
     check_count(4, 1, most, 4, count_hint);
     check_count(4, Real(0.5), most, 16, count_hint);
@@ -162,13 +162,13 @@ TEST_CASE("11.2 how many numbers an error takes", "[11.2]") {
     check_count(9, 2, most, 3, count_hint);  // 2.25
     check_count(1, Real(0.75), most, 2, count_hint);
     check_count(16, 8, most, 1, count_hint);
-    check_count(1, 8, most, 1, "without any number there is no mean: at least 1");
-    check_count(0, 8, most, 1, "without any number there is no mean: at least 1");
-    check_count(4, Real(0.5), 10, 10, "never more than `most`");
-    check_count(4, Real(0.5), 16, 16, "never more than `most`");
-    check_count(4, Real(0.5), 15, 15, "never more than `most`");
+    check_count(1, 8, most, 1, "without any number there is no mean: return at least 1");
+    check_count(0, 8, most, 1, "without any number there is no mean: return at least 1");
+    check_count(4, Real(0.5), 10, 10, "never return more than `most`");
+    check_count(4, Real(0.5), 16, 16, "never return more than `most`");
+    check_count(4, Real(0.5), 15, 15, "never return more than `most`");
     check_count(4, Real(0.5), 17, 16, count_hint);
-    check_count(4, Real(0.5), 1, 1, "never more than `most`");
+    check_count(4, Real(0.5), 1, 1, "never return more than `most`");
     rt::Rng rng{112, 3};
     for (int i = 0; i < 1000; ++i) {
         const Real error = any_size(rng, -3, 3);
@@ -193,24 +193,25 @@ TEST_CASE("11.2 the error of billions of numbers", "[11.2][hard]") {
     }
 }
 
-TEST_CASE("11.2 without an error the mean is surely right", "[11.2][hard]") {
+TEST_CASE("11.2 with an error of 0 the probability is 1", "[11.2][hard]") {
     const char* const hint = "0 / 0 is NaN: with an error of 0, the probability is 1";
     for (const Real distance : {Real(0), -Real(0), smallest, Real(1), largest})
         for (const Real error : {Real(0), -Real(0)}) check_chance(distance, error, 1, hint);
     for (const Real distance : {Real(0), smallest, Real(1), largest})
         check_chance(distance, rt::infinity, 0,
-                     "nothing is known about a mean with an infinite error: no distance is enough");
+                     "with an infinite error, nothing is known about the mean: the probability is "
+                     "0 at any distance");
 }
 
-TEST_CASE("11.2 small chances and sizes of all kinds", "[11.2][hard]") {
+TEST_CASE("11.2 small probabilities and errors of all sizes", "[11.2][hard]") {
     rt::Rng rng{112, 5};
     const Real low = for_this_precision(Real(-12), Real(-100));
     for (int i = 0; i < 300; ++i) {
         const Real error = any_size(rng, low, -low);
         const Real distance = error * any_size(rng, low, 0);
         check_chance(distance, error, exact_chance(Exact(distance) / Exact(error)),
-                     "a small probability is about 0.8 distance / error; computed as 1 - erfc(), "
-                     "it has lost its digits");
+                     "a small probability is about 0.8 distance / error; use erf, because 1 - "
+                     "erfc() loses the digits");
     }
     const char* const hint =
         "the quotient of distance and error is an ordinary number: divide first, before you "
@@ -268,7 +269,7 @@ TEST_CASE("11.2 counts of all sizes", "[11.2][hard]") {
     check_count(smallest, 1, any, 1, overflow_hint);
     const Real bit_more =
         1 + for_this_precision(std::ldexp(Real(1), -20), std::ldexp(Real(1), -40));
-    check_count(bit_more, Real(0.5), any, 5, "even a tiny bit more than 4 becomes 5");
+    check_count(bit_more, Real(0.5), any, 5, "a count even slightly above 4 is rounded up to 5");
     // The squares of these errors are 0 and infinite.
     const int low_power = for_this_precision(-80, -540), high_power = for_this_precision(70, 520);
     check_count(std::ldexp(Real(1), 10 + low_power), std::ldexp(Real(1), low_power), any, any,

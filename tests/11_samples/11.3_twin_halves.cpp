@@ -48,10 +48,11 @@ bool is_right(int actual, Expected expected) {
 }
 
 const char* const worth_hint =
-    "in proportion to the spread, which is the standard deviation and not the variance: with n = "
+    "samples are in proportion to the spread, which is the standard deviation and not the "
+    "variance: with n = "
     "spread * mean_spread / error^2 samples, the variance spread^2 / n of a part of the picture is "
     "spread / mean_spread times error^2, whose mean over all parts is error^2. Round up";
-const char* const limits_hint = "at least limits.least and at most limits.most";
+const char* const limits_hint = "return at least limits.least and at most limits.most";
 const char* const overflow_hint =
     "error * error overflows or underflows here, or the result does not fit into an int. Divide "
     "each spread by the error, and compare with the limits before you convert a Real to an int";
@@ -157,7 +158,7 @@ double mean_of_picture(rt::Rng& rng, int pilot) {
 
 }  // namespace
 
-TEST_CASE("11.3 a place is worth samples in proportion to its spread", "[11.3]") {
+TEST_CASE("11.3 a part of the picture gets samples in proportion to its spread", "[11.3]") {
     const CountLimits any{1, 1'000'000};
     const auto check = [&](Real spread, Real mean_spread, Real error, int expected) {
         check_worth(spread, mean_spread, error, any, {expected, expected}, worth_hint);
@@ -181,7 +182,7 @@ TEST_CASE("11.3 a place is worth samples in proportion to its spread", "[11.3]")
     }
 }
 
-TEST_CASE("11.3 no place gets less or more than the limits allow", "[11.3]") {
+TEST_CASE("11.3 no part gets fewer or more samples than the limits allow", "[11.3]") {
     const auto check = [](Real spread, Real mean_spread, CountLimits limits, int expected) {
         check_worth(spread, mean_spread, 1, limits, {expected, expected}, limits_hint);
     };
@@ -321,12 +322,12 @@ TEST_CASE("11.3 the mean of both halves and its error", "[11.3]") {
             square_error += off * off / 4;
             estimate += rt::twin_square_error({first, second}) / 4;
         }
-    INFO("halves that are off by 3 and by 1, each upward as often as downward");
-    HINT(square_error, estimate, "the square of half the difference");
+    INFO("two halves are off by 3 and by 1, each upward as often as downward");
+    HINT(square_error, estimate, "the result is the square of half the difference");
     REQUIRE(text(estimate) == text(square_error));
 }
 
-TEST_CASE("11.3 spreads that nobody knows and places without any", "[11.3][hard]") {
+TEST_CASE("11.3 unknown spreads and spreads of 0", "[11.3][hard]") {
     const char* const hint =
         "an unknown spread is infinite, and such a part gets the most samples. A spread of 0 gets "
         "the fewest, even if the mean spread is infinite";
@@ -382,7 +383,7 @@ TEST_CASE("11.3 errors and spreads of all sizes", "[11.3][hard]") {
     }
     const Real bit_more =
         1 + for_this_precision(std::ldexp(Real(1), -20), std::ldexp(Real(1), -40));
-    check_worth(4, bit_more, 1, any, {5, 5}, "even a tiny bit more than 4 becomes 5");
+    check_worth(4, bit_more, 1, any, {5, 5}, "a count even slightly above 4 is rounded up to 5");
     check_worth(largest, largest, smallest, any, {most_of_all, most_of_all}, overflow_hint);
     check_worth(largest, 1, smallest, any, {most_of_all, most_of_all}, overflow_hint);
     check_worth(smallest, smallest, largest, any, {1, 1}, overflow_hint);

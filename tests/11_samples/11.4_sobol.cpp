@@ -86,7 +86,7 @@ void check_point(std::uint32_t index) {
                      const FixedPoint2 p = expected_point(i);
                      return FixedPoint2{p.y, p.x};
                  }))
-            hint = "x and y have changed places";
+            hint = "x and y are swapped";
         INFO("point " << index << ": expected " << text(expected) << ", but yours gives "
                       << text(actual));
         INFO("Hint: " << hint);
@@ -108,8 +108,8 @@ void check_common_bits(std::uint32_t a, std::uint32_t b, std::uint32_t seed) {
     if (!is_right) {
         INFO("with seed " << hex(seed) << ", " << hex(a) << " becomes " << hex(scrambled_a)
                           << " and " << hex(b) << " becomes " << hex(scrambled_b));
-        INFO("they had their first " << expected << " bits in common: expected " << expected
-                                     << " afterwards, but yours have " << actual);
+        INFO("the two had their first " << expected << " bits in common: expected " << expected
+                                        << " afterwards, but yours have " << actual);
         const char* hint =
             "a bit may depend only on itself and on the bits before it (to its left). Products and "
             "sums carry to the left: mirror the bits first, and mirror them back at the end";
@@ -151,7 +151,7 @@ bool is_one_half(int count, int of) {
 
 }  // namespace
 
-TEST_CASE("11.4 bits in opposite order", "[11.4]") {
+TEST_CASE("11.4 bits in reverse order", "[11.4]") {
     for (int i = 0; i < 32; ++i) check_mirrored(1u << i);
     rt::Rng random{114, 1};
     for (int i = 0; i < 100; ++i) check_mirrored(random());
@@ -189,7 +189,7 @@ TEST_CASE("11.4 the flips of the first bits are random and independent", "[11.4]
         for (const unsigned bit : flips[k]) flipped += static_cast<int>(bit);
         // A fair coin is off by more once in 10^13 times.
         INFO(text(prefixes[k]) << ": expected to be flipped by about half of " << seeds
-                               << " random seeds, but yours flips it with " << flipped
+                               << " random seeds, but your code flips it with " << flipped
                                << "\nHint: the seed must affect each bit, even the first");
         REQUIRE(std::abs(flipped - seeds / 2) < 75);
     }
@@ -243,7 +243,7 @@ TEST_CASE("11.4 every box has one scrambled point of each block", "[11.4]") {
         }
 }
 
-TEST_CASE("11.4 points far on in the sequence", "[11.4][hard]") {
+TEST_CASE("11.4 points late in the sequence", "[11.4][hard]") {
     for (int i = 0; i < 32; ++i) {
         check_point(1u << i);
         check_point(0xffffffffu >> i);
@@ -252,7 +252,7 @@ TEST_CASE("11.4 points far on in the sequence", "[11.4][hard]") {
     for (int i = 0; i < 100; ++i) check_point(random());
 }
 
-TEST_CASE("11.4 neighboring seeds give other points", "[11.4][hard]") {
+TEST_CASE("11.4 neighboring seeds give unrelated points", "[11.4][hard]") {
     constexpr int seeds = 40;
     constexpr std::uint32_t points = 64;
     rt::Rng random{114, 9};
@@ -360,7 +360,7 @@ TEST_CASE("11.4 each flip depends on each bit before it", "[11.4][hard]") {
         // A fair coin is off by more once in 10^14 times.
         {
             INFO("bit " << bit << " of the fraction, where 0 is its first one: expected to be "
-                        << "flipped half of the time, but yours flips it " << flipped
+                        << "flipped half of the time, but your code flips it " << flipped
                         << " times of " << trials
                         << "\nHint: every bit is flipped or not, from the first to the last one");
             REQUIRE(std::abs(flipped - trials / 2) < 64);
@@ -417,7 +417,7 @@ TEST_CASE("11.4 each bit of the seed counts", "[11.4][hard]") {
         INFO("bit "
              << bit << " of the seed, where 0 is the last one: expected a different scrambling "
              << "with it than without it, but 100 fractions become the same with yours\nHint: the "
-                "seed has 32 bits, and another seed gives a different scrambling");
+                "seed has 32 bits, and each seed gives a different scrambling");
         REQUIRE(different > 0);
     }
 }

@@ -71,8 +71,8 @@ void check_exposed(const Color& color, Real stops) {
         INFO("exposed(" << text(color) << ", " << checkpoint::text(stops) << "): expected "
                         << text(expected) << ", but yours gives " << text(actual));
         const char* hint =
-            "the light times 2 to the power of the stops: 3 stops are a factor of 8, -1 stop is "
-            "one half, 0 changes nothing. std::exp2 has fractions, too";
+            "multiply the light by 2 to the power of the stops: 3 stops are a factor of 8, -1 stop "
+            "is one half, and 0 stops change nothing. std::exp2 takes fractions, too";
         if (is_single(actual, expected)) hint = single_precision_hint;
         INFO("Hint: " << hint);
         REQUIRE(text(actual) == text(expected));
@@ -89,7 +89,7 @@ void check_luminance(const Color& color) {
                           << checkpoint::text(static_cast<Real>(expected)) << ", but yours gives "
                           << checkpoint::text(actual));
         const char* hint =
-            "0.2126 of red plus 0.7152 of green plus 0.0722 of blue; the light is already linear, "
+            "the luminance is 0.2126 r + 0.7152 g + 0.0722 b; the light is already linear, "
             "and has no upper limit";
         if (only_single_precision(wide(actual), expected)) hint = single_precision_hint;
         INFO("Hint: " << hint);
@@ -149,11 +149,12 @@ void check_mapped(const Color& color, Real white, int roundings = 40) {
             hint = single_precision_hint;
         else if (is_near(actual, wide(color), 1))
             hint =
-                "the color came back unchanged. The curve applies to light of any size: light is "
+                "your result is the unchanged color. The curve applies to light of any size: light "
+                "is "
                 "dark or bright only compared with `white`, and only 0 is black";
         else if (is_near(actual.r, expected_curve(wide(color.r), wide(white)), few_digits) &&
                  is_near(actual.g, expected_curve(wide(color.g), wide(white)), few_digits))
-            hint = "each channel went through the curve by itself: that changes the hue";
+            hint = "you applied the curve to each channel separately, which changes the hue";
         INFO("Hint: " << hint);
         REQUIRE(text(actual) == text(expected));
     }
@@ -241,7 +242,7 @@ TEST_CASE("11.5 light that is far too bright or too dark", "[11.5][hard]") {
     }
 }
 
-TEST_CASE("11.5 without a white nothing becomes white", "[11.5][hard]") {
+TEST_CASE("11.5 with an infinite white nothing becomes white", "[11.5][hard]") {
     rt::Rng rng{115, 6};
     for (int i = 0; i < 200; ++i) {
         const Real light = any_size(rng, -3, 10);
@@ -250,7 +251,7 @@ TEST_CASE("11.5 without a white nothing becomes white", "[11.5][hard]") {
     }
 }
 
-TEST_CASE("11.5 a dark picture with a white as dark", "[11.5][hard]") {
+TEST_CASE("11.5 a dark picture whose white is as dark", "[11.5][hard]") {
     // Where 1 + luminance is 1, the curve is L + (L / white)^2.
     const auto tiny = real(for_this_precision(1e-25, 1e-170));
     for (const Real white : {real(0.001), real(1e-9), real(1e-17), tiny})

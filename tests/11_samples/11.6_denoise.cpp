@@ -53,7 +53,8 @@ Color floored(const Color& albedo, Real darkest) {
 }
 
 const char* const weight_hint =
-    "exp(-d / 2), where d is the sum of the squares of three distances, each divided by its width: "
+    "the weight is exp(-d / 2), where d is the sum of the squares of three distances, each divided "
+    "by its width: "
     "across and down, the albedo with its three channels, the normal with x, y and z";
 
 void check_weight(int across, int down, const Features& a, const Features& b,
@@ -76,13 +77,13 @@ void check_weight(int across, int down, const Features& a, const Features& b,
                 "0 / 0 or infinity - infinity: divide a difference by its width, and then square "
                 "it; the square of a small width is 0";
         else if (is(d.sum()))
-            hint = "exp(-d / 2): the half is missing";
+            hint = "the factor of a half is missing: the weight is exp(-d / 2)";
         else if (hint == weight_hint && is((d.albedo + d.normal) / 2))
-            hint = "the distance across and down does not count";
+            hint = "in your result, the distance across and down does not count";
         else if (hint == weight_hint && is((d.space + d.normal) / 2))
-            hint = "the albedo does not count";
+            hint = "in your result, the albedo does not count";
         else if (hint == weight_hint && is((d.space + d.albedo) / 2))
-            hint = "the normal does not count";
+            hint = "in your result, the normal does not count";
         else if (is(distances(across, down, floored_a, floored_b, widths).sum() / 2))
             hint =
                 "the weights use the unchanged albedo, even where it is less than widths.darkest";
@@ -204,8 +205,9 @@ std::string suggestion(const Image& actual, const Scene& scene, const DenoiseWid
         {Slip::narrow, "the last column or row within the radius is left out, on all sides"},
         {Slip::broad, "one column or row beyond the radius counts, on all sides"},
         {Slip::albedo_stays,
-         "the picture itself was averaged: divide it by the albedo of each pixel first"},
-        {Slip::albedo_lost, "this is the light: multiply it by the albedo of the pixel"},
+         "you averaged the picture itself: divide each pixel by its albedo first"},
+        {Slip::albedo_lost,
+         "your result is the light alone: multiply it by the albedo of the pixel"},
         {Slip::no_darkest, "an albedo less than widths.darkest counts as widths.darkest"},
         {Slip::circle,
          "the pixels that count are at most radius columns and at most radius rows away: a square, "
@@ -220,7 +222,7 @@ std::string suggestion(const Image& actual, const Scene& scene, const DenoiseWid
          {0.5L, 0.1L, 0.05L, 0.01L, 0.005L, 1e-3L, 1e-4L, 1e-5L, 1e-6L, 1e-8L, 1e-10L, 1e-12L})
         if (first_difference(actual, reference(scene, widths, Slip::none, least_weight),
                              roundings) == all)
-            return "no weight is dropped: a small one may belong to a bright pixel";
+            return "do not leave out small weights: a small weight may belong to a bright pixel";
     return {};
 }
 
@@ -248,8 +250,8 @@ void check_denoised(const Scene& scene, const DenoiseWidths& widths, const char*
 }
 
 constexpr const char* general_hint =
-    "the sum of weight times light over the pixels within the radius, divided by the sum of the "
-    "weights. Columns go with the width, rows with the height, and features.at(i, j) with "
+    "divide the sum of weight times light over the pixels within the radius by the sum of the "
+    "weights. Columns end at the width, rows at the height, and features.at(i, j) belongs to "
     "picture.at(i, j)";
 
 Color any_color(rt::Rng& rng, Real low, Real high) {
@@ -329,7 +331,8 @@ TEST_CASE("11.6 a texture stays as sharp as it is", "[11.6]") {
 }
 
 TEST_CASE("11.6 light does not cross an edge", "[11.6]") {
-    const char* const hint = "the weight takes the features of both pixels, this one and the other";
+    const char* const hint =
+        "the weight depends on the features of both pixels: this pixel and its neighbor";
     for (const bool is_turned : {false, true}) {
         // Dark light on the left side, bright light on the right side.
         Scene scene{10, 4};
@@ -367,9 +370,9 @@ TEST_CASE("11.6 noise falls by the sum of the squared weights", "[11.6]") {
             const Color& c = smooth.at(x, y);
             for (const Real channel : {c.r, c.g, c.b}) mean.add(static_cast<double>(channel));
         }
-    INFO("a flat surface with noise of variance " << 1.0 / 12 << ": expected about " << expected
-                                                  << " afterwards, but yours leaves "
-                                                  << mean.variance());
+    INFO("a flat surface with noise of variance "
+         << 1.0 / 12 << ": expected a variance of about " << expected
+         << " afterwards, but your filter leaves " << mean.variance());
     INFO(
         "Hint: a sum of weights times noise has the variance times the sum of the squared weights; "
         "all pixels within the radius must take part, each with its weight");
@@ -396,7 +399,7 @@ TEST_CASE("11.6 one pixel or one row and a radius of any size", "[11.6][hard]") 
                 "with the distance to the border, width - 1 - x: x + radius may overflow");
 }
 
-TEST_CASE("11.6 surfaces that send back no light", "[11.6][hard]") {
+TEST_CASE("11.6 surfaces that reflect no light", "[11.6][hard]") {
     const char* const hint =
         "a channel of the albedo may be 0: do not divide by it, and do not lose its light";
     rt::Rng rng{116, 6};
@@ -422,7 +425,7 @@ TEST_CASE("11.6 an albedo of more than 1 counts as it is", "[11.6][hard]") {
             if (rng() % 2) f.albedo = any_color(rng, real(0.5), 3);
         check_denoised(
             scene, any_widths(rng, 2),
-            "an albedo has no upper limit: only one less than widths.darkest is replaced");
+            "an albedo has no upper limit: only an albedo less than widths.darkest is replaced");
     }
 }
 

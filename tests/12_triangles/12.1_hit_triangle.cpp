@@ -36,7 +36,8 @@ void check_hit(const Triangle& triangle, const Ray& ray, Interval within,
 void check_none(const Triangle& triangle, const Ray& ray, Interval within, const char* hint) {
     const auto hit = hit_triangle(triangle, ray, within);
     if (hit) {
-        INFO(text(triangle) << " and " << text(ray) << "\nexpected none, actual " << text_of(hit));
+        INFO(text(triangle) << " and " << text(ray) << "\nexpected no hit, actual "
+                            << text_of(hit));
         INFO("Hint: " << hint);
         REQUIRE(!hit);
     }
@@ -73,10 +74,10 @@ int count_hits(const std::vector<Triangle>& surface, const Ray& ray) {
 TEST_CASE("12.1 a small example on paper", "[12.1]") {
     const Triangle triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     check_hit(triangle, {{1, 2, 6}, {0, 0, -2}}, {}, {3, real(0.25), real(0.5)},
-              "u is the weight of b, v that of c, and t counts multiples of the direction");
+              "u is the weight of b, v is the weight of c, and the hit is at o + t d");
 }
 
-TEST_CASE("12.1 a ray meets the point that it was aimed at", "[12.1]") {
+TEST_CASE("12.1 a ray hits the triangle at the point that it was aimed at", "[12.1]") {
     rt::Rng rng{121, 1};
     for (int i = 0; i < 20'000; ++i) {
         Real u = rng.uniform(real(0.02), real(0.96)), v = rng.uniform(real(0.02), real(0.96));
@@ -104,14 +105,14 @@ TEST_CASE("12.1 a ray that passes beside an edge or a corner misses", "[12.1]") 
     }
 }
 
-TEST_CASE("12.1 only what lies within the interval counts", "[12.1]") {
+TEST_CASE("12.1 only hits within the interval count", "[12.1]") {
     rt::Rng rng{121, 3};
     for (int i = 0; i < 5000; ++i) {
         const auto [triangle, ray] = aimed(rng, real(0.3), real(0.4), 2);
         check_none(triangle, ray, {0, real(1.9)}, "the triangle lies beyond the interval");
         check_none(triangle, ray, {real(2.1), 5}, "the triangle lies before the interval");
         check_hit(triangle, ray, {real(1.9), real(2.1)}, {2, real(0.3), real(0.4)},
-                  "the interval is about t");
+                  "the interval limits t, not u and v");
         const Ray away{ray.origin, -ray.direction};
         check_none(triangle, away, {}, "t is less than 0: the triangle lies behind the ray");
         check_hit(triangle, away, {-5, 0}, {-2, real(0.3), real(0.4)},
@@ -130,13 +131,14 @@ TEST_CASE("12.1 only what lies within the interval counts", "[12.1]") {
 
 TEST_CASE("12.1 a ray parallel to the triangle misses", "[12.1]") {
     const Triangle floor{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
-    const char* const hint = "the determinant is 0: nothing may be divided by it";
+    const char* const hint = "the determinant is 0: do not divide by it";
     check_none(floor, {{-5, 1, 0}, {1, 0, 0}}, {}, hint);
     check_none(floor, {{-5, 0, 0}, {1, 0, 0}}, {}, hint);
     check_none(floor, {{0, 0, 0}, {0, 0, 1}}, {-1, 1}, hint);
 }
 
-TEST_CASE("12.1 of two triangles that share an edge one has the ray", "[12.1][hard]") {
+TEST_CASE("12.1 a ray through a shared edge hits exactly one of the two triangles",
+          "[12.1][hard]") {
     rt::Rng rng{121, 4};
     for (int i = 0; i < 200'000; ++i) {
         // A quadrilateral, seen from far enough that both halves face the ray or its back.
@@ -165,7 +167,7 @@ TEST_CASE("12.1 of two triangles that share an edge one has the ray", "[12.1][ha
     SUCCEED();
 }
 
-TEST_CASE("12.1 corners and edges of a grid that is met from straight above", "[12.1][hard]") {
+TEST_CASE("12.1 rays from straight above hit a grid once at corners and edges", "[12.1][hard]") {
     // Whole numbers: the areas are 0, and not nearly so.
     std::vector<Triangle> grid;
     rt::Rng rng{121, 5};
@@ -225,13 +227,13 @@ TEST_CASE("12.1 no ray leaves a closed surface", "[12.1][hard]") {
         if (hits == 1) continue;
         INFO(text(ray) << " starts inside a closed surface without dents: expected one hit, actual "
                        << hits);
-        INFO("Hint: do all triangles around a corner see it at the same position?");
+        INFO("Hint: all triangles around a corner must compute the same position for it");
         REQUIRE(hits == 1);
     }
     SUCCEED();
 }
 
-TEST_CASE("12.1 a ray goes into a closed surface as often as it comes out", "[12.1][hard]") {
+TEST_CASE("12.1 a ray enters a closed surface as often as it leaves it", "[12.1][hard]") {
     rt::Rng rng{121, 7};
     const rt::Mesh mesh = ball(2, &rng);
     const std::vector<Triangle> surface = shapes_of(mesh);
@@ -240,9 +242,10 @@ TEST_CASE("12.1 a ray goes into a closed surface as often as it comes out", "[12
         const Ray ray{from, mesh.points[rng() % mesh.points.size()] - from};
         const int hits = count_hits(surface, ray);
         if (hits % 2 == 0) continue;
-        INFO(text(ray) << " toward a corner starts outside a closed surface: expected an even "
-                          "number of hits, actual "
-                       << hits);
+        INFO(text(ray)
+             << " starts outside a closed surface and goes toward a corner: expected an even "
+                "number of hits, actual "
+             << hits);
         REQUIRE(hits % 2 == 0);
     }
     SUCCEED();
@@ -259,7 +262,8 @@ TEST_CASE("12.1 the corners in another order give the same decision", "[12.1][ha
         for (const Triangle& other : {Triangle{b, c, a}, Triangle{c, a, b}, Triangle{b, a, c},
                                       Triangle{c, b, a}, Triangle{a, c, b}})
             if (hit_triangle(other, ray, {}).has_value() != first) {
-                INFO(text(other) << " and " << text(ray) << ": hit or not, it must be the same for "
+                INFO(text(other) << " and " << text(ray)
+                                 << ": the decision must be the same as for "
                                  << text(Triangle{a, b, c}));
                 REQUIRE(hit_triangle(other, ray, {}).has_value() == first);
             }
@@ -292,7 +296,7 @@ TEST_CASE("12.1 the point at t is on the plane", "[12.1][hard]") {
         if (off_over_allowed <= 1) continue;
         INFO(text(triangle) << " and " << text(ray) << ", t = " << text(hit->t));
         INFO("the ray's point at t is off the plane by " << off_over_allowed * allowed
-                                                         << "; allowed are " << allowed);
+                                                         << "; the limit is " << allowed);
         INFO(
             "Hint: areas that nearly cancel need difference_of_products of 01.3; t is the mean of "
             "the corners' t, weighted by the areas");
@@ -301,7 +305,7 @@ TEST_CASE("12.1 the point at t is on the plane", "[12.1][hard]") {
     CHECK(worst <= 1);
 }
 
-TEST_CASE("12.1 weights far from the scene's origin", "[12.1][hard]") {
+TEST_CASE("12.1 the weights are right far from the scene's origin", "[12.1][hard]") {
     rt::Rng rng{121, 10};
     for (int i = 0; i < 50'000; ++i) {
         const Triangle small = plain_triangle(rng);
@@ -341,15 +345,17 @@ TEST_CASE("12.1 a triangle without area is never met", "[12.1][hard]") {
         const Triangle flat{a + whole() * step, a + whole() * step, a + whole() * step};
         const Vec3 aim = flat.a + rng.uniform() * (flat.b - flat.a);
         const Vec3 from = i % 2 == 0 ? 9 * in_cube(rng) : Vec3{whole(), whole(), whole()};
-        check_none(flat, {from, aim - from}, {},
-                   "the corners lie on a line, or coincide: there is no area to hit");
+        check_none(
+            flat, {from, aim - from}, {},
+            "the corners lie on a line, or coincide: the triangle has no area, so no ray hits it");
     }
 }
 
-TEST_CASE("12.1 what is no number meets nothing", "[12.1][hard]") {
+TEST_CASE("12.1 a ray or a triangle that contains NaN gives no hit", "[12.1][hard]") {
     const Triangle triangle{{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}};
     const char* const hint = "a comparison with NaN is false: make false mean a miss";
-    check_none(triangle, {{0, 0, 0}, {0, 0, 0}}, {}, "a direction of length 0 leads nowhere");
+    check_none(triangle, {{0, 0, 0}, {0, 0, 0}}, {},
+               "a ray with a direction of length 0 hits nothing");
     for (int i = 0; i < 3; ++i) {
         Vec3 bad{0, 0, real(0.5)};
         (i == 0 ? bad.x : i == 1 ? bad.y : bad.z) = no_number;
@@ -372,8 +378,8 @@ TEST_CASE("12.1 a scene 2^30 times larger or smaller is met at the same t", "[12
             if (text_of(scaled) == text_of(hit)) continue;
             INFO(text(triangle) << " and " << text(ray) << ", all scaled by 2^" << power);
             INFO(
-                "Hint: is there a fixed number in your code that does not come from the triangle "
-                "and the ray?");
+                "Hint: your code must not compare with a fixed number that does not come from the "
+                "triangle and the ray");
             REQUIRE(text_of(scaled) == text_of(hit));
         }
     }

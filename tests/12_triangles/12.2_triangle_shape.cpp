@@ -50,8 +50,8 @@ void check_tree(const std::vector<SceneTriangle>& all, const Ray& ray) {
         INFO(text(ray) << " among " << all.size() << " triangles: expected number " << expected
                        << ", actual " << actual << " (-1 is none)");
         INFO(
-            "Hint: the tree is chapter 07's; does each box contain its triangle? Does hit_shape "
-            "pass the interval on?");
+            "Hint: the tree is that of chapter 07. Check that each box contains its triangle, and "
+            "that hit_shape passes the interval on");
         REQUIRE(actual == expected);
     }
     REQUIRE(tree.occluded(ray, within) == (expected >= 0));
@@ -61,8 +61,8 @@ void check_tree(const std::vector<SceneTriangle>& all, const Ray& ray) {
 
 TEST_CASE("12.2 the box around a triangle", "[12.2]") {
     const Box box = rt::bounds_of(SceneTriangle{{{1, -7, 3}, {-4, 5, 9}, {2, 6, -8}}});
-    INFO("of the triangle (1, -7, 3), (-4, 5, 9), (2, 6, -8), your " << text_of(box));
-    INFO("Hint: the smallest and the largest x, y and z of the three corners");
+    INFO("the triangle is (1, -7, 3), (-4, 5, 9), (2, 6, -8), and your result is " << text_of(box));
+    INFO("Hint: find the smallest and the largest x, y and z of the three corners");
     const Real near = rt::hit_margin * 16;
     const auto check = [&](Vec3 actual, Vec3 expected) {
         INFO("expected " << text(expected) << ", actual " << text(actual));
@@ -72,7 +72,7 @@ TEST_CASE("12.2 the box around a triangle", "[12.2]") {
     check(box.high, {2, 6, 9});
 }
 
-TEST_CASE("12.2 each corner is in the box whatever its place in the triangle", "[12.2]") {
+TEST_CASE("12.2 each corner is in the box whatever their order", "[12.2]") {
     rt::Rng rng{122, 1};
     for (int i = 0; i < 5000; ++i) {
         const Triangle shape = plain_triangle(rng);
@@ -95,7 +95,7 @@ TEST_CASE("12.2 each corner is in the box whatever its place in the triangle", "
     SUCCEED();
 }
 
-TEST_CASE("12.2 a shape is hit where its triangle is", "[12.2]") {
+TEST_CASE("12.2 a shape is hit where its triangle is hit", "[12.2]") {
     rt::Rng rng{122, 2};
     for (int i = 0; i < 5000; ++i) {
         const SceneTriangle triangle{plain_triangle(rng), 1, 2};
@@ -115,7 +115,7 @@ TEST_CASE("12.2 a shape is hit where its triangle is", "[12.2]") {
                                       << " to " << text(within.max));
             INFO("expected " << (expected ? text(*expected) : "none") << ", actual "
                              << (actual ? text(*actual) : "none"));
-            INFO("Hint: the t of hit_triangle, within the same interval");
+            INFO("Hint: return the t of hit_triangle, within the same interval");
             REQUIRE(right);
         }
     }
@@ -127,7 +127,7 @@ TEST_CASE("12.2 the triangles of a mesh in their order", "[12.2]") {
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     mesh.triangles = {{rt::Corner{0}, {1}, {2}}, {rt::Corner{3}, {2}, {1}}};
     const auto all = rt::triangles_of(mesh, 5, 100);
-    INFO("two triangles over four points, of material 5, numbered from 100 on");
+    INFO("the mesh has two triangles over four points, of material 5, numbered from 100 on");
     REQUIRE(all.size() == 2);
     CHECK(text(all[0].shape) == text(Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     CHECK(text(all[1].shape) == text(Triangle{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
@@ -211,7 +211,7 @@ TEST_CASE("12.2 a ray that hits the triangle meets its box", "[12.2][hard]") {
         if (rt::hit_box(rt::bounds_of(SceneTriangle{shape}), rt::slab_ray(ray), until)) continue;
         INFO(text(ray) << " hits " << text(shape) << " at " << text(hit->t)
                        << ", but misses your box");
-        INFO("Hint: the box must be grown");
+        INFO("Hint: grow the box by the margin");
         REQUIRE(rt::hit_box(rt::bounds_of(SceneTriangle{shape}), rt::slab_ray(ray), until));
     }
     SUCCEED();

@@ -36,7 +36,7 @@ Vec3 leaning(rt::Rng& rng, Vec3 normal, Real side) {
 
 }  // namespace
 
-TEST_CASE("12.3 at a corner the normal is the corner's", "[12.3]") {
+TEST_CASE("12.3 at a corner the normal is that of the corner", "[12.3]") {
     const std::array<Vec3, 3> normals{
         Vec3{real(0.6), 0, real(0.8)}, {real(-0.6), 0, real(0.8)}, {0, real(0.6), real(0.8)}};
     const char* const hint = "the weights of a, b and c are 1 - u - v, u and v";
@@ -68,7 +68,8 @@ TEST_CASE("12.3 a direction on the right side stays as it is", "[12.3]") {
         const Vec3 kept = keep_side(direction, smooth, flat);
         if (kept == direction) continue;
         HINT(direction, kept,
-             "it is on the same side of the triangle and of the smooth surface: leave it alone");
+             "the direction is on the same side of the triangle as of the smooth surface: return "
+             "it unchanged");
         REQUIRE(kept == direction);
     }
     SUCCEED();
@@ -91,7 +92,8 @@ TEST_CASE("12.3 a direction on the wrong side is mirrored at the triangle", "[12
                    above_smooth > 0
                        ? "the material reflects this light, but the direction leads through the "
                          "triangle: mirror it at the triangle, with the flat normal"
-                       : "the material lets this light through: it must get below the triangle");
+                       : "the material lets this light through: its direction must lead below the "
+                         "triangle");
     }
     CHECK(mirrored > 1000);
 }
@@ -109,20 +111,24 @@ TEST_CASE("12.3 a normal that mirrors light upward is not bent", "[12.3]") {
         INFO("smooth " << text(smooth) << ", flat " << text(flat) << ", incoming "
                        << text(incoming));
         HINT(smooth, bent,
-             "the mirror direction is on the side that the light came from: nothing is to be done");
+             "the mirror direction is on the side that the light came from: return the normal "
+             "unchanged");
         REQUIRE(bent == smooth);
     }
     SUCCEED();
 }
 
-TEST_CASE("12.3 light that came from below counts as well", "[12.3]") {
+TEST_CASE("12.3 light from below is handled as well", "[12.3]") {
     const Vec3 smooth{real(0.6), 0, real(0.8)};
     // From inside of a closed surface, as through glass.
     const Vec3 incoming{0, real(0.6), real(0.8)};
-    check_near(bent_normal(smooth, up, incoming), smooth, "here the mirror direction is below");
+    check_near(bent_normal(smooth, up, incoming), smooth,
+               "the light came from below, and the mirror direction is below: return the normal "
+               "unchanged");
     const Vec3 grazing{real(-0.8), 0, real(-0.6)};
-    check_near(keep_side(grazing, smooth, up), grazing,
-               "below the smooth surface and below the triangle: it stays");
+    check_near(
+        keep_side(grazing, smooth, up), grazing,
+        "the direction is below the smooth surface and below the triangle: return it unchanged");
 }
 
 TEST_CASE("12.3 normals that point into the surface are turned around", "[12.3][hard]") {
@@ -136,7 +142,7 @@ TEST_CASE("12.3 normals that point into the surface are turned around", "[12.3][
         const Vec3 actual = smooth_normal(normals, real(0.2), real(0.5), flat);
         if (actual == expected && exact_dot(actual, flat) > 0) continue;
         HINT(expected, actual,
-             "the result is on the side of flat, whichever way the file's normals point");
+             "the result must be on the side of flat, whichever way the file's normals point");
         REQUIRE(actual == expected);
         REQUIRE(exact_dot(actual, flat) > 0);
     }
@@ -147,12 +153,12 @@ TEST_CASE("12.3 normals that cancel give the flat one", "[12.3][hard]") {
     const Vec3 right{1, 0, 0};
     for (const Vec3 flat : {up, -up, Vec3{real(0.6), real(0.8), 0}})
         check_near(smooth_normal({right, -right, right}, real(0.5), 0, flat), flat,
-                   "a sum of length 0 has no direction");
+                   "the sum has length 0 and so no direction: return the flat normal");
     check_near(smooth_normal({Vec3{}, Vec3{}, Vec3{}}, real(0.5), 0, up), up,
-               "a sum of length 0 has no direction");
+               "the sum has length 0 and so no direction: return the flat normal");
 }
 
-TEST_CASE("12.3 nothing runs along the triangle itself", "[12.3][hard]") {
+TEST_CASE("12.3 no direction runs along the triangle itself", "[12.3][hard]") {
     rt::Rng rng{123, 5};
     for (int i = 0; i < 50'000; ++i) {
         const Vec3 flat = any_direction(rng), smooth = leaning(rng, flat, real(0.5));
@@ -170,9 +176,9 @@ TEST_CASE("12.3 nothing runs along the triangle itself", "[12.3][hard]") {
         if (!right) {
             INFO("smooth " << text(smooth) << ", flat " << text(flat) << ", the direction "
                            << text(direction) << " became " << text(kept));
-            INFO("its dot product with flat is "
-                 << text(above_flat) << ", and of the direction before with smooth "
-                 << text(above_smooth) << ".\nHint: above_horizon of 05.2 does it");
+            INFO("the result's dot product with flat is "
+                 << text(above_flat) << ", and that of the given direction with smooth is "
+                 << text(above_smooth) << ".\nHint: use above_horizon of 05.2");
             REQUIRE(right);
         }
     }
@@ -200,10 +206,10 @@ TEST_CASE("12.3 a bent normal mirrors light along the triangle", "[12.3][hard]")
                            std::abs(length_of(bent) - 1) <= 8 * rt::epsilon;
         if (!right) {
             INFO("smooth " << text(smooth) << ", flat " << text(flat) << ", incoming "
-                           << text(incoming) << "\nyour normal " << text(bent) << " sends it along "
-                           << text(mirrored));
-            INFO("whose height over the triangle is " << now << "; expected 0, where it was "
-                                                      << height);
+                           << text(incoming) << "\nyour normal " << text(bent)
+                           << " mirrors it along " << text(mirrored));
+            INFO("whose height over the triangle is "
+                 << now << "; expected 0. With the smooth normal, the height was " << height);
             INFO(
                 "Hint: take the mirror direction, remove its part along flat, and find the normal "
                 "halfway between that and -incoming");
@@ -215,7 +221,7 @@ TEST_CASE("12.3 a bent normal mirrors light along the triangle", "[12.3][hard]")
     CHECK(bends > 1000);
 }
 
-TEST_CASE("12.3 light along the triangle gives a normal all the same", "[12.3][hard]") {
+TEST_CASE("12.3 light along the triangle still gives a normal", "[12.3][hard]") {
     const Vec3 smooth{real(0.6), 0, real(0.8)};
     for (const Vec3 incoming : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0},
                                 Vec3{real(0.8), real(0.6), 0}, Vec3{real(0.6), real(-0.8), 0}}) {

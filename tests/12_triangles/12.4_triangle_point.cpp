@@ -68,13 +68,13 @@ TEST_CASE("12.4 a small example on paper", "[12.4]") {
     REQUIRE(met);
     const Hit hit = rt::surface_hit(triangle, ray, met->t);
     {
-        HINT((Vec3{1, 2, 0}), hit.point, "a + u (b - a) + v (c - a)");
+        HINT((Vec3{1, 2, 0}), hit.point, "the point is a + u (b - a) + v (c - a)");
         CHECK(rt::max_component(hit.point - Vec3{1, 2, 0}) <= 16 * rt::epsilon);
     }
     {
         HINT((Vec3{0, 0, 1}), hit.normal,
-             "seen from the side of the normal, a, b and c go around counterclockwise: (b - a) x "
-             "(c - a), of length 1");
+             "seen from the side of the normal, a, b and c go around counterclockwise: normalize "
+             "(b - a) x (c - a)");
         CHECK(rt::max_component(hit.normal - Vec3{0, 0, 1}) <= 8 * rt::epsilon);
     }
     CHECK(hit.t == met->t);
@@ -105,11 +105,11 @@ TEST_CASE("12.4 point and normal of any triangle from either side", "[12.4]") {
                            hit.front == (cosine > 0) && hit.t == met->t;
         if (!right) {
             INFO(text(triangle.shape) << " and " << text(ray));
-            INFO("expected the point " << text(aim) << ", the normal " << text(expected)
-                                       << ", front " << (cosine > 0) << ", t " << text(met->t));
-            INFO("actual the point " << text(hit.point) << ", the normal " << text(hit.normal)
-                                     << ", front " << hit.front << ", t " << text(hit.t));
-            INFO("Hint: the normal is the triangle's, whichever side was hit; front says which");
+            INFO("expected: the point " << text(aim) << ", the normal " << text(expected)
+                                        << ", front " << (cosine > 0) << ", t " << text(met->t));
+            INFO("actual: the point " << text(hit.point) << ", the normal " << text(hit.normal)
+                                      << ", front " << hit.front << ", t " << text(hit.t));
+            INFO("Hint: the normal does not depend on which side was hit; front says which side");
             REQUIRE(right);
         }
     }
@@ -130,11 +130,12 @@ TEST_CASE("12.4 a ray leaves a triangle of usual size", "[12.4]") {
         if (std::abs(exact_dot(out, hit.normal)) < 0.1) continue;
         const Ray left{rt::leave_surface(hit, out), out};
         if (const auto again = rt::hit_triangle(triangle.shape, left, {})) {
-            INFO(text(triangle.shape) << ", left from " << text(hit.point) << " along " << text(out)
-                                      << ", is met again at t = " << text(again->t));
+            INFO(text(triangle.shape)
+                 << ": a ray that leaves it from " << text(hit.point) << " along " << text(out)
+                 << " meets it again at t = " << text(again->t));
             INFO("point_error is " << text(hit.point_error)
-                                   << ".\nHint: point_error must not be 0, but some epsilons times "
-                                      "the numbers that are rounded");
+                                   << ".\nHint: point_error must not be 0, but a few times epsilon "
+                                      "times the numbers that are rounded");
             REQUIRE(!again);
         }
         if (!(hit.point_error < real(1e-3))) {
@@ -146,14 +147,14 @@ TEST_CASE("12.4 a ray leaves a triangle of usual size", "[12.4]") {
     SUCCEED();
 }
 
-TEST_CASE("12.4 the point is off the plane by no more than it says", "[12.4][hard]") {
+TEST_CASE("12.4 the point is off the plane by no more than its point_error", "[12.4][hard]") {
     rt::Rng rng{124, 3};
     for (int i = 0; i < 200'000; ++i) {
         const Place place = any_place(rng);
         const double off = off_plane(place.triangle.shape, exact_vector(place.hit.point));
         if (off <= static_cast<double>(place.hit.point_error)) continue;
         INFO(describe(place));
-        INFO("it is off the plane by "
+        INFO("the point is off the plane by "
              << off
              << ".\nHint: origin + t * direction has a larger error than the mean of the corners, "
                 "and it grows with the distance");
@@ -170,10 +171,12 @@ TEST_CASE("12.4 a million rays never meet the triangle that they leave", "[12.4]
         const Ray left{rt::leave_surface(place.hit, out), out};
         const auto again = rt::hit_triangle(place.triangle.shape, left, {});
         if (!again) continue;
-        INFO(describe(place) << ", left from " << text(left.origin) << " along " << text(out));
-        INFO("it is met again at t = " << text(again->t)
-                                       << ".\nHint: when the ray leaves, hit_triangle rounds in "
-                                          "proportion to the triangle's size");
+        INFO(describe(place) << ": a ray that leaves it from " << text(left.origin) << " along "
+                             << text(out));
+        INFO("the ray meets the triangle again at t = "
+             << text(again->t)
+             << ".\nHint: when the ray leaves, hit_triangle rounds in "
+                "proportion to the triangle's size");
         REQUIRE(!again);
     }
     SUCCEED();
@@ -189,9 +192,10 @@ TEST_CASE("12.4 the error is no larger than it need be", "[12.4][hard]") {
         const Real allowed = 40 * rt::epsilon * largest;
         if (place.hit.point_error <= allowed) continue;
         INFO(describe(place));
-        INFO("allowed are " << text(allowed)
-                            << ".\nHint: a needle needs no more than another triangle; a ray that "
-                               "starts too far away may start beyond another surface");
+        INFO("the limit is " << text(allowed)
+                             << ".\nHint: a long, thin triangle needs no larger error than other "
+                                "triangles; a ray that "
+                                "starts too far away may start beyond another surface");
         REQUIRE(place.hit.point_error <= allowed);
     }
     SUCCEED();
@@ -243,8 +247,10 @@ TEST_CASE("12.4 a scene 2^30 times larger or smaller scales the point and its er
                               there.normal == hit.normal;
             if (same) continue;
             INFO(text(triangle.shape) << " and " << text(ray) << ", scaled by 2^" << power);
-            HINT(s * hit.point, there.point, "is there a fixed length in your code?");
-            HINT(s * hit.point_error, there.point_error, "the error grows with the lengths");
+            HINT(s * hit.point, there.point,
+                 "the point scales with the scene: use no fixed length");
+            HINT(s * hit.point_error, there.point_error,
+                 "the error scales with the scene: use no fixed length");
             REQUIRE(same);
         }
     }

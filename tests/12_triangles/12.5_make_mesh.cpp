@@ -28,14 +28,15 @@ Vec3 normal_of(const Mesh& mesh, const Corner& corner) {
 }
 
 void check_refused(const Polygons& polygons, const std::string& words, const char* what) {
-    INFO(what << " must be refused by a std::invalid_argument that says '" << words << "'");
+    INFO(what << " must be refused: throw a std::invalid_argument whose message contains '" << words
+              << "'");
     std::string said = "nothing was thrown";
     try {
         rt::make_mesh(polygons);
     } catch (const std::invalid_argument& wrong) {
         said = wrong.what();
     }
-    INFO("what your function said: " << said);
+    INFO("the message of your function: " << said);
     CHECK(said.find(words) != std::string::npos);
 }
 
@@ -69,7 +70,7 @@ TEST_CASE("12.5 a square becomes two triangles", "[12.5]") {
     REQUIRE(mesh.triangles.size() == 2);
     CHECK(mesh.points.size() == 4);
     for (const Triangle& triangle : shapes_of(mesh)) {
-        INFO(text(triangle) << ": expected twice the area 1, along z; actual "
+        INFO(text(triangle) << ": expected (b - a) x (c - a) of length 1 along z, actual "
                             << text(exact_normal(triangle)));
         INFO("Hint: keep the order of the polygon's corners");
         CHECK(std::abs((exact_normal(triangle).z - Exact(1)).high) < 1e-6);
@@ -89,7 +90,7 @@ TEST_CASE("12.5 polygons with any number of corners keep their order", "[12.5]")
         for (int i = 0; i < n; ++i) around.push_back({i});
         all.polygons = {corners({0, 1, 2}), around};
         const Mesh mesh = rt::make_mesh(all);
-        INFO("a triangle, then a polygon with " << n << " corners");
+        INFO("the polygons are a triangle, and then a polygon with " << n << " corners");
         REQUIRE(mesh.triangles.size() == static_cast<std::size_t>(n - 1));
         CHECK(mesh.triangles[0] == std::array<Corner, 3>{Corner{0}, Corner{1}, Corner{2}});
         const double first = exact_normal(shapes_of(mesh)[0]).z.high;
@@ -100,7 +101,7 @@ TEST_CASE("12.5 polygons with any number of corners keep their order", "[12.5]")
     }
 }
 
-TEST_CASE("12.5 each corner keeps its normal and its place", "[12.5]") {
+TEST_CASE("12.5 each corner keeps its normal and its texture coordinates", "[12.5]") {
     Polygons all = square();
     all.normals = {{0, 0, 5}, {3, 0, 4}};
     all.places = {{0, 0}, {1, 0}, {1, 1}};
@@ -117,14 +118,14 @@ TEST_CASE("12.5 each corner keeps its normal and its place", "[12.5]") {
             CHECK(corner.place == given.place);
         }
     {
-        INFO("Hint: normals get the length 1");
+        INFO("Hint: normalize the normals");
         CHECK(rt::max_component(normal_of(mesh, {0, 1}) - Vec3{real(0.6), 0, real(0.8)}) <=
               4 * rt::epsilon);
         CHECK(rt::max_component(normal_of(mesh, {0, 0}) - Vec3{0, 0, 1}) <= 4 * rt::epsilon);
     }
 }
 
-TEST_CASE("12.5 numbers that belong to nothing are refused", "[12.5]") {
+TEST_CASE("12.5 indices out of range are refused", "[12.5]") {
     const auto with_third = [](const std::vector<Corner>& polygon) {
         Polygons all = square();
         all.normals = {{0, 0, 1}};
@@ -140,7 +141,7 @@ TEST_CASE("12.5 numbers that belong to nothing are refused", "[12.5]") {
                   "texture coordinates beyond the last");
     check_refused(with_third({{0, 0, -2}, {1, 0, 0}, {2, 0, 0}}), "polygon 3",
                   "texture coordinates with the index -2");
-    INFO("-1 says that a corner has no normal or no texture coordinates, and is allowed");
+    INFO("the index -1 is allowed: it says that a corner has no normal or no texture coordinates");
     CHECK(rt::make_mesh(with_third({{1, -1, 0}, {0, 0, -1}, {3}})).triangles.size() == 4);
 }
 
@@ -176,12 +177,14 @@ TEST_CASE("12.5 the normals of a ball point outward", "[12.5]") {
     for (const auto& triangle : mesh.triangles)
         for (const Corner& corner : triangle)
             if (corner.point == first[0].point) {
-                INFO("Hint: corners at one point share one normal, so that no edge can be seen");
+                INFO(
+                    "Hint: give all corners at one point the same normal, so that no edge can be "
+                    "seen");
                 CHECK(normal_of(mesh, corner) == normal_of(mesh, first[0]));
             }
 }
 
-TEST_CASE("12.5 normals that are there stay", "[12.5]") {
+TEST_CASE("12.5 normals of the file are kept", "[12.5]") {
     Polygons all = square();
     all.normals = {{1, 0, 0}, {0, 1, 0}};
     all.polygons = {{{0, 1}, {1}, {2, 0}, {3}}};
@@ -212,8 +215,8 @@ TEST_CASE("12.5 a polygon with a notch is cut inside", "[12.5][hard]") {
         all.polygons = {around};
         const Mesh mesh = rt::make_mesh(all);
         for (const Triangle& triangle : shapes_of(mesh)) {
-            INFO("the arrowhead, from its corner " << start << " on: " << text(triangle));
-            INFO("Hint: a fan from another corner may have all triangles face the same way");
+            INFO("the arrowhead, beginning at its corner " << start << " on: " << text(triangle));
+            INFO("Hint: look for a corner from which all triangles of the fan face the same way");
             CHECK(exact_normal(triangle).z.high > 0);
         }
     }
@@ -226,13 +229,13 @@ TEST_CASE("12.5 a polygon with a notch is cut inside", "[12.5][hard]") {
         const Mesh crown = rt::make_mesh(all);
         REQUIRE(crown.triangles.size() == 3);
         for (const Triangle& triangle : shapes_of(crown)) {
-            INFO("the crown, from its corner " << start << " on: " << text(triangle));
+            INFO("the crown, beginning at its corner " << start << " on: " << text(triangle));
             CHECK(exact_normal(triangle).y.high > 0);
         }
     }
 }
 
-TEST_CASE("12.5 a polygon that no fan fits is cut all the same", "[12.5][hard]") {
+TEST_CASE("12.5 a polygon without a valid fan is still cut", "[12.5][hard]") {
     Polygons all;
     all.points = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {2, 0, 0}};  // on a line
     all.polygons = {corners({0, 1, 2, 3}), corners({2, 2, 2})};
@@ -248,13 +251,13 @@ TEST_CASE("12.5 a corner in the middle of a side leaves no triangle without area
         all.polygons = {around};
         for (const Triangle& triangle : shapes_of(rt::make_mesh(all))) {
             INFO("a square with a corner in the middle of a side: " << text(triangle));
-            INFO("Hint: a fan from that corner does it");
+            INFO("Hint: start the fan at that corner");
             CHECK(exact_normal(triangle).z.high > 0);
         }
     }
 }
 
-TEST_CASE("12.5 normals of length 0 are none", "[12.5][hard]") {
+TEST_CASE("12.5 normals of length 0 do not count", "[12.5][hard]") {
     Polygons all = square();
     all.normals = {{0, 0, 0}, {0, 0, 1}};
     all.polygons = {{{0, 0}, {1, 1}, {2, 0}, {3, 1}}};
@@ -290,7 +293,7 @@ TEST_CASE("12.5 a cube's normals do not depend on how its sides are cut", "[12.5
     SUCCEED();
 }
 
-TEST_CASE("12.5 where normals cancel a corner stays without", "[12.5][hard]") {
+TEST_CASE("12.5 a corner gets no normal where the normals cancel", "[12.5][hard]") {
     Mesh mesh;
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {9, 9, 9}};
     // Both sides of one triangle, and one without area.

@@ -20,8 +20,9 @@ void check_color(const Image& image, Vec2 place, Color expected, const char* hin
                        std::abs(actual.g - expected.g) <= near &&
                        std::abs(actual.b - expected.b) <= near;
     if (!right) {
-        INFO("at the place (" << text(place.x) << ", " << text(place.y) << ") of an image of "
-                              << image.width() << " x " << image.height() << " pixels");
+        INFO("at the texture coordinates (" << text(place.x) << ", " << text(place.y)
+                                            << ") of an image of " << image.width() << " x "
+                                            << image.height() << " pixels");
         INFO("expected " << text_of(expected) << "\nactual " << text_of(actual));
         INFO("Hint: " << hint);
         REQUIRE(right);
@@ -43,7 +44,7 @@ Vec2 middle(const Image& image, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("12.6 in the middle of a pixel its color is unmixed", "[12.6]") {
+TEST_CASE("12.6 in the middle of a pixel the color is that of the pixel", "[12.6]") {
     const Image image = numbered(8, 4);
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 8; ++x)
@@ -53,7 +54,7 @@ TEST_CASE("12.6 in the middle of a pixel its color is unmixed", "[12.6]") {
                 "farther on; y counts upward in texture coordinates, but downward in an image");
 }
 
-TEST_CASE("12.6 between the middles the colors are mixed", "[12.6]") {
+TEST_CASE("12.6 between the middles of pixels their colors are mixed", "[12.6]") {
     const Image image = numbered(8, 4);
     rt::Rng rng{126, 1};
     for (int i = 0; i < 2000; ++i) {
@@ -71,29 +72,31 @@ TEST_CASE("12.6 four pixels on paper", "[12.6]") {
     image.at(0, 1) = {0, 0, 1};
     image.at(1, 1) = {1, 1, 1};
     check_color(image, {real(0.5), real(0.5)}, {real(0.5), real(0.5), real(0.5)},
-                "in the middle of the image each has a quarter");
+                "in the middle of the image, each pixel has the weight 1/4");
     check_color(image, {real(0.375), real(0.75)}, {real(0.75), real(0.25), 0},
-                "a quarter of a column beyond the middle of the first, in the upper row");
+                "the position is a quarter of a column to the right of the middle of the first "
+                "column, in the upper row");
 }
 
 TEST_CASE("12.6 beyond its edges the image repeats", "[12.6]") {
     const Image image = numbered(8, 4);
     check_color(image, {0, real(0.875)}, {real(3.5), 0, 1},
-                "at the left edge, the first column and the last one have half each");
+                "at the left edge, the first and the last column have the weight 1/2 each");
     check_color(image, {1, real(0.875)}, {real(3.5), 0, 1},
-                "at the right edge, the last column and the first one have half each");
+                "at the right edge, the last and the first column have the weight 1/2 each");
     check_color(image, {real(0.0625), 1}, {0, real(1.5), 1},
-                "at the upper edge, the first row and the last one have half each");
+                "at the upper edge, the first and the last row have the weight 1/2 each");
     check_color(image, {real(0.0625), 0}, {0, real(1.5), 1},
-                "at the lower edge, the last row and the first one have half each");
+                "at the lower edge, the last and the first row have the weight 1/2 each");
     rt::Rng rng{126, 2};
     for (int i = 0; i < 2000; ++i) {
         const Vec2 place{rng.uniform(), rng.uniform()};
         const Color once = rt::bilinear(image, place);
         for (const Vec2 away : {Vec2{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {3, -5}, {-7, 2}})
-            check_color(image, {place.x + away.x, place.y + away.y}, once,
-                        "one whole image further, the color is the same, on the negative side too",
-                        real(1e3) * rt::epsilon);
+            check_color(
+                image, {place.x + away.x, place.y + away.y}, once,
+                "the color is the same one whole image farther on, also at negative coordinates",
+                real(1e3) * rt::epsilon);
     }
 }
 
@@ -102,7 +105,7 @@ TEST_CASE("12.6 an image of one pixel has one color", "[12.6]") {
     rt::Rng rng{126, 3};
     for (int i = 0; i < 100; ++i)
         check_color(image, {rng.uniform(-2, 2), rng.uniform(-2, 2)}, image.at(0, 0),
-                    "its neighbor is itself");
+                    "the image has one pixel, which is its own neighbor");
 }
 
 TEST_CASE("12.6 just below a whole number", "[12.6][hard]") {
@@ -111,26 +114,26 @@ TEST_CASE("12.6 just below a whole number", "[12.6][hard]") {
     for (const Real x : {-tiny, -std::numeric_limits<Real>::denorm_min(), -rt::epsilon / 8,
                          1 - rt::epsilon / 2, std::nextafter(Real(2), Real(0))})
         check_color(image, {x, real(0.875)}, {real(3.5), 0, 1},
-                    "x - floor(x) may be rounded to 1: is there a pixel for that?");
+                    "x - floor(x) may be rounded to 1: the index must stay below the width");
     for (const Real y : {-tiny, -rt::epsilon / 8, 1 - rt::epsilon / 2})
         check_color(image, {real(0.0625), y}, {0, real(1.5), 1},
-                    "y - floor(y) may be rounded to 1: is there a pixel for that?");
+                    "y - floor(y) may be rounded to 1: the index must stay below the height");
 }
 
-TEST_CASE("12.6 far away the image still repeats", "[12.6][hard]") {
+TEST_CASE("12.6 the image repeats even at huge texture coordinates", "[12.6][hard]") {
     const Image image = numbered(8, 4);
     const Real largest = std::numeric_limits<Real>::max();
     for (const Real far : {Real(1e9), Real(-1e9), Real(1e30), Real(-1e30), largest, -largest}) {
         const Color along_x = rt::bilinear(image, {far, real(0.875)}),
                     along_y = rt::bilinear(image, {real(0.0625), far});
         // These are whole numbers: the left edge, and the lower one.
-        INFO("at the place " << text(far) << ": " << text_of(along_x) << " and "
-                             << text_of(along_y));
+        INFO("at the texture coordinate " << text(far) << ": " << text_of(along_x) << " and "
+                                          << text_of(along_y));
         INFO("Hint: an int has no room for such a number; subtract the whole part first");
         CHECK(std::abs(along_x.r - real(3.5)) <= 100 * rt::epsilon);
         CHECK(std::abs(along_y.g - real(1.5)) <= 100 * rt::epsilon);
     }
     if (std::numeric_limits<Real>::digits > 32)
         check_color(image, {real(1e9 + 0.3125), real(0.875)}, {2, 0, 1},
-                    "the digits after the point still count", real(1e-5));
+                    "the digits after the decimal point still count", real(1e-5));
 }
