@@ -18,11 +18,9 @@ std::string cause_of(const Result& result, const TestCase* test) {
         case SIGSEGV:
         case SIGBUS:
             if (memory == "stack")
-                return "the stack overflowed: a function never stops calling itself, or a local "
+                return "the stack overflowed: a function calls itself without end, or a local "
                        "array is too large";
-            if (memory == "null")
-                return "it dereferenced a null pointer: a pointer to nothing, or an empty "
-                       "unique_ptr";
+            if (memory == "null") return "it dereferenced a null pointer or an empty unique_ptr";
             return "it accessed memory that does not belong to it (segmentation fault): an index "
                    "out of range, the value of an empty std::optional, or a reference to something "
                    "that no longer exists, such as v.back() after v.pop_back()";
@@ -33,7 +31,7 @@ std::string cause_of(const Result& result, const TestCase* test) {
                    "memory was freed twice, a std::thread was destroyed before it was joined, or "
                    "an exception left a thread or a function that must not throw";
         case SIGILL:
-            return "it executed invalid code: is a return missing?";
+            return "it executed invalid code: is a return statement missing?";
         case 0:
             return test && !test->crash.empty() ? test->crash : "the code ended the program";
         default:
@@ -96,7 +94,7 @@ const TestCase* Tested::ended_in() const {
 
 std::string Tested::trouble() const {
     if (got_no_further())
-        return "it computed for " + std::to_string(ended_in()->computed) + " s and got no further";
+        return "it computed for " + std::to_string(ended_in()->computed) + " s without finishing";
     return was_stopped() ? how_it_ended(result) : cause_of(result, ended_in());
 }
 

@@ -96,11 +96,12 @@ Verdict judge(const Course& course, const Checked& checked, const Tested& tested
         const bool has_all = todos == checked.exercise.shipped_todos;
         const std::string said = todos == 0 || has_all ? said_by_all(tests) : "";
         if (todos > 0) return Begun{tests, functions_left(course, checked.exercise), said};
-        return Failing{tests, !said.empty() ? said
-                                            : "No rt::todo is left in it, but the checkpoints do "
-                                              "not call your function. Compare its name, namespace "
-                                              "and parameters with the declaration, down to each "
-                                              "const and &."};
+        return Failing{tests, !said.empty()
+                                  ? said
+                                  : "Your file contains no rt::todo anymore, but the checkpoints "
+                                    "do not call your function. Compare its name, namespace "
+                                    "and parameters with the declaration, down to each "
+                                    "const and &."};
     }
     if (!missing.empty()) return Waiting{missing};
     if (tested.result.ok() || fails(true)) return Passed{tests};

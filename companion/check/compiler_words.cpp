@@ -20,55 +20,56 @@ const Habit habits[]{
     {"discards qualifiers|would lose const|invalid constructor|copy constructor must",
      "\\b(\\w+)\\(\\1 ?&? ?\\w*\\)",
      "A copy constructor takes `const Canvas& other`, with the name of your class: a reference, "
-     "since a copy is what it makes, and const, since the original stays as it is."},
+     "because passing by value would already need a copy, and const, because the original is not "
+     "changed."},
     {"unary .\\*|indirection requires|no match for .operator\\*.*operand type is",
      "\\w\\)? ?\\*\\* ?[\\w(]",
-     "`**` is not a power in C++: multiply, x * x, or call std::pow(x, n)."},
+     "C++ has no `**` for powers: multiply, x * x, or call std::pow(x, n)."},
     {"expected", "[\\w)] //+ ?[\\w(]+[;)]",
-     "`//` begins a comment. Between two int, `/` divides and drops the fraction."},
+     "`//` begins a comment. Write `/` to divide; between two values of type int, it drops the "
+     "fraction."},
     {"expected|was not declared|undeclared", "\\S+ if .+ else ",
      "A choice between two values is written `condition ? a : b`."},
-    {"elif", "", "It is written `else if (...)`."},
+    {"elif", "", "C++ has no `elif`: write `else if (...)`."},
     {"expected .\\(.|expected", "^[^?/]*\\b(if|while|for|else)\\b[^;?]*:\\s*$",
-     "The condition stands in parentheses, and braces hold what belongs to it: `if (x > 0) { ... "
-     "}`."},
+     "Write the condition in parentheses and the statements in braces: `if (x > 0) { ... }`."},
     {"\\W(None|True|False|self|len|print|def|pass)\\W", "",
      "This is Python. C++ has true and false, `{}` for no value, values.size() for a length, and "
      "std::cout << x to print."},
     {"invalid operands", "[\\w)] ?\\^ ?[\\w(]",
-     "`^` is not a power in C++: multiply, x * x, or call std::pow(x, n)."},
+     "`^` does not compute powers in C++: multiply, x * x, or call std::pow(x, n)."},
     // A literal of several characters, after none, or some of one character. Apostrophes within
     // words and in comments are none.
     {"conver|initialize|constant",
      "^([^'/]|/(?!/)|'([^'\\\\]|\\\\.)')*[^'\\w]'([^'\\\\]|\\\\.){2,}'",
-     "Text stands in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
+     "Write text in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
     {"invalid use of void expression|argument type .void. is incomplete|no matching",
      "emplace_back\\(\\w+\\(",
-     "This calls the function here and now. A thread needs a function that it can call: "
+     "This calls the function at once. Give the thread a function that it can call itself: "
      "`[&work, worker] { work(worker); }`."},
     {"", "\\.push_back\\( ?\\[",
      "emplace_back makes the thread itself and needs only the function: "
      "`threads.emplace_back([...] { ... });`."},
     {"has no member|no member named", "\\.append\\(", "A vector appends with `push_back(value)`."},
     {"optional", "return nullptr",
-     "To return no value, write `return {};` or `return std::nullopt;`. A null pointer is "
-     "something else."},
+     "To return no value, write `return {};` or `return std::nullopt;`. A null pointer is not an "
+     "empty std::optional."},
     {"(float|double).*(may change value|changes value|turns floating-point)|implicit conversion.*"
      "(float|double).* to .*int",
      "(^|[^:\\w])abs\\(",
-     "`abs` alone is for whole numbers, and drops the fraction: the absolute value of a Real is "
-     "`std::abs(x)`."},
+     "`abs` without std:: is for whole numbers and drops the fraction: write `std::abs(x)` for the "
+     "absolute value of a Real."},
     {"could not convert|no viable conversion|cannot convert|no matching function for call to .abs",
      "(^|[^:\\w])abs\\(",
      "For numbers, write `std::abs`; plain `abs` may be a different function."},
     {"was not declared|undeclared", "^[\\s\\d|]*\\w+ = ",
-     "If the name is new, the line needs its type, such as `const Real x = ...;`. If not, is it "
-     "misspelled, or declared "
-     "in another block?"},
+     "If the name is new, the line needs its type, such as `const Real x = ...;`. If the variable "
+     "exists already, is its name misspelled, or is it declared in another block?"},
     {"left.* operand of comma|expression result unused|no viable conversion|could not "
      "convert|cannot convert",
      "return \\(?[^(){}]+, [^(){}]+\\)?;",
-     "A comma does not make a pair in C++: only the last value counts. Write braces: `return {a, "
+     "A comma does not make a pair in C++, and only the last value counts. Write braces: `return "
+     "{a, "
      "b};`."},
     {"deduced conflicting|no matching function",
      "std::(max|min)\\(-?\\d+,|std::(max|min)\\(.*, -?\\d+\\)",
@@ -76,67 +77,70 @@ const Habit habits[]{
     {"(max|min)\\((double|float|int|const double&), (double|float|int), (double|float|int)\\)|"
      "no matching function|called object type|deduced",
      "std::(max|min)\\([^{},()]+,[^{},()]+,[^{},()]+\\)",
-     "It takes two values, or more in braces: `std::max({a, b, c})`."},
+     "std::min and std::max take two values, or more than two in braces: `std::max({a, b, c})`."},
 };
 
 // The first match counts, so the special ones come before the general ones.
 const Meaning meanings[]{
     {"out of memory|signal terminated program|unable to execute command",
-     "The compiler was stopped, because it took too much time or memory. What does the code ask it "
-     "to read or to compute without end?"},
+     "The compiler took too much time or memory and was stopped. Does the code include itself, or "
+     "make the compiler compute something without end?"},
     {"operator\\^|operand of .\\^|exponentiation",
-     "`^` is not a power in C++: multiply, x * x, or call std::pow(x, n)."},
+     "`^` does not compute powers in C++: multiply, x * x, or call std::pow(x, n)."},
     {"character constant|unclosed|missing terminating",
-     "Text stands in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
+     "Write text in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
     {"comparisons like .X<=Y<=Z|chained comparison",
-     "Each comparison stands alone: `a < b && b < c`."},
+     "C++ cannot chain comparisons: write `a < b && b < c`."},
     {"(constant|expression) .*(with|of) (boolean expression|type .bool.)",
-     "One side is a comparison already, and so true or false. Each comparison stands alone: `a < b "
-     "&& b < c`."},
+     "One side is itself a comparison, so it is true or false, not a number. C++ cannot chain "
+     "comparisons: write "
+     "`a < b && b < c`."},
     {"infinite recursion|all paths through this function will call itself",
-     "The function calls itself in every case, without end. One case must return before it does."},
+     "The function calls itself in every case, so it never ends. In one case, it must return "
+     "without calling itself."},
     {"for increment expression has no effect",
-     "The loop's last part changes nothing: `i + 1` only computes, `i++` and `i += 2` change i."},
+     "The last part of the loop's head changes nothing: `i + 1` only computes a value; `i++` and "
+     "`i += 2` change i."},
     {"invalid preprocessing directive", "A comment begins with `//`."},
     {"expected .\\(. (before|after)",
-     "C++ writes `if (x > 0) { ... }`: with parentheses and braces, and without a colon."},
+     "In C++, write `if (x > 0) { ... }`, with parentheses and braces and without a colon."},
     {"assignment used as truth value|using the result of an assignment as a condition|"
      "could not convert .* = .* to .bool.|"
      "(Vec3|Color). is not contextually convertible to .bool.",
-     "`=` changes the left side; `==` compares."},
+     "`=` assigns to the left side; write `==` to compare."},
     {"statement has no effect|value computed is not used|expression result unused|"
      "ignoring return(ed)? value|unused result|comparison result unused",
-     "The result is computed and thrown away. Should it be stored, `x = ...` or `x *= ...`, or "
-     "returned?"},
+     "The result is computed and thrown away. Store it, as in `x = ...` or `x *= ...`, or return "
+     "it."},
     {"(float|double).*(may change value|changes (the )?value|turns floating-point)|implicit "
      "conversion.*"
      "(float|double).* to .*int",
-     "A number with a fraction becomes one that holds less. If that is meant, say so: `int(x)` "
-     "drops the fraction, "
-     "`Real(x)` makes a Real."},
+     "A number is converted to a type that cannot hold all of its digits. If you want that, "
+     "convert it yourself: `int(x)` drops the fraction, and `Real(x)` makes a Real."},
     {"promotion|increases floating-point precision|implicit conversion from .float. to .double.",
-     "In float, this would be computed in double. Give both numbers the type Real: `Real(5)` "
+     "If Real is float, this is computed in double. Give both numbers the type Real: `Real(5)` "
      "instead of 5."},
     {"expected .;. after (struct|class)|expected initializer before",
-     "A semicolon is missing: a struct ends with `};`, and a line before this one with `;`."},
+     "A semicolon is missing: after a struct, write `};`, and end the statement before this line "
+     "with `;`."},
     {"Color.*has no member named .[xyz]|no member named .[xyz]. in .*Color",
      "A Color has the members r, g and b."},
     {"(optional).*(has no member)|no member named.*in .*optional",
-     "It is a std::optional, which may be empty: ask `if (name)` first, and then write "
+     "This is a std::optional, which may be empty: test `if (name)` first, and then write "
      "`name->member`."},
     {"never closed|expected .\\}. at end of input|extraneous closing brace|"
      "expected declaration before .\\}. token|function definition is not allowed here|"
      "a function-definition is not allowed here",
      "The braces do not match: each { needs its own }. Count them from here upward."},
     {"expected .;.|expected .,. or .;.",
-     "A semicolon is missing at the end of this line or of the line before. Or is it behind a //, "
-     "which begins a comment?"},
+     "A semicolon is missing at the end of this line or of the line before. Or does it stand after "
+     "a //, which begins a comment?"},
     {"incompatible vector types in conditional|vector operands to the vector conditional|"
      "inferred scalar type|vector condition type",
      "Both values in `mask ? a : b` must be packs of the same type. `pack_of(x)` holds x in every "
      "lane, and `PackMask{} + n` the integer n. For vectors there is `pick(mask, a, b)`."},
     {"(__vector|vector of).* to .bool|type .bool. with .*vector of",
-     "A mask is true or false in each lane, but here a single true or false is needed. "
+     "A mask is true or false in each lane, but this place needs a single true or false. "
      "`bits_of(mask) != 0` asks whether it is true in any lane, and `mask ? a : b` chooses lane by "
      "lane."},
     {"call to .(sqrt|abs|min|max|copysign|fma)\\(.*rt::Pack",
@@ -150,8 +154,8 @@ const Meaning meanings[]{
      "A mask and a pack of numbers cannot be combined. `&` and `|` combine two masks, and "
      "`mask ? a : b` chooses between two packs."},
     {"result type must be constructible|construct_at",
-     "This would copy something that cannot be copied, such as a unique_ptr: start with an empty "
-     "vector, and `push_back(std::move(it))`."},
+     "This would copy a value that cannot be copied, such as a unique_ptr: start with an empty "
+     "vector, and call `push_back(std::move(value))`."},
     {"push_back.*unique_ptr",
      "The vector holds plain pointers: `.get()` gives the plain pointer that a unique_ptr holds."},
     {"brace-enclosed.*optional|no matching constructor for initialization of .*optional",
@@ -161,14 +165,15 @@ const Meaning meanings[]{
      "could not convert)|(no match|invalid operands|cannot convert|"
      "no viable conversion|could not convert|invalid initialization of reference|no known "
      "conversion).*optional",
-     "One of the two is a std::optional, which may be empty. Test it with `if (name)`; `*name` is "
+     "One of the two values is a std::optional, which may be empty. Test it with `if (name)`; "
+     "`*name` is "
      "the value in it."},
     {"no match for call to|does not provide a call operator|cannot be used as a function",
      "The name before the ( is a value, not a function. Is an operator missing, or does a variable "
      "have the same name as the function?"},
     {"shadows|redeclaration of|redefinition of|conflicting declaration",
      "A variable of this name already exists, and this line declares a second one. To change the "
-     "first one, leave out the type: `name = value;`."},
+     "first variable, leave out the type: `name = value;`."},
     {"does not name a type|unknown type name|no type named|a type specifier is required",
      "The compiler expects a type here and does not know this word. Is it misspelled, does it need "
      "rt:: or std:: or an #include, or is this a statement outside every function?"},
@@ -180,12 +185,12 @@ const Meaning meanings[]{
     {"has no member named|no member named",
      "This type has no member of this name: its header shows the members that it has."},
     {"of pointer type|is a pointer; did you mean to use",
-     "It is a pointer: write `name->member`, or `(*name).member`."},
+     "This is a pointer: write `name->member`, or `(*name).member`."},
     {"use of deleted function|call to deleted|implicitly-deleted",
      "A value of this type, such as a unique_ptr, cannot be copied: move it with std::move, or use "
      "a reference."},
     {"read-only|const-qualified|cannot assign to variable|discards qualifiers|not marked const",
-     "It is const: it cannot be changed here."},
+     "This value is const, so it cannot be changed here."},
     {"no match for .operator|invalid operands",
      "There is no such operator for these two types. Check the type of each side."},
     {"too few arguments|too many arguments|no matching (member )?function|no matching constructor",
@@ -195,25 +200,29 @@ const Meaning meanings[]{
      "invalid initialization of reference",
      "The value has a different type from the one that is needed here."},
     {"narrowing|cannot be narrowed",
-     "In braces, no conversion may lose digits: convert it yourself, as in Real(n) or "
+     "Within braces, no conversion is allowed to lose digits: convert the value yourself, as in "
+     "Real(n) or "
      "static_cast<int>(x)."},
     {"no return statement|non-void function|control reaches end",
-     "The function can reach its end without a return; then it returns garbage or crashes."},
+     "The function can reach its end without a return statement; it then returns garbage or "
+     "crashes."},
     {"stray .*in program|unexpected character|non-ASCII",
      "C++ does not allow this character here. Is it a typographic quote or minus sign, copied from "
      "a text?"},
     {"uninitialized",
      "The variable is used here before it has a value: give it one where you declare it."},
     {"unused variable|unused parameter|set but not used",
-     "It is never used: did you use another variable instead?"},
+     "This variable is never used: did you use another one instead?"},
     {"undefined reference|Undefined symbol",
      "The function is declared and called, but not defined anywhere with exactly these "
      "parameters."},
-    {"multiple definition", "The function is defined in two files: in a header it needs `inline`."},
+    {"multiple definition",
+     "The function is defined in two files: if it is defined in a header, write `inline` before "
+     "it."},
     {"expected primary-expression before .\\{|initializer list cannot be used on",
      "Here the braces need a type before them, such as `Vec3{}` or `Pack{}`."},
     {"expected primary-expression|expected expression|expected unqualified-id|expected .\\).",
-     "Something is missing or extra just before this position: an operator, a value, a bracket."},
+     "Something is missing or extra just before this position: an operator, a value or a bracket."},
 };
 
 }  // namespace

@@ -21,7 +21,8 @@ SanitizerReport read_sanitizer_report(const std::string& output,
                 if (const auto at = line.find(mark); at != std::string::npos)
                     report.what = line.substr(at + mark.size());
         if (report.what.rfind("ABRT ", 0) == 0)
-            report.what = "the program was aborted: an exception, a thread or a library's check";
+            report.what =
+                "the program was aborted by an exception, by a thread or by a check of a library";
         if (report.what.empty()) continue;
         for (const fs::path& file : files) {
             // Sanitizers name files as they were given to the compiler: from the root of the disk,

@@ -42,7 +42,7 @@ std::string failing_text(const Failing& failing, bool in_float) {
         ++all;
         if (!test.passed) ++(missing_exercise(test).empty() ? wrong : missing);
     }
-    if (wrong == 0) return red("failing: no test case reaches your code");
+    if (wrong == 0) return red("failing: no test case calls your code");
     return red((in_float ? "failing in float: " : "failing: ") + std::to_string(wrong) + " of " +
                cases(all)) +
            (missing == 0 ? "" : yellow(", " + std::to_string(missing) + " still to be written"));
@@ -50,9 +50,9 @@ std::string failing_text(const Failing& failing, bool in_float) {
 
 std::string begun_text(const Checked& checked, const Begun& begun) {
     const int all = static_cast<int>(begun.tests.size()), passed = checked.passed_cases();
-    return yellow(passed == 0 ? "begun: all " + cases(all) + " hit an rt::todo"
+    return yellow(passed == 0 ? "begun: all " + cases(all) + " reach an rt::todo"
                               : "begun: " + std::to_string(passed) + " of " + cases(all) +
-                                    " pass, the rest is still to be written") +
+                                    " pass, and the rest is still to be written") +
            functions_done(checked.exercise.functions, begun.left);
 }
 
@@ -268,20 +268,21 @@ std::string what_is_wrong(const Checked& checked) {
               },
               [&](const Left& left) {
                   return "Your code ended the program" + where(left.tests) +
-                         "\n  A function returns to its caller: it does not call std::exit, "
+                         "\n  A function must return to its caller: do not call std::exit, "
                          "std::_Exit or the like.\n" +
                          warned(checked) + before_that(failing_cases(left.tests));
               },
               [&](const Endless& endless) {
                   return "It was stopped: " + endless.cause + where(endless.tests) +
-                         (endless.waits ? "\n  It waited most of that time: for a lock that is "
-                                          "never released, or for a thread that never ends?\n"
-                                        : "\n  Which loop or recursion never ends?\n") +
+                         (endless.waits
+                              ? "\n  It waited most of that time. Does it wait for a lock that is "
+                                "never released, or for a thread that never ends?\n"
+                              : "\n  Which loop or recursion never ends?\n") +
                          warned(checked) + before_that(failing_cases(endless.tests));
               },
               [](const Waiting& waiting) {
-                  return "It calls your code of exercise " + waiting.missing +
-                         ": write that first.\n";
+                  return "It calls your function of exercise " + waiting.missing +
+                         ", which is still to be written: write it first.\n";
               },
               [](const NotBegun&) { return std::string{to_write}; },
               [](const Begun& begun) {
@@ -289,11 +290,11 @@ std::string what_is_wrong(const Checked& checked) {
               },
               [&](const Failing& failing) {
                   const bool fits_double_only = checked.in_float && checked.warning.empty();
-                  return std::string{fits_double_only
-                                         ? "\nIt passes in double and fails in float (rt::Real is "
-                                           "float): does a constant or a tolerance\nfit double "
-                                           "only?\n"
-                                         : ""} +
+                  return std::string{
+                             fits_double_only
+                                 ? "\nIt passes in double and fails in float (rt::Real is float): "
+                                   "is a constant or a tolerance\nright only for double?\n"
+                                 : ""} +
                          '\n' +
                          (failing.reason.empty() ? failing_cases(failing.tests)
                                                  : wrapped(failing.reason, "  ")) +

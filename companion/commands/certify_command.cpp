@@ -259,11 +259,11 @@ class Examination {
     // Whether a chapter's picture is the solution's, and in words.
     std::pair<bool, std::string> compared(const Chapter& chapter) const try {
         const ComparedPicture picture = compare_picture(course_, chapter);
-        if (picture.found.bit_for_bit) return {true, "the solution's bit for bit"};
-        if (picture.found.same) return {true, "the solution's within the noise"};
+        if (picture.found.bit_for_bit) return {true, "the same as the solution's bit for bit"};
+        if (picture.found.same) return {true, "the same as the solution's within the noise"};
         if (picture.is_right())
             return {true, "differs, as it may with open stars or other right answers"};
-        return {false, "not the solution's: ./course compare " + chapter.number()};
+        return {false, "differs from the solution's: ./course compare " + chapter.number()};
     } catch (const app::Failure& failed) {
         return {false, failed.what()};
     }
@@ -310,16 +310,16 @@ int certify(const Course& course, const Given&) {
     app::replace_file(certificate_file(course), to_text(certificate));
     if (certificate.passed()) {
         std::puts(certificate.passed_with_stars()
-                      ? "Everything holds, core and stars. Your certificate is "
+                      ? "Everything passes, core and stars. Your certificate is "
                         "out/certificate.html."
-                      : "The core holds. Your certificate is out/certificate.html; it lists the "
+                      : "The core passes. Your certificate is out/certificate.html; it lists the "
                         "open stars.");
         return app::done;
     }
     std::set<std::string> ids;
     for (const CertifiedFigure& one : certificate.measurements)
         if (one.held == Held::fails && !one.star && !one.exercise.empty()) ids.insert(one.exercise);
-    std::puts("Not there yet; out/certificate.html shows how far you are.");
+    std::puts("You are not there yet; out/certificate.html shows how far you are.");
     const bool is_exercise = !ids.empty() && ids.begin()->find('.') != std::string::npos;
     if (is_exercise) std::printf("Next: ./course check %s\n", ids.begin()->c_str());
     if (!ids.empty() && !is_exercise) print(next_step(course, next_on_route(course)));

@@ -26,9 +26,10 @@ std::vector<std::string> explained(const Course& course, const Chapter& chapter,
     std::set<std::set<std::string>> tried{{}};
     for (const std::set<std::string>& some : {several, here, all}) {
         if (!tried.insert(some).second) continue;
-        std::fprintf(stderr,
-                     "It differs. Drawing it with the solution's code for %zu %s, to see why ...\n",
-                     some.size(), some.size() == 1 ? "exercise" : "exercises");
+        std::fprintf(
+            stderr,
+            "It differs. Drawing it again with the solution's code for %zu %s, to see why ...\n",
+            some.size(), some.size() == 1 ? "exercise" : "exercises");
         put_yours_in_place_except(course, chapter, some);
         if (!compared(course, chapter).same) continue;
         std::vector<std::string> words{"It differs from the solution's, which is no mistake here:"};

@@ -229,18 +229,21 @@ std::vector<std::string> Comparison::words() const {
                        mine.back().height, solution.back().width, solution.back().height)};
     if (bit_for_bit) return {"The same as the solution's, bit for bit."};
     if (same && pictures == 1)
-        return {number("The same: %ld of %ld pixels differ by more than 1 of 255 steps; %ld may.",
-                       statistics.still_differing, statistics.pixels, statistics.pixels / 1000)};
+        return {
+            number("The same: %ld of %ld pixels differ by more than 1 of 255 steps; up to %ld are "
+                   "allowed.",
+                   statistics.still_differing, statistics.pixels, statistics.pixels / 1000)};
     if (same)
         return {
-            number("The same within noise: %zu pictures of each, with different random numbers.",
+            number("The same within the noise: %zu pictures of each were drawn, with different "
+                   "random numbers.",
                    mine.size())};
 
     std::vector<std::string> lines{"It differs from the solution's."};
     if (statistics.still_differs())
-        lines.push_back(number("%ld of %ld pixels differ by more than 1 of 255 steps; %ld may.",
-                               statistics.still_differing, statistics.pixels,
-                               statistics.pixels / 1000));
+        lines.push_back(
+            number("%ld of %ld pixels differ by more than 1 of 255 steps; up to %ld are allowed.",
+                   statistics.still_differing, statistics.pixels, statistics.pixels / 1000));
     for (const std::string& line : describe_by_region(light_differs_in, statistics.tiles,
                                                       mine.front().width, mine.front().height))
         lines.push_back(line);

@@ -64,7 +64,8 @@ void judge_accuracy(const Trial& trial) {
     for (const AccuracyChoice& choice : choices)
         trial.line(
             {false, "accuracy: " + choice.option, "",
-             "a time within 25 % of the measured one, an error within a factor of 1.5",
+             "a time within 25 % of the measured time, an error within a factor of 1.5 of the "
+             "measured error",
              "Write the measured figures after `time:` and `error:` of this option."},
             [&](JudgedLine& line) {
                 const OwnProgram with{trial.request.folder, {choice.option}};

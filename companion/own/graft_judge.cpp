@@ -65,9 +65,10 @@ void look_at_outlines(const Course& course, const GraftRequest& request,
     const double missing = outlines_missing(ours, mine), more = outlines_missing(mine, ours);
     line.passed = missing < 3 && more < 3;
     char text[120];
-    std::snprintf(text, sizeof text,
-                  "%.0f %% of our outlines are missing, %.0f %% of yours are not ours", missing,
-                  more);
+    std::snprintf(
+        text, sizeof text,
+        "%.0f %% of our outlines are missing from yours, and %.0f %% of yours are not in ours",
+        missing, more);
     line.actual = line.passed ? "the same outlines" : text;
 }
 
@@ -107,10 +108,10 @@ void judge_graft(const Course& course, const GraftRequest& request,
     for (const std::string& header : graft.headers)
         if (!std::count(request.headers.begin(), request.headers.end(), header))
             report({false, "#include <rt/" + header + ">", "tracer.cpp does not include it",
-                    "your own header, in place of what was there", ""});
+                    "#include of your own header, in place of the old code", ""});
     if (graft.reads == Graft::Reads::nothing)
         judge({false, "the picture of 00.1", "", "the same outlines of ball, ground and shadow",
-               "The eye, the balls and the light stay where they were."},
+               "Leave the eye, the balls and the light where they were."},
               [&](JudgedLine& line) { look_at_outlines(course, request, {}, line); });
     if (graft.reads == Graft::Reads::eye) {
         rt::Rng random{request.seed, 1};
@@ -121,8 +122,8 @@ void judge_graft(const Course& course, const GraftRequest& request,
             judge({false, "eye " + std::to_string(i + 1) + " of 3", "",
                    "the same outlines of ball, ground and shadow",
                    "The camera looks at the ball's center, (0, 0, -4), with y up and a vertical "
-                   "field of view of 50 degrees. The ray comes from primary_ray, through the "
-                   "pixel's middle."},
+                   "field of view of 50 degrees. Call primary_ray for the ray through the pixel's "
+                   "middle."},
                   [&](JudgedLine& line) {
                       look_at_outlines(course, request, eye, line);
                       line.actual = "called with " + eye[0] + ' ' + eye[1] + ' ' + eye[2] + ": " +

@@ -36,11 +36,11 @@ std::string what_differs(const Comparison& compared) {
     if (differing.empty() && compared.pixels_differ)
         add("the light of each tile is right, but single pixels differ");
     if (found.pixel_noise.ratio > most_pixel_noise)
-        add("the noise of a pixel has " + number(found.pixel_noise.ratio, "%.1f") +
-            " times our variance");
+        add("the variance of a pixel's noise is " + number(found.pixel_noise.ratio, "%.1f") +
+            " times ours");
     else if (found.tile_noise.ratio > most_tile_noise)
-        add("neighboring pixels share their noise: the noise of a tile has " +
-            number(found.tile_noise.ratio, "%.1f") + " times our variance");
+        add("neighboring pixels share their noise: the variance of a tile's noise is " +
+            number(found.tile_noise.ratio, "%.1f") + " times ours");
     return words;
 }
 
@@ -77,7 +77,7 @@ void judge_pictures(const Trial& trial, const std::string& part,
 void judge_seed(const Trial& trial, const OwnScene& scene) {
     trial.line(
         {false, "rung 3: --seed", "",
-         "a different seed gives different noise, the same seed the same",
+         "a different seed gives different noise, and the same seed gives the same bytes",
          "The random numbers must depend on the seed, the pixel and the sample, and nothing else."},
         [&](JudgedLine& line) {
             const auto bytes = [&](const char* seed) {
@@ -108,7 +108,7 @@ void judge_sanitized(const Trial& trial) {
     for (const auto& [name, option] : sanitizers)
         trial.line({false, std::string{"sanitizers: "} + name, "", "silent",
                     std::string{"sh build.sh -O1 -g "} + option +
-                        " builds a program that shows it, with its line."},
+                        " builds a program that reports the fault with its line."},
                    [&, option = option](JudgedLine& line) {
                        OwnProgram own{trial.request.folder, {"-O1", "-g", option}};
                        own.before = at_fixed_addresses();

@@ -98,7 +98,7 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
     fs::remove(work_ / "shape.obj", ignored);
     if (drawn.result.ok()) {
         if (!fs::exists(picture))
-            throw app::Failure("own ended with exit code 0 but wrote no picture");
+            throw app::Failure("the program own ended with exit code 0 but wrote no picture");
         drawn.bytes = read_file(picture);
         drawn.picture = parse_ppm(drawn.bytes);
     }

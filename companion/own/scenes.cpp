@@ -404,7 +404,7 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                "Is the field of view the vertical one? Do u, v and w make a right-handed basis, "
                "and does every sample lie somewhere in its pixel?",
                false),
-         scene("black balls, the camera tilted", silhouettes,
+         scene("black balls and a tilted camera", silhouettes,
                "Does the camera stand at `from`, look at `at`, and keep `up` upright?", true)});
     add("matte",
         {scene("one matte ball on the ground", one_matte,
@@ -420,9 +420,10 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                3)});
     add("the nearest of many",
         {scene("a dozen matte balls", many_mattes,
-               "Does the nearest hit count, whatever the order in the file?"),
-         scene("a file that leaves most out", sparse,
-               "TASK.md lists the defaults. A # begins a comment, and empty lines are ignored.")});
+               "Does the nearest hit count, whatever the order of the spheres in the file?"),
+         scene("a file that leaves out most lines", sparse,
+               "Do you use the defaults of TASK.md, skip comments, which begin with #, and ignore "
+               "empty lines?")});
     add("metal", {scene("a mirror", metals, "Is the direction d - 2 (d . n) n?", 0.0, 0.0),
                   scene("a fuzzy metal ball", metals,
                         "Is a direction below the surface mirrored back up, so that no light is "
@@ -478,7 +479,7 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
         matte(scene, any).sphere({0, 0, 0}, 1);
         add("a ball seen from a hundred million radii away", scene.text(),
             "b * b - 4ac suffers from cancellation: compute the distance of the center from the "
-            "line first.");
+            "ray's line first.");
     }
     {
         Any any{seed, 102};
@@ -495,7 +496,7 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
         Any any{seed, 104};
         add(scale < 1 ? "a hollow glass ball, scaled by 1/1000"
                       : "a hollow glass ball, scaled by 1000",
-            glass(any, true, 1.2, 2.3, scale), "Compare no length with a fixed number.");
+            glass(any, true, 1.2, 2.3, scale), "Do not compare a length with a fixed number.");
     }
     {
         Any any{seed, 105};

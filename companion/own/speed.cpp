@@ -91,7 +91,7 @@ void judge_cores(const Trial& trial) {
                     in_turns({trial.reference, one}, {trial.reference, all}, scene, Clock::wall, 5);
                 line.busy_machine = ours.ratio < asked;
                 line.passed = mine.ratio >= 0.9 * ours.ratio;
-                line.actual += "; our program is " + number(ours.ratio) + " times as fast here";
+                line.actual += " and our program is " + number(ours.ratio) + " times as fast here";
                 if (!line.busy_machine) break;
             }
             if (line.busy_machine) line.actual += ", so this machine is busy";
@@ -113,8 +113,8 @@ void judge_tree(const Trial& trial) {
         {false, "rung 9: the tree against --list", "",
          "at least " + number(trial.request.tree_gain, "%.0f") +
              " times as fast, in processor time",
-         "Do you skip everything in a box if the ray misses the box, or has already hit "
-         "something nearer? std::fmin and std::fmax are slow; std::min and std::max are not."},
+         "Do you skip everything in a box if the ray misses the box or has already hit something "
+         "nearer than the box? std::fmin and std::fmax are slow; std::min and std::max are not."},
         [&](JudgedLine& line) {
             const Timed list{trial.own, {"--list", "--threads", "1"}},
                 tree{trial.own, {"--threads", "1"}};
@@ -155,8 +155,9 @@ void judge_mesh_tree(const Trial& trial) {
 
 void judge_list(const Trial& trial) {
     trial.line({false, "list: --list against ours", "",
-                "at most 4 times our processor time: beside a slow list, any tree looks fast",
-                "--list tests every sphere once per ray, and nothing else."},
+                "at most 4 times our processor time, because compared with a slow list, any tree "
+                "looks fast",
+                "With --list, test every sphere once per ray, and do nothing else."},
                [&](JudgedLine& line) {
                    const std::vector<std::string> list{"--list", "--threads", "1"};
                    const Turns turns =

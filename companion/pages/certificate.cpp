@@ -179,7 +179,7 @@ std::string grade_html(const Certificate& certificate) {
                           : ".</b> The hard cases still have " + std::to_string(open) +
                                 (open == 1 ? " open line." : " open lines."));
     else
-        out << "Not there yet: " << fails << (fails == 1 ? " line" : " lines") << " of this table "
+        out << "Not passed yet: " << fails << (fails == 1 ? " line" : " lines") << " of this table "
             << (fails == 1 ? "fails." : "fail.");
     return out.str();
 }

@@ -96,9 +96,9 @@ std::string study_comparison(const std::vector<Measurement>& mine,
             text += line("worst " + v.error_name, v.mine.worst_error, v.solution.worst_error);
         if (!v.cost_name.empty()) text += line("median " + v.cost_name, my_cost, cost);
     }
-    if (text.empty()) return "Yours is as accurate and as fast as the solution's.\n";
+    if (text.empty()) return "Your code is as accurate and as fast as the solution's.\n";
     char heading[100];
-    std::snprintf(heading, sizeof heading, "%-48s %12s %12s\n", "Where yours differs:", "yours",
+    std::snprintf(heading, sizeof heading, "%-48s %12s %12s\n", "Where your code differs:", "yours",
                   "solution's");
     return heading + text;
 }

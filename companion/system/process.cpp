@@ -397,7 +397,7 @@ std::string how_it_ended(const Result& result) {
         text << "it printed more than " << ((result.output.size() + result.events.size()) >> 20)
              << " MB";
     else if (result.started_other)
-        text << "it was stopped where it started another process";
+        text << "it was stopped because it started another process";
     else if (result.signal)
         text << "signal " << result.signal << " (" << ::strsignal(result.signal) << ')';
     else if (result.exit_code == 127)

@@ -176,7 +176,7 @@ TEST_CASE("07.3 half of the spheres go to the left", "[07.3]") {
         auto order = numbers(boxes.size());
         const int left = split_in_half(order, boxes);
         INFO("41 spheres, farthest apart along axis "
-             << axis << "; your split puts this many to the left: " << left);
+             << axis << "; numbers that your split puts to the left: " << left);
         REQUIRE(left == 20);
         CHECK(from_smallest(order) == numbers(41));
         INFO("along this axis, the centers must be in ascending order");

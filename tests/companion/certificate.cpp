@@ -94,11 +94,11 @@ TEST_CASE("a certificate is passed only when all that was measured holds", "[cer
     CHECK_FALSE(certificate.passed());
     certificate.measurements = companion::read_measurements("holds\t01.1\tdot\t1\tat most 2\n");
     CHECK(certificate.passed());
-    CHECK(companion::certificate_html(certificate).find("Not there yet") == std::string::npos);
+    CHECK(companion::certificate_html(certificate).find("Not passed yet") == std::string::npos);
     certificate.measurements.push_back({Held::fails, "05.2", "loses <light>", "4 %", "0 %"});
     CHECK_FALSE(certificate.passed());
     const std::string page = companion::certificate_html(certificate);
-    CHECK(page.find("Not there yet: 1 line of this table fails.") != std::string::npos);
+    CHECK(page.find("Not passed yet: 1 line of this table fails.") != std::string::npos);
     CHECK(page.find("loses &lt;light&gt;") != std::string::npos);
 }
 

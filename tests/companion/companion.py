@@ -508,7 +508,7 @@ class Companion(unittest.TestCase):
             self.write("one", word + "\n")
             said = self.course("check", "01.1", code=1)
             self.assertRegex(said, r"x 01.1 .* ends the program\n")
-            self.assertIn("Your code ended the program" + where + "  A function returns to its caller", said)
+            self.assertIn("Your code ended the program" + where + "  A function must return to its caller", said)
         # A test case that was compiled does not run.
         self.write("one", "one less\n")
         self.assertRegex(self.course("check", "01.1", code=1), r"x 01.1 .* ends the program\n")
@@ -536,12 +536,12 @@ class Companion(unittest.TestCase):
     def test_check_tells_an_endless_loop(self):
         self.write("one", "computes\n")
         said = self.course("check", "01.1", code=1)
-        self.assertIn("It was stopped: it computed for 3 s and got no further in the test case\n"
+        self.assertIn("It was stopped: it computed for 3 s without finishing in the test case\n"
                       "  01.1 the answer is right\n  Which loop or recursion never ends?\n", said)
         self.write("one", "star one right\nstar two computes\n")
         said = self.course("check", "01.1")
         self.assertRegex(said, r"\* 01.1 .* core passes, 1 star open\n")
-        self.assertIn("Star: 01.1 star two\n    it computed for 3 s and got no further.\n", said)
+        self.assertIn("Star: 01.1 star two\n    it computed for 3 s without finishing.\n", said)
 
     def test_check_all_right(self):
         self.write("one", "right\n")
@@ -1086,7 +1086,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         said = self.course("study", "01", "--mine")
         self.assertIn("Yours: 01.1. The solution's: 01.2. Tables and plots are in ", said)
         self.assertEqual(said.count(f"program --study {self.root}/out/study-mine"), 2)
-        self.assertIn("Yours is as accurate and as fast as the solution's", said)
+        self.assertIn("Your code is as accurate and as fast as the solution's", said)
         for folder in ("study-mine", "study"):
             self.assertTrue((self.root / "out" / folder / "01_tiny.csv").exists())
 

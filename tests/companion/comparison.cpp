@@ -61,7 +61,7 @@ TEST_CASE("random numbers in another order are the same within noise", "[compari
     const auto found = companion::compare({program(other_order), program(noisy), true});
     CHECK(found.same);
     CHECK_FALSE(found.bit_for_bit);
-    CHECK(says(found, "same within noise"));
+    CHECK(says(found, "same within the noise"));
 }
 
 TEST_CASE("right programs are seldom called wrong", "[comparison]") {

@@ -124,7 +124,7 @@ TEST_CASE("a program that draws nothing fails line by line", "[own]") {
 TEST_CASE("a program that runs another is refused", "[own]") {
     for (const char* const script : {"cp /dev/null $2", "exec cp /dev/null $2", "(exit 4)"})
         CHECK(verdict_on(program(script), "rung1").at(0).actual ==
-              "own: it was stopped where it started another process");
+              "own: it was stopped because it started another process");
 }
 #endif
 

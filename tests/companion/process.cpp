@@ -105,7 +105,7 @@ TEST_CASE("a process that may not start another is ended where it does", "[proce
     for (const char* const words : {"/bin/true; exit 0", "exec /bin/true", "(exit 0); exit 0"}) {
         const auto other = run(words);
         CHECK(other.started_other);
-        CHECK(how_it_ended(other) == "it was stopped where it started another process");
+        CHECK(how_it_ended(other) == "it was stopped because it started another process");
     }
 }
 #endif

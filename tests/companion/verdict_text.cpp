@@ -91,7 +91,7 @@ TEST_CASE("what is still to be written does not count as failing", "[verdict_tex
     CHECK(has(line({passing, wrong, missing, missing}),
               "failing: 1 of 4 test cases, 2 still to be written"));
     CHECK_FALSE(has(line({passing, wrong, wrong}), "written"));
-    CHECK(has(line({missing, missing}), "failing: no test case reaches your code"));
+    CHECK(has(line({missing, missing}), "failing: no test case calls your code"));
 }
 
 TEST_CASE("stars are told once the core passes", "[verdict_text]") {
@@ -126,6 +126,6 @@ TEST_CASE("stars are told once the core passes", "[verdict_text]") {
     checked.warning = "a.hpp:3: suggest parentheses around assignment used as truth value";
     const std::string with_warning = open_stars(checked, {}, false);
     CHECK(has(with_warning, "The compiler warned:\n    a.hpp:3: suggest"));
-    CHECK(has(with_warning, "`==` compares"));
+    CHECK(has(with_warning, "write `==` to compare"));
     CHECK(has(open_stars(checked, {}, true), "The compiler warned"));
 }
