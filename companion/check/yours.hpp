@@ -24,7 +24,7 @@ struct Yours {
     std::vector<std::string> failing = {}, unwritten = {};
 
     // "Yours: 01, 02, 03.1 to 03.2. The solution's: 03.3." A chapter's number means all of it. Or
-    // "All of the code is yours. These do not pass yet, and run all the same: 03.1."
+    // "All of the code is yours. These do not pass yet, but are used anyway: 03.1."
     std::string words() const;
     // The same of a picture, for others: "Drawn by its author's code for 01, 02, 03.1 to 03.2, and
     // by the course's for 03.3."

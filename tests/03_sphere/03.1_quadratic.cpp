@@ -74,7 +74,7 @@ void check_solutions(Real a, Real b, Real c, const char* hint, int i = 0, int j 
 }
 
 void check_none(const std::optional<Roots>& roots, const char* what) {
-    INFO(what << ", which has no solution: expected none, actual " << text(roots)
+    INFO(what << ", which has no solution: expected no solution, actual " << text(roots)
               << ".\nHint: return {} before you divide anything");
     CHECK(text(roots) == "no solution");
 }
@@ -89,7 +89,8 @@ TEST_CASE("03.1 both solutions are found and in order", "[03.1]") {
     check_exactly(-1, 3, -2, 1, 2, hint);
     check_exactly(-1, -3, -2, -2, -1, hint);
     check_exactly(1, 1, -6, -3, 2, hint);
-    check_exactly(2, -6, 4, 1, 2, "a belongs under both solutions: q / a and c / q");
+    check_exactly(2, -6, 4, 1, 2,
+                  "the two solutions are q / a and c / q: do not forget to divide by a");
 }
 
 TEST_CASE("03.1 a negative discriminant means no solution", "[03.1]") {
@@ -111,7 +112,8 @@ TEST_CASE("03.1 any coefficients", "[03.1][hard]") {
     for (int i = 0; i < 1000; ++i) {
         const Vec3 k = any_vector(rng, -2, 2);
         if (k.x != 0 && k.y != 0)
-            check_solutions(k.x, k.y, k.z, "c / q and q / a, the smaller one first");
+            check_solutions(k.x, k.y, k.z,
+                            "the solutions are c / q and q / a, the smaller one first");
     }
 }
 
@@ -134,22 +136,22 @@ TEST_CASE("03.1 the given discriminant is used", "[03.1]") {
     }
 }
 
-TEST_CASE("03.1 b may be zero", "[03.1][hard]") {
+TEST_CASE("03.1 b is zero", "[03.1][hard]") {
     const char* const hint = "the sign of 0 must count as plus or minus, not as 0: std::copysign";
     check_exactly(1, 0, -4, -2, 2, hint);
     check_exactly(1, Real(-0.0), -4, -2, 2, hint);
     check_exactly(-4, 0, 1, Real(-0.5), Real(0.5), hint);
 }
 
-TEST_CASE("03.1 c may be zero", "[03.1][hard]") {
+TEST_CASE("03.1 c is zero", "[03.1][hard]") {
     const char* const hint = "t (a t + b) = 0: one solution is 0, the other is -b / a";
     check_exactly(1, -5, 0, 0, 5, hint);
     check_exactly(2, 5, 0, Real(-2.5), 0, hint);
 }
 
-TEST_CASE("03.1 a may be zero", "[03.1][hard]") {
+TEST_CASE("03.1 a is zero", "[03.1][hard]") {
     const char* const hint =
-        "b t + c = 0 has the one solution -c / b, which is c / q; q / a is not";
+        "b t + c = 0 has the one solution -c / b, which is c / q; q / a divides by 0";
     check_exactly(0, 2, -6, 3, 3, hint);
     check_exactly(0, -2, -6, -3, -3, hint);
     check_exactly(0, 4, 0, 0, 0, hint);
@@ -191,8 +193,8 @@ TEST_CASE("03.1 any equation is solved to four units in the last place", "[03.1]
     const auto any = [&] { return any_number(rng, -2, 2); };
     for (int i = 0; i < 300; ++i)
         check_solutions(any(), any(), any(),
-                        "of the two solutions, compute the one that does not cancel by q, and get "
-                        "the other as c / q; then each step rounds once");
+                        "compute q, in which b and the root add up, and from it both solutions: q "
+                        "/ a and c / q. Then nothing cancels");
 }
 
 TEST_CASE("03.1 the small solution survives beside a large one", "[03.1][hard]") {
@@ -228,20 +230,20 @@ TEST_CASE("03.1 nearly equal solutions are told apart", "[03.1][hard]") {
     }
 }
 
-TEST_CASE("03.1 a huge discriminant is no trouble", "[03.1][hard]") {
+TEST_CASE("03.1 a huge discriminant does not overflow", "[03.1][hard]") {
     constexpr Real far = for_this_precision<Real>(17, 150);
     rt::Rng rng{31, 8};
     const auto huge = [&] { return any_number(rng, far - 2, far); };
     for (int i = 0; i < 200; ++i)
         check_solutions(huge(), huge(), huge(),
-                        "get one solution as c / q; and b b - 4 a c is within range here, so none "
-                        "of your other products may leave it");
+                        "get one solution as c / q; b b - 4 a c does not overflow here, so your "
+                        "other products must not overflow either");
 }
 
-TEST_CASE("03.1 a and c may be as large as any number", "[03.1][hard]") {
+TEST_CASE("03.1 a or c is close to the largest number", "[03.1][hard]") {
     const char* const hint =
-        "4 a c is within range here, but 4 * a or 4 * c is not. With b / 2, which loses nothing, "
-        "difference_of_products gives a quarter of the discriminant, and needs no factor";
+        "4 a c does not overflow here, but 4 * a or 4 * c does. Use b / 2, which is exact: "
+        "difference_of_products then gives a quarter of the discriminant without the factor 4";
     rt::Rng rng{31, 4};
     const int most = std::numeric_limits<Real>::max_exponent - 2, j = for_this_precision(14, 140);
     for (int n = 0; n < 1000; ++n) {

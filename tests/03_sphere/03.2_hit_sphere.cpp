@@ -67,11 +67,12 @@ struct Meeting {
 const char* suggestion(const Meeting& exact, Interval within, const Hit& t) {
     if (!exact.moves) return "a is 0: a ray that does not move meets nothing";
     if (!exact.hits) return "the ray passes by: the discriminant is negative, so return {}";
-    if (!t) return "the discriminant is positive; check the nearer solution, then the farther one";
-    if (!within.contains(*t)) return "this t is not within the interval: within.contains(t) tells";
+    if (!t) return "the discriminant is positive: check the nearer solution, then the farther one";
+    if (!within.contains(*t))
+        return "this t is not within the interval: test it with within.contains(t)";
     const auto computed = static_cast<double>(*t);
     if (exact.is_at(computed, exact.high))
-        return "that is the farther solution: take the nearer one where it is within the interval";
+        return "this is the farther solution: take the nearer one if it is within the interval";
     if (exact.is_at(computed / exact.length, exact.low) ||
         exact.is_at(computed / exact.length, exact.high) ||
         exact.is_at(computed / exact.length / exact.length, exact.low))
@@ -199,14 +200,14 @@ Sphere any_sphere(rt::Rng& rng) {
 }  // namespace
 
 TEST_CASE("03.2 from outside the near side is hit", "[03.2]") {
-    check(
-        {{0, 0, -5}, 1}, forward, ahead, Real(4),
-        "the line meets it at t = 4 and 6. If you find -6 and -4, f points the wrong way: it leads "
-        "from the center to the ray's origin");
-    check({{0, 3, -9}, 5}, forward, ahead, Real(5), "half of the chord is 4: 3, 4, 5");
+    check({{0, 0, -5}, 1}, forward, ahead, Real(4),
+          "the line meets the sphere at t = 4 and 6. If you find -6 and -4, f has the wrong sign: "
+          "it must lead from the center to the ray's origin");
+    check({{0, 3, -9}, 5}, forward, ahead, Real(5),
+          "half of the chord is 4, because 3^2 + 4^2 = 5^2");
 }
 
-TEST_CASE("03.2 numbers need not be whole", "[03.2]") {
+TEST_CASE("03.2 results need not be whole numbers", "[03.2]") {
     const char* const hint = "a, b and c are of the type Real: an int drops the fraction";
     check({{0, 0, -2}, Real(1.5)}, forward, ahead, Real(0.5), hint);
     check({{0, 0, Real(-1.25)}, 1}, forward, ahead, Real(0.25), hint);
@@ -225,7 +226,7 @@ TEST_CASE("03.2 a ray that passes by hits nothing", "[03.2]") {
 
 TEST_CASE("03.2 a sphere behind the ray is not hit", "[03.2]") {
     check({{0, 0, 5}, 1}, forward, ahead, {},
-          "the line meets it at t = -6 and -4, but the interval starts at 0");
+          "the line meets the sphere at t = -6 and -4, but the interval starts at 0");
 }
 
 TEST_CASE("03.2 from inside the far side is hit", "[03.2]") {
@@ -240,15 +241,17 @@ TEST_CASE("03.2 the direction may have any length", "[03.2]") {
     check({{0, 0, -5}, 1}, {{0, 0, 0}, {0, 0, Real(-0.5)}}, ahead, Real(8),
           "t is measured in lengths of the direction: a = dot(d, d) is 1/4 here");
     check({{0, 0, -5}, 1}, {{0, 0, 0}, {0, 0, Real(-0x1p-40)}}, ahead, Real(0x4p40),
-          "short is not zero: compare a with 0 exactly");
+          "a short direction is not zero: compare a with 0 exactly");
 }
 
 TEST_CASE("03.2 only hits within the interval count", "[03.2]") {
     const Sphere sphere{{0, 0, -5}, 1};  // hit at 4 and at 6
     check(sphere, forward, {0, 3}, {}, "both hits are beyond the end of the interval");
-    check(sphere, forward, {0, 5}, Real(4), "4 is within");
-    check(sphere, forward, {5, infinity}, Real(6), "4 lies before the interval, 6 within");
-    check(sphere, forward, {Real(4.5), Real(5.5)}, {}, "neither 4 nor 6 is within");
+    check(sphere, forward, {0, 5}, Real(4), "t = 4 is within the interval");
+    check(sphere, forward, {5, infinity}, Real(6),
+          "t = 4 lies before the interval, and t = 6 within it");
+    check(sphere, forward, {Real(4.5), Real(5.5)}, {},
+          "neither t = 4 nor t = 6 is within the interval");
     check(sphere, forward, {7, infinity}, {}, "both hits lie before the interval");
     check(sphere, forward, {4, 4}, Real(4), "the ends of the interval belong to it");
     check(sphere, forward, {6, 9}, Real(6), "the ends of the interval belong to it");
@@ -302,8 +305,7 @@ TEST_CASE("03.2 near spheres are hit within the bound", "[03.2][hard]") {
 
 const char* const cancels =
     "b^2 - 4 a c cancels when the sphere is far. 'The discriminant of a far sphere' in the text "
-    "has "
-    "one whose terms are as small as the sphere";
+    "derives a form whose terms are as small as the sphere";
 
 TEST_CASE("03.2 a sphere a million radii away is hit where it should be", "[03.2][hard]") {
     rt::Rng rng{32, 5};
@@ -348,7 +350,7 @@ TEST_CASE("03.2 tiny and huge spheres are hit", "[03.2][hard]") {
         const Real distance = i % 4 < 2 ? rng.uniform(2, 102) : seen_from;
         const Real aside = any_aside(rng, i % 4 < 2 ? real(1.3) : Real(1));
         check_both(sphere, aimed(rng, sphere, distance, aside, 1),
-                   "is there a number such as 0.001 in your code? No scale is special");
+                   "use no fixed number such as 0.001: spheres may have any size");
     }
 }
 

@@ -37,7 +37,7 @@ Nearest by_comparing(const Spheres& spheres, const Ray& ray, Interval within) {
 
 const char* suggestion(const Nearest& expected, const Nearest& computed, std::size_t count) {
     if (!expected) return "no sphere is hit within the interval: return {}";
-    if (!computed) return "call hit_sphere for every sphere, and keep what it gives";
+    if (!computed) return "call hit_sphere for every sphere, and keep the hits that it returns";
     if (computed->number >= count) return "the spheres are numbered from 0 to their count minus 1";
     if (computed->number == expected->number)
         return "return the t that hit_sphere gave for this very sphere";
@@ -54,7 +54,7 @@ void check(const Spheres& spheres, const Ray& ray, Interval within, const Neares
         list += "\n  number " + std::to_string(i) + ": center " +
                 checkpoint::text(spheres[i].shape.center) + ", radius " +
                 checkpoint::text(spheres[i].shape.radius);
-    if (spheres.size() > 6) list += "\n  and so on";
+    if (spheres.size() > 6) list += "\n  and more";
     INFO(spheres.size() << " spheres" << list << "\nray from " << checkpoint::text(ray.origin)
                         << " along " << checkpoint::text(ray.direction) << ", t from "
                         << checkpoint::text(within.min) << " to " << checkpoint::text(within.max));
@@ -139,7 +139,7 @@ TEST_CASE("03.3 a sphere that is near but off the ray does not count", "[03.3]")
     check({large, sphere_at(6)}, forward, ahead, rt::NearestSphere{0, 2});
 }
 
-TEST_CASE("03.3 only t within the interval counts", "[03.3]") {
+TEST_CASE("03.3 only hits within the interval count", "[03.3]") {
     const Spheres spheres{sphere_at(10), sphere_at(2), sphere_at(6)};
     check(spheres, forward, {0, 1}, {});
     check(spheres, forward, {0, 5}, rt::NearestSphere{1, 2});
@@ -169,7 +169,7 @@ TEST_CASE("03.3 t is what hit_sphere gives for this sphere", "[03.3]") {
     }
 }
 
-TEST_CASE("03.3 a call leaves nothing behind for the next one", "[03.3]") {
+TEST_CASE("03.3 a call does not affect the next call", "[03.3]") {
     check({sphere_at(2)}, forward, ahead, rt::NearestSphere{0, 2});
     check({beside, sphere_at(6)}, forward, ahead, rt::NearestSphere{1, 6});
     check({beside}, forward, ahead, {});
@@ -189,7 +189,7 @@ TEST_CASE("03.3 of equally near spheres the last counts", "[03.3][hard]") {
     check({sphere_at(2), sphere_at(2)}, forward, {2, 2}, rt::NearestSphere{1, 2});
 }
 
-TEST_CASE("03.3 spheres around the origin of the ray count by where it leaves them",
+TEST_CASE("03.3 a sphere around the origin of the ray counts with the t at which the ray leaves it",
           "[03.3][hard]") {
     const auto around = [](Real radius) { return SceneSphere{{{0, 0, 0}, radius}, 0}; };
     check({around(5), around(3), around(8)}, forward, ahead, rt::NearestSphere{1, 3});

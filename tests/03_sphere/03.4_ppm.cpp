@@ -82,8 +82,8 @@ TEST_CASE("03.4 the header has the format and the size and 255", "[03.4]") {
 TEST_CASE("03.4 bytes are written as numbers", "[03.4]") {
     const std::string text = written(Image{2, 1, white});
     INFO("the text is " << begin_of(text)
-                        << ".\nHint: a std::uint8_t prints as a character, + in front makes it a "
-                           "number; and there must be a space or a new line after each");
+                        << ".\nHint: a std::uint8_t is printed as a character; write + before it "
+                           "to print a number, and a space or a line break after each number");
     for (std::size_t i = 2; i < text.size(); ++i) {  // after P3
         const auto letter = static_cast<unsigned char>(text[i]);
         REQUIRE((std::isdigit(letter) || std::isspace(letter)));
@@ -96,7 +96,8 @@ TEST_CASE("03.4 red comes before green and green before blue", "[03.4]") {
     image.at(0, 0) = red;
     image.at(1, 0) = green;
     image.at(2, 0) = blue;
-    check_bytes(image, {255, 0, 0, 0, 255, 0, 0, 0, 255}, "red, green, blue: c.r, c.g, c.b");
+    check_bytes(image, {255, 0, 0, 0, 255, 0, 0, 0, 255},
+                "write c.r, c.g and c.b in this order: red, green, blue");
 }
 
 TEST_CASE("03.4 rows run from the top and pixels from the left", "[03.4]") {
@@ -109,14 +110,14 @@ TEST_CASE("03.4 rows run from the top and pixels from the left", "[03.4]") {
                 "the pixels are (0, 0), (1, 0), then (0, 1), (1, 1), ...: y in the outer loop");
 }
 
-TEST_CASE("03.4 light is stored in sRGB", "[03.4]") {
+TEST_CASE("03.4 colors are stored in sRGB", "[03.4]") {
     // 0.5 of the light is byte 188; 0.2 is 124 and 0.002 is 7 (the straight piece of the curve).
     check_bytes(Image{1, 1, {Real(0.5), Real(0.2), Real(0.002)}}, {188, 124, 7},
                 "the image holds linear light: rt::to_byte applies the sRGB curve");
 }
 
 TEST_CASE("03.4 an image may have a single pixel", "[03.4][hard]") {
-    check_bytes(Image{1, 1, black}, {0, 0, 0}, "one pixel, three numbers");
+    check_bytes(Image{1, 1, black}, {0, 0, 0}, "one pixel has three numbers");
     for (const Image& image : {Image{1, 7}, Image{7, 1}, Image{300, 1}, Image{1, 700}}) {
         INFO("an image of " << image.width() << 'x' << image.height() << " pixels starts with "
                             << begin_of(written(image)));
@@ -137,7 +138,7 @@ TEST_CASE("03.4 light outside of 0 to 1 is clamped", "[03.4][hard]") {
     check_bytes(Image{1, 1, {1 - rt::epsilon, 1 + rt::epsilon, Real(1e30)}}, {255, 255, 255}, hint);
 }
 
-TEST_CASE("03.4 each of the 256 bytes comes back", "[03.4][hard]") {
+TEST_CASE("03.4 each of the 256 byte values is written and read back unchanged", "[03.4][hard]") {
     Image image{256, 1};
     std::vector<int> expected;
     for (int byte = 0; byte < 256; ++byte) {
@@ -145,10 +146,12 @@ TEST_CASE("03.4 each of the 256 bytes comes back", "[03.4][hard]") {
         image.at(byte, 0) = {light, light, light};
         for (int channel = 0; channel < 3; ++channel) expected.push_back(byte);
     }
-    check_bytes(image, expected, "round to the nearest byte: cutting digits off loses one");
+    check_bytes(
+        image, expected,
+        "round to the nearest byte: if you cut off the digits, the byte may be one too small");
 }
 
-TEST_CASE("03.4 any image comes out byte by byte", "[03.4][hard]") {
+TEST_CASE("03.4 any image is written byte by byte", "[03.4][hard]") {
     rt::Rng rng{33, 1};
     for (const int width : {1, 13, 64}) {
         Image image{width, 41};

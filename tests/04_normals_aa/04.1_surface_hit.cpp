@@ -132,7 +132,7 @@ TEST_CASE("04.1 a hit from outside has the outward normal and is in front", "[04
         CHECK(hit.point == Vec3{1, 2, 5});
     }
     INFO("expected the normal (0, 0, 1), actual "
-         << text(hit.normal) << ".\nHint: from the center to the point, then normalize");
+         << text(hit.normal) << ".\nHint: normalize the vector from the center to the point");
     CHECK(hit.normal == Vec3{0, 0, 1});
     INFO("Hint: the ray came from outside if its direction points against the normal");
     CHECK(hit.front);
@@ -165,7 +165,7 @@ TEST_CASE("04.1 the side is right for every ray", "[04.1]") {
     });
 }
 
-TEST_CASE("04.1 the side is right from as far away as rounding allows", "[04.1][hard]") {
+TEST_CASE("04.1 the side is right as long as rounding can tell", "[04.1][hard]") {
     const Real far = 1 / (16 * rt::epsilon);
     for_shots(20000, 2, far, [](const Shot& shot) {
         check_side(shot, rt::surface_hit(shot.sphere, shot.ray, shot.t));
@@ -233,12 +233,12 @@ TEST_CASE("04.1 the point lies on the surface within its error bound", "[04.1][h
         if (!is_right) {
             INFO(text(shot));
             INFO("the point " << text(hit.point) << " is " << off
-                              << " off the surface, its bound is " << hit.point_error
+                              << " off the surface; its bound is " << hit.point_error
                               << ", its normal " << text(hit.normal));
             {
                 INFO(
-                    "Hint: move the point onto the surface, to center + radius * normal: what is "
-                    "left is the rounding of that");
+                    "Hint: move the point onto the surface, to center + radius * normal: only the "
+                    "rounding of this sum is left");
                 REQUIRE(off_over_allowed <= 1);
                 REQUIRE(beside_over_allowed <= 1);
             }
@@ -265,7 +265,8 @@ TEST_CASE("04.1 the error bound is the one that the text derives", "[04.1][hard]
             INFO(text(shot));
             INFO("the point is " << text(p) << ", the normal " << text(n));
             HINT(expected, hit.point_error,
-                 "u (|Px nx| + |Py ny| + |Pz nz|) + 16 u r with u = epsilon / 2. A smaller bound "
+                 "the bound is u (|Px nx| + |Py ny| + |Pz nz|) + 16 u r with u = epsilon / 2. A "
+                 "smaller bound "
                  "lets rays start inside, since hit_sphere rounds too; a larger one lets them "
                  "start beyond other surfaces");
             REQUIRE(text(hit.point_error) == text(expected));
@@ -277,8 +278,8 @@ TEST_CASE("04.1 the error bound is the one that the text derives", "[04.1][hard]
 TEST_CASE("04.1 a ray that grazes the sphere counts as in front", "[04.1][hard]") {
     const Hit hit = rt::surface_hit({{0, 0, 0}, 1}, {{-2, 0, 1}, {1, 0, 0}}, 2);
     INFO(
-        "direction (1, 0, 0), normal (0, 0, 1): their dot product is 0.\nHint: front is true if it "
-        "is not greater than 0; a ray from inside cannot graze");
+        "direction (1, 0, 0), normal (0, 0, 1): their dot product is 0.\nHint: front is true if "
+        "the dot product is not greater than 0; a ray from inside cannot graze");
     CHECK(hit.normal == Vec3{0, 0, 1});
     CHECK(hit.front);
 }
@@ -296,8 +297,7 @@ TEST_CASE("04.1 a scene 2^30 times larger or smaller gives the same hits", "[04.
                                  scaled.point_error == s * hit.point_error;
             if (!is_same) {
                 INFO(text(shot));
-                INFO("scaled by 2^"
-                     << power << ".\nHint: is there a constant length somewhere, such as 0.001?");
+                INFO("scaled by 2^" << power << ".\nHint: use no constant length, such as 0.001");
                 REQUIRE(text(scaled.point) == text(s * hit.point));
                 REQUIRE(text(scaled.normal) == text(hit.normal));
                 REQUIRE(scaled.front == hit.front);
@@ -308,7 +308,7 @@ TEST_CASE("04.1 a scene 2^30 times larger or smaller gives the same hits", "[04.
     });
 }
 
-TEST_CASE("04.1 a sphere too far away to be seen has a normal all the same", "[04.1][hard]") {
+TEST_CASE("04.1 a sphere too far away to be seen still has a normal", "[04.1][hard]") {
     // Rounding swallows the radius: origin + t * direction is the center itself.
     rt::Rng rng{41, 2};
     const auto any_number = [&] { return static_cast<Real>(rng() % 33) - 16; };
@@ -334,13 +334,13 @@ TEST_CASE("04.1 a sphere too far away to be seen has a normal all the same", "[0
                  "reversed direction of the ray, with length 1");
             REQUIRE(error_in_ulp(hit.normal, expected) <= 8);
         }
-        INFO("Hint: hit head on means hit from outside");
+        INFO("Hint: a sphere that is hit head on is hit from outside");
         REQUIRE(hit.front);
         const auto place = [&](Real c, Real n) { return Exact(c) + Exact(radius) * Exact(n); };
         const Vec3 n = hit.normal;
         const ExactVec3 point{place(center.x, n.x), place(center.y, n.y), place(center.z, n.z)};
         {
-            HINT(point, hit.point, "center + radius * normal, as for every other hit");
+            HINT(point, hit.point, "the point is center + radius * normal, as for every other hit");
             REQUIRE(error_in_ulp(hit.point, point) <= 2);
         }
         const Vec3 p = hit.point;

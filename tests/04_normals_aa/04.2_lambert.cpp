@@ -53,7 +53,7 @@ TEST_CASE("04.2 the cosine is right for any two directions", "[04.2]") {
             std::abs((expected - Exact(computed)).high) / static_cast<double>(rt::epsilon);
         if (!(error_in_epsilons <= 8)) {
             UNSCOPED_INFO("lambert(" << text(n) << ", " << text(l) << ")");
-            UNSCOPED_HINT(expected, computed, "max(0, cosine)");
+            UNSCOPED_HINT(expected, computed, "the light is max(0, cosine)");
         }
         REQUIRE(error_in_epsilons <= 8);
     }
@@ -64,13 +64,12 @@ TEST_CASE("04.2 the last light before sunset is not lost", "[04.2][hard]") {
         const Real computed = light_on_floor(height);
         INFO("the light is " << text(height) << " above the horizon");
         {
-            HINT(height, computed,
-                 "only a value below 0 becomes 0: there is no threshold above it");
+            HINT(height, computed, "only a value below 0 becomes 0: use no threshold above 0");
             REQUIRE(error_in_ulp(computed, height) <= allowed_ulps);
         }
         const Real set = light_on_floor(-height);
         if (set == 0) continue;
-        INFO("and now it is as far below the horizon");
+        INFO("now the light is as far below the horizon");
         HINT(Real(0), set, "the cosine is negative there: take the larger of 0 and the cosine");
         REQUIRE(text(set) == "0");
     }

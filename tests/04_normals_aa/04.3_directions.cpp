@@ -42,7 +42,7 @@ TEST_CASE("04.3 uniform directions cover the sphere evenly", "[04.3]") {
     INFO("chi-square of 200 cells of equal area: "
          << statistic
          << ".\nHint: z is spread evenly from -1 to 1, the angle about the z axis from 0 to 2 pi; "
-            "evenly spread angles from the pole crowd the poles");
+            "if the angle from the pole is spread evenly, directions crowd at the poles");
     CHECK(statistic < chi_square_limit(turns * rings - 1));
 }
 
@@ -63,11 +63,12 @@ TEST_CASE("04.3 bounces follow the cosine about any normal", "[04.3]") {
     for (const Grid& grid : grids)
         for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += grid.counts[i];
     {
-        INFO(below << " of " << samples << " directions point below the surface.\nHint: "
-                   << (below == samples
-                           ? "they are upside down: the height is +sqrt(1 - x), along the normal"
-                           : "x, y and z of the hemisphere are those of the normal's basis: "
-                             "orthonormal_basis(normal).to_world({...}) turns them"));
+        INFO(below
+             << " of " << samples << " directions point below the surface.\nHint: "
+             << (below == samples
+                     ? "the directions are upside down: the height along the normal is +sqrt(1 - x)"
+                     : "x, y and z of the hemisphere are those of the normal's basis: "
+                       "orthonormal_basis(normal).to_world({...}) turns them"));
         REQUIRE(below == 0);
     }
     {
@@ -83,13 +84,14 @@ TEST_CASE("04.3 bounces follow the cosine about any normal", "[04.3]") {
     const double surplus = static_cast<double>(close) - expected;
     const char* hint =
         surplus > noise
-            ? "too many along the normal: the radius on the disk is the square ROOT of x, since x "
-              "itself crowds the middle of the disk"
-        : surplus < -noise
-            ? "too few along the normal: evenly spread directions do not follow the cosine, even "
-              "if those below are flipped up. Radius sqrt(x), height sqrt(1 - x)"
-            : "the right number along the normal, but not spread evenly around it, or wrong near "
-              "the horizon: the angle goes once around, 2 pi y; the height is sqrt(1 - x)";
+            ? "too many directions are close to the normal: the radius on the disk is the square "
+              "root of x; with x itself, points crowd in the middle of the disk"
+        : surplus < -noise ? "too few directions are close to the normal: evenly spread directions "
+                             "do not follow the cosine, even if those below are flipped up. Take "
+                             "the radius sqrt(x) and the height sqrt(1 - x)"
+                           : "the right number of directions is close to the normal, but they are "
+                             "not spread evenly around it, or are wrong near the horizon: the "
+                             "angle goes once around, 2 pi y; the height is sqrt(1 - x)";
     INFO("chi-square of a 20 x 10 grid of the hemisphere against cos / pi: "
          << statistic << "; within 27 degrees of the normal: actual " << close << " directions of "
          << samples << ", expected " << expected << ".\nHint: " << hint);
@@ -126,7 +128,7 @@ TEST_CASE("04.3 the corners of the square give directions too", "[04.3][hard]") 
         INFO("place (" << text(place.x) << ", " << text(place.y) << ") gives " << text(d));
         REQUIRE(rt::is_finite(d));
         const double off_in_epsilons = length_error(d) / static_cast<double>(rt::epsilon);
-        INFO("this is how far its length is from 1, in epsilon; 2 are allowed");
+        INFO("the direction's length differs from 1 by this many epsilon; 2 are allowed");
         REQUIRE(off_in_epsilons <= 2);
     };
     for (const Vec2 place : corners) check(place);
@@ -158,8 +160,9 @@ TEST_CASE("04.3 the corners of the square give directions too", "[04.3][hard]") 
         if (off_in_epsilons <= 8) continue;
         INFO("place (" << text(place.x) << ", " << text(place.y) << ") gives " << text(d));
         HINT(static_cast<Real>(expected), static_cast<Real>(from_axis),
-             "this is the distance from the axis. Near the poles 1 - z^2 cancels, and 1 - z has "
-             "lost digits with the rounding of z; 4 x (1 - x) has them all");
+             "the values are the direction's distance from the axis. Near the poles, 1 - z^2 "
+             "cancels, and 1 - z lacks the digits that the rounding of z has lost; 4 x (1 - x) has "
+             "all digits");
         REQUIRE(off_in_epsilons <= 8);
     }
 }
@@ -170,7 +173,7 @@ TEST_CASE("04.3 bounces stay above the surface at any normal", "[04.3][hard]") {
         const auto direction = [&] {
             INFO("normal " << text(normal) << ", place (" << text(place.x) << ", " << text(place.y)
                            << ").\nHint: normal plus uniform direction may be the zero vector, "
-                              "which cannot be normalized; the lifted disk has no such point");
+                              "which cannot be normalized; a point lifted from the disk never is");
             return rt::cosine_direction(normal, place);
         };
         const Vec3 d = direction();
@@ -182,9 +185,10 @@ TEST_CASE("04.3 bounces stay above the surface at any normal", "[04.3][hard]") {
                            << ") gives " << text(d));
             REQUIRE(rt::is_finite(d));
             {
-                INFO("its length differs from 1 by " << length_error(d)
-                                                     << ".\nHint: normalize the result, since the "
-                                                        "basis is accurate only to 8 epsilon");
+                INFO("the direction's length differs from 1 by "
+                     << length_error(d)
+                     << ".\nHint: normalize the result, since the "
+                        "basis is accurate only to 8 epsilon");
                 REQUIRE(in_epsilons <= 2);
             }
             INFO("Hint: even at the rim of the disk the height is sqrt(1 - x) > 0");

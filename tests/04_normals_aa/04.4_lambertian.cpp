@@ -35,8 +35,9 @@ rt::Scatter bounce(const Lambertian& material, Vec3 incoming, const Hit& hit, au
             "never returns zero");
     }
     FAIL(
-        "expected a Scatter, actual none.\n"
-        "Hint: a matte surface absorbs nothing by chance: what it absorbs is in the attenuation");
+        "expected a Scatter, actual: none.\n"
+        "Hint: a matte surface does not absorb whole paths at random: the attenuation already "
+        "holds what it absorbs");
     return {};
 }
 
@@ -69,7 +70,8 @@ double check_direction(const Hit& hit, Vec3 d) {
         INFO("Hint: facing_normal(hit) is the normal on the side that the ray came from");
         REQUIRE(cosine > 0);
     }
-    INFO("its length differs from 1 by " << off << " epsilon; 2 are allowed.\nHint: normalize it");
+    INFO("the direction's length differs from 1 by "
+         << off << " epsilon; 2 are allowed.\nHint: normalize it");
     REQUIRE(off <= 2);
     return cosine;
 }
@@ -117,7 +119,7 @@ TEST_CASE("04.4 the attenuation is the albedo", "[04.4]") {
     }
 }
 
-TEST_CASE("04.4 light comes back on the side that the ray came from", "[04.4]") {
+TEST_CASE("04.4 light is scattered to the side that the ray came from", "[04.4]") {
     rt::Rng rng{44, 2};
     double lowest = 1;
     for (int i = 0; i < 20'000; ++i) {
@@ -144,11 +146,10 @@ TEST_CASE("04.4 the direction of the ray does not matter", "[04.4]") {
         const Vec3 a = bounce(clay, toward(hit, rng), hit, one).direction;
         const Vec3 b = bounce(clay, toward(hit, rng), hit, other).direction;
         if (!(a == b))
-            UNSCOPED_INFO(
-                "with the same random numbers two rays give "
-                << text(a) << " and " << text(b)
-                << ".\nHint: a matte surface forgets where the light came from, and all that is "
-                   "random is drawn from `random`");
+            UNSCOPED_INFO("with the same random numbers two rays give "
+                          << text(a) << " and " << text(b)
+                          << ".\nHint: for a matte surface, the incoming direction does not "
+                             "matter; draw all random numbers from `random`");
         REQUIRE(a == b);
     }
 }
@@ -177,7 +178,7 @@ TEST_CASE("04.4 each bounce draws new random numbers", "[04.4]") {
     }
     INFO("chi-square of one bounce against the next, around the normal: "
          << pairs.chi_square() << ", along it: " << heights.chi_square() << "; expected less than "
-         << PairCounts::limit() << ".\nHint: every call draws its own place: random_place(random)");
+         << PairCounts::limit() << ".\nHint: draw a new place in every call: random_place(random)");
     CHECK(pairs.chi_square() < PairCounts::limit());
     CHECK(heights.chi_square() < PairCounts::limit());
 }

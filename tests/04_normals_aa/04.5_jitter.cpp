@@ -53,15 +53,17 @@ void check_offset(int cell, int n, Vec2 place) {
                      << all(offset));
         if (!near_x || !near_y) {
             INFO(
-                "expected (column + x) / n across, (row + y) / n down, where (x, y) is the place: "
+                "expected the offset ((column + x) / n, (row + y) / n), where (x, y) is the place: "
                 << all(sum)
-                << ".\nHint: the column of a cell is cell % n, its row cell / n in whole numbers. "
+                << ".\nHint: the column of a cell is cell % n, and its row is cell / n in whole "
+                   "numbers. "
                    "Every other division needs a Real: (column + 1) / n of whole numbers drops the "
                    "fraction");
             REQUIRE(all(offset) == all(sum));
         }
         INFO(
-            "Hint: this is the next cell's edge. The sum is rounded, and so is the quotient: limit "
+            "Hint: your offset lies on the next cell's edge. The sum is rounded, and so is the "
+            "quotient: limit "
             "the quotient, not the sum, to the largest number below (k + 1) / n, in x and in y");
         if (!in_x) REQUIRE(text(offset.x) == "less than " + text(expected(column + 1, 0)));
         REQUIRE(text(offset.y) == "less than " + text(expected(row + 1, 0)));
@@ -158,7 +160,7 @@ TEST_CASE("04.5 each sample is uniform in its cell and independent of the others
                 const auto name = [&](std::size_t k) {
                     return std::string{k % 2 ? "y" : "x"} + " of sample " + std::to_string(k / 2);
                 };
-                INFO(samples << " samples a pixel: " << name(i) << " and " << name(j)
+                INFO(samples << " samples per pixel: " << name(i) << " and " << name(j)
                              << ", each from 0 to 1 across its cell, are not independent or not "
                                 "spread evenly: the chi-square of their pairs is "
                              << statistic << ".\nHint: " << hint);
@@ -175,7 +177,7 @@ TEST_CASE("04.5 each sample is uniform in its cell and independent of the others
             places.add(offset.x, offset.y);
             return Color{};
         });
-    INFO("7 samples a pixel, 3 of them left over: the chi-square of all points in the pixel is "
+    INFO("7 samples per pixel, 3 of them left over: the chi-square of all points in the pixel is "
          << places.chi_square() << ".\nHint: the samples left over go anywhere in the pixel");
     CHECK(places.chi_square() < PairCounts::limit());
 }
@@ -198,7 +200,7 @@ TEST_CASE("04.5 an edge pixel shows how much of it is covered", "[04.5]") {
         // Correct code stays within 6 standard errors in all but one of 500 million runs.
         CHECK(std::abs(jittered.mean() - covered) <= 6 * jittered.standard_error());
         if (samples < 16) continue;
-        INFO("the variance is " << jittered.variance() << ", without the grid it is "
+        INFO("the variance is " << jittered.variance() << "; without the grid it is "
                                 << covered * (1 - covered) / samples);
         CHECK(jittered.variance() < covered * (1 - covered) / samples / 2);
     }
@@ -230,7 +232,7 @@ TEST_CASE("04.5 a million samples are accurate even in float", "[04.5][hard]") {
             return color;
         });
         INFO(samples << " samples.\nHint: a large float sum has no digits left for a small sample. "
-                        "Add up with a ColorSum, or each row of cells on its own");
+                        "Add up with a ColorSum, or add up each row of cells separately");
         const auto check = [&](Real actual, double sum) {
             const double expected = sum / samples;
             INFO("expected " << expected << ", actual " << actual);

@@ -65,7 +65,7 @@ TEST_CASE("04.6 the ray starts just off the surface on the side it leaves to", "
         const Vec3 out = rt::leave_surface(hit, up), in = rt::leave_surface(hit, -up);
         INFO("leaving (0, 0, 1) along " << text(up) << ": your ray starts at " << text(out)
                                         << ", and in the opposite direction at " << text(in));
-        INFO("Hint: move along the normal, by the error of the point and that of the sum");
+        INFO("Hint: move along the normal, by the error of the point plus the error of the sum");
         CHECK(out.x == 0);
         CHECK(out.y == 0);
         CHECK(out.z >= 1 + 8 * rt::epsilon);
@@ -115,14 +115,13 @@ TEST_CASE("04.6 the start moves along the normal by one to four times the error"
                               << text(direction) << ": your ray starts at " << text(start));
             {
                 INFO(
-                    "Hint: it is moved to the wrong side. The right side is the one to which the "
+                    "Hint: the start is moved to the wrong side. The right side is the side to "
+                    "which the "
                     "new direction points, however slightly");
                 REQUIRE(moved_in_errors > 0);
             }
             {
-                INFO(
-                    "Hint: move by the error of the point plus what rounding the sum may take "
-                    "back");
+                INFO("Hint: move by the error of the point plus the rounding error of the sum");
                 REQUIRE(moved_in_errors >= 1 - 1e-3);
             }
             {
@@ -148,9 +147,10 @@ TEST_CASE("04.6 a million rays never meet the surface that they leave", "[04.6][
             UNSCOPED_INFO(describe(place, out) << " is met again at t = " << text(*t));
             const double moved = exact_dot(ray.origin - place.hit.point, place.hit.normal);
             const double error = static_cast<double>(place.hit.point_error);
-            UNSCOPED_INFO("it starts " << moved << " above the point, whose error is " << error);
+            UNSCOPED_INFO("the ray starts " << moved << " above the point, whose error is "
+                                            << error);
             UNSCOPED_INFO(
-                "Hint: " << (moved < 0 ? "it starts on the wrong side"
+                "Hint: " << (moved < 0 ? "the ray starts on the wrong side"
                              : moved < 2 * error
                                  ? "the sum point + distance * normal is rounded, too, which may "
                                    "take back a part of the move: add that to the distance"
@@ -177,7 +177,7 @@ TEST_CASE("04.6 a million rays meet a wall that is ten error bounds away", "[04.
             INFO(describe(place, hit.normal)
                  << " starts at " << text(start) << ", beyond a wall at a distance of "
                  << text(10 * hit.point_error));
-            INFO("Hint: start off the surface by its error, and by no more than that requires");
+            INFO("Hint: start no farther off the surface than the error requires");
             REQUIRE(t);
             REQUIRE(*t < r);
         }
@@ -208,8 +208,8 @@ TEST_CASE("04.6 a ray into the sphere meets its far side", "[04.6][hard]") {
         if (off_over_allowed <= 1) continue;
         INFO(describe(place, in));
         INFO(
-            "Hint: the ray must start inside; what it meets then is the far end of its chord. The "
-            "values are its distance, in radii; it may be off by "
+            "Hint: the ray must start inside; it then meets the far end of its chord. The values "
+            "are the distance to that end, in radii; the allowed error is "
             << allowed);
         REQUIRE(t);
         REQUIRE(text(static_cast<Real>(found)) == text(static_cast<Real>(chord)));
@@ -242,8 +242,9 @@ TEST_CASE("04.6 a ray starts inside a sphere of a few coordinate steps", "[04.6]
             rt::hit_sphere(sphere, {rt::leave_surface(place.hit, in), in}, {}).has_value();
         if (meets_far_side) continue;
         UNSCOPED_INFO(describe(place, in)
-                      << ": it does not meet the far side. The radius is " << sphere.radius / step
-                      << " steps of the coordinates there, the cosine " << cosine);
+                      << ": the ray does not meet the far side. The radius is "
+                      << sphere.radius / step
+                      << " steps of the coordinates there, and the cosine is " << cosine);
         UNSCOPED_INFO(
             "Hint: start inside, along the normal, by the error of the point and of the sum alone");
     }
@@ -264,7 +265,7 @@ TEST_CASE("04.6 a scene 2^30 times larger or smaller scales the start of the ray
             const Vec3 expected = s * rt::leave_surface(place.hit, out);
             if (!(actual == expected)) {
                 INFO(describe(place, out) << ", scaled by 2^" << power);
-                INFO("Hint: is there a distance that does not come from the numbers at hand?");
+                INFO("Hint: use no distance that does not come from the hit");
                 REQUIRE(text(actual) == text(expected));
             }
             REQUIRE(actual == expected);

@@ -31,8 +31,8 @@ struct Ground {
         asked = within;
         if (rays > 10000)
             throw std::runtime_error(
-                "the path does not end.\nHint: count the bounces; from bounce number `depth` on "
-                "call ending after every bounce, not only after that one");
+                "the path does not end.\nHint: count the bounces; call ending after bounce number "
+                "`depth` and after every later bounce");
         if (ray.direction.y >= 0) return {};
         Hit hit;
         hit.t = 1;
@@ -174,8 +174,8 @@ Color radiance(const Story& story, rt::Rng& rng) {
             story.intervals.push_back(within);
             if (i > story.hits.size() + 50)
                 throw std::runtime_error(
-                    "the path does not end.\nHint: count the bounces, and follow what the ending "
-                    "says after each");
+                    "the path does not end.\nHint: count the bounces, and do what the ending says "
+                    "after each of them");
             if (i >= story.hits.size()) return {};
             return story.hits[i];
         }
@@ -234,7 +234,7 @@ TEST_CASE("04.7 a path that hits nothing returns the sky in its direction", "[04
     CHECK(world.asked.max == rt::infinity);
     const Color bounced =
         rt::path_radiance(downward, world, UpAfter{1}, sky, rt::SkyEnding{}, 8, rng);
-    INFO("straight down and up again: expected "
+    INFO("the path goes straight down and up again: expected "
          << text(tint) << ", actual " << text(bounced)
          << ".\nHint: the light comes from the direction in which the path finally leaves");
     if (!is_near(bounced, tint)) CHECK(text(bounced) == text(tint));
@@ -258,7 +258,8 @@ TEST_CASE("04.7 an absorbed path is black", "[04.7]") {
     rt::Rng rng{45, 3};
     const Color light = rt::path_radiance(downward, Ground{}, Absorber{}, rt::UniformSky{},
                                           rt::SkyEnding{}, 8, rng);
-    INFO("no Scatter means that the light ends here: expected (0, 0, 0), actual " << text(light));
+    INFO("if the material gives no Scatter, the light is absorbed: expected (0, 0, 0), actual "
+         << text(light));
     CHECK(light == Color{});
 }
 
@@ -275,8 +276,8 @@ TEST_CASE("04.7 the material gets the incoming direction and the hit", "[04.7]")
                 8) {
                 INFO("expected the incoming direction "
                      << text(expected) << ", actual " << text(story.incoming[k])
-                     << ".\nHint: pass on the direction in which the ray arrived, not the one from "
-                        "the camera");
+                     << ".\nHint: pass on the direction in which the ray arrived, not the "
+                        "direction of the camera's ray");
                 REQUIRE(text(story.incoming[k]) == text(expected));
             }
             const auto all = [](const Hit& h) {
@@ -330,8 +331,8 @@ TEST_CASE("04.7 any path returns the light that its bounces determine", "[04.7]"
         if (!has_ended) expected = throughput * sky_of(last);
 
         INFO("a path of " << count << " bounces, depth " << story.depth << ", "
-                          << (story.end == Story::End::sky        ? "then it meets the sky"
-                              : story.end == Story::End::absorbed ? "the last one absorbs it"
+                          << (story.end == Story::End::sky        ? "then the path meets the sky"
+                              : story.end == Story::End::absorbed ? "the last bounce absorbs it"
                               : story.end == Story::End::ended_in_sky
                                   ? "then the ending says PathEnd::in_sky"
                                   : "then the ending says PathEnd::in_black"));
@@ -356,22 +357,22 @@ TEST_CASE("04.7 any path returns the light that its bounces determine", "[04.7]"
             }
             if (off(ray.origin, next.origin) > 8) {
                 INFO(
-                    "Hint: the next ray starts at leave_surface(hit, new direction), not at the "
-                    "old direction's; the first one where it was given");
+                    "Hint: the next ray starts at leave_surface(hit, new direction); the first ray "
+                    "starts where it was given");
                 REQUIRE(text(ray.origin) == text(next.origin));
             }
         }
         {
             INFO(
-                "the number of rays that were followed: expected one more than there are bounces, "
-                "unless the path has ended before. Ask the ending after bounce number `depth` and "
-                "after every further one");
+                "the number of rays that were followed: expected one more than the number of "
+                "bounces, unless the path ends before. Call the ending after bounce number `depth` "
+                "and after every later bounce");
             REQUIRE(story.rays.size() == count + !has_ended);
         }
         {
             INFO(
-                "the number of times the ending was asked: it is asked after bounce number "
-                "`depth`, and after every further one");
+                "the number of calls of the ending: call it after bounce number `depth` and after "
+                "every later bounce");
             REQUIRE(story.throughputs.size() == asked);
         }
         for (std::size_t k = 0; k < asked; ++k)
@@ -382,16 +383,17 @@ TEST_CASE("04.7 any path returns the light that its bounces determine", "[04.7]"
                 REQUIRE(text(story.throughputs[k]) == text(throughputs[k]));
             }
         if (!is_near(light, expected)) {
-            INFO("expected the light " << text(expected) << ", actual " << text(light)
-                                       << ".\nHint: throughput times the sky in the direction in "
-                                          "which the ray goes on; black if it is absorbed or ends "
-                                          "in black. However dim it is, it counts");
+            INFO("expected the light "
+                 << text(expected) << ", actual " << text(light)
+                 << ".\nHint: the light is the throughput times the sky in the direction in which "
+                    "the ray goes on, or black if the path is absorbed or ends in black. Even the "
+                    "dimmest light counts");
             REQUIRE(text(light) == text(expected));
         }
         for (std::size_t k = 0; k < draws; ++k) twin();
         INFO(
             "Hint: the path itself draws no random number, and passes on `random` itself, not a "
-            "copy. The values are the next number");
+            "copy. The values are the next number of the generator");
         REQUIRE(rng() == twin());
     }
 }
@@ -412,20 +414,20 @@ TEST_CASE("04.7 the depth limit ends a path in the sky or in black", "[04.7]") {
         INFO("depth " << depth << ": a path that would bounce forever");
         {
             INFO("SkyEnding: expected " << text(power(half, depth)) << ", actual " << text(in_sky)
-                                        << ".\nHint: after `depth` bounces take the sky in the "
-                                           "last direction, times the attenuation of all bounces");
+                                        << ".\nHint: after `depth` bounces, return the sky in the "
+                                           "last direction times the attenuations of all bounces");
             if (!is_near(in_sky, power(half, depth)))
                 REQUIRE(text(in_sky) == text(power(half, depth)));
         }
         if (!(in_black == Color{})) REQUIRE(text(in_black) == "(0, 0, 0)");
         INFO("Hint: a path of depth " << depth << " follows " << depth
-                                      << " rays, no more, no less");
+                                      << " rays, no more and no fewer");
         REQUIRE(sky_world.rays == depth);
         REQUIRE(black_world.rays == depth);
     }
 }
 
-TEST_CASE("04.7 the ray keeps whatever else it carries", "[04.7]") {
+TEST_CASE("04.7 the ray keeps its other members", "[04.7]") {
     rt::Rng rng{45, 6};
     const TimedRay ray{{0, 1, 0}, {0, -1, 0}, real(0.375)};
     const TimedGround world;
@@ -501,20 +503,18 @@ TEST_CASE("04.7 a gray sphere under a white sky returns its albedo", "[04.7]") {
                                                   rt::UniformSky{}, rt::BlackEnding{}, 16, rng);
             const bool is_near = std::abs(light.r - albedo) <= rt::epsilon;
             if (!is_near) {
-                INFO("radius "
-                     << text(radius) << ": expected " << text(albedo) << ", actual "
-                     << text(light.r)
-                     << ".\nHint: the path met the sphere again that it had just left, and "
-                        "was dimmed twice. Move by the error of the point plus what rounding "
-                        "the sum may take back");
+                INFO("radius " << text(radius) << ": expected " << text(albedo) << ", actual "
+                               << text(light.r)
+                               << ".\nHint: the path met the sphere again that it had just left, "
+                                  "and was dimmed twice. In leave_surface, move by the error of "
+                                  "the point plus the rounding error of the sum");
                 REQUIRE(text(light.r) == text(albedo));
             }
             REQUIRE(is_near);
         }
 }
 
-TEST_CASE("04.7 between two spheres that face each other the light of all bounces adds up",
-          "[04.7]") {
+TEST_CASE("04.7 between two facing spheres the light of all bounces adds up", "[04.7]") {
     // From the point of one sphere that faces the other, a share (r / d)^2 of all bounces meets the
     // other, if d is the distance from its center: r = 1, d = 2 here, so that they almost touch.
     const double share = 0.25, albedo = 0.5;
@@ -558,12 +558,12 @@ TEST_CASE("04.7 a path in a closed room stays in it", "[04.7]") {
     for (int i = 0; i < 200; ++i) {
         const Color light = rt::path_radiance(Ray{{0, 0, 0}, any_direction(rng)}, room, white,
                                               rt::UniformSky{}, rt::BlackEnding{}, 100, rng);
-        INFO("this path got out.\nHint: a ray that leaves the inner side starts inside");
+        INFO("this path left the room.\nHint: a ray that leaves the inner side must start inside");
         REQUIRE(light == Color{});
     }
 }
 
-TEST_CASE("04.7 roulette follows bright paths and lets dark ones go", "[04.7][hard]") {
+TEST_CASE("04.7 roulette prefers bright paths to dark ones", "[04.7][hard]") {
     // Draws the same number again and again.
     struct Fixed {
         Real number;
@@ -618,7 +618,7 @@ TEST_CASE("04.7 roulette follows bright paths and lets dark ones go", "[04.7][ha
             INFO("Hint: a path that goes on is divided by the probability, in all channels");
             REQUIRE(text(*wrongly_divided) == text(before / p));
         }
-        INFO("this is how many random numbers were drawn for one decision");
+        INFO("the values are the number of random numbers that were drawn for one decision");
         REQUIRE(draws <= 1);
     }
 }
@@ -651,7 +651,7 @@ TEST_CASE("04.7 even a path between white surfaces ends by roulette", "[04.7][ha
         };
         const Color light = rt::path_radiance(downward, world, white, rt::UniformSky{},
                                               rt::RouletteEnding{}, 1, rng);
-        INFO("Hint: no path may be certain to go on, however bright it is");
+        INFO("Hint: even the brightest path must not go on with certainty");
         REQUIRE(light == Color{});
     }
 }
@@ -686,9 +686,9 @@ TEST_CASE("04.7 a scene of any size gives the same picture", "[04.7][hard]") {
             }
         return count;
     };
-    INFO("Hint: some length in your code does not scale with the scene");
+    INFO("Hint: your code uses a length that does not scale with the scene");
     for (const int power : {-30, 30}) {
-        INFO("scaled by 2^" << power << ", which rounds nothing: not a bit may differ");
+        INFO("scaled by 2^" << power << ", which is exact: every bit must stay the same");
         CHECK(different_pixels(std::scalbn(Real(1), power), 0) == 0);
     }
     // Other factors round every number of the scene. In double no path notices; in float one in

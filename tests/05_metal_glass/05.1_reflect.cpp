@@ -37,16 +37,16 @@ void check_mirrored(Vec3 incoming, Vec3 normal, const char* hint) {
 
 }  // namespace
 
-TEST_CASE("05.1 a mirror turns the part along the normal around", "[05.1]") {
+TEST_CASE("05.1 a mirror reverses the part along the normal", "[05.1]") {
     const auto check = [](Vec3 incoming, Vec3 normal, Vec3 expected) {
         const Vec3 computed = rt::reflect(incoming, normal);
         const double off = off_in_epsilons(computed, exact(expected));
         INFO("reflect(" << text(incoming) << ", " << text(normal) << ")");
         const char* hint =
-            "subtract the part along the normal twice: once stops the light at the surface, twice "
-            "throws it back";
+            "subtract the part along the normal twice: if you subtract it once, the light runs "
+            "along the surface";
         if (computed == -expected)
-            hint = "`incoming` points at the surface, the result away from it";
+            hint = "`incoming` points at the surface, and the result must point away from it";
         else if (length(unit(exact(expected)) - exact(computed)).high <=
                  static_cast<double>(rt::rounding_bound(16)))
             hint = "do not normalize: a long vector has a long mirror image";
@@ -73,12 +73,12 @@ TEST_CASE("05.1 reflection keeps the length and the angle", "[05.1]") {
         if (!is_right) {
             INFO("reflect(" << text(incoming) << ", " << text(normal) << ") = " << text(computed));
             {
-                INFO("Hint: the length must stay as it was. This is the difference, in epsilon");
+                INFO("Hint: the length must not change. The values are the difference, in epsilon");
                 REQUIRE(longer <= 64);
             }
             INFO(
-                "Hint: the cosine with the normal must stay as it was, except for its sign. This "
-                "is the difference, in epsilon");
+                "Hint: the cosine with the normal must only change its sign. The values are the "
+                "difference, in epsilon");
             REQUIRE(turned <= 64);
         }
         REQUIRE(is_right);
@@ -97,8 +97,8 @@ TEST_CASE("05.1 the mirror direction is right for any light and any normal", "[0
         if (i % 4 == 1) incoming = (i % 8 == 1 ? normal : -normal) + tiny * along;
         if (i % 2 == 0) incoming *= std::scalbn(Real(1), static_cast<int>(rng() % 80) - 40);
         check_mirrored(incoming, normal,
-                       "d - 2 (d . n) n, whatever the length and the angle: rounding may change "
-                       "only the last digits");
+                       "compute d - 2 (d . n) n for any length and angle; only the last digits may "
+                       "be rounded");
     }
 }
 
@@ -114,9 +114,9 @@ TEST_CASE("05.1 long and short vectors are reflected alike", "[05.1][hard]") {
             const double off = off_in_epsilons(computed, exact(reflected));
             if (!(off <= 8)) {
                 UNSCOPED_INFO("`incoming` was multiplied by 2^" << exponent);
-                UNSCOPED_HINT(
-                    scale * reflected, scale * computed,
-                    "the result must grow and shrink with `incoming`: no normalizing, no constant");
+                UNSCOPED_HINT(scale * reflected, scale * computed,
+                              "the result must grow and shrink with `incoming`: do not normalize, "
+                              "and add no constant");
             }
             REQUIRE(off <= 8);
         }
@@ -130,7 +130,7 @@ TEST_CASE("05.1 light that grazes the surface leaves it again", "[05.1][hard]") 
             const Vec3 expected{1, tiny, 0};
             const double off_in_ulp = error_in_ulp(computed, exact(expected));
             if (!(off_in_ulp <= 8))
-                UNSCOPED_HINT(expected, computed, "no angle is too small to be reflected");
+                UNSCOPED_HINT(expected, computed, "light is reflected at any angle, however small");
             REQUIRE(off_in_ulp <= 8);
         }
 }

@@ -139,8 +139,8 @@ TEST_CASE("05.2 fuzz is added to the mirror direction and the sum is folded", "[
                                     << text(fuzz) << ", place (" << text(place.x) << ", "
                                     << text(place.y) << "))");
             HINT(folded(v, n), computed,
-                 "above_horizon(mirror + fuzz * s, normal) with the mirror direction from reflect "
-                 "and s from uniform_direction(place): the sum is folded, not s alone");
+                 "return above_horizon(mirror + fuzz * s, normal) with the mirror direction from "
+                 "reflect and s from uniform_direction(place): fold the sum, not s alone");
             REQUIRE(text(computed) == text(rounded(folded(v, n))));
         }
         kinds = left;
@@ -150,7 +150,7 @@ TEST_CASE("05.2 fuzz is added to the mirror direction and the sum is folded", "[
 
 TEST_CASE("05.2 scatter takes each parameter from the material and the hit", "[05.2]") {
     {
-        INFO("Hint: leave Metal as it was given: a mirror if no fuzz is named");
+        INFO("Hint: leave Metal as it was given: without a named fuzz, it is a mirror");
         CHECK(text(rt::Metal{}.fuzz) == "0");
     }
     rt::Rng rng{52, 10};
@@ -168,20 +168,20 @@ TEST_CASE("05.2 scatter takes each parameter from the material and the hit", "[0
         const auto bounce = scatter(metal, incoming, hit, random);
         INFO("fuzz " << text(metal.fuzz) << ", hit from " << (hit.front ? "outside" : "inside"));
         {
-            INFO("Hint: metal always sends light on, whatever its fuzz and its color");
+            INFO("Hint: metal always returns a Scatter, whatever its fuzz and color");
             REQUIRE(bounce.has_value());
         }
         {
             INFO("attenuation " << bounce->attenuation << ", albedo " << metal.albedo
-                                << "\nHint: every metal has its color, a mirror too");
+                                << "\nHint: the attenuation is the albedo, also for a mirror");
             REQUIRE(text(bounce->attenuation.r) == text(metal.albedo.r));
             REQUIRE(text(bounce->attenuation.g) == text(metal.albedo.g));
             REQUIRE(text(bounce->attenuation.b) == text(metal.albedo.b));
         }
         {
             INFO(
-                "this is how many numbers were drawn from `random`.\nHint: a place in the unit "
-                "square has two: random_place(random)");
+                "the values are the number of random numbers that were drawn.\nHint: a place in "
+                "the unit square takes two: random_place(random)");
             // A mirror needs none.
             if (!(metal.fuzz == 0 && random.drawn.empty())) REQUIRE(random.drawn.size() == 2);
         }
@@ -195,8 +195,8 @@ TEST_CASE("05.2 scatter takes each parameter from the material and the hit", "[0
         if (off_in_epsilons(bounce->direction, exact(direction({a, b}))) <= allowed) continue;
         if (off_in_epsilons(bounce->direction, exact(direction({b, a}))) <= allowed) continue;
         HINT(direction({a, b}), bounce->direction,
-             "metal_direction of the incoming direction, facing_normal(hit), the material's fuzz "
-             "and the random place");
+             "call metal_direction with the incoming direction, facing_normal(hit), the material's "
+             "fuzz and the random place");
         REQUIRE(text(bounce->direction) == text(direction({a, b})));
     }
 }
@@ -283,7 +283,7 @@ TEST_CASE("05.2 metal attenuates light by its albedo", "[05.2]") {
     rt::Hit inside = floor_hit();
     inside.front = false;
     const auto bounce = scatter(rt::Metal{albedo, 1}, {0, 1, 0}, inside, rng);
-    INFO("Hint: hit from behind, metal reflects on that side: facing_normal(hit)");
+    INFO("Hint: metal that is hit from behind reflects to that side: use facing_normal(hit)");
     CHECK(bounce->direction.y < 0);
 }
 
@@ -318,12 +318,12 @@ TEST_CASE("05.2 no direction points below the surface even by rounding", "[05.2]
                 REQUIRE(cosine > 0);
             }
             {
-                INFO("the result must have length 1. This is how far it is off, in epsilon");
+                INFO("the result must have length 1. The values are the difference, in epsilon");
                 REQUIRE(longer <= 2);
             }
             HINT(correct, computed,
-                 "v . normal is reversed if it is below 0, and lifted no more than rounding makes "
-                 "necessary: by rounding_bound(16) * length(v). This is how far it is off, in "
+                 "reverse v . normal if it is below 0, and lift it no more than rounding makes "
+                 "necessary: to rounding_bound(16) * length(v). The values are the difference, in "
                  "epsilon");
             REQUIRE(off <= allowed);
         }
@@ -347,20 +347,20 @@ TEST_CASE("05.2 light along the surface leaves above it with any fuzz", "[05.2][
                              bounce ? bounce->direction : Vec3{}}) {
             const double longer = in_epsilon(length(exact(d)) - Exact(1));
             const bool is_right = rt::dot(d, normal) > 0 && longer <= 2;
-            INFO("metal of fuzz " << text(fuzz) << ", light along " << text(incoming)
-                                  << " on the side of the normal " << text(normal)
-                                  << " leaves along " << text(d) << ": its dot product with the "
-                                  << "normal is " << text(rt::dot(d, normal))
-                                  << ", and its length is off by " << longer
-                                  << " epsilon\nHint: above_horizon lifts and normalizes any "
-                                     "direction, also the mirror's; with fuzz 0, too");
+            INFO(
+                "metal of fuzz " << text(fuzz) << ", light along " << text(incoming)
+                                 << " on the side of the normal " << text(normal)
+                                 << " leaves along " << text(d) << ": its dot product with the "
+                                 << "normal is " << text(rt::dot(d, normal))
+                                 << ", and its length is off by " << longer
+                                 << " epsilon\nHint: above_horizon lifts and normalizes any "
+                                    "direction: also call it for the mirror direction with fuzz 0");
             REQUIRE(is_right);
         }
     }
 }
 
-TEST_CASE("05.2 vectors along an axis are lifted whatever their length and the normal",
-          "[05.2][hard]") {
+TEST_CASE("05.2 vectors along an axis are lifted for any length and normal", "[05.2][hard]") {
     // Two components are 0 here, and the third must be enough to tell how far to lift.
     rt::Rng rng{52, 12};
     for (int i = 0; i < 600; ++i) {
@@ -378,7 +378,7 @@ TEST_CASE("05.2 vectors along an axis are lifted whatever their length and the n
                           << text(v) << ", " << text(normal) << ") = " << text(computed)
                           << ", its dot product with the normal is " << text(cosine)
                           << "\nHint: least is rounding_bound(16) times the length of v, or |vx| + "
-                             "|vy| + |vz|: none of the three may be missing");
+                             "|vy| + |vz|: use all three components");
         REQUIRE(cosine > 0);
     }
 }
@@ -426,7 +426,7 @@ TEST_CASE("05.2 a white metal ball stays white at every scale", "[05.2][hard]") 
                 if (!(light == rt::Color{1, 1, 1})) {
                     INFO("ball of radius " << scale << ", fuzz " << fuzz << ", hit at " << aside
                                            << " of its radius: " << light
-                                           << "\nHint: does every path leave the ball?");
+                                           << "\nHint: some paths may never leave the ball");
                     REQUIRE(text(light.g) == "1");
                 }
                 REQUIRE(light == rt::Color{1, 1, 1});

@@ -21,7 +21,7 @@ constexpr double allowed = 4;
 Vec3 refract_or_fail(Vec3 incoming, Vec3 normal, Real eta) {
     const auto refracted = rt::refract(incoming, normal, eta);
     INFO("refract(" << text(incoming) << ", " << text(normal) << ", " << text(eta)
-                    << "): eta times sine is less than 1: expected a direction, actual none");
+                    << "): eta times the sine is less than 1: expected a direction, actual: none");
     REQUIRE(refracted.has_value());
     return *refracted;
 }
@@ -33,9 +33,9 @@ TEST_CASE("05.3 head on light goes straight on", "[05.3]") {
         const Vec3 computed = refract_or_fail({0, -1, 0}, floor_normal, real(eta));
         INFO("eta = " << eta);
         const char* hint =
-            "head on nothing runs along the surface: d + c n is zero, with c = -(d . n) greater "
-            "than 0";
-        if (computed.y > 0) hint = "the result points to the other side: minus the normal";
+            "if the light arrives head on, the part along the surface, d + c n, is zero; c = -(d . "
+            "n) is greater than 0";
+        if (computed.y > 0) hint = "the result must point to the other side, against the normal";
         HINT((Vec3{0, -1, 0}), computed, hint);
         if (!(computed == Vec3{0, -1, 0})) CHECK(text(computed) == "(0, -1, 0)");
     }
@@ -54,7 +54,7 @@ TEST_CASE("05.3 light that enters glass bends toward the normal", "[05.3]") {
             "part along the surface is scaled by eta, and the part along the normal follows from "
             "length 1";
         if (computed.y > 0) hint = "the refracted light must point to the other side";
-        if (computed.x < 0) hint = "along the surface the light keeps its direction";
+        if (computed.x < 0) hint = "the part along the surface keeps its direction";
         HINT(expected, computed, hint);
         const double off_in_epsilons = in_epsilon(length(exact(computed) - exact(expected)));
         CHECK(off_in_epsilons <= 16);
@@ -88,14 +88,14 @@ TEST_CASE("05.3 the law of refraction holds for 100000 directions", "[05.3]") {
         INFO("the sine of the refraction angle: expected " << text(expected) << ", actual "
                                                            << text(computed));
         INFO(
-            "Hint: a sine from sqrt(1 - cosine^2) loses digits. This is how far it is off, in "
-            "epsilon");
+            "Hint: a sine from sqrt(1 - cosine^2) loses digits. The values are the error of the "
+            "sine, in epsilon");
         REQUIRE(off_in_epsilons <= allowed);
     }
     CHECK(worst <= allowed);
 }
 
-TEST_CASE("05.3 refracted light stays in the plane with length 1", "[05.3]") {
+TEST_CASE("05.3 refracted light has length 1 and stays in the plane of incidence", "[05.3]") {
     rt::Rng rng{53, 2};
     for (int i = 0; i < 5000; ++i) {
         const auto [incoming, normal] = random_arrival(rng);
@@ -117,22 +117,23 @@ TEST_CASE("05.3 refracted light stays in the plane with length 1", "[05.3]") {
         INFO("refract(" << text(incoming) << ", " << text(normal) << ", " << text(eta)
                         << ") = " << text(computed));
         {
-            INFO("Hint: the result must have length 1. It is off by " << longer << " epsilon");
+            INFO("Hint: the result must have length 1. Its length is off by " << longer
+                                                                              << " epsilon");
             REQUIRE(longer_over_allowed <= 1);
         }
         {
             INFO(
-                "Hint: it must point to the other side of the surface. This is its dot product "
-                "with the normal");
+                "Hint: the result must point to the other side of the surface. The values are its "
+                "dot product with the normal");
             REQUIRE(side < 0);
         }
         {
             INFO(
-                "Hint: it must lie in the plane of the normal and the incoming light. This is how "
-                "far it is off, in epsilon");
+                "Hint: the result must lie in the plane of the normal and the incoming light. The "
+                "values are its distance from the plane, in epsilon");
             REQUIRE(beside <= allowed);
         }
-        INFO("Hint: along the surface it must keep its direction");
+        INFO("Hint: the part along the surface must keep its direction");
         REQUIRE(sense > 0);
     }
 }
@@ -179,10 +180,9 @@ TEST_CASE("05.3 any ratio of indices bends light by the right amount", "[05.3][h
         const double off_over_allowed = off / (rounding * (2 + 2 / sqrt(squared).high));
         if (!(off_over_allowed <= 1)) {
             UNSCOPED_INFO(describe());
-            UNSCOPED_HINT(
-                expected, *refracted,
-                "eta (d + c n) is the part along the surface, for any eta greater than 0. Only eta "
-                "== 1 leaves the direction as it is: close to 1 is not enough");
+            UNSCOPED_HINT(expected, *refracted,
+                          "eta (d + c n) is the part along the surface, for any eta greater than "
+                          "0. The direction stays unchanged only if eta == 1 exactly");
         }
         REQUIRE(off_over_allowed <= 1);
     }
@@ -197,7 +197,8 @@ TEST_CASE("05.3 light that enters and leaves a slab goes on parallel", "[05.3]")
         const Vec3 within = refract_or_fail(incoming, normal, 1 / index);
         const Vec3 computed = refract_or_fail(within, normal, index);
         INFO("index " << text(index) << ", normal " << text(normal));
-        HINT(incoming, computed, "into the slab eta is 1 / index, out of it, index");
+        HINT(incoming, computed,
+             "eta is 1 / index on the way into the slab, and index on the way out");
         // Each surface is off by `allowed`; the second multiplies the first's error by its eta, and
         // 1 / index is rounded. The sine becomes an angle by division by the cosine.
         const double cosine = -dot(exact(incoming), exact(normal)).high;
@@ -213,7 +214,7 @@ TEST_CASE("05.3 beyond the critical angle all light is reflected", "[05.3]") {
         CHECK(rt::refract(arriving_at_floor(critical - 0.1), floor_normal, real(eta)).has_value());
         CHECK(!rt::refract(arriving_at_floor(critical + 0.1), floor_normal, real(eta)).has_value());
         CHECK(!rt::refract(arriving_at_floor(89.9), floor_normal, real(eta)).has_value());
-        INFO("into the denser side there is no total reflection");
+        INFO("there is no total reflection into the denser side");
         CHECK(rt::refract(arriving_at_floor(89.9), floor_normal, real(1 / eta)).has_value());
     }
 }
@@ -281,7 +282,7 @@ TEST_CASE("05.3 a large ratio of indices does not blur the critical angle", "[05
             if (as_stored.high < 0 && as_unit.high < 0) {
                 INFO(
                     "Hint: light goes through. If 1 - a . a is too close to call, replace it by "
-                    "the value from the cross product, whichever sign it had; the rounding error "
+                    "the value from the cross product, whatever its sign; the rounding error "
                     "grows with eta");
                 REQUIRE(refracted.has_value());
             }
@@ -332,8 +333,8 @@ TEST_CASE("05.3 grazing light enters at the critical angle", "[05.3][hard]") {
         for (const Real height : {Real(0), std::numeric_limits<Real>::min(), rt::epsilon}) {
             const Vec3 computed = refract_or_fail({1, -height, 0}, floor_normal, eta);
             HINT(eta, computed.x,
-                 "at a right angle to the normal the sine is 1, and that of the refraction angle "
-                 "is eta");
+                 "at a right angle to the normal, the sine is 1, and the sine of the refraction "
+                 "angle is eta");
             CHECK(error_in_ulp(computed.x, exact(eta)) <= 4);
             CHECK(computed.y < 0);
         }

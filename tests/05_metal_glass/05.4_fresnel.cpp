@@ -134,12 +134,14 @@ TEST_CASE("05.4 head on both formulas give the square of the contrast", "[05.4]"
 TEST_CASE("05.4 Fresnel reflectance is the mean over both polarizations", "[05.4]") {
     for_each_interface([](Real eta, Real cosine, const Interface& surface) {
         const Real computed = rt::fresnel_reflectance(cosine, eta);
-        const char* hint = "square r_s and r_p each, then take the mean";
+        const char* hint = "square r_s and r_p, and then take the mean";
         const auto is_near = [&](Exact x) {
             return std::abs((x - exact(computed)).high) <= allowed(surface);
         };
-        if (is_near(surface.r_s() * surface.r_s())) hint = "this is r_s squared alone";
-        if (is_near(surface.r_p() * surface.r_p())) hint = "this is r_p squared alone";
+        if (is_near(surface.r_s() * surface.r_s()))
+            hint = "this is r_s squared: take the mean of r_s squared and r_p squared";
+        if (is_near(surface.r_p() * surface.r_p()))
+            hint = "this is r_p squared: take the mean of r_s squared and r_p squared";
         check_error(computed, surface.reflectance(), allowed(surface), eta, cosine, hint);
         if (0 <= computed && computed <= 1) return;
         INFO("cosine " << text(cosine) << ", eta " << text(eta)
@@ -153,26 +155,26 @@ TEST_CASE("05.4 reflectance and transmittance add up to 1", "[05.4]") {
     for_each_interface([](Real eta, Real cosine, const Interface& surface) {
         const Real computed = rt::fresnel_reflectance(cosine, eta);
         check_error(computed, Exact(1) - surface.transmittance(), allowed(surface), eta, cosine,
-                    "what is not reflected goes through: the transmittance, from the amplitudes "
-                    "behind the surface, is the rest");
+                    "light that is not reflected goes through: reflectance and transmittance, "
+                    "which the test computes from the amplitudes behind the surface, add up to 1");
     });
 }
 
-TEST_CASE("05.4 at the Brewster angle one polarization is left", "[05.4]") {
+TEST_CASE("05.4 at the Brewster angle one polarization is not reflected", "[05.4]") {
     for (const double index : {1.1, 1.33, 1.5, 2.0, 2.5})
         for (const double n : {index, 1 / index}) {
             // tan(angle) = n, the index behind divided by the one in front: r_p is 0 there.
             const Real cosine = real(1 / std::sqrt(1 + n * n)), eta = real(1 / n);
             const double r_s = (n * n - 1) / (n * n + 1);
             const Interface surface{exact(eta), exact(cosine)};
-            INFO("index " << n << ": r_s^2 / 2 of the light is left");
+            INFO("index " << n << ": only r_s^2 / 2 of the light is reflected");
             check_error(rt::fresnel_reflectance(cosine, eta), Exact(r_s * r_s / 2),
                         allowed(surface), eta, cosine,
                         "r_p = (cosine - eta * beyond) / (cosine + eta * beyond) is 0 here");
         }
 }
 
-TEST_CASE("05.4 Schlick takes the cosine on the thinner side", "[05.4]") {
+TEST_CASE("05.4 Schlick takes the cosine on the side with the lower index", "[05.4]") {
     for_each_interface([](Real eta, Real cosine, const Interface& surface) {
         check_error(rt::schlick_reflectance(cosine, eta), surface.schlick(), 5 * allowed(surface),
                     eta, cosine,
@@ -194,7 +196,7 @@ TEST_CASE("05.4 total reflection reflects everything", "[05.4]") {
         const Real fresnel = rt::fresnel_reflectance(cosine, eta);
         const Real schlick = rt::schlick_reflectance(cosine, eta);
         INFO("eta = " << text(eta) << ", cosine " << text(cosine)
-                      << ": beyond the critical angle no light goes through, and all is reflected");
+                      << ": beyond the critical angle, all light is reflected");
         CHECK_FALSE(beyond.has_value());
         INFO("expected 1, actual " << text(fresnel) << " (exact), " << text(schlick)
                                    << " (Schlick)");
@@ -203,7 +205,7 @@ TEST_CASE("05.4 total reflection reflects everything", "[05.4]") {
     }
 }
 
-TEST_CASE("05.4 no ratio and no angle costs digits", "[05.4][hard]") {
+TEST_CASE("05.4 no digits are lost at any ratio or angle", "[05.4][hard]") {
     // So close to the critical angle the product of eta and the cosine is rounded too much to tell.
     const auto is_in_doubt = [](const Interface& surface) {
         const Exact scaled = surface.eta * surface.cosine;
@@ -217,10 +219,10 @@ TEST_CASE("05.4 no ratio and no angle costs digits", "[05.4][hard]") {
             INFO("cosine " << text(cosine) << ", eta " << text(eta) << ": light goes through here");
             REQUIRE(beyond.has_value());
         }
-        check_error(*beyond, surface.beyond(), allowed(surface) * surface.beyond().high, eta,
-                    cosine,
-                    "the cosine of the refraction angle: 1 - eta^2 (1 - cosine^2) cancels; "
-                    "difference_of_products(eta c, eta c, eta - 1, eta + 1) keeps the digits");
+        check_error(
+            *beyond, surface.beyond(), allowed(surface) * surface.beyond().high, eta, cosine,
+            "the cosine of the refraction angle loses digits, because 1 - eta^2 (1 - cosine^2) "
+            "cancels; difference_of_products(eta c, eta c, eta - 1, eta + 1) keeps the digits");
         const Real fresnel = rt::fresnel_reflectance(cosine, eta);
         check_error(fresnel, surface.reflectance(), allowed(surface), eta, cosine,
                     "r_s = (eta - 1) (eta + 1) / (eta c + c')^2 and the ratio of the text do not "
@@ -233,7 +235,7 @@ TEST_CASE("05.4 no ratio and no angle costs digits", "[05.4][hard]") {
         }
         check_error(rt::schlick_reflectance(cosine, eta), surface.schlick(), 5 * allowed(surface),
                     eta, cosine,
-                    "Schlick's formula: take the same refracted cosine for eta > 1; there is no "
+                    "for Schlick's formula, use the same refracted cosine if eta > 1; there is no "
                     "other special case");
     });
     // And where nothing goes through, however near that is to the critical angle.
@@ -281,7 +283,7 @@ TEST_CASE("05.4 both formulas are continuous at total reflection", "[05.4][hard]
             const double rounding = static_cast<double>(rt::rounding_bound(8));
             REQUIRE(fresnel >= 1 - fresnel_falls);
             REQUIRE(schlick >= 1 - schlick_falls - rounding);
-            INFO("the reflectance is a fraction, at most 1");
+            INFO("the reflectance is a fraction, so it is at most 1");
             if (fresnel > 1) REQUIRE(text(real(fresnel)) == "1 at most");
             if (schlick > 1 + rounding) REQUIRE(text(real(schlick)) == "1 at most");
         }
@@ -292,7 +294,7 @@ TEST_CASE("05.4 equal indices reflect nothing", "[05.4][hard]") {
     for (const Real cosine : {Real(0), std::numeric_limits<Real>::denorm_min(), rt::epsilon,
                               real(0.1), real(0.5), 1 - rt::epsilon, Real(1), 1 + rt::epsilon}) {
         INFO("cosine " << text(cosine)
-                       << "\nHint: with eta = 1 there is no surface; at a cosine of "
+                       << "\nHint: with eta = 1 there is no surface: return 0. At a cosine of "
                        << "0 the formulas even divide 0 by 0");
         const Real computed = rt::fresnel_reflectance(cosine, 1);
         CHECK(text(std::abs(computed)) == "0");
@@ -326,7 +328,7 @@ TEST_CASE("05.4 grazing light is reflected completely", "[05.4][hard]") {
                                   rt::epsilon / 1024, rt::epsilon / 64}) {
             INFO("eta " << ratio << ", cosine " << text(cosine)
                         << ": expected 1 within rounding, and never more than 1.\nHint: "
-                           "std::min(..., Real(1)) takes away what rounding adds");
+                           "std::min(..., Real(1)) limits a result that rounding put above 1");
             const Real fresnel = rt::fresnel_reflectance(cosine, real(ratio));
             const Real schlick = rt::schlick_reflectance(cosine, real(ratio));
             // At a small cosine it is 1 - 2 c (eta + 1 / eta) / sqrt(1 - eta^2), or 1 - 5 c.

@@ -77,7 +77,7 @@ TEST_CASE("05.5 light enters glass and leaves it by the law of refraction", "[05
         if (distance(bounce->direction, {incoming.x, -incoming.y, 0}) <=
             static_cast<double>(rt::rounding_bound(32)))
             hint =
-                "this light was reflected: reflect if random.uniform() is less than the "
+                "your code reflects this light: reflect only if random.uniform() is less than the "
                 "reflectance, else refract";
         HINT(expected, bounce->direction, hint);
         if (distance(bounce->direction, expected) > static_cast<double>(rt::rounding_bound(32)))
@@ -94,7 +94,7 @@ TEST_CASE("05.5 light that is not let through is reflected", "[05.5]") {
         INFO("Hint: " << hint);
         REQUIRE(bounce.has_value());
         const Vec3 expected{incoming.x, -incoming.y, incoming.z};
-        HINT(expected, bounce->direction, "this is not the mirror direction");
+        HINT(expected, bounce->direction, "the light must leave along the mirror direction");
         if (distance(bounce->direction, expected) > static_cast<double>(rt::rounding_bound(32)))
             CHECK(text(bounce->direction) == text(expected));
     };
@@ -108,7 +108,9 @@ TEST_CASE("05.5 light that is not let through is reflected", "[05.5]") {
 
 TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
     {
-        INFO("Hint: leave the two materials as they were given: glass if no index is named");
+        INFO(
+            "Hint: leave the two materials as they were given: without a named index, each is "
+            "glass");
         CHECK(text(rt::Dielectric{}.index) == "1.5");
         CHECK(text(rt::SchlickDielectric{}.index) == "1.5");
     }
@@ -155,7 +157,8 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
                 INFO(describe());
                 INFO("attenuation "
                      << bounce.attenuation
-                     << "\nHint: the random choice already weights both ways; do not dim either");
+                     << "\nHint: the probabilities of the random choice are already the weights: "
+                        "do not dim the reflected or the refracted light");
                 REQUIRE(text(Vec3{bounce.attenuation.r, bounce.attenuation.g,
                                   bounce.attenuation.b}) == "(1, 1, 1)");
             }
@@ -168,9 +171,9 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
                                  (1 + 1 / std::max(1e-9, behind));
             if (through && distance(bounce.direction, *through) <= loose) return false;
             INFO(describe() << ", drawn " << text(drawn));
-            INFO("expected either the mirror direction " << text(mirror) << " or the refracted one "
-                                                         << (through ? text(*through) : "(none)")
-                                                         << ", actual " << text(bounce.direction));
+            INFO("expected either the mirror direction "
+                 << text(mirror) << " or the refracted direction "
+                 << (through ? text(*through) : "(none)") << ", actual " << text(bounce.direction));
             INFO(
                 "Hint: eta is 1 / index if hit.front, else index; the normal is "
                 "facing_normal(hit), for above_horizon, too");
@@ -194,9 +197,10 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
         if (!(std::abs(share - expected) <= 2 * rt::epsilon)) {
             INFO(describe());
             HINT(expected, share,
-                 through ? "this is the reflected fraction: reflect if random.uniform() is less "
-                           "than the reflectance, even a tiny one"
-                         : "this is the reflected fraction. If refract returns none, all light is "
+                 through ? "the values are the reflected fraction: reflect if random.uniform() is "
+                           "less than the reflectance, however small that is"
+                         : "the values are the reflected fraction. If refract returns none, all "
+                           "light is "
                            "reflected");
             REQUIRE(text(share) == text(expected));
         }
@@ -212,8 +216,8 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
             REQUIRE(text(eta) == text(eta_expected));
             REQUIRE(text(cosine) == text(cosine_expected));
         }
-        INFO(describe() << ": this is how many numbers were drawn from `random`. Each decision "
-                           "needs one, and a reflectance of 0 none");
+        INFO(describe() << ": the values are the number of random numbers that were drawn. Each "
+                           "decision needs one number, and a reflectance of 0 needs none");
         REQUIRE(draws <= (wanted > 0 ? 1 : 0));
         if (through && 0 < wanted && wanted < 1) REQUIRE(draws == 1);
     }
@@ -226,7 +230,9 @@ TEST_CASE("05.5 glass keeps all light", "[05.5]") {
             for (int i = 0; i < 20; ++i) {
                 const auto bounce = scatter(rt::Dielectric{real(1.5)}, arriving_at_floor(degrees),
                                             floor_hit(front), rng);
-                INFO("Hint: the random choice already weights both ways; do not dim either");
+                INFO(
+                    "Hint: the probabilities of the random choice are already the weights: do not "
+                    "dim the reflected or the refracted light");
                 REQUIRE(bounce.has_value());
                 const rt::Color weight = bounce->attenuation;
                 if (!(weight == rt::Color{1, 1, 1}))
@@ -281,7 +287,7 @@ TEST_CASE("05.5 a ball of index 1 is invisible", "[05.5][hard]") {
                                << computed
                                << "\nHint: where the reflectance is 0, refract, and draw no random "
                                   "number: the next sample of the pixel needs it. Schlick's "
-                                  "reflectance is never 0: this takes the star of 05.4");
+                                  "reflectance is never 0, so this case needs the star of 05.4");
                 const auto all = [](rt::Color c) { return text(Vec3{c.r, c.g, c.b}); };
                 REQUIRE(all(computed) == all(expected));
             }
@@ -355,7 +361,7 @@ TEST_CASE("05.5 light finds its way out of glass at every scale", "[05.5][hard]"
                                   rt::UniformSky{}, rt::BlackEnding{}, 7, random);
             if (!(light == rt::Color{1, 1, 1})) {
                 INFO("scale " << scale << ", light at " << aside
-                              << " of the radius: caught inside");
+                              << " of the radius: the light never leaves the ball");
                 REQUIRE(text(light.g) == "1");
             }
             REQUIRE(light == rt::Color{1, 1, 1});

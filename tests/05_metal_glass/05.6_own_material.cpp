@@ -96,7 +96,8 @@ void check_direction(const Sample& sample, const Bounce& bounce) {
         INFO(text_of(sample) << ": " << text_of(*bounce));
         {
             INFO(
-                "expected a direction of length 1; this is how far its length is off, in epsilon\n"
+                "expected a direction of length 1; the values are the error of its length, in "
+                "epsilon\n"
                 "Hint: pass a sum of vectors through normalize, or through above_horizon, which "
                 "also knows what to do with the zero vector");
             REQUIRE(off <= 64);
@@ -104,8 +105,8 @@ void check_direction(const Sample& sample, const Bounce& bounce) {
         INFO(
             "the dot product of the direction and the normal: expected any number but 0, "
             "actual: 0\n"
-            "Hint: along the surface light neither leaves nor enters; pass a direction that is "
-            "meant to leave through above_horizon(direction, facing_normal(hit))");
+            "Hint: light must not run along the surface: for light that is reflected, return "
+            "above_horizon(direction, facing_normal(hit))");
         REQUIRE(cosine != 0);
     }
     REQUIRE(is_right);
@@ -117,8 +118,9 @@ void check_attenuation(const Sample& sample, const Bounce& bounce) {
         INFO(text_of(sample) << ": " << text_of(*bounce));
         INFO(
             "expected each channel of the attenuation in [0, 1]: no more light leaves than "
-            "arrives\nHint: where the path chooses one of several ways, the choice already weights "
-            "them: do not add them up, and do not divide by the probability. The cosine is "
+            "arrives\nHint: if the path takes one of several ways at random, the probabilities are "
+            "already the weights: do not add up the ways, and do not divide by the probability. "
+            "The cosine is "
             "-dot(incoming, facing_normal(hit))");
         REQUIRE(text_of(bounce->attenuation) == "within [0, 1]");
     }
@@ -224,8 +226,8 @@ TEST_CASE("05.6 the same random numbers give the same result", "[05.6]") {
                 INFO("the same random numbers, "
                      << when
                      << ": expected the same result\n"
-                        "Hint: take all chance from `random`, not from a generator of your own, "
-                        "and keep nothing from one call to the next: no static and no global "
+                        "Hint: draw all random numbers from `random`, not from a generator of your "
+                        "own, and keep nothing from one call to the next: use no static or global "
                         "variables. Give every variable a value");
                 REQUIRE("expected " + text_of(first[i]) == "actual " + text_of(again));
             }
@@ -238,8 +240,8 @@ TEST_CASE("05.6 a light color can be seen", "[05.6]") {
     double brightest = 0;
     for (const Real amount : amounts) brightest = std::max(brightest, visible_light(amount));
     INFO(
-        "white, amounts 0, 0.25, 0.5, 0.75 and 1, from outside: the most light that comes back on "
-        "average: expected at least 0.01, actual: "
+        "white, amounts 0, 0.25, 0.5, 0.75 and 1, from outside: the largest average of the "
+        "returned light must be at least 0.01, actual: "
         << brightest << "\nHint: where the light goes on, return Scatter{attenuation, direction}; "
         << "return {} absorbs it");
     CHECK(brightest >= 0.01);
@@ -259,7 +261,8 @@ TEST_CASE("05.6 each channel of the color counts", "[05.6]") {
         const char* const name = channel == &Color::r   ? "red"
                                  : channel == &Color::g ? "green"
                                                         : "blue";
-        INFO("color." << name[0] << " is 0.2 once and 0.9 once: expected that something differs, "
+        INFO("color." << name[0]
+                      << " is 0.2 in one run and 0.9 in another: expected different samples, "
                       << "actual: all 1000 samples are the same\nHint: use material.color, all "
                       << "three channels of it");
         CHECK((differs ? "" : std::string{name} + " changes nothing") == "");
@@ -293,11 +296,11 @@ TEST_CASE("05.6 it is not one of the given materials", "[05.6]") {
                 for (int k = 0; k < in_vain; ++k) random.uniform();
                 differs = !is_close(sample(), other.scatter(sample, random));
             }
-            INFO(
-                "expected a material of its own, actual: in all 1000 samples it does what "
-                << other.name << " does" << (in_vain ? ", and draws random numbers in vain" : "")
-                << "\nHint: let something depend on the angle, on a random choice, on the position "
-                   "or on the amount");
+            INFO("expected a material of its own, actual: in all 1000 samples it does what "
+                 << other.name << " does"
+                 << (in_vain ? ", and draws random numbers without using them" : "")
+                 << "\nHint: make the result depend on the angle, on a random choice, on the "
+                    "position or on the amount");
             REQUIRE(differs);
         }
 }
@@ -374,11 +377,11 @@ TEST_CASE("05.6 a ball of the material in a white furnace is nowhere brighter th
             const bool is_right = 0 <= light.r && light.r <= bound && 0 <= light.g &&
                                   light.g <= bound && 0 <= light.b && light.b <= bound;
             if (!is_right) {
-                INFO("ball of radius " << scale << ", ray from " << (inside ? "inside" : "outside")
-                                       << " at " << text(aside) << " of it, color "
-                                       << text_of(material.materials[0].color) << ", amount "
-                                       << text(material.materials[0].amount)
-                                       << "\nHint: in each bounce no channel may exceed 1");
+                INFO("ball of radius "
+                     << scale << ", ray from " << (inside ? "inside" : "outside") << " at "
+                     << text(aside) << " of it, color " << text_of(material.materials[0].color)
+                     << ", amount " << text(material.materials[0].amount)
+                     << "\nHint: the attenuation of a bounce must not exceed 1 in any channel");
                 REQUIRE("expected at most 1 in each channel, actual: " + text_of(light) == "");
             }
             REQUIRE(is_right);

@@ -33,7 +33,7 @@ std::string complaint(int height, int workers) {
         most = std::max(most, rows.end - rows.begin);
     }
     if (next != height)
-        return all + std::to_string(workers - 1) + ", the last, ends at row " +
+        return all + std::to_string(workers - 1) + ", the last one, ends at row " +
                std::to_string(next) + ": the rest belongs to no worker";
     if (most - least > 1)
         return all.substr(0, all.size() - 7) + "the longest slice has " + std::to_string(most) +
@@ -84,7 +84,7 @@ TEST_CASE("06.1 one worker has all rows", "[06.1]") {
     }
 }
 
-TEST_CASE("06.1 the rows of equal slices are equal in number", "[06.1]") {
+TEST_CASE("06.1 equal slices have the same number of rows", "[06.1]") {
     for (int worker = 0; worker < 4; ++worker) {
         const Rows rows = slice_rows(12, 4, worker);
         INFO("12 rows for 4 workers: worker " << worker << " has " << text(rows)

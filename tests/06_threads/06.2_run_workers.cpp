@@ -119,8 +119,8 @@ TEST_CASE("06.2 each worker is called once with its own number", "[06.2]") {
             });
             for (int worker = 0; worker < workers; ++worker) {
                 INFO("round " << round << ": worker " << worker << " of " << workers
-                              << "\nHint: a thread must have a copy of its number; the loop "
-                                 "variable itself has moved on by the time the thread looks at it");
+                              << "\nHint: a thread must have a copy of its number; the loop has "
+                                 "already changed its variable by the time the thread reads it");
                 REQUIRE(calls[static_cast<std::size_t>(worker)] == 1);
             }
             REQUIRE(calls.back() == 0);
@@ -131,9 +131,10 @@ TEST_CASE("06.2 the workers run at the same time", "[06.2]") {
     for (const int workers : {1, 2, 4, 64}) {
         Roll roll{workers};
         run_workers(workers, [&](int worker) { roll.sign(worker); });
-        INFO(workers
-             << " workers.\nHint: start a thread for each worker, also for the first. Start all "
-             << "threads before you wait for them (join)");
+        INFO(
+            workers
+            << " workers.\nHint: start a thread for each worker, also for the first one. Start all "
+            << "threads before you wait for them (join)");
         REQUIRE(roll.complaint() == "");
     }
 }
@@ -150,12 +151,12 @@ TEST_CASE("06.2 the work is done when run_workers returns", "[06.2]") {
         while (*done < 3) std::this_thread::yield();
         INFO("worker " << slow
                        << " is the last one to end.\nHint: join every thread; a detached one "
-                       << "runs on, and writes to memory that is gone");
+                       << "runs on, and writes to memory that no longer exists");
         CHECK(done_by_then == 3);
     }
 }
 
-TEST_CASE("06.2 for no workers nothing is done", "[06.2]") {
+TEST_CASE("06.2 with 0 workers nothing is done", "[06.2]") {
     int calls = 0;
     run_workers(0, [&](int) { ++calls; });
     CHECK(calls == 0);
@@ -221,7 +222,9 @@ TEST_CASE("06.2 an exception of a worker reaches the caller", "[06.2][hard]") {
             render_slices({5, 8}, 4, [](const Tile&, int worker) { throw worker * 4 + 1; });
         });
     });
-    INFO("render_slices, whose work throws 1, 5, 9 and 13.\nHint: it leaves that to run_workers");
+    INFO(
+        "render_slices with work that throws 1, 5, 9 and 13.\nHint: run_workers handles "
+        "exceptions; render_slices only calls it");
     CHECK(actual == name_of(1));
 }
 
@@ -240,7 +243,8 @@ TEST_CASE("06.2 no thread is left running after an exception", "[06.2][hard]") {
             });
             return out + " after " + std::to_string(*ended) + " others have ended";
         });
-        INFO("worker " << thrower << " of 4 throws, the others are still at work.\nHint: let all "
+        INFO("worker " << thrower
+                       << " of 4 throws while the others are still at work.\nHint: let all "
                        << "workers end, then rethrow");
         CHECK(actual == name_of(thrower * 4 + 1) + " after 3 others have ended");
     }
@@ -273,8 +277,9 @@ TEST_CASE("06.2 of several exceptions the first worker's is thrown", "[06.2][har
         return std::string{"the first one's"};
     });
     INFO(
-        "several workers throw, and the first of them sometimes earlier, sometimes later than the "
-        "others.\nHint: a slot for each worker; then look through them in order. "
+        "several workers throw, and the one with the lowest number throws sometimes before and "
+        "sometimes after the others.\nHint: keep a slot for each worker, and look through the "
+        "slots in order. "
         << how_to_keep);
     CHECK(actual == "the first one's");
 }
@@ -307,7 +312,7 @@ TEST_CASE("06.2 workers may throw at the same moment", "[06.2][hard]") {
     CHECK(actual == name_of(0));
 }
 
-TEST_CASE("06.2 several calls at the same time know nothing of each other", "[06.2][hard]") {
+TEST_CASE("06.2 several calls at the same time do not affect each other", "[06.2][hard]") {
     run_workers(0, [](int) {});
     const std::string actual = in_own_process([] {
         // One type for the work of all calls.
@@ -334,8 +339,9 @@ TEST_CASE("06.2 several calls at the same time know nothing of each other", "[06
         return of_three + "; " + of_five + "; " + nested + ", " + std::to_string(calls) + " calls";
     });
     INFO(
-        "3 workers, and 1 of them throws, while 5 others work in another call; then 2 workers with "
-        "3 workers each.\nHint: threads and exceptions are variables of the function, not static");
+        "first, 3 workers, one of which throws, while 5 workers run in another call; then 2 "
+        "workers that each call run_workers with 3 workers.\nHint: threads and exceptions must be "
+        "local variables of the function, not static");
     CHECK(actual == name_of(1) + "; no exception; no exception, 6 calls");
 }
 
@@ -356,7 +362,7 @@ TEST_CASE("06.2 a thread that cannot be started leaves none behind", "[06.2][har
     CHECK(actual == "std::system_error");
 }
 
-TEST_CASE("06.2 a picture with fewer rows than workers or none", "[06.2][hard]") {
+TEST_CASE("06.2 a picture with fewer rows than workers or no rows", "[06.2][hard]") {
     for (const TileGrid grid : {TileGrid{9, 3}, TileGrid{1, 1}, TileGrid{1, 1000}, TileGrid{0, 0},
                                 TileGrid{0, 5}, TileGrid{5, 0}})
         for (const int workers : {1, 2, 3, 7, 64}) {

@@ -41,7 +41,7 @@ TEST_CASE("06.3 the tiles are counted row by row", "[06.3]") {
     for (int i = 0; i < 6; ++i) {
         const Tile tile = tile_at(grid, i);
         INFO("50x30 pixels in tiles of 20: tile " << i << " is expected at " << text(expected[i])
-                                                  << ", but yours is at " << text(tile));
+                                                  << ", but yours gives " << text(tile));
         CHECK(tile == expected[i]);
     }
 }
@@ -72,7 +72,7 @@ TEST_CASE("06.3 tiles of any size in pictures of any size", "[06.3]") {
     }
 }
 
-TEST_CASE("06.3 every tile is taken once and then none", "[06.3]") {
+TEST_CASE("06.3 every tile is taken once and no more tiles after the last", "[06.3]") {
     // Two pictures at the same time, each with a counter of its own.
     std::atomic<int> next = 0, next_of_other = 0;
     const auto words = [](std::optional<int> tile) {
@@ -80,7 +80,8 @@ TEST_CASE("06.3 every tile is taken once and then none", "[06.3]") {
     };
     for (int i = 0; i < 2000; ++i) {
         const auto tile = take_tile(next, 5), other = take_tile(next_of_other, 900);
-        INFO("call " << i + 1 << " for 5 tiles.\nHint: only the counter may remember anything");
+        INFO("call " << i + 1
+                     << " for 5 tiles.\nHint: keep nothing between calls except in the counter");
         REQUIRE(words(tile) == (i < 5 ? std::to_string(i) : "none"));
         INFO("call " << i + 1 << " for the 900 tiles of another picture");
         REQUIRE(words(other) == (i < 900 ? std::to_string(i) : "none"));
@@ -108,8 +109,9 @@ TEST_CASE("06.3 every pixel is rendered once in tiles", "[06.3]") {
         ++counts[static_cast<std::size_t>(tile.top * 400 + tile.left)];
     });
     INFO(
-        "400x300 tiles of one pixel, 4 workers: how many of them were rendered exactly "
-        "once.\nHint: the counter that all workers share is a std::atomic<int>, and take_tile "
+        "400x300 tiles of one pixel, 4 workers: the values are the number of tiles that were "
+        "rendered exactly once.\nHint: the counter that all workers share is a std::atomic<int>, "
+        "and take_tile "
         "takes from it");
     CHECK(std::count(counts.begin(), counts.end(), 1) == 120'000);
 }
@@ -141,14 +143,14 @@ TEST_CASE("06.3 a slow tile does not hold up the others", "[06.3]") {
                 end.wait_for(1);
         });
         INFO("2 workers, 16 tiles: while one worker is busy with tile "
-             << slow << ", the other must render all the rest.\nHint: whoever is free takes "
+             << slow << ", the other must render all the rest.\nHint: a worker that is free takes "
              << "the next tile; no worker owns a tile beforehand");
         const std::string actual = in_time ? "in time" : "too late";
         CHECK(actual == "in time");
     }
 }
 
-TEST_CASE("06.3 no other worker comes between reading and adding", "[06.3]") {
+TEST_CASE("06.3 no other worker takes a tile between reading and adding", "[06.3]") {
     constexpr int count = 100;
     for (unsigned seed = 0; seed < 20; ++seed) {
         HauntedCounter next{seed};
@@ -161,17 +163,17 @@ TEST_CASE("06.3 no other worker comes between reading and adding", "[06.3]") {
             if (const auto tile = take_tile(next, count)) {
                 taken.insert(*tile);
             } else {
-                INFO("take_tile returned none: expected a counter that is past the last tile");
+                INFO("take_tile returned no tile: expected that the counter is past the last tile");
                 REQUIRE(next.now() >= count);
             }
         }
         for (const int tile : next.taken)
             if (tile < count) taken.insert(tile);
         for (int tile = 0; tile < count; ++tile) {
-            INFO("tile " << tile << " of " << count << ": how many times it is taken");
+            INFO("tile " << tile << " of " << count << ": the number of times that it is taken");
             REQUIRE(taken.count(tile) == 1);
         }
-        INFO("how many tiles were taken, of " << count);
+        INFO("the number of tiles that were taken, of " << count);
         REQUIRE(taken.size() == count);
     }
 }
@@ -189,7 +191,7 @@ TEST_CASE("06.3 pictures of few pixels or none", "[06.3][hard]") {
         }
 }
 
-TEST_CASE("06.3 a tile as large as a number can be", "[06.3][hard]") {
+TEST_CASE("06.3 the largest tile size that fits into an int", "[06.3][hard]") {
     constexpr int largest = std::numeric_limits<int>::max();
     struct Case {
         TileGrid grid;
@@ -211,13 +213,13 @@ TEST_CASE("06.3 a tile as large as a number can be", "[06.3][hard]") {
     for (const auto& [grid, tiles] : cases) {
         INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size);
         {
-            INFO("Hint: width + tile_size may be more than an int holds");
+            INFO("Hint: width + tile_size may not fit into an int");
             REQUIRE(tile_count(grid) == static_cast<int>(tiles.size()));
         }
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             const Tile tile = tile_at(grid, static_cast<int>(i));
-            INFO("tile " << i << " is expected at " << text(tiles[i]) << ", but yours is at "
-                         << text(tile) << "\nHint: left + tile_size may be more than an int holds");
+            INFO("tile " << i << " is expected at " << text(tiles[i]) << ", but yours gives "
+                         << text(tile) << "\nHint: left + tile_size may not fit into an int");
             CHECK(tile == tiles[i]);
         }
     }
@@ -246,12 +248,12 @@ TEST_CASE("06.3 an exception in a tile reaches the caller", "[06.3][hard]") {
         }
         INFO(workers << " workers; tile (4, 4) throws 44");
         CHECK(actual == "44");
-        INFO("how many calls had not ended by then");
+        INFO("the number of calls that had not ended by then");
         CHECK(running == 0);
     }
 }
 
-TEST_CASE("06.3 a picture may be rendered while another one is", "[06.3][hard]") {
+TEST_CASE("06.3 two pictures may be rendered at the same time", "[06.3][hard]") {
     const TileGrid outer{12, 9, 3}, inner{23, 11, 4};
     PixelCounts outer_counts{outer, 3};
     std::vector<std::unique_ptr<PixelCounts>> inner_counts;

@@ -107,8 +107,8 @@ void check_unrelated(const Key& step, const char* what) {
         }
     const std::vector<double> expected(256, 64);
     INFO(what
-         << ": the draws of one tell something about those of the other.\nHint: numbers that "
-            "differ by "
+         << ": the draws of one generator are related to the draws of the other.\nHint: two inputs "
+            "that differ by "
          << "1 must differ in half of their bits before they become a state; mix_bits does that. "
          << "And each sample needs a state of its own, not a later position in the same draws");
     CHECK(chi_square(differences, expected) < limit_of_255);
@@ -120,8 +120,8 @@ void check_unrelated(const Key& step, const char* what) {
         }
     // Of 32 distances between bits that are drawn at random, the least is 10.1 on average.
     INFO(
-        "how many of the 32 bits of the fourth draws differ, after one draw was rotated so that "
-        "the fewest differ");
+        "the number of the 32 bits in which the fourth draws differ; one draw is rotated so that "
+        "the fewest bits differ");
     CHECK(least_distance / 2048 > 9.5);
 }
 
@@ -158,23 +158,23 @@ TEST_CASE("06.4 the same four numbers give the same generator", "[06.4]") {
         const std::uint64_t before = first_bits(key);
         first_bits({key.seed, key.x + 1, key.y, key.sample});
         first_bits({key.seed, key.x, key.y, key.sample + 1});
-        INFO(text(key) << "\nHint: nothing may be remembered from one call to the next");
+        INFO(text(key) << "\nHint: keep nothing from one call to the next");
         CHECK(first_bits(key) == before);
     }
 }
 
-TEST_CASE("06.4 other seeds and pixels and samples give other numbers", "[06.4]") {
+TEST_CASE("06.4 different seeds and pixels and samples draw different numbers", "[06.4]") {
     const Key key{5, 20, 30, 3};
     const std::uint64_t bits = first_bits(key);
     for (const Key& other :
          {Key{6, 20, 30, 3}, Key{5, 21, 30, 3}, Key{5, 20, 31, 3}, Key{5, 20, 30, 4},
           Key{5, 30, 20, 3}, Key{5, 19, 31, 3}, Key{5, 21, 30, 2}, Key{4, 21, 30, 3}}) {
-        INFO(text(key) << " and " << text(other) << " draw the same");
+        INFO(text(key) << " and " << text(other) << " draw the same numbers");
         CHECK(first_bits(other) != bits);
     }
 }
 
-TEST_CASE("06.4 neighbors have nothing to do with each other", "[06.4]") {
+TEST_CASE("06.4 neighboring pixels and samples draw unrelated numbers", "[06.4]") {
     check_unrelated({0, 1, 0, 0}, "pixels beside each other");
     check_unrelated({0, 0, 1, 0}, "pixels below each other");
     check_unrelated({0, 0, 0, 1}, "samples one after the other");
@@ -186,7 +186,7 @@ TEST_CASE("06.4 neighbors have nothing to do with each other", "[06.4]") {
     check_unrelated({1, 0, 0, -1}, "samples one after the other, one seed apart");
 }
 
-TEST_CASE("06.4 the average takes each sample once with its own generator", "[06.4]") {
+TEST_CASE("06.4 the average has each sample once with its own generator", "[06.4]") {
     // One type for all calls: whatever one call remembers, the next one finds.
     using Draw = std::function<Color(int, Rng&)>;
     Rng rng{6, 4};
@@ -219,7 +219,9 @@ TEST_CASE("06.4 the average takes each sample once with its own generator", "[06
         INFO(count << " samples of pixel (" << key.x << ", " << key.y << "), seed " << key.seed);
         {
             for (int i = 0; i < count; ++i) expected_samples.push_back(i);
-            INFO("the samples for which draw is called.\nHint: each of them once, in order");
+            INFO(
+                "the samples for which draw is called.\nHint: call draw once for each sample, in "
+                "order");
             REQUIRE(samples == expected_samples);
         }
         for (std::size_t i = 0; i < bits.size(); ++i) {
@@ -239,8 +241,8 @@ TEST_CASE("06.4 the average takes each sample once with its own generator", "[06
                 std::abs((Exact(static_cast<double>(average.*channel)) - mean).high);
             if (error <= static_cast<double>(rt::rounding_bound(4 * count + 8) * largest)) continue;
             INFO(
-                "a color channel of the average.\nHint: add up what draw returns, all three "
-                "channels, and divide by the number of samples as a Real");
+                "the values are a color channel of the average.\nHint: add up the colors that draw "
+                "returns, and divide by the number of samples as a Real");
             const std::string actual = checkpoint::text(average.*channel);
             REQUIRE(actual == checkpoint::text(mean));
         }
@@ -320,8 +322,8 @@ TEST_CASE("06.4 no two samples share a generator however large the numbers", "[0
             }
         }
     INFO("among " << seen.count << " different keys, this one draws the same as another.\nHint: if "
-                  << "the numbers are shifted together into too few bits, or added up, those of "
-                     "two pixels become equal");
+                  << "the numbers are shifted together into too few bits, or added up, two pixels "
+                     "get the same state");
     CHECK(met == "");
 }
 
@@ -336,7 +338,7 @@ TEST_CASE("06.4 every bit of the four numbers counts", "[06.4][hard]") {
         int sum = 0;
         for (const Key& key : keys) sum += distance(key, changed(key));
         INFO("bit " << bit << " of " << what
-                    << " changes: how many of the first 64 bits change with it, where "
+                    << " changes: the number of the first 64 bits that change with it; "
                     << "half of them should");
         const double mean = sum / 16.0;  // 32, give or take 1
         REQUIRE(mean > 25.5);
@@ -358,9 +360,8 @@ TEST_CASE("06.4 an exception reaches the caller from every strategy", "[06.4][ha
     // The given strategies are tested, too; but first, that there is a generator at all.
     (void)sample_rng(1, 2, 3, 4);
     for (const auto& [name, strategy] : rt::strategies()) {
-        INFO(name
-             << "\nHint: run_workers carries an exception from a worker to the caller: that is the "
-                "star of 06.2");
+        INFO(name << "\nHint: run_workers must pass an exception of a worker on to the caller: "
+                     "that is the star of 06.2");
         CHECK_THROWS_AS(strategy({40, 40, 4}, 3,
                                  [](const rt::Tile& tile, int) {
                                      if (tile.bottom == 40) throw std::runtime_error("tile");

@@ -52,7 +52,9 @@ struct Done {
             if (calls[job] != 1)
                 return "job " + std::to_string(job) + " of " + std::to_string(calls.size()) +
                        ": expected 1 call, actual: " + std::to_string(calls[job]);
-        return no_job == 0 ? "" : std::to_string(no_job) + " calls had a job that does not exist";
+        return no_job == 0
+                   ? ""
+                   : std::to_string(no_job) + " calls got the number of a job that does not exist";
     }
 
     // "" or what is wrong with the jobs or with the workers' numbers. Whether two workers with one
@@ -60,7 +62,8 @@ struct Done {
     std::string wrong() const {
         if (const std::string jobs = wrong_jobs(); !jobs.empty()) return jobs;
         if (no_worker > 0)
-            return std::to_string(no_worker) + " calls had a worker that does not exist";
+            return std::to_string(no_worker) +
+                   " calls got the number of a worker that does not exist";
         if (overlaps > 0)
             return std::to_string(overlaps) + " times two calls had the same worker at once";
         return "";
@@ -101,7 +104,7 @@ TEST_CASE("06.5 each job is called once", "[06.5]") {
     }
 }
 
-TEST_CASE("06.5 the standard algorithm calls the jobs that are in its list", "[06.5]") {
+TEST_CASE("06.5 the standard algorithm calls work with the numbers in its list", "[06.5]") {
 #ifdef RT_HAS_TBB
     std::vector<int> many(1000);
     for (std::size_t i = 0; i < many.size(); ++i) many[i] = static_cast<int>(7919 * i % 1000) - 300;
@@ -133,8 +136,8 @@ TEST_CASE("06.5 the standard algorithm calls the jobs that are in its list", "[0
             };
             INFO(jobs.size() << " jobs " << text({jobs.begin(), jobs.end()})
                              << ": expected one call for each, actual: calls for " << text(called)
-                             << ".\nHint: work gets the numbers that are in `jobs`, whatever they "
-                                "are, not their places 0, 1, 2 ...");
+                             << ".\nHint: call work with the numbers in `jobs`, not with their "
+                                "indices 0, 1, 2 ...");
             REQUIRE(text(actual) == text(expected));
             REQUIRE(actual.size() == expected.size());
         }
@@ -163,7 +166,7 @@ TEST_CASE("06.5 the loops run in several threads", "[06.5]") {
     }
 }
 
-TEST_CASE("06.5 OpenMP takes as many threads as it is told", "[06.5]") {
+TEST_CASE("06.5 OpenMP uses the requested number of threads", "[06.5]") {
     if (!rt::spread_by_openmp()) {
         SUCCEED("there is no such loop");
         return;
@@ -180,7 +183,7 @@ TEST_CASE("06.5 OpenMP takes as many threads as it is told", "[06.5]") {
                 if (!comes([&] { return begun == workers; })) together = false;
             });
         });
-        INFO("Hint: num_threads(workers)");
+        INFO("Hint: write num_threads(workers)");
         const std::string expected = std::to_string(workers) + " threads at once";
         const std::string actual = together ? expected : "fewer";
         CHECK(actual == expected);
@@ -222,7 +225,8 @@ TEST_CASE("06.5 with OpenMP whichever thread is free takes the next job", "[06.5
             ++done;
         });
         INFO("job " << slow << " is slow");
-        const std::string actual = free ? "the other thread did the rest" : "jobs waited for it";
+        const std::string actual =
+            free ? "the other thread did the rest" : "jobs waited for the slow one";
         CHECK(actual == "the other thread did the rest");
         if (!free) break;
     }
