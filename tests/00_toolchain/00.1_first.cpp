@@ -204,10 +204,10 @@ Finding disk(const Drawn& drawn) {
             actual[2] < 0
                 ? "The discriminant is b * b - 4 * a * c, where a is dot(direction, direction), b "
                   "is 2 * dot(offset, direction) and c is dot(offset, offset) minus the radius "
-                  "squared. The direction is (right, up, -2), the center (0, 0, -4)"
+                  "squared. The direction is (right, up, -2), and the center is (0, 0, -4)"
                 : "Lower rows have a smaller up. Both right and up are divided by the height, or "
-                  "the disk is not round. The ball's center is (0, 0, -4), its radius 1, and the "
-                  "direction's third number is -2"};
+                  "the disk is not round. The ball's center is (0, 0, -4), its radius is 1, and "
+                  "the direction's third number is -2"};
 }
 
 // Compares the ball's pixels in some rows with the colors of their normals,
@@ -241,11 +241,11 @@ Finding normals(const Drawn& drawn, int first, int last, const std::string& what
 }
 
 Finding normals_above(const Drawn& drawn) {
-    return normals(drawn, 0, drawn.last_of_sky(),
-                   "the upper part of the ball in the colors of its normals",
-                   "Red grows to the right with the normal's x, green upward with y, blue toward "
-                   "you with z. The normal goes from the center to the point, not the other way, "
-                   "and the point is eye + t * direction with the smaller t");
+    return normals(
+        drawn, 0, drawn.last_of_sky(), "the upper part of the ball in the colors of its normals",
+        "Red grows to the right with the normal's x, green grows upward with y, and blue grows "
+        "toward you with z. The normal goes from the center to the point, not the other way, "
+        "and the point is eye + t * direction with the smaller t");
 }
 
 Finding ground(const Drawn& drawn) {
@@ -253,7 +253,8 @@ Finding ground(const Drawn& drawn) {
     if (drawn.difference(0, above, 0, below) <
         std::max(20, 3 * drawn.difference(0, above - (below - above), 0, above)))
         return {
-            "at the left edge, sky in row " + number(above) + " and ground in row " + number(below),
+            "at the left edge, the sky in row " + number(above) + " and the ground in row " +
+                number(below),
             "their colors are nearly the same: " + color(drawn, 0, above) + " and " +
                 color(drawn, 0, below),
             "The ground is a sphere of radius 1000 around (0, -1001, -4). Do you go through both "
@@ -314,7 +315,7 @@ Finding shadow(const Drawn& drawn) {
         const char* const hint =
             "The light comes from the left, from above and from behind you: to_light is (-2, 2, "
             "1). A point is in shadow if a ray from the point in this direction meets any of the "
-            "spheres. For the point's own sphere, look at the second t, too";
+            "spheres. For the point's own sphere, also look at the second t";
         if (kind == Place::ball)
             return {"the ball's lower right side, which is turned away from the light, is darker",
                     number(100.0 * shadow.wrong_lit / shadow.dark) + " % of it is as bright as " +
@@ -456,7 +457,7 @@ TEST_CASE("00.1 the disk is right to the pixel", "[00.1][hard]") {
         // A color may by chance be close to the sky's.
         if (wrong <= edge / 10) return {};
         return {"a disk of exactly the pixels whose middle lies in it",
-                number(wrong) + " pixels at its edge are wrong",
+                number(wrong) + " pixels at the edge of the disk are wrong",
                 "A ray goes through the middle of its pixel: (row + 0.5) and (column + 0.5), "
                 "divided by the height"};
     });
@@ -471,10 +472,10 @@ TEST_CASE("00.1 no specks in light and shadow", "[00.1][hard]") {
                                 "place: ") +
                         pixel_name(shadow.column, shadow.row) +
                         (shadow.should_be_dark ? " is dark" : " is in the light"),
-                    "it is not, and " + number(shadow.wrong_dark + shadow.wrong_lit - 1) +
+                    "but it is not, and " + number(shadow.wrong_dark + shadow.wrong_lit - 1) +
                         " other pixels are wrong, too",
                     "Specks come from rays that meet the very sphere that they start from, at a t "
-                    "of about 0: require t > 0.001. If the edges are wrong, look at to_light"};
+                    "of about 0: require t > 0.001. If the edges are wrong, check to_light"};
         }
         return {};
     });

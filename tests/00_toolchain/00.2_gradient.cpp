@@ -22,9 +22,9 @@ Color gradient_at(const Corners& corners, Real across, Real down) {
     } catch (const rt::NotImplemented&) {
         UNSCOPED_INFO(
             "Hint: if you wrote it, without rt::todo, the linker found no function that is exactly "
-            "rt::gradient(const Corners&, Real, Real).\nCompare yours with gradient.hpp: is it in "
-            "namespace rt, is the name the same, is each const and & there, and is it neither "
-            "static (known in its own file only) nor inline?");
+            "rt::gradient(const Corners&, Real, Real).\nCompare your function with gradient.hpp: "
+            "it must be in namespace rt, and have the same name and every const and &. It must be "
+            "neither static (known in its own file only) nor inline");
         throw;
     }
 }
@@ -46,7 +46,8 @@ constexpr Corners four{{1, 2, 3}, {5, 7, 11}, {13, 17, 19}, {23, 29, 31}};
 
 TEST_CASE("00.2 each corner has its own color", "[00.2]") {
     const char* const hint =
-        "across = 0 is the left and 1 the right, down = 0 is the top. Mix by across along the top "
+        "across = 0 is the left edge, across = 1 is the right edge, and down = 0 is the top. Mix "
+        "by across along the top "
         "edge and along the bottom edge, then mix these two by down";
     check_exactly(four, 0, 0, four.top_left, hint);
     check_exactly(four, 1, 0, four.top_right, hint);
@@ -55,7 +56,7 @@ TEST_CASE("00.2 each corner has its own color", "[00.2]") {
 }
 
 TEST_CASE("00.2 halfway is the mean of both ends", "[00.2]") {
-    const char* const hint = "mix(a, b, t) goes evenly from a to b; 1 / 2 is 0 in C++";
+    const char* const hint = "mix(a, b, t) goes evenly from a to b; note that 1 / 2 is 0 in C++";
     const Real half = Real(0.5);
     check_exactly(four, half, 0, {3, Real(4.5), 7}, hint);
     check_exactly(four, half, 1, {18, 23, 25}, hint);
@@ -64,15 +65,16 @@ TEST_CASE("00.2 halfway is the mean of both ends", "[00.2]") {
     check_exactly(four, half, half, {Real(10.5), Real(13.75), 16}, hint);
 }
 
-TEST_CASE("00.2 a quarter of the way down is a quarter of the way", "[00.2]") {
+TEST_CASE("00.2 a quarter of the way down the color is a quarter mixed", "[00.2]") {
     const Corners corners{{0, 0, 0}, {16, 0, 0}, {0, 16, 0}, {0, 0, 16}};
     check_exactly(corners, Real(0.75), Real(0.25), {9, 1, 3},
-                  "mix above and below by across, then those two by down");
+                  "mix the two upper corners and the two lower corners by across, then mix the "
+                  "results by down");
 }
 
-TEST_CASE("00.2 the ends are exact whatever is on the other side", "[00.2][hard]") {
+TEST_CASE("00.2 the ends are exact whatever the other colors are", "[00.2][hard]") {
     const char* const hint =
-        "(1 - t) a + t b is exactly b at t = 1; a + t (b - a) is not, since b - a was rounded";
+        "(1 - t) a + t b is exactly b at t = 1; a + t (b - a) is not, because b - a is rounded";
     const Color sun{Real(1e6), Real(3e6), Real(7e6)}, dark{Real(0.1), Real(0.2), Real(0.7)};
     const Corners corners{sun, dark, dark, sun};
     check_exactly(corners, 1, 0, dark, hint);
@@ -126,7 +128,8 @@ TEST_CASE("00.2 every point is right to the last digits", "[00.2][hard]") {
             if (error <= static_cast<double>(rt::rounding_bound(8)) * sum.high + 4 * smallest)
                 continue;
             where = "a color channel at across = " + checkpoint::text(across) +
-                    ", down = " + checkpoint::text(down) + "; in the corners it is " +
+                    ", down = " + checkpoint::text(down) +
+                    "; in the four corners, the channel is " +
                     checkpoint::text(colors[0].*channel) + " and " +
                     checkpoint::text(colors[1].*channel) + " above, " +
                     checkpoint::text(colors[2].*channel) + " and " +
@@ -136,7 +139,9 @@ TEST_CASE("00.2 every point is right to the last digits", "[00.2][hard]") {
             break;
         }
     }
-    INFO(where << ".\nHint: mix three times: top, bottom, and those two, each as (1 - t) a + t b. "
-                  "And is each number a Real? A float has only 7 digits");
+    INFO(
+        where
+        << ".\nHint: mix three times, along the top, along the bottom, and then these two results, "
+           "each time as (1 - t) a + t b. Use Real for each number: a float has only 7 digits");
     CHECK(actual == expected);
 }

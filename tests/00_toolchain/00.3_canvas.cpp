@@ -73,17 +73,18 @@ void check_memory() {
     {
         INFO("released twice: "
              << Watch::released_twice
-             << ".\nHint: two canvases had the same pixels_, and each released them");
+             << ".\nHint: two canvases had the same pixels_, and each of them released the pixels");
         CHECK(Watch::released_twice == 0);
     }
     {
         INFO(
-            "pixels were copied byte by byte, which is correct only for some types.\nHint: "
+            "pixels were copied byte by byte, which is correct only for some types.\nHint: use "
             "std::copy, std::fill or = instead of memcpy");
         CHECK(Watch::byte_copies == 0);
     }
     INFO("uses of destroyed pixels: " << Watch::dead_uses
-                                      << ".\nHint: a pointer or a reference outlived them");
+                                      << ".\nHint: a pointer or a reference still led to the "
+                                         "pixels after they had been destroyed");
     CHECK(Watch::dead_uses == 0);
 }
 
@@ -102,7 +103,7 @@ TEST_CASE("00.3 a new canvas has its size and its color", "[00.3]") {
         check_equal(canvas.height(), height);
         REQUIRE((canvas.begin() != nullptr));
         {
-            INFO("pixels that were used but never made: " << Watch::dead_uses);
+            INFO("pixels that were used but never constructed: " << Watch::dead_uses);
             REQUIRE(Watch::dead_uses == 0);
         }
         {
@@ -123,7 +124,7 @@ TEST_CASE("00.3 the pixels are released with the canvas", "[00.3]") {
     }
 }
 
-TEST_CASE("00.3 a copy has pixels of its own", "[00.3]") {
+TEST_CASE("00.3 a copy has its own pixels", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         const Canvas original = numbered(width, height);
@@ -134,7 +135,7 @@ TEST_CASE("00.3 a copy has pixels of its own", "[00.3]") {
                        "make new pixels, then std::copy the other's pixels to your own");
         {
             INFO(
-                "both canvases have the same pixels.\nHint: a copied pointer is not a copied "
+                "both canvases have the same pixels.\nHint: copying the pointer does not copy the "
                 "picture: make new pixels, then copy the colors");
             check_pixels(copy, original.begin(), "other pixels");
         }
@@ -158,8 +159,8 @@ TEST_CASE("00.3 a move takes the pixels over", "[00.3]") {
         const Canvas taken = std::move(original);
         {
             INFO(
-                "pixels made or copied by the move.\nHint: take over the pointer, and set that of "
-                "the other canvas to nullptr");
+                "pixels made or copied by the move.\nHint: take over the pointer, and set the "
+                "other canvas's pointer to nullptr");
             check_equal(Watch::made - made, 0);
             check_pixels(taken, pixels, "the same pixels");
         }
@@ -175,7 +176,8 @@ TEST_CASE("00.3 a move takes the pixels over", "[00.3]") {
 
 TEST_CASE("00.3 assignment copies or moves and releases the old pixels", "[00.3]") {
     const Watch watch;
-    const char* const hint = "std::swap each of the three members with other's";
+    const char* const hint =
+        "call std::swap for each of the three members and the same member of other";
     for (const auto& [width, height] : sizes)
         for (const bool same_size : {false, true}) {
             Canvas a{same_size ? width : 4, same_size ? height : 2, WatchedPixel{1}};
@@ -184,7 +186,7 @@ TEST_CASE("00.3 assignment copies or moves and releases the old pixels", "[00.3]
             Canvas c{1, 1};
             const Canvas* const another_one = &(c = a);
             {
-                INFO("a = b gives\nHint: return *this;");
+                INFO("the result of the expression a = b\nHint: return *this;");
                 const std::string actual =
                     itself == &a && another_one == &c ? "a itself" : "another canvas";
                 CHECK(actual == "a itself");
@@ -212,17 +214,17 @@ TEST_CASE("00.3 flipped swaps top and bottom", "[00.3]") {
         const Canvas canvas = numbered(width, height);
         const Canvas turned = rt::flipped(canvas);
         {
-            INFO(
-                width << " x " << height
-                      << ", flipped.\nHint: swap rows, not columns: row y with row height - 1 - y, "
-                         "for each y below height / 2. Fewer swaps leave a row out, more swap rows "
-                         "back; the middle one of an odd number of rows stays");
+            INFO(width
+                 << " x " << height
+                 << ", flipped.\nHint: swap rows, not columns: swap row y with row height - 1 - y, "
+                    "for each y below height / 2. With fewer swaps, a row is left out; with more, "
+                    "rows are swapped back. If the number of rows is odd, the middle row stays");
             const int last = height - 1;
             REQUIRE(complaint(turned, width, height,
                               [=](int x, int y) { return number_at(x, last - y); }) == "");
         }
         check_numbered("the canvas whose copy was passed to flipped", canvas, width, height,
-                       "flip the parameter, which is a value");
+                       "flip the parameter itself, which is passed by value");
     }
     check_memory();
 }
@@ -238,13 +240,13 @@ TEST_CASE("00.3 flipped returns the pixels of a canvas that is moved into it", "
         const int more = Watch::most_live - before;
         {
             INFO(
-                "the canvas that was returned has other memory.\nHint: take the canvas by value, "
+                "the returned canvas has different memory.\nHint: take the canvas by value, "
                 "flip it, and return it by its name");
             check_pixels(turned, pixels, "the same pixels");
         }
-        INFO(width << " x " << height << " pixels, and at one time there were " << more
+        INFO(width << " x " << height << " pixels, and at one moment there were " << more
                    << " more. A swap of two pixels needs one or two more.\nHint: use no second "
-                      "canvas, and no row to put pixels aside: std::swap(a, b) swaps two pixels");
+                      "canvas and no extra row: std::swap(a, b) swaps two pixels");
         CHECK(more <= 2);
     }
     check_memory();
@@ -262,9 +264,10 @@ TEST_CASE("00.3 largest is a reference to the pixel itself", "[00.3]") {
             const bool is_in_canvas = canvas.begin() <= found && found < canvas.end();
             {
                 INFO(
-                    "the reference does not refer to a pixel of the canvas.\nHint: is `pixel` of "
-                    "your loop a copy (no &), do you return a variable of the function, or is its "
-                    "parameter a value (no &)? All of these are gone when the function returns");
+                    "the reference does not refer to a pixel of the canvas.\nHint: check that "
+                    "`pixel` in your loop is not a copy, that you do not return a variable of the "
+                    "function, and that the parameter is not passed by value: each of these lacks "
+                    "an &, and no longer exists when the function returns");
                 REQUIRE(is_in_canvas);
             }
             INFO(
@@ -291,15 +294,16 @@ TEST_CASE("00.3 of several largest pixels the first is found", "[00.3][hard]") {
                           expected = "pixel " + std::to_string(x) + ", " + std::to_string(y);
         REQUIRE(actual == expected);
     };
-    check_found(0, 0,
-                "all are equal: the first one stays unless another is larger, so < and not <=. And "
-                "start with the first pixel itself, not with 0: all are below 0");
+    check_found(
+        0, 0,
+        "all pixels are equal: the first one stays unless another is larger, so compare with < and "
+        "not <=. Start with the first pixel itself, not with 0, because all pixels are below 0");
     canvas.at(2, 1) = canvas.at(0, 2) = canvas.at(1, 3) = WatchedPixel{-4};
     check_found(2, 1,
-                "the first of the largest ones, row by row from the top: replace it only by one "
-                "that is larger");
+                "the first of the largest pixels counts, row by row from the top: replace it only "
+                "by a pixel that is larger");
     canvas.at(4, 3) = WatchedPixel{-3};
-    check_found(4, 3, "the largest one may be the last");
+    check_found(4, 3, "the largest pixel may be the last one");
 }
 
 TEST_CASE("00.3 a canvas may be assigned to itself", "[00.3][hard]") {
@@ -308,10 +312,10 @@ TEST_CASE("00.3 a canvas may be assigned to itself", "[00.3][hard]") {
         Canvas canvas = numbered(3, 2);
         const Canvas& same = canvas;
         canvas = same;
-        INFO("Hint: release the old pixels last, after the new ones are made");
+        INFO("Hint: make the new pixels first, and release the old ones last");
         CHECK(Watch::dead_uses == 0);
         check_numbered("the canvas, after canvas = canvas,", canvas, 3, 2,
-                       "std::swap each of the three members with other's");
+                       "call std::swap for each of the three members and the same member of other");
     }
     check_memory();
 }
@@ -324,7 +328,7 @@ TEST_CASE("00.3 a vector of canvases grows without copies", "[00.3][hard]") {
             Canvas canvas = numbered(2, 2);
             const int made = Watch::made;
             canvases.push_back(std::move(canvas));
-            INFO("pixels made when canvas number "
+            INFO("the number of pixels made when canvas number "
                  << i
                  << " moved in.\nHint: a vector that grows moves its elements only if their move "
                     "constructor is noexcept: Canvas(Canvas&& other) noexcept");
@@ -343,18 +347,20 @@ TEST_CASE("00.3 a canvas that was moved from can be used again", "[00.3][hard]")
         Canvas canvas = numbered(3, 2);
         Canvas taken = std::move(canvas);
         Canvas empty_copy = canvas;
-        INFO("Hint: 0 wide and 0 high, with no pixels: that can be copied, assigned and flipped");
+        INFO(
+            "Hint: leave a canvas of width 0 and height 0 without pixels, which can be copied, "
+            "assigned and flipped");
         check_equal(static_cast<int>(empty_copy.size()), 0);
         check_equal(static_cast<int>(rt::flipped(empty_copy).size()), 0);
         canvas = taken;
         check_numbered("an empty canvas to which another was assigned", canvas, 3, 2,
-                       "std::swap each of the three members with other's");
+                       "call std::swap for each of the three members and the same member of other");
         taken = empty_copy;
         check_equal(taken.width(), 0);
         check_equal(taken.height(), 0);
         taken = std::move(canvas);
         check_numbered("an empty canvas into which another was moved", taken, 3, 2,
-                       "std::swap each of the three members with other's");
+                       "call std::swap for each of the three members and the same member of other");
         Canvas emptied = numbered(1, 2);
         const Canvas owner = std::move(emptied);
         taken = std::move(emptied);
@@ -363,12 +369,14 @@ TEST_CASE("00.3 a canvas that was moved from can be used again", "[00.3][hard]")
     check_memory();
 }
 
-TEST_CASE("00.3 sides below 1 are refused and nothing is lost", "[00.3][hard]") {
+TEST_CASE("00.3 a width or height below 1 is refused and no memory is lost", "[00.3][hard]") {
     const Watch watch;
     try {
         const Canvas one{1, 1, WatchedPixel{1}};
     } catch (const std::invalid_argument&) {
-        FAIL("1 x 1 was refused.\nHint: it is allowed; refuse width < 1, and not width <= 1");
+        FAIL(
+            "a canvas of 1 x 1 was refused.\nHint: this size is allowed: refuse width < 1, not "
+            "width <= 1");
     }
     for (const auto& [width, height] : {std::pair{0, 5}, std::pair{5, 0}, std::pair{-1, 5},
                                         std::pair{5, -1}, std::pair{-2, -3}, std::pair{0, 0}}) {
@@ -378,15 +386,15 @@ TEST_CASE("00.3 sides below 1 are refused and nothing is lost", "[00.3][hard]") 
         } catch (const std::invalid_argument&) {
             continue;
         } catch (const std::bad_alloc&) {
-            actual = "got as far as new, which was asked for an absurd number of pixels";
+            actual = "not refused before new was called with an absurd number of pixels";
         } catch (const rt::NotImplemented&) {
             throw;
         } catch (...) {
             actual = "refused by another exception";
         }
-        INFO("sides of " << width << " x " << height
-                         << ".\nHint: throw std::invalid_argument, before anything else, when "
-                            "width < 1 or (||) height < 1");
+        INFO("a canvas of " << width << " x " << height
+                            << ".\nHint: throw std::invalid_argument, before anything else, when "
+                               "width < 1 or (||) height < 1");
         CHECK(actual == "refused by std::invalid_argument");
     }
     INFO(
@@ -395,7 +403,7 @@ TEST_CASE("00.3 sides below 1 are refused and nothing is lost", "[00.3][hard]") 
     check_memory();
 }
 
-TEST_CASE("00.3 a full heap loses no canvas", "[00.3][hard]") {
+TEST_CASE("00.3 no canvas is lost if there is no memory left", "[00.3][hard]") {
     const Watch watch;
     {
         Canvas canvas = numbered(3, 2);
@@ -412,14 +420,13 @@ TEST_CASE("00.3 a full heap loses no canvas", "[00.3][hard]") {
         {
             INFO(
                 "a million million pixels, for which there is no memory: new throws.\nHint: any "
-                "size from 1 x 1 up is allowed; leave what new throws to the caller");
+                "size from 1 x 1 up is allowed; do not catch what new throws");
             CHECK(actual == "std::bad_alloc");
         }
         {
-            INFO(
-                "bytes requested from new: "
-                << Watch::asked
-                << ".\nHint: width times height may be more than an int holds; size() can hold it");
+            INFO("bytes requested from new: "
+                 << Watch::asked
+                 << ".\nHint: width times height may not fit into an int; use size()");
             if (Watch::asked != 0) CHECK(Watch::asked >= std::size_t{1} << 40);
         }
         bool thrown = false;

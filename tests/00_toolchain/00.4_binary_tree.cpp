@@ -55,7 +55,7 @@ std::string unbalanced(const WatchedNode* root) {
                 root->right->first == middle && root->right->last == root->last;
     }
     if (!right)
-        return "the one over " + std::to_string(root->first) + " to " + std::to_string(root->last);
+        return "the node over " + std::to_string(root->first) + " to " + std::to_string(root->last);
     for (const WatchedNode* child : {root->left.get(), root->right.get()})
         if (child)
             if (const std::string wrong = unbalanced(child); wrong != "none") return wrong;
@@ -136,9 +136,9 @@ TEST_CASE("00.4 the nodes of small trees are counted", "[00.4]") {
     const Watch watch;
     {
         INFO(
-            "Hint: count every node, inner ones and leaves; an empty tree has none. With a list: "
-            "not `for (... : to_do)`, which does not see what is added, but while "
-            "(!to_do.empty())");
+            "Hint: count every node, both inner nodes and leaves; an empty tree has none. If you "
+            "keep a list, loop with while (!to_do.empty()), because `for (... : to_do)` does not "
+            "see what is added");
         CHECK(rt::count_nodes<WatchedNode>(nullptr) == 0);
         CHECK(rt::count_nodes(node().get()) == 1);
         CHECK(rt::count_nodes(node(node()).get()) == 2);
@@ -152,8 +152,8 @@ TEST_CASE("00.4 the depth of small trees", "[00.4]") {
     const Watch watch;
     {
         INFO(
-            "Hint: count the nodes on the longest way down, including the root; the deeper child "
-            "counts");
+            "Hint: count the nodes on the longest path down, including the root: of two children, "
+            "the deeper one counts");
         CHECK(rt::depth_of<WatchedNode>(nullptr) == 0);
         CHECK(rt::depth_of(node().get()) == 1);
         CHECK(rt::depth_of(node(node()).get()) == 2);
@@ -178,7 +178,7 @@ TEST_CASE("00.4 trees of any shape are counted and measured", "[00.4]") {
     }
 }
 
-TEST_CASE("00.4 a tree is made of halves", "[00.4]") {
+TEST_CASE("00.4 each node is split in half", "[00.4]") {
     const Watch watch;
     for (const int first : {100, -1, -10, -77})
         for (int count = 1; count <= 40; ++count) {
@@ -202,23 +202,24 @@ TEST_CASE("00.4 a tree is made of halves", "[00.4]") {
                 }
                 {
                     INFO(
-                        "every number is in the tree; which node's children are not its two "
-                        "halves?\nHint: middle = first + (last - first) / 2; if the count is odd, "
-                        "the right half is larger, and a single number is a leaf. Below 0, (first "
-                        "+ last) / 2 is rounded the other way");
+                        "every number is in the tree, but the children of this node are not its "
+                        "two halves.\nHint: middle = first + (last - first) / 2; if the count is "
+                        "odd, "
+                        "the right half is larger, and a single number is a leaf. For negative "
+                        "numbers, (first + last) / 2 is rounded in the other direction");
                     REQUIRE(unbalanced(root.get()) == "none");
                 }
-                INFO("nodes that were made: each is needed once");
+                INFO("the number of nodes that were made: make each node once");
                 REQUIRE(Watch::made - made == 2 * count - 1);
             }
             check_memory();
         }
 }
 
-TEST_CASE("00.4 a tree of nothing is empty", "[00.4]") {
+TEST_CASE("00.4 a tree over no things is empty", "[00.4]") {
     const Watch watch;
     for (const int first : {0, 5, -5}) {
-        INFO("Hint: the root of an empty tree is nullptr; no node may be made for it");
+        INFO("Hint: the root of an empty tree is nullptr: make no node for it");
         const Tree root = rt::make_tree<WatchedNode>(first, first);
         const std::string actual = root ? "a node" : "nullptr";
         CHECK(actual == "nullptr");
@@ -226,7 +227,7 @@ TEST_CASE("00.4 a tree of nothing is empty", "[00.4]") {
     }
 }
 
-TEST_CASE("00.4 taking apart destroys every node once", "[00.4]") {
+TEST_CASE("00.4 take_apart destroys every node once", "[00.4]") {
     const Watch watch;
     rt::take_apart(Tree{});
     rt::take_apart(node(node(node(), node({}, node())), node()));
@@ -279,8 +280,8 @@ TEST_CASE("00.4 a tree a million nodes deep is taken apart", "[00.4][hard]") {
         return std::to_string(Watch::deepest_destructor) + " destructor at a time";
     });
     INFO(
-        "if the program ended, its stack was full.\nHint: does take_apart call itself? Each "
-        "waiting call takes room on the stack, even where no destructor runs inside another. Keep "
+        "if the program ended, its stack was full.\nHint: take_apart must not call itself: each "
+        "waiting call takes room on the stack, even if no destructor runs inside another. Keep "
         "a std::vector of unique_ptr, as in step 5 of the text");
     CHECK(actual == "1 destructor at a time");
 }
@@ -296,14 +297,14 @@ TEST_CASE("00.4 things may be numbered up to the largest int", "[00.4][hard]") {
             const bool is_root = root && root->first == first && root->last == last;
             return is_root ? unbalanced(root.get()) : "the root";
         });
-        INFO("which node's children are not its two halves, in a tree over "
+        INFO("the node whose children are not its two halves, in a tree over "
              << first << " to " << last
-             << ".\nHint: first + last does not fit an int; first + (last - first) / 2 does");
+             << ".\nHint: first + last does not fit into an int; first + (last - first) / 2 does");
         CHECK(actual == "none");
     }
 }
 
-TEST_CASE("00.4 a balanced tree is as deep as the logarithm says", "[00.4][hard]") {
+TEST_CASE("00.4 the depth of a balanced tree is logarithmic", "[00.4][hard]") {
     const Watch watch{Watch::destructors_only};
     for (const int count : {1, 2, 3, 4, 5, 8, 9, 1000, 1024, 1025, 100'000}) {
         const auto root = rt::make_tree<WatchedNode>(-count / 3, count - count / 3);

@@ -64,13 +64,14 @@ std::string misled(const std::vector<Link>& links, std::size_t i) {
                "&links[i + 1] must stop one link earlier";
     if (!next)
         return where +
-               "nowhere, not to the next link.\nHint: is each link connected? `for (auto link : "
-               "links)` goes through copies of them, `auto&` through the links themselves";
+               "nowhere, not to the next link.\nHint: connect each link. `for (auto link : links)` "
+               "goes through copies of the links, and `auto&` goes through the links themselves";
     return where +
-           "to another address, not to the next link in the same vector.\nHint: it may lead into "
-           "the old chain. It may lead into memory that the vector has left: a full vector moves "
-           "all its links elsewhere, so connect them when it is complete. Or it may lead into "
-           "another vector: a copy lies elsewhere, so return the vector that you connected";
+           "to another address, not to the next link in the same vector.\nHint: the pointer may "
+           "lead into the old chain. It may lead into memory that the vector has left: a full "
+           "vector moves all its links elsewhere, so connect the links when the vector is "
+           "complete. Or it may lead into another vector: a copy has its own memory, so return the "
+           "vector whose links you connected";
 }
 
 // Whether the links follow each other in memory with the values of the chain.
@@ -81,8 +82,8 @@ void check_gathered(const std::vector<Link>& links, const std::vector<Real>& val
         if (links[i].value != values[i]) {
             INFO("the value of link "
                  << i
-                 << ".\nHint: the values stay unchanged, in the order of the chain; an int has "
-                    "nothing after the decimal point, a float only 7 digits");
+                 << ".\nHint: the values stay unchanged, in the order of the chain; an int has no "
+                    "digits after the decimal point, and a float has only 7 digits");
             const std::string actual = text(links[i].value), expected = text(values[i]);
             REQUIRE(actual == expected);
         }
@@ -100,15 +101,16 @@ void check_sum(const char* of, const Link* first, Real expected_sum, const char*
 }
 
 const char* const in_order =
-    "add link by link from the first to the last; and is the sum a Real, and each value unchanged? "
-    "`auto sum = 0` is an int, and a float or a long double has other digits than a Real";
+    "add the unchanged values link by link, from the first to the last. The sum must be a Real: "
+    "`auto sum = 0` is an int, and a float or a long double is rounded differently";
 
 }  // namespace
 
 TEST_CASE("00.5 the values of a chain are added up", "[00.5]") {
     const char* const hint =
         "the sum starts at 0, `Real sum = 0;`: without a value it holds garbage, and `auto sum = "
-        "0` is an int, with nothing after the decimal point. And for (const Link* link = first; "
+        "0` is an int, with no digits after the decimal point. The loop for (const Link* link = "
+        "first; "
         "link; link = link->next) visits each link once";
     const Link three{Real(0.75), nullptr}, two{-2, &three}, one{Real(4.5), &two};
     check_sum("0.75", &three, Real(0.75), hint);
@@ -119,7 +121,7 @@ TEST_CASE("00.5 the values of a chain are added up", "[00.5]") {
 }
 
 TEST_CASE("00.5 an empty chain has the sum 0 and gathers nothing", "[00.5]") {
-    INFO("Hint: `Real sum = 0;` and `std::vector<Link> links;`, with no link to begin with");
+    INFO("Hint: begin with `Real sum = 0;` and with `std::vector<Link> links;`, which has no link");
     CHECK(rt::sum_along(nullptr) == 0);
     CHECK(rt::gathered(nullptr).size() == 0);
 }
@@ -156,8 +158,8 @@ TEST_CASE("00.5 the values are added in the order of the chain", "[00.5][hard]")
     const Real huge = 2 / rt::epsilon;
     const Link end{1, nullptr}, down{-huge, &end}, one{1, &down}, up{huge, &one};
     check_sum(
-        "a huge number, 1, minus the huge number, 1: the first 1 is rounded away, the last one "
-        "stays",
+        "the values are a huge number, 1, minus the huge number, and 1: the first 1 is lost by "
+        "rounding, and the last 1 stays",
         &up, 1, in_order);
     for (int count = 1; count <= 200; ++count) {
         const Scattered chain{count};
@@ -194,7 +196,7 @@ TEST_CASE("00.5 a chain of millions of links leads from each link to the next", 
         if (links[i].next != &links[i] + 1 || links[i].value != chain[i].value)
             wrong = misled(links, i);
         if (wrong.empty() && links[i].value != chain[i].value)
-            wrong = "link " + std::to_string(i) + " has another value";
+            wrong = "link " + std::to_string(i) + " has a different value";
     }
     CHECK(wrong == "");
 }

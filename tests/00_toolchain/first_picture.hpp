@@ -27,7 +27,7 @@ inline Printed run(const char* program) {
     constexpr unsigned seconds = 10, computing = 3;
     constexpr std::size_t most = std::size_t{64} << 20;
     int ends[2];
-    if (pipe(ends) != 0) return {"", "there was no pipe to read its output from"};
+    if (pipe(ends) != 0) return {"", "no pipe could be made to read its output"};
     const pid_t child = fork();
     if (child == 0) {
         const int nothing = open("/dev/null", O_RDWR);
@@ -61,7 +61,7 @@ inline Printed run(const char* program) {
     if (!printed.trouble.empty()) return printed;
     if (WIFSIGNALED(status))
         printed.trouble = WTERMSIG(status) == SIGXCPU
-                              ? "it computed for 3 seconds and did not end; does a loop never end?"
+                              ? "it computed for 3 seconds without ending; does a loop never end?"
                           : WTERMSIG(status) == SIGALRM
                               ? "it was still running after 10 seconds; what does it wait for?"
                               : "it crashed (signal " + std::to_string(WTERMSIG(status)) +
@@ -124,10 +124,10 @@ inline Picture read_p3(const std::string& text, std::string& trouble) {
     if (all.empty() || all[0] != "P3") {
         trouble = "its first word is " + word(0) + " where P3 was expected";
     } else if (number(1) < 1 || number(2) < 1 || number(1) > widest || number(2) > widest) {
-        trouble = "after P3 come " + word(1) + " and " + word(2) +
+        trouble = "after P3 follow " + word(1) + " and " + word(2) +
                   " where a width and a height from 1 to 1920 were expected";
     } else if (number(3) != 255) {
-        trouble = "after width and height comes " + word(3) +
+        trouble = "after width and height follows " + word(3) +
                   " where 255 was expected, the value of full brightness";
     }
     if (!trouble.empty()) return picture;

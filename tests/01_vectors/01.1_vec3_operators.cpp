@@ -34,15 +34,15 @@ void check_plus(Vec3 a, Vec3 b) {
 }
 void check_minus(Vec3 a, Vec3 b) {
     check(text(a) + " - " + text(b), {a.x - b.x, a.y - b.y, a.z - b.z}, a - b,
-          "each component of a minus that of b, in this order");
+          "subtract each component of b from the same component of a");
 }
 void check_times(Vec3 v, Real s) {
     check(text(v) + " * " + text(s), {v.x * s, v.y * s, v.z * s}, v * s,
-          "each of the three components times s");
+          "multiply each of the three components by s");
 }
 void check_over(Vec3 v, Real s) {
     check(text(v) + " / " + text(s), {v.x / s, v.y / s, v.z / s}, v / s,
-          "each component divided by s; times 1 / s rounds twice");
+          "divide each component by s; multiplying by 1 / s rounds twice");
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ TEST_CASE("01.1 a sum goes along both vectors", "[01.1]") {
     check_plus({1, 2, 3}, {});
 }
 
-TEST_CASE("01.1 a difference is the way from the second to the first", "[01.1]") {
+TEST_CASE("01.1 a difference leads from the second vector to the first", "[01.1]") {
     check_minus({4, 6, 9}, {1, 2, 3});
     check_minus({1, 2, 3}, {4, 6, 9});
     check_minus({0, 0, 0}, {1, 2, 3});
@@ -76,7 +76,7 @@ TEST_CASE("01.1 a quotient divides every component", "[01.1]") {
     check_over({1, 2, 3}, Real(0.5));
 }
 
-TEST_CASE("01.1 any vectors of everyday size", "[01.1]") {
+TEST_CASE("01.1 any vectors of ordinary size", "[01.1]") {
     rt::Rng rng{11, 1};
     for (int i = 0; i < 2000; ++i) {
         const Vec3 a = any_vector(rng, -3, 3), b = any_vector(rng, -3, 3);
@@ -89,19 +89,20 @@ TEST_CASE("01.1 any vectors of everyday size", "[01.1]") {
 
 TEST_CASE("01.1 the other operators are made of these", "[01.1]") {
     const Vec3 a{1, 2, 3}, b{4, 6, 9};
-    check("2 * (1, 2, 3)", {2, 4, 6}, 2 * a, "given in <rt/vec3.hpp>: it calls your v * s");
+    check("2 * (1, 2, 3)", {2, 4, 6}, 2 * a,
+          "this operator is given in <rt/vec3.hpp> and calls your v * s");
     Vec3 c = a;
     c += b;
-    check("(1, 2, 3) += (4, 6, 9)", {5, 8, 12}, c, "it calls your a + b");
+    check("(1, 2, 3) += (4, 6, 9)", {5, 8, 12}, c, "this operator calls your a + b");
     c -= a;
-    check("(5, 8, 12) -= (1, 2, 3)", {4, 6, 9}, c, "it calls your a - b");
+    check("(5, 8, 12) -= (1, 2, 3)", {4, 6, 9}, c, "this operator calls your a - b");
     c *= 3;
-    check("(4, 6, 9) *= 3", {12, 18, 27}, c, "it calls your v * s");
+    check("(4, 6, 9) *= 3", {12, 18, 27}, c, "this operator calls your v * s");
     c /= 6;
-    check("(12, 18, 27) /= 6", {2, 3, Real(4.5)}, c, "it calls your v / s");
+    check("(12, 18, 27) /= 6", {2, 3, Real(4.5)}, c, "this operator calls your v / s");
 }
 
-TEST_CASE("01.1 the operands stay as they are", "[01.1]") {
+TEST_CASE("01.1 the operands do not change", "[01.1]") {
     Vec3 a{1, 2, 3}, b{4, 6, 9};
     const Vec3 all[] = {a + b, a - b, a * 5, a / 5};
     check("a after all four", {1, 2, 3}, a, "return a new vector, and change neither a nor b");
@@ -131,7 +132,7 @@ TEST_CASE("01.1 a quotient by a tiny number overflows only if it must", "[01.1][
     check_over(Vec3{huge, -huge, huge / 4}, huge);
 }
 
-TEST_CASE("01.1 infinite components and zeros stay what they are", "[01.1][hard]") {
+TEST_CASE("01.1 infinite components and zeros give the right result", "[01.1][hard]") {
     const Real inf = rt::infinity;
     check_plus({inf, 1, -inf}, {1, inf, 1});
     check_plus({inf, -inf, 0}, {-inf, inf, 0});

@@ -14,8 +14,7 @@ void check_dot(Vec3 a, Vec3 b) {
                            size_of_terms(exact_vector(a), exact_vector(b));
     INFO("dot(" << text(a) << ", " << text(b) << ")");
     HINT(expected, computed,
-         "compute with Real throughout, and add up the 3 products as they are, whatever their "
-         "sizes");
+         "compute with Real throughout, and add up the 3 products unchanged, whatever their sizes");
     REQUIRE(times_allowed(computed, expected, allowed) <= 1);
 }
 
@@ -26,7 +25,7 @@ TEST_CASE("01.2 the dot product sums the products of all three components", "[01
     const Real computed = rt::dot(a, b);
     INFO("dot((1, 2, 3), (10, 100, 1000)): expected 10 + 200 + 3000 = 3210, actual "
          << text(computed));
-    if (computed == 210) INFO("Hint: is the product of the z components in your sum?");
+    if (computed == 210) INFO("Hint: the product of the z components is missing from your sum");
     CHECK(computed == 3210);
 }
 

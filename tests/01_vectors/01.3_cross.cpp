@@ -12,8 +12,8 @@ void check_cross(Vec3 a, Vec3 b) {
     const Vec3 computed = rt::cross(a, b);
     INFO("cross(" << text(a) << ", " << text(b) << ")");
     HINT(expected, computed,
-         "a component p q - r s loses its digits where both products are nearly the same; "
-         "difference_of_products(p, q, r, s) keeps them");
+         "a component p q - r s loses its digits if both products are nearly the same; "
+         "difference_of_products(p, q, r, s) keeps the digits");
     REQUIRE(error_in_ulp(computed, expected) <= 1.5);
 }
 
@@ -22,7 +22,7 @@ void check_cross(Vec3 a, Vec3 b) {
 TEST_CASE("01.3 x cross y is z and y cross z is x and z cross x is y", "[01.3]") {
     const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
     INFO(
-        "Hint: if only signs are wrong, two products are swapped: the order is y z - z y, "
+        "Hint: if only signs are wrong, you have swapped the two products: the order is y z - z y, "
         "z x - x z, x y - y x");
     CHECK(rt::cross(x, y) == z);
     CHECK(rt::cross(y, z) == x);
@@ -53,7 +53,7 @@ TEST_CASE("01.3 the cross product is perpendicular to both and has the right len
         const ExactVec3 expected = cross(exact_vector(a), exact_vector(b));
         const Vec3 computed = rt::cross(a, b);
         INFO("cross(" << text(a) << ", " << text(b) << ")");
-        HINT(expected, computed, "each component leaves out its own letter: x is ay bz - az by");
+        HINT(expected, computed, "no component uses its own letter: x is ay bz - az by");
         REQUIRE(error_in_ulp(computed, expected) <= 1.5);
     }
 }

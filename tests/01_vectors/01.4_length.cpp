@@ -155,16 +155,18 @@ TEST_CASE("01.4 the smallest and the largest numbers have a length", "[01.4][har
             check_both({{0, size, 0}, one.exponent});
             check_both({{0, 0, size}, one.exponent});
         }
-    INFO("length({0, 0, 0}) is 0");
+    INFO("the length of (0, 0, 0) must be 0");
     CHECK(rt::length({0, 0, 0}) == 0);
-    INFO("the length of three components of the largest number is too large: infinite");
+    INFO(
+        "if all three components are the largest number, the length does not fit into a Real: it "
+        "must be infinite");
     CHECK(rt::length({largest, largest, -largest}) == rt::infinity);
 }
 
 TEST_CASE("01.4 a vector without direction is refused", "[01.4][hard]") {
     INFO(
-        "Hint: throw std::domain_error(\"why\") if the vector is zero, infinite or NaN; "
-        "is_finite(v) tells");
+        "Hint: throw std::domain_error(\"why\") if the vector is zero, infinite or NaN; test it "
+        "with is_finite(v)");
     const Real zero = 0, nan = std::numeric_limits<Real>::quiet_NaN();
     CHECK_THROWS_AS(rt::normalize({0, 0, 0}), std::domain_error);
     CHECK_THROWS_AS(rt::normalize({-zero, 0, -zero}), std::domain_error);

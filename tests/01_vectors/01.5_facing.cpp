@@ -20,14 +20,13 @@ void check_side(Vec3 normal, Vec3 to_viewer, int exponent, int other_exponent) {
         return;
     const int side = product > 0 ? 1 : -1;
     const Vec3 n = scaled(normal, exponent), v = scaled(to_viewer, other_exponent);
-    INFO(
-        "facing("
-        << text(n) << ", " << text(v) << "), which are "
-        << std::acos(std::clamp(product / exact_length(a).high / exact_length(b).high, -1.0, 1.0)) *
-               180 / 3.14159265358979
-        << " degrees apart.\nHint: no angle is so near 90 degrees, and no vector so short or "
-           "long, that it counts as edge-on: only the sign decides, once split_scale has scaled "
-           "the vectors");
+    INFO("facing(" << text(n) << ", " << text(v) << "), which are "
+                   << std::acos(std::clamp(product / exact_length(a).high / exact_length(b).high,
+                                           -1.0, 1.0)) *
+                          180 / 3.14159265358979
+                   << " degrees apart.\nHint: no angle is so near 90 degrees, and no vector is so "
+                      "short or long, that it counts as edge-on: scale the vectors by split_scale, "
+                      "and then let only the sign decide");
     const int computed = rt::facing(n, v), from_behind = rt::facing(-n, v);
     REQUIRE(computed == side);
     REQUIRE(from_behind == -side);
@@ -79,7 +78,7 @@ TEST_CASE("01.5 exactly edge-on is 0 whatever the lengths", "[01.5][hard]") {
     }
 }
 
-TEST_CASE("01.5 tiny and huge vectors have a side too", "[01.5][hard]") {
+TEST_CASE("01.5 tiny and huge vectors are in front or behind too", "[01.5][hard]") {
     constexpr int digits = std::numeric_limits<Real>::digits,
                   lowest = std::numeric_limits<Real>::min_exponent - digits,
                   highest = std::numeric_limits<Real>::max_exponent - 1;
@@ -103,7 +102,7 @@ TEST_CASE("01.5 tiny and huge vectors have a side too", "[01.5][hard]") {
 }
 
 TEST_CASE("01.5 no angle that can be told from 90 degrees is edge-on", "[01.5][hard]") {
-    INFO("Hint: the sign of the dot product knows more than the angle itself, which is rounded");
+    INFO("Hint: use the sign of the dot product, because the angle itself is rounded");
     // The two vectors share one component, which is small: the cosine is its square.
     const int smallest = for_this_precision(-60, -500), far = for_this_precision(60, 500);
     for (int power = -1; power >= smallest; --power)
@@ -116,7 +115,7 @@ TEST_CASE("01.5 no angle that can be told from 90 degrees is edge-on", "[01.5][h
         }
 }
 
-TEST_CASE("01.5 a zero vector faces nowhere", "[01.5][hard]") {
+TEST_CASE("01.5 a zero vector gives 0", "[01.5][hard]") {
     const Real huge = std::numeric_limits<Real>::max();
     for (const Real zero : {Real(0), Real(-0.0)})
         for (const Vec3 other : {Vec3{1, 2, 3}, Vec3{-huge, huge, huge}, Vec3{0, 0, 0}}) {

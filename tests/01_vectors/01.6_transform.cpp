@@ -69,7 +69,7 @@ void check_maps(rt::Rng& rng, Real low, Real high) {
                       ("multiply, entry (" + entry + ")").c_str());
         }
     const Vec3 last_row{product(3, 0), product(3, 1), product(3, 2)};
-    INFO("multiply: the last row of a map is 0 0 0 1");
+    INFO("multiply: the last row of the product must be 0 0 0 1");
     REQUIRE(last_row == Vec3{0, 0, 0});
     REQUIRE(product(3, 3) == 1);
 }
@@ -79,15 +79,15 @@ void check_maps(rt::Rng& rng, Real low, Real high) {
 TEST_CASE("01.6 a point is turned and moved", "[01.6]") {
     const Vec3 computed = rt::transform_point(map, {1, 2, 3});
     INFO("expected (12, 17, 32), actual " << text(computed)
-                                          << ".\nHint: each row times (x, y, z, 1); (12, 17, 32) "
-                                             "is 2 x, -z, y, then + (10, 20, 30)");
+                                          << ".\nHint: multiply each row by (x, y, z, 1): (12, 17, "
+                                             "32) is (2 x, -z, y) + (10, 20, 30)");
     CHECK(computed == Vec3{12, 17, 32});
 }
 
 TEST_CASE("01.6 a direction is turned but not moved", "[01.6]") {
     const Vec3 computed = rt::transform_vector(map, {1, 2, 3});
     INFO("expected (2, -3, 2), actual " << text(computed)
-                                        << ".\nHint: each row times (x, y, z, 0)");
+                                        << ".\nHint: multiply each row by (x, y, z, 0)");
     CHECK(computed == Vec3{2, -3, 2});
 }
 
@@ -97,9 +97,9 @@ TEST_CASE("01.6 a normal stays perpendicular to its surface", "[01.6]") {
     const Mat4 stretch = rt::scaling({2, 1, 1}), shrink = rt::scaling({real(0.5), 1, 1});
     const Vec3 along = rt::transform_vector(stretch, {1, 1, 0});
     const Vec3 normal = rt::transform_normal(shrink, {1, -1, 0});
-    INFO("the surface now runs along " << text(along) << ", your normal is " << text(normal)
-                                       << "; the two must be perpendicular.\nHint: the columns of "
-                                          "the inverse, not its rows, times n");
+    INFO("the surface now runs along " << text(along) << ", and your normal is " << text(normal)
+                                       << "; the two must be perpendicular.\nHint: multiply n by "
+                                          "the columns of the inverse, not by its rows");
     CHECK(dot(along, normal).high == 0);
     CHECK(normal == Vec3{real(0.5), -1, 0});
 }
@@ -108,8 +108,8 @@ TEST_CASE("01.6 a normal takes the columns of the inverse and does not move", "[
     const Vec3 computed = rt::transform_normal(inverse_of_map, {1, 2, 3});
     INFO("expected (0.5, -3, 2), actual "
          << text(computed)
-         << ".\nHint: component x is column 0 of the inverse times n, and so on; the translation "
-            "is left out");
+         << ".\nHint: component x is the dot product of column 0 of the inverse and n, and so on; "
+            "leave the translation out");
     CHECK(computed == Vec3{real(0.5), -3, 2});
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("01.6 the product of two maps applies the right-hand map first", "[01.
     CHECK(moved_first == Mat4{{{{2, 0, 0, 2}, {0, 3, 0, 0}, {0, 0, 4, 0}, {0, 0, 0, 1}}}});
 }
 
-TEST_CASE("01.6 any map is applied to anything", "[01.6]") {
+TEST_CASE("01.6 any map and any point or vector or normal", "[01.6]") {
     rt::Rng rng{5, 1};
     for (int i = 0; i < 300; ++i) check_maps(rng, -1, 1);
 }
@@ -140,7 +140,7 @@ TEST_CASE("01.6 a sheared and squeezed surface keeps its normal", "[01.6][hard]"
     const Mat4 unshear{{{{1, -4 / s, 0, 0}, {0, 1 / s, 0, 0}, {0, 0, s, 0}, {0, 0, 0, 1}}}};
     const Vec3 normal = rt::transform_normal(unshear, {1, 2, 0});
     const Vec3 along = rt::transform_vector(shear, {2, -1, 0});
-    INFO("the surface now runs along " << text(along) << ", your normal is " << text(normal));
+    INFO("the surface now runs along " << text(along) << ", and your normal is " << text(normal));
     CHECK(dot(along, normal).high == 0);
     CHECK(std::abs(normal.x) + std::abs(normal.y) > 0);
 }

@@ -118,7 +118,8 @@ void check_inverse(const Exactly& exact, Vec3 point, Accuracy accuracy = Accurac
             const Exact moved = -dot(expected, origin);
             INFO("the last number of row " << i << " of the inverse");
             HINT(moved, unscaled(translations[i]),
-                 "it is minus the inverse's row times the translation");
+                 "the last number is minus the dot product of the inverse's row and the "
+                 "translation");
             REQUIRE(times_allowed(unscaled(translations[i]), moved,
                                   is_any_way ? moves_any_way : of_terms * moves) <= 1);
         }
@@ -131,7 +132,7 @@ void check_inverse(const Exactly& exact, Vec3 point, Accuracy accuracy = Accurac
         const double moves = size_of_terms(expected, origin);
         const Exact seen_there = dot(expected, p - origin);
         INFO("to_object, component " << i << ", of " << text(point));
-        HINT(seen_there, unscaled(seen[i]), "transform_point with the inverse");
+        HINT(seen_there, unscaled(seen[i]), "call transform_point with the inverse");
         const double sizes = size_of_terms(origin, {1, 1, 1}) + size_of_terms(p, {1, 1, 1});
         REQUIRE(times_allowed(unscaled(seen[i]), seen_there,
                               is_any_way ? 4 * exact.any_way * sizes
@@ -144,7 +145,7 @@ void check_inverse(const Exactly& exact, Vec3 point, Accuracy accuracy = Accurac
         const Exact moved = dot(row, p) + Exact(origins[i]);
         const double size = size_of_terms(row, p) + static_cast<double>(std::abs(origins[i]));
         INFO("to_world, component " << i << ", of " << text(point));
-        HINT(moved, seen_back[i], "transform_point with the map itself");
+        HINT(moved, seen_back[i], "call transform_point with the map itself");
         REQUIRE(times_allowed(seen_back[i], moved,
                               static_cast<double>(rt::rounding_bound(5)) * size) <= 1);
     }
@@ -226,7 +227,7 @@ TEST_CASE("01.7 the inverse is as accurate as its determinant allows", "[01.7][h
     }
 }
 
-TEST_CASE("01.7 one determinant counts for all rows", "[01.7][hard]") {
+TEST_CASE("01.7 all rows are divided by the same determinant", "[01.7][hard]") {
     // The bound takes the largest sum of terms over all expansions of the determinant. With each
     // row's own sum, that of its column, it would be too tight for some of these rows.
     rt::Rng rng{16, 4};
@@ -283,18 +284,18 @@ TEST_CASE("01.7 a matrix that is not finite is refused", "[01.7][hard]") {
                 Mat4 m{{{{2, 1, 0, 10}, {0, 3, -1, 20}, {-1, 1, 1, 30}, {0, 0, 0, 1}}}};
                 m(row, column) = bad;
                 INFO("inverse and to_object must throw std::domain_error for\n"
-                     << m << "Hint: NaN compares false with everything; is_finite(v) tells");
+                     << m << "Hint: every comparison with NaN is false: test with is_finite(v)");
                 CHECK(refusal_by_inverse(m) == "std::domain_error");
                 CHECK(refusal_by_to_object(m) == "std::domain_error");
             }
 }
 
-TEST_CASE("01.7 a mirror is not singular", "[01.7]") {
-    INFO("its determinant is negative, which is no flaw: compare its absolute value");
+TEST_CASE("01.7 a map that mirrors is not singular", "[01.7]") {
+    INFO("the determinant is negative, which is allowed: compare its absolute value");
     check_inverse({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0, 0, 0, {1, 2, 3}}, {4, 5, 6});
 }
 
-TEST_CASE("01.7 small is not singular", "[01.7][hard]") {
+TEST_CASE("01.7 a small map is not singular", "[01.7][hard]") {
     // A scene in nanometers beside one in light years: the determinant is far from 1, but the
     // shape is ordinary.
     INFO(
@@ -320,10 +321,10 @@ TEST_CASE("01.7 small is not singular", "[01.7][hard]") {
     CHECK(inverse(1, 1) == rt::infinity);
 }
 
-TEST_CASE("01.7 a number too large for Real spoils no other", "[01.7][hard]") {
+TEST_CASE("01.7 an entry too large for Real does not spoil other entries", "[01.7][hard]") {
     const char* const hint =
-        "infinity times 0 and infinity minus infinity are NaN: where the last column is not "
-        "finite, add up its terms before you undo the scale";
+        "infinity times 0 and infinity minus infinity are NaN: if the last column is not finite, "
+        "add up its terms before you undo the scale";
     const auto check = [&](const Mat4& m, const Mat4& expected) {
         const Mat4 computed = rt::inverse(m);
         for (int row = 0; row < 3; ++row)

@@ -29,7 +29,7 @@ void check_basis(Vec3 w) {
         REQUIRE(moved <= 4);  // normalized once more, it may move a little
     }
     {
-        INFO("Hint: u and v must have length 1; where w.z is near -1, 1 + w.z has lost digits");
+        INFO("Hint: u and v must have length 1; if w.z is near -1, 1 + w.z has lost its digits");
         REQUIRE(dot_error(u, u, 1) <= allowed);
         REQUIRE(dot_error(v, v, 1) <= allowed);
     }

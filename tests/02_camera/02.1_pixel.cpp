@@ -39,7 +39,7 @@ void check_anywhere(rt::Rng& rng, int most_pixels, Real smallest, Real largest) 
         const Exact exact = from_middle / Exact(pixels) * Exact(size);
         INFO(name);
         HINT(exact, computed,
-             "subtract half the width from the column, which rounds nothing, then divide: if you "
+             "subtract half the width from the column, which is exact, and then divide: if you "
              "subtract a half after the division, digits cancel near the middle");
         REQUIRE(error_in_ulp(computed, exact) <= 3);
     };
@@ -60,18 +60,18 @@ const Camera coarse = camera(4, 2, 8, 3);
 
 std::string suggestion(Vec2 p, Vec2 expected) {
     if (p.x == expected.x && p.y == -expected.y)
-        return "upside down: row 0 is the top row, and y grows upward";
+        return "your picture is upside down: row 0 is the top row, and y grows upward";
     if (std::abs(3 * p.x - 4 * expected.x) < Real(0.01))
         return "four pixels lie side by side: divide by width, not by width - 1";
     if (p.x == expected.x + 4) return "x = 0 is the middle of the viewport, not its left edge";
     if (p.x == 0 || p.x == -4)
-        return "do you divide a whole number by a whole number? In C++ 1 / 4 is 0: convert to Real "
-               "first";
+        return "do not divide a whole number by a whole number: in C++, 1 / 4 is 0. Convert to "
+               "Real first";
     if (p.x == expected.x - 1 || p.x == expected.x + 1)
-        return "half a pixel off: did you add the offset, once?";
-    if (std::abs(p.x) > 4) return "is x in the units of the viewport, not of pixels?";
-    return "a pixel's width is the viewport's width / the number of columns; did you add the "
-           "offset?";
+        return "your result is half a pixel off: add the offset once";
+    if (std::abs(p.x) > 4) return "x must be in the units of the viewport, not in pixels";
+    return "a pixel's width is the viewport's width divided by the number of columns; add the "
+           "offset before you scale";
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ TEST_CASE("02.1 the offset is measured from the top left corner of the pixel", "
         "4x2 pixels on a viewport of 8x3, column 1, row 0, offset (0, 0): expected its top left "
         "corner (-2, 1.5), actual "
         << text(top_left)
-        << ".\nHint: offset (0, 0) is the corner; a half that is always added ignores the offset");
+        << ".\nHint: offset (0, 0) is the corner: add the offset, not a fixed half");
     CHECK(top_left == Vec2{-2, Real(1.5)});
     const Vec2 inside = rt::pixel_to_viewport(coarse, 1, 0, {Real(0.25), Real(0.5)});
     INFO(
@@ -125,7 +125,7 @@ TEST_CASE("02.1 the pixels fill the viewport from edge to edge", "[02.1]") {
     }
 }
 
-TEST_CASE("02.1 an image of one pixel and one of 1x10000", "[02.1][hard]") {
+TEST_CASE("02.1 images of 1x1 and 1x10000 pixels", "[02.1][hard]") {
     {
         const Vec2 middle = rt::pixel_to_viewport(camera(1, 1, 2, 2), 0, 0, {Real(0.5), Real(0.5)});
         INFO("the middle of a single pixel: expected (0, 0), actual "
@@ -139,7 +139,7 @@ TEST_CASE("02.1 an image of one pixel and one of 1x10000", "[02.1][hard]") {
         const Vec2 p = rt::pixel_to_viewport(tall, 0, row, {Real(0.5), Real(0.5)});
         const Exact y = Exact(4999.5) - Exact(row);
         INFO("1x10000 pixels of size 1, row " << row << ": your point is " << text(p));
-        HINT(y, p.y, "rows go with the height; subtract half the height before you divide");
+        HINT(y, p.y, "use the height for rows, and subtract half the height before you divide");
         CHECK(p.x == 0);
         CHECK(error_in_ulp(p.y, y) <= 3);
     }

@@ -31,7 +31,8 @@ void check_viewport(Real fov, Real aspect, Exact exact_height) {
     }
     const Exact exact_width = exact_height * Exact(aspect);
     INFO("width");
-    HINT(exact_width, viewport.width, "height times aspect ratio, in Real throughout");
+    HINT(exact_width, viewport.width,
+         "the width is the height times the aspect ratio; compute with Real throughout");
     REQUIRE(error_in_ulp(viewport.width, exact_width) <= allowed_width);
 }
 
@@ -65,13 +66,16 @@ const char* suggestion(double degrees, double computed, double exact) {
         return std::abs(computed - value) <= 1e-5 * std::abs(value);
     };
     if (is(exact / 2))
-        return "that is half of it: the triangle reaches only from the middle to the edge";
+        return "your height is half of the right one: the triangle reaches only from the middle to "
+               "the edge";
     if (is(2 * std::tan(radians))) return "the triangle has only half of the angle";
     if (is(2 * std::sin(radians / 2))) return "opposite over adjacent is the tangent, not the sine";
     if (is(2 * std::tan(radians / 2 * 3.14159265 / 180)) || is(2 * std::tan(degrees / 2)))
         return "the angle is given in radians, and std::tan takes radians";
-    if (computed == 0) return "1 / 2 is 0 in C++, a quotient of whole numbers: write / 2";
-    return "2 tan(vertical_fov / 2); a Viewport lists its width first, then its height";
+    if (computed == 0)
+        return "1 / 2 is 0 in C++, because it is a quotient of whole numbers: write / 2";
+    return "the height is 2 tan(vertical_fov / 2); a Viewport has its width first, and then its "
+           "height";
 }
 
 }  // namespace
@@ -93,11 +97,11 @@ TEST_CASE("02.2 the height is twice the tangent of half the angle", "[02.2]") {
 TEST_CASE("02.2 the width is the height times the aspect ratio", "[02.2]") {
     for (const Real aspect : {Real(0.25), Real(1), Real(1.7), Real(2), Real(16)}) {
         const rt::Viewport viewport = rt::viewport_size(Real(1), aspect);
-        INFO("aspect ratio " << text(aspect) << ": your viewport is " << text(viewport.width)
-                             << " wide and " << text(viewport.height)
-                             << " high.\nHint: the angle given is the vertical one, so the height "
-                                "comes from it and the width from the height: width / height is "
-                                "the aspect ratio");
+        INFO("aspect ratio "
+             << text(aspect) << ": your viewport is " << text(viewport.width) << " wide and "
+             << text(viewport.height)
+             << " high.\nHint: the field of view is vertical: compute the height from it, and the "
+                "width from the height. The aspect ratio is width / height");
         const Exact expected = Exact(aspect) * Exact(viewport.height);
         CHECK(error_in_ulp(viewport.width, expected) <= 1);
     }
@@ -107,8 +111,7 @@ TEST_CASE("02.2 the height does not depend on the aspect ratio", "[02.2]") {
     const Real narrow = rt::viewport_size(Real(1), Real(0.5)).height;
     const Real wide = rt::viewport_size(Real(1), Real(2)).height;
     INFO("aspect ratios 0.5 and 2: expected the same height for both, actual "
-         << text(narrow) << " and " << text(wide)
-         << ".\nHint: the field of view is the vertical one");
+         << text(narrow) << " and " << text(wide) << ".\nHint: the field of view is vertical");
     CHECK(error_in_ulp(narrow, Exact(wide)) <= allowed_height);
 }
 
@@ -157,10 +160,9 @@ TEST_CASE("02.2 an aspect ratio that is not a positive number is refused", "[02.
     const Real smallest = std::numeric_limits<Real>::denorm_min();
     for (const Real aspect :
          {Real(0), Real(-0.0), -smallest, Real(-1), rt::infinity, -rt::infinity, nan}) {
-        INFO("viewport_size(1, "
-             << text(aspect)
-             << ") must throw std::domain_error.\nHint: the same test as for the angle, with 0 and "
-                "infinity");
+        INFO("viewport_size(1, " << text(aspect)
+                                 << ") must throw std::domain_error.\nHint: test the ratio as you "
+                                    "test the angle, with the limits 0 and infinity");
         CHECK(refusal(1, aspect) == "std::domain_error");
     }
 }

@@ -119,15 +119,16 @@ std::string text(const Basis& b) {
 const char* suggestion(const Basis& b) {
     for (const Vec3 e : {b.u, b.v, b.w})
         if (!is_finite(e))
-            return "0 / 0: where the cross product of up and w is zero, call orthonormal_basis(w)";
+            return "your code divides 0 by 0: if the cross product of up and w is zero, call "
+                   "orthonormal_basis(w)";
     for (const Vec3 e : {b.u, b.v, b.w})
         if (length_error_in_ulp(e) > 16)
-            return "a vector's length is not 1: cross products need normalize unless both vectors "
+            return "a vector's length is not 1: normalize a cross product unless its two vectors "
                    "have length 1 and are perpendicular";
     if (std::abs(dot_in_double(b.v, b.w)) > 16 * static_cast<double>(rt::epsilon))
-        return "v is not perpendicular to w: up itself is not v, cross(w, u) is";
-    return "u = up x w, v = w x u: the other order points the other way (right-hand rule); where "
-           "up x w is zero, call orthonormal_basis(w)";
+        return "v is not perpendicular to w: v is cross(w, u), not up itself";
+    return "u = up x w and v = w x u; in the other order, the result points the other way "
+           "(right-hand rule). If up x w is zero, call orthonormal_basis(w)";
 }
 
 }  // namespace
@@ -172,8 +173,8 @@ TEST_CASE("02.3 up may be slanted and of any length", "[02.3]") {
 TEST_CASE("02.3 a camera that looks straight up or down has a basis", "[02.3]") {
     for (const Real height : {-4, -1, 1, 4}) {
         const Basis b = rt::look_at({2, height, 3}, {2, 0, 3}, {0, 2, 0});
-        INFO("up is (0, 2, 0), and so is the view, times " << height / 2 << "; actual " << text(b)
-                                                           << ".\nHint: " << suggestion(b));
+        INFO("up is (0, 2, 0), and the view is the same vector times "
+             << height / 2 << "; actual " << text(b) << ".\nHint: " << suggestion(b));
         REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
         CHECK(b.w == Vec3{0, height > 0 ? real(1) : real(-1), 0});
     }
@@ -219,7 +220,7 @@ TEST_CASE("02.3 coordinates of any size and a camera a million units away", "[02
         {
             // normalize may be off by 3.5; the difference rounds once, in the component
             // and in the length.
-            HINT(view.exact.w, b.w, "w = normalize(from - at), with a normalize that scales");
+            HINT(view.exact.w, b.w, "w = normalize(from - at), where normalize must scale");
             REQUIRE(error_in_ulp(b.w, view.exact.w) <= 6);
         }
         {
@@ -227,7 +228,7 @@ TEST_CASE("02.3 coordinates of any size and a camera a million units away", "[02
             // least 1/2 long doubles that; with its own roundings and those of normalize,
             // these are 24 halves.
             HINT(view.exact.u, b.u,
-                 "scale before the cross product: its products must not overflow");
+                 "scale before the cross product, so that its products do not overflow");
             REQUIRE(error_in_ulp_of_1(b.u, view.exact.u) <= 12);
         }
         HINT(view.exact.v, b.v, "v = cross(w, u)");
@@ -284,10 +285,10 @@ TEST_CASE("02.3 the distance from camera to target may exceed the largest number
         }
         const Basis b = rt::look_at(eye, target, up);
         {
-            HINT(exact.w, b.w, "normalize(from / 2 - at / 2), where from - at is not finite");
+            HINT(exact.w, b.w, "if from - at is not finite, use normalize(from / 2 - at / 2)");
             REQUIRE(error_in_ulp_of_1(b.w, exact.w) <= 6);
         }
-        HINT(exact.u, b.u, "the cross product of up and that difference, both scaled");
+        HINT(exact.u, b.u, "scale up and the difference, and take their cross product");
         REQUIRE(error_in_ulp_of_1(b.u, exact.u) <= 12);
         REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
     }
@@ -328,8 +329,8 @@ TEST_CASE("02.3 a view nearly parallel to up keeps its digits", "[02.3][hard]") 
             // and in the length, and normalize adds 3.5.
             HINT(view.exact.u, b.u,
                  "the view and up differ only in their last digits: take the cross product of up "
-                 "and from - at as given, before normalize rounds them, and call them parallel "
-                 "only where it is zero");
+                 "and from - at as given, before normalize rounds them; the two are parallel only "
+                 "if this product is zero");
             REQUIRE(error_in_ulp(b.u, view.exact.u) <= 8);
         }
         HINT(view.exact.v, b.v, "v = cross(w, u)");
@@ -372,7 +373,7 @@ TEST_CASE("02.3 the smallest angle between view and up counts", "[02.3][hard]") 
 TEST_CASE("02.3 a view without a direction and one without an up are refused", "[02.3][hard]") {
     INFO(
         "look_at must throw std::domain_error.\nHint: normalize does that for from - at; check up "
-        "before you cross it with anything: up == Vec3{} or not is_finite(up)");
+        "before its cross product, and throw if up == Vec3{} or !is_finite(up)");
     const Vec3 from{1, 2, 3}, at{4, -5, 6}, up{0, 1, 0};
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const Real huge = for_this_precision<Real>(Real(1e30), Real(1e300));
@@ -383,7 +384,7 @@ TEST_CASE("02.3 a view without a direction and one without an up are refused", "
     CHECK(refusal(from, at, {Real(-0.0), 0, Real(-0.0)}) == "std::domain_error");
     for (const Real bad : {rt::infinity, -rt::infinity, nan})
         for (const Vec3 add : {Vec3{bad, 0, 0}, Vec3{0, bad, 0}, Vec3{0, 0, bad}}) {
-            INFO(checkpoint::text(bad) << " among the numbers of from, at or up");
+            INFO(checkpoint::text(bad) << " is one of the numbers of from, at or up");
             CHECK(refusal(from + add, at, up) == "std::domain_error");
             CHECK(refusal(from, at + add, up) == "std::domain_error");
             CHECK(refusal(from, at, up + add) == "std::domain_error");

@@ -103,7 +103,8 @@ void check_any_ray(rt::Rng& rng, Real far, bool plain) {
         REQUIRE(text(ray.origin) == text(camera.eye));
     }
     HINT(expected, ray.direction,
-         "x u + y v - w, normalized; x and y are those of pixel_to_viewport for this offset");
+         "the direction is x u + y v - w, normalized; pixel_to_viewport gives x and y for this "
+         "offset");
     const double size =
         static_cast<double>(std::max(camera.viewport.width, camera.viewport.height));
     REQUIRE(error_in_ulp_of_1(ray.direction, expected) <= 7 + (plain ? 4 * size : 0));
@@ -122,23 +123,24 @@ TEST_CASE("02.4 the middle of the picture is straight ahead", "[02.4]") {
     const Vec3 ahead{1, 0, 0};
     HINT(ahead, ray.direction,
          ray.direction == -ahead
-             ? "that is behind the camera: it looks along -w, so the third coordinate is -1"
-             : "x u + y v - w, with the camera's own u, v and w");
+             ? "this direction leads behind the camera, which looks along -w, so the third "
+               "coordinate is -1"
+             : "the direction is x u + y v - w, with the camera's own u, v and w");
     CHECK(ray.direction == ahead);
 }
 
-TEST_CASE("02.4 right in the picture is u and up in it is v", "[02.4]") {
+TEST_CASE("02.4 u points right in the picture and v points up", "[02.4]") {
     const Vec3 right = rt::primary_ray(eastward(), 2, 1, middle).direction;
     INFO(
-        "a camera that looks along +x with y up has +z at its right; the pixel right of the middle "
-        "gives direction "
+        "a camera that looks along +x with y up has +z to its right; the pixel right of the middle "
+        "gives the direction "
         << text(right));
     CHECK(right.z > 0);
     CHECK(right.y == 0);
     const Vec3 above = rt::primary_ray(eastward(), 1, 0, middle).direction;
-    INFO("the pixel above the middle gives direction "
+    INFO("the pixel above the middle gives the direction "
          << text(above)
-         << ".\nHint: x goes with u, y with v; and pixel_to_viewport takes the column first");
+         << ".\nHint: multiply x by u and y by v; pixel_to_viewport takes the column first");
     CHECK(above.y > 0);
     CHECK(above.z == 0);
 }
@@ -175,7 +177,8 @@ TEST_CASE("02.4 any pixel of any camera", "[02.4]") {
     for (int i = 0; i < 1000; ++i) check_any_ray(rng, 1, true);
 }
 
-TEST_CASE("02.4 directions from 0.001 to 179.9 degrees and of one pixel", "[02.4][hard]") {
+TEST_CASE("02.4 fields of view from 0.001 to 179.9 degrees and images of one pixel",
+          "[02.4][hard]") {
     for_rays_of_any_angle(
         [](double degrees, const Camera& camera, int column, int row, Vec2 offset) {
             const Vec3 d = rt::primary_ray(camera, column, row, offset).direction;
@@ -184,7 +187,8 @@ TEST_CASE("02.4 directions from 0.001 to 179.9 degrees and of one pixel", "[02.4
                          << " pixels, column " << column << ", row " << row << ", offset ("
                          << offset.x << ", " << offset.y << ')');
             HINT(expected, d,
-                 "x u + y v - w, normalized; if 02.1 is not within its bound yet, fix that first");
+                 "the direction is x u + y v - w, normalized; if 02.1 is not within its bound yet, "
+                 "fix that first");
             // At most six roundings in each product, which turn the direction by no more than
             // sqrt(3) times as much, and 3.5 in normalize: 14 halves of a unit.
             REQUIRE(error_in_ulp_of_1(d, expected) <= 7);

@@ -32,10 +32,10 @@ std::vector<Pixel> visited(const Tile& tile, std::size_t most) {
     std::vector<Pixel> pixels;
     rt::for_each_pixel(tile, [&](int column, int row) {
         if (pixels.size() == most)
-            throw std::runtime_error("tile: " + text(tile) + "\nexpected " + std::to_string(most) +
-                                     " calls, actual: more, the next one for " +
-                                     text(Pixel{column, row}) +
-                                     ".\nHint: the end of a tile does not belong to it: <, not <=");
+            throw std::runtime_error(
+                "tile: " + text(tile) + "\nexpected " + std::to_string(most) +
+                " calls, actual: more; the next call is for " + text(Pixel{column, row}) +
+                ".\nHint: the end of a tile does not belong to it: compare with <, not with <=");
         pixels.push_back({column, row});
     });
     return pixels;
@@ -63,7 +63,7 @@ void check(const Tile& tile) {
                                       "one, from the left"));
         REQUIRE(text(actual[i]) == text(expected[i]));
     }
-    INFO("Hint: the last column is right - 1, the last row bottom - 1");
+    INFO("Hint: the last column is right - 1, and the last row is bottom - 1");
     REQUIRE(actual.size() == expected.size());
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("02.5 rows run from top and stop just before bottom", "[02.5]") {
     check({0, 0, 4, 4});
 }
 
-TEST_CASE("02.5 a tile begins anywhere", "[02.5]") {
+TEST_CASE("02.5 a tile may begin anywhere", "[02.5]") {
     check({7, 0, 9, 2});
     check({0, 7, 2, 9});
     check({16, 32, 32, 48});
