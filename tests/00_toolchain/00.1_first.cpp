@@ -472,7 +472,7 @@ TEST_CASE("00.1 no specks in light and shadow", "[00.1][hard]") {
                                 "place: ") +
                         pixel_name(shadow.column, shadow.row) +
                         (shadow.should_be_dark ? " is dark" : " is in the light"),
-                    "but it is not, and " + number(shadow.wrong_dark + shadow.wrong_lit - 1) +
+                    "it is not, and " + number(shadow.wrong_dark + shadow.wrong_lit - 1) +
                         " other pixels are wrong, too",
                     "Specks come from rays that meet the very sphere that they start from, at a t "
                     "of about 0: require t > 0.001. If the edges are wrong, check to_light"};

@@ -127,7 +127,7 @@ inline Picture read_p3(const std::string& text, std::string& trouble) {
         trouble = "after P3 follow " + word(1) + " and " + word(2) +
                   " where a width and a height from 1 to 1920 were expected";
     } else if (number(3) != 255) {
-        trouble = "after width and height follows " + word(3) +
+        trouble = "after the width and the height follows " + word(3) +
                   " where 255 was expected, the value of full brightness";
     }
     if (!trouble.empty()) return picture;
