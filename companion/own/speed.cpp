@@ -91,7 +91,7 @@ void judge_cores(const Trial& trial) {
                     in_turns({trial.reference, one}, {trial.reference, all}, scene, Clock::wall, 5);
                 line.busy_machine = ours.ratio < asked;
                 line.passed = mine.ratio >= 0.9 * ours.ratio;
-                line.actual += " and our program is " + number(ours.ratio) + " times as fast here";
+                line.actual += "; our program is " + number(ours.ratio) + " times as fast here";
                 if (!line.busy_machine) break;
             }
             if (line.busy_machine) line.actual += ", so this machine is busy";
