@@ -83,8 +83,8 @@ const Habit habits[]{
 // The first match counts, so the special ones come before the general ones.
 const Meaning meanings[]{
     {"out of memory|signal terminated program|unable to execute command",
-     "The compiler took too much time or memory and was stopped. Does the code include itself, or "
-     "make the compiler compute something without end?"},
+     "The compiler took too much time or memory and was stopped. Does a file include itself, or "
+     "does the code make the compiler compute something without end?"},
     {"operator\\^|operand of .\\^|exponentiation",
      "`^` does not compute powers in C++: multiply, x * x, or call std::pow(x, n)."},
     {"character constant|unclosed|missing terminating",

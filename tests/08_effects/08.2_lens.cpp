@@ -162,7 +162,7 @@ std::string in_camera(Vec3 v) {
 
 }  // namespace
 
-TEST_CASE("08.2 the ray from the middle of the lens is the same as through a pinhole", "[08.2]") {
+TEST_CASE("08.2 the ray from the center of the lens is the same as through a pinhole", "[08.2]") {
     const Lens lens{Real(0.5), 4};
     for (const int column : {0, 31, 80, 159})
         for (const int row : {0, 45, 89}) {
@@ -170,9 +170,9 @@ TEST_CASE("08.2 the ray from the middle of the lens is the same as through a pin
             for (const Real turn : {Real(0), Real(0.3)}) {
                 const Ray ray = rt::lens_ray(usual, lens, column, row, middle, {0, turn});
                 check_close(ray.origin, expected.origin, 4 * rt::epsilon,
-                            "place.x = 0 is the middle of the lens, where the eye is");
+                            "place.x = 0 is the center of the lens, where the eye is");
                 check_close(ray.direction, expected.direction, direction_error,
-                            "the ray from the middle of the lens has the same direction as through "
+                            "the ray from the center of the lens has the same direction as through "
                             "a pinhole");
             }
         }
@@ -263,7 +263,7 @@ TEST_CASE("08.2 each offset in a pixel has its own rays", "[08.2]") {
         {
             INFO(text_of(any));
             check_close(ray.direction, pinhole.direction, direction_error,
-                        "from the middle of the lens, place.x = 0, the direction is that of "
+                        "from the center of the lens, place.x = 0, the direction is that of "
                         "primary_ray for this pixel and offset");
         }
         check_direction(any, {rng.uniform(), rng.uniform()});

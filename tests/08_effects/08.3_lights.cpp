@@ -106,7 +106,7 @@ void check_sample(const Sphere& light, Vec3 from, Vec2 place) {
         CHECK(text(sample.density) == text(density));
 }
 
-// Place {0, 0} is the light's middle, and the way there is the distance less the radius. That
+// Place {0, 0} is the light's center, and the way there is the distance less the radius. That
 // difference is exact close to the light, and one rounding elsewhere; the formula in the text
 // rounds about 15 times more, and nothing in it cancels.
 void check_middle(const Sphere& light, Vec3 from) {

@@ -89,7 +89,7 @@ void check_known(const RunningVariance& known, const Numbers& numbers, const cha
     if (!(std::abs(actual - deviation(squares.high)) <= 6 * std::sqrt(count) * unit)) {
         if (hint == plain_hint && only_single_precision(known.squares, squares.high))
             hint = single_precision_hint;
-        INFO("expected the sum of squares " << checkpoint::text(squares) << ", but yours is "
+        INFO("expected the member squares " << checkpoint::text(squares) << ", but yours is "
                                             << checkpoint::text(known.squares)
                                             << ".\nHint: " << hint);
         REQUIRE("squares " + checkpoint::text(known.squares) ==

@@ -48,7 +48,7 @@ bool is_right(int actual, Expected expected) {
 }
 
 const char* const worth_hint =
-    "samples are in proportion to the spread, which is the standard deviation and not the "
+    "take samples in proportion to the spread, which is the standard deviation and not the "
     "variance: with n = "
     "spread * mean_spread / error^2 samples, the variance spread^2 / n of a part of the picture is "
     "spread / mean_spread times error^2, whose mean over all parts is error^2. Round up";
