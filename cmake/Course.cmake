@@ -2,6 +2,7 @@
 # course_ids_NN_topic, its exercises; course_files_NN.k, the files that the learner writes for one;
 # course_text_NN_topic, the file of its text; and course_folders_NN_topic, the include folders of its solution:
 # what is given and the answers, of all chapters up to this one, so that no chapter can use what comes after it.
+# Chapters that need what is missing here are left out; course_missing names what they need.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/course.json)
 file(READ ${CMAKE_SOURCE_DIR}/course.json course_json)
 
@@ -15,6 +16,7 @@ function(course_fact out mode)
 endfunction()
 
 set(course_names "")
+set(course_missing "")
 set(folders "")
 course_fact(chapters LENGTH chapters)
 math(EXPR last_chapter "${chapters} - 1")
@@ -22,6 +24,11 @@ foreach(chapter RANGE ${last_chapter})
   course_fact(name GET chapters ${chapter} name)
   string(JSON scene ERROR_VARIABLE has_exercises GET "${course_json}" chapters ${chapter} scene)
   if(NOT has_exercises)
+    continue()
+  endif()
+  string(JSON needs ERROR_VARIABLE needs_nothing GET "${course_json}" chapters ${chapter} needs)
+  if(NOT needs_nothing AND NOT COURSE_HAS_${needs})
+    list(APPEND course_missing ${needs})
     continue()
   endif()
   course_fact(course_text_${name} GET chapters ${chapter} text)

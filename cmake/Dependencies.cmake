@@ -30,6 +30,23 @@ if(TBB_FOUND)
   target_link_libraries(course_parallel INTERFACE TBB::tbb)
 endif()
 
+# Many machines, for chapter 13, which is left out without it. No sanitizer can see into it.
+set(COURSE_HAS_MPI OFF)
+if(NOT RT_SANITIZE AND NOT CMAKE_CROSSCOMPILING)
+  set(MPI_CXX_SKIP_MPICXX ON)
+  find_package(MPI QUIET COMPONENTS CXX)
+  if(MPI_CXX_FOUND AND MPIEXEC_EXECUTABLE)
+    set(COURSE_HAS_MPI ON)
+    list(FILTER MPI_CXX_LIBRARIES EXCLUDE REGEX "mpi_cxx|mpicxx")
+    add_library(course_mpi INTERFACE)
+    target_include_directories(course_mpi SYSTEM INTERFACE ${MPI_CXX_INCLUDE_DIRS})
+    target_link_libraries(course_mpi INTERFACE ${MPI_CXX_LIBRARIES})
+  endif()
+endif()
+if(NOT COURSE_HAS_MPI)
+  message(STATUS "MPI is not installed, or cannot be used: chapter 13 is left out")
+endif()
+
 # Catch2: version 3, or version 2 as older systems package it. course_catch says where it is;
 # tests/support/catch.hpp hides the difference.
 add_library(course_catch INTERFACE)

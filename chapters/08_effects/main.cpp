@@ -7,15 +7,13 @@
 
 #include <algorithm>
 #include <app/errors.hpp>
-#include <app/limits.hpp>
 #include <app/run.hpp>
 #include <rt/draw_by_tiles.hpp>
 #include <rt/false_colors.hpp>
 #include <rt/needed_effects.hpp>
 #include <thread>
 
-#include "final_scene.hpp"
-#include "scene_file.hpp"
+#include "open_scene.hpp"
 #include "show_scene.hpp"
 #include "study.hpp"
 #include "tile_renderer.hpp"
@@ -24,26 +22,6 @@
 namespace {
 
 using namespace rt;
-
-// The scene that the person asked for, with the settings from the command line.
-SceneDescription open_scene(const app::Settings& settings) {
-    SceneDescription scene = settings.file.empty()
-                                 ? effects::final_scene()
-                                 : effects::read_scene(settings.file, effects::read_mesh);
-    RenderSettings& chosen = scene.settings;
-    const auto given = [&](const char* option) { return settings.given.count(option) > 0; };
-    if (given("width")) chosen.width = settings.width;
-    if (given("height")) chosen.height = settings.height;
-    if (given("spp")) chosen.samples_per_pixel = settings.spp;
-    if (given("depth")) chosen.depth = settings.depth;
-    if (given("seed")) chosen.seed = *settings.seed;
-    // One side may be the file's, and the other the command line's.
-    if (std::int64_t{chosen.width} * chosen.height > app::most_pixels)
-        throw app::UsageError(std::to_string(chosen.width) + "x" + std::to_string(chosen.height) +
-                              " are more than " + std::to_string(app::most_pixels) +
-                              " pixels; make --width or --height smaller");
-    return scene;
-}
 
 bool in_batches(const app::Settings& settings) {
     return settings.given.count("batches") > 0;
@@ -93,7 +71,7 @@ app::Picture draw(const effects::TileRenderer& renderer, const RenderSettings& c
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    const SceneDescription scene = open_scene(settings);
+    const SceneDescription scene = effects::open_scene(settings);
     check_together(settings);
     const bool refines = !settings.numbers.empty();
     if (!scene.meshes.empty() &&

@@ -50,6 +50,7 @@ std::string render(const Course& course, const Chapter& chapter) {
 // All chapters, the one that draws the final scene last.
 std::vector<Chapter> in_order(const Course& course) {
     std::vector<Chapter> all = every_chapter(course);
+    std::erase_if(all, [](const Chapter& chapter) { return chapter.is_left_out(); });
     const std::string last = core_chapters(course).back().name;
     std::stable_partition(all.begin(), all.end(),
                           [&](const Chapter& chapter) { return chapter.name != last; });

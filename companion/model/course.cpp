@@ -12,13 +12,19 @@ Course this_course() {
     return {COURSE_ROOT, COURSE_BUILD};
 }
 
+bool Chapter::is_left_out() const {
+    return !needs.empty() && std::string{COURSE_MISSING}.find(needs) != std::string::npos;
+}
+
 std::vector<Chapter> every_chapter(const Course& course) {
     return read_course_file(course).chapters;
 }
 
 std::vector<Chapter> chapters(const Course& course) {
     std::vector<Chapter> all = every_chapter(course);
-    std::erase_if(all, [](const Chapter& chapter) { return !chapter.has_exercises(); });
+    std::erase_if(all, [](const Chapter& chapter) {
+        return !chapter.has_exercises() || chapter.is_left_out();
+    });
     return all;
 }
 
@@ -40,6 +46,7 @@ Chapter find_chapter(const Course& course, const std::string& name, bool rungs_t
     for (const Chapter& chapter : every_chapter(course)) {
         const std::string topic = chapter.name.substr(chapter.name.find('_') + 1);
         const bool meant = number == chapter.number() || name == chapter.name || name == topic;
+        if (meant) check_is_built(chapter);
         if (meant && (chapter.has_exercises() || rungs_too)) return chapter;
         if (meant)
             throw app::UsageError("chapter " + chapter.number() +
@@ -49,6 +56,13 @@ Chapter find_chapter(const Course& course, const std::string& name, bool rungs_t
         if (chapter.has_exercises()) known += (known.empty() ? "" : ", ") + chapter.name;
     }
     throw app::UsageError("there is no chapter '" + name + "'; the chapters are " + known);
+}
+
+void check_is_built(const Chapter& chapter) {
+    if (chapter.is_left_out())
+        throw app::UsageError("chapter " + chapter.number() + " needs " + chapter.needs +
+                              ", which is not installed; " + chapter.text.string() +
+                              " says how to install it");
 }
 
 }  // namespace companion

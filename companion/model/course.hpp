@@ -52,7 +52,11 @@ struct Chapter {
 
     std::optional<Graft> graft = {};
 
+    std::string needs = {};  // what it cannot be built without: "MPI"; empty if nothing
+
     bool has_exercises() const { return scene.empty(); }
+    // What it needs is missing, so that it was not built.
+    bool is_left_out() const;
 
     std::string number() const { return name.substr(0, name.find('_')); }  // "03"
     std::string picture() const { return name + ".png"; }
@@ -62,7 +66,7 @@ struct Chapter {
 // All chapters in their order.
 std::vector<Chapter> every_chapter(const Course& course);
 
-// The chapters of exercises.
+// The chapters of exercises, without those that are left out.
 std::vector<Chapter> chapters(const Course& course);
 
 // Those among them that belong to the 35 hours: no electives.
@@ -72,7 +76,10 @@ std::vector<Chapter> core_chapters(const Course& course);
 std::optional<Chapter> chapter_of_rungs(const Course& course);
 
 // The chapter of exercises (or of rungs, too) that is meant by "3", "03", "03_sphere" or "sphere".
-// Throws app::UsageError, which lists the chapters.
+// Throws app::UsageError, which lists the chapters, or says what the chapter needs.
 Chapter find_chapter(const Course& course, const std::string& name, bool rungs_too = false);
+
+// Throws app::UsageError if the chapter is left out, and says what it needs.
+void check_is_built(const Chapter& chapter);
 
 }  // namespace companion

@@ -92,6 +92,7 @@ CourseFile parse_course(const std::string& json) {
             continue;
         }
         chapter.hints = text(value.at("hints"));
+        if (const auto needs = value.find("needs")) chapter.needs = text(*needs);
         chapter.uses_real = value.at("uses_real").yes();
         if (const auto seconds = value.find("study_seconds"))
             chapter.study_seconds = minutes(*seconds);

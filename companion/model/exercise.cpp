@@ -75,6 +75,8 @@ Exercise find_exercise(const Course& course, const std::string& id) {
     const std::string wanted = (is_chapter ? id.size() : dot) == 1 ? '0' + id : id;
     const fs::path file = (course.root / id).lexically_normal().lexically_relative(course.root);
     std::string known;
+    for (const Chapter& chapter : every_chapter(course))
+        if (chapter.number() == wanted.substr(0, 2)) check_is_built(chapter);
     for (const Exercise& exercise : exercises(course)) {
         const auto& files = exercise.files;
         if (exercise.id == wanted || std::find(files.begin(), files.end(), file) != files.end())

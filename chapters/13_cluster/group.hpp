@@ -1,0 +1,100 @@
+#pragma once
+// The group of ranks: how a run joins it, whether all ranks are alike, and what rank 0 says to all.
+
+#include <algorithm>
+#include <app/errors.hpp>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <rt/ranks.hpp>
+#include <rt/rng.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace cluster {
+
+// Whether mpirun or srun has started this run with others. If not, it draws alone, without MPI.
+inline bool has_group() {
+    const auto is_set = [](const char* name) { return std::getenv(name) != nullptr; };
+    return is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK") || is_set("PMI_RANK");
+}
+
+// A run's time in the group. Only the thread that makes it calls MPI.
+class Membership {
+  public:
+    Membership(int& argc, char**& argv) {
+        int provided = 0;
+        MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
+    }
+    ~Membership() { MPI_Finalize(); }
+    Membership(const Membership&) = delete;
+    Membership& operator=(const Membership&) = delete;
+};
+
+// A number that differs for different bytes, but for one pair in 2^64.
+inline std::uint64_t hash_of(const std::string& bytes) {
+    std::uint64_t hash = rt::mix_bits(bytes.size());
+    for (std::size_t at = 0; at < bytes.size(); at += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, &bytes[at], std::min<std::size_t>(8, bytes.size() - at));
+        hash = rt::mix_bits(hash ^ word);
+    }
+    return hash;
+}
+
+// The program's file, as a number: another compiler or precision makes another file.
+inline std::uint64_t hash_of_program() {
+    std::ifstream in{"/proc/self/exe", std::ios::binary};
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    return hash_of(bytes.str());
+}
+
+// All ranks call it: throws app::Failure on rank 0, and returns false on the others, if a rank runs
+// another program than rank 0, or was started with other options.
+inline bool all_alike(int argc, char** argv) {
+    constexpr int host_size = MPI_MAX_PROCESSOR_NAME;
+    struct Introduction {
+        std::uint64_t program, options;
+        std::array<char, host_size> host;
+    } mine{};
+    std::string options;
+    for (int i = 1; i < argc; ++i) options += std::string{argv[i]} + '\n';
+    mine.program = hash_of_program();
+    mine.options = hash_of(options);
+    int length = 0;
+    MPI_Get_processor_name(mine.host.data(), &length);
+
+    const bool is_first = rt::rank_of(MPI_COMM_WORLD) == 0;
+    std::vector<Introduction> all(static_cast<std::size_t>(rt::rank_count(MPI_COMM_WORLD)));
+    MPI_Gather(&mine, sizeof mine, MPI_BYTE, all.data(), sizeof mine, MPI_BYTE, 0, MPI_COMM_WORLD);
+    std::string wrong;
+    for (std::size_t rank = 1; rank < all.size() && is_first && wrong.empty(); ++rank) {
+        const std::string name = "rank " + std::to_string(rank) + " on " + all[rank].host.data();
+        if (all[rank].program != mine.program)
+            wrong = name + " runs another program than rank 0; start the same file everywhere";
+        else if (all[rank].options != mine.options)
+            wrong = name + " was started with other options than rank 0; give all the same";
+    }
+    int is_alike = wrong.empty();
+    MPI_Bcast(&is_alike, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    if (!wrong.empty()) throw app::Failure(wrong);
+    return is_alike != 0;
+}
+
+// All ranks call it: the bytes that rank 0 gives.
+inline std::string broadcast(std::string bytes) {
+    std::uint64_t size = bytes.size();
+    MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+    bytes.resize(size);
+    constexpr std::uint64_t most = 1 << 30;  // a count is an int
+    for (std::uint64_t at = 0; at < size; at += most)
+        MPI_Bcast(&bytes[at], static_cast<int>(std::min(most, size - at)), MPI_BYTE, 0,
+                  MPI_COMM_WORLD);
+    return bytes;
+}
+
+}  // namespace cluster

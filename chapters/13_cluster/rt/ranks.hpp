@@ -1,0 +1,40 @@
+#pragma once
+#define OMPI_SKIP_MPICXX 1   // MPI as a C library, which is all of it since 2012
+#define MPICH_SKIP_MPICXX 1
+#include <mpi.h>
+
+#include <rt/color.hpp>
+#include <type_traits>
+
+namespace rt {
+
+// What the chapter's exercises share (given). Each run of the program in a group is a rank. The
+// group, an MPI_Comm, numbers its ranks 0, 1, 2, ...
+
+// The number of this run.
+inline int rank_of(MPI_Comm ranks) {
+    int rank = 0;
+    MPI_Comm_rank(ranks, &rank);
+    return rank;
+}
+
+// How many there are, 1 or more.
+inline int rank_count(MPI_Comm ranks) {
+    int count = 0;
+    MPI_Comm_size(ranks, &count);
+    return count;
+}
+
+// How MPI calls a Color: three Reals, one after the other. All counts are in colors, then.
+inline MPI_Datatype mpi_color() {
+    static_assert(sizeof(Color) == 3 * sizeof(Real));
+    static const MPI_Datatype type = [] {
+        MPI_Datatype made{};
+        MPI_Type_contiguous(3, std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE, &made);
+        MPI_Type_commit(&made);
+        return made;
+    }();
+    return type;
+}
+
+}  // namespace rt

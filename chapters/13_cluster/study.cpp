@@ -1,0 +1,182 @@
+#include "study.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <rt/rng.hpp>
+#include <study/double_double.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "final_scene.hpp"
+#include "simulate.hpp"
+#include "tile_drawer.hpp"
+
+namespace cluster {
+namespace {
+
+using rt::Real;
+
+// ---- The samples of a pixel on several ranks -------------------------------------------------
+
+constexpr int pixels = 4000, samples = 256;
+constexpr std::array rank_counts{1, 2, 4, 8, 16, 64};
+
+// Light of very different brightness, as paths bring it.
+std::vector<double> some_light() {
+    rt::Rng random{13, 5};
+    std::vector<double> light;
+    for (int i = 0; i < samples; ++i) {
+        const double u = static_cast<double>(random.uniform());
+        light.push_back(static_cast<double>(static_cast<Real>(0.3 * u + (u > 0.98 ? 40 * u : 0))));
+    }
+    return light;
+}
+
+// The mean of a pixel, whose samples rank k of n takes from its k-th slice, and whose sums rank 0
+// adds up.
+Real by_partial_sums(const std::vector<double>& light, int ranks) {
+    double sum = 0;
+    for (int rank = 0; rank < ranks; ++rank) {
+        double part = 0;
+        for (int i = samples * rank / ranks; i < samples * (rank + 1) / ranks; ++i)
+            part += light[static_cast<std::size_t>(i)];
+        sum += part;
+    }
+    return static_cast<Real>(sum / samples);
+}
+
+// The same in whole numbers of 2^-40: any order gives the same sum.
+Real by_fixed_point(const std::vector<double>& light, int ranks) {
+    std::int64_t sum = 0;
+    for (int rank = 0; rank < ranks; ++rank)
+        for (int i = samples * rank / ranks; i < samples * (rank + 1) / ranks; ++i)
+            sum += std::llrint(std::ldexp(light[static_cast<std::size_t>(i)], 40));
+    return static_cast<Real>(std::ldexp(static_cast<double>(sum), -40) / samples);
+}
+
+// All samples travel to rank 0, which adds them in their order.
+Real in_order(const std::vector<double>& light, int) {
+    return by_partial_sums(light, 1);
+}
+
+using Way = Real (*)(const std::vector<double>&, int);
+
+void study_split(study::Report& report) {
+    std::vector<std::vector<double>> all;
+    rt::Rng random{13, 6};
+    const std::vector<double> light = some_light();
+    for (int i = 0; i < pixels; ++i) {
+        std::vector<double> shuffled = light;
+        for (double& value : shuffled)
+            value *= static_cast<double>(static_cast<Real>(0.5 + random.uniform()));
+        all.push_back(std::move(shuffled));
+    }
+    const std::array<std::pair<const char*, Way>, 3> ways{{{"sums of parts", by_partial_sums},
+                                                           {"fixed point", by_fixed_point},
+                                                           {"all in order", in_order}}};
+    for (const auto& [name, way] : ways) {
+        double largest = 0;
+        for (const int ranks : rank_counts) {
+            int differ = 0;
+            for (const auto& light_of_pixel : all) {
+                const Real alone = way(light_of_pixel, 1), shared = way(light_of_pixel, ranks);
+                differ += shared != alone;
+                study::DoubleDouble exact{};
+                for (const double value : light_of_pixel) exact = exact + study::DoubleDouble{value};
+                const double off =
+                    std::abs(static_cast<double>(shared) - exact.high / samples);
+                largest = std::max(largest, off);
+            }
+            report.add({"split samples", name, static_cast<double>(ranks), "ranks",
+                        100.0 * differ / pixels, "pixels that change / %"});
+        }
+        report.add({"error in a pixel", name, 0, "", largest, "largest error in a pixel"});
+        report.add({"adding", name, samples, "samples", 0, "", 0, "time per sample / ns"},
+                   [way = way, &pixel = all.front(), kept = all.front()] {
+                       static volatile Real sink;
+                       sink = way(kept, 8);
+                   },
+                   samples);
+    }
+}
+
+// ---- How far tiles go ------------------------------------------------------------------------
+
+// The rays of each block of 8 x 8 pixels of the final scene, at 960 x 540 with a sample a pixel.
+constexpr int columns = 120, rows = 68, block = 8;
+
+std::vector<double> rays_of_blocks() {
+    rt::SceneDescription scene = effects::final_scene();
+    scene.settings = {960, 540, 1, scene.settings.depth, 1};
+    TileDrawer drawer{scene, std::max(1, static_cast<int>(std::thread::hardware_concurrency()))};
+    std::vector<double> all;
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            std::uint64_t rays = 0;
+            drawer.draw({x * block, y * block, (x + 1) * block, std::min(540, (y + 1) * block)}, rays);
+            all.push_back(static_cast<double>(rays));
+        }
+    return all;
+}
+
+// The same scene eight times as wide and high, at 1024 samples a pixel. A block then has 64 x 64
+// pixels. Smaller tiles share a block's rays; larger ones are several blocks.
+std::vector<double> tile_seconds(const std::vector<double>& rays, int side, double seconds_per_ray) {
+    const double scale = 64.0 * 1024 * seconds_per_ray;
+    std::vector<double> tiles;
+    if (side <= 64) {
+        const int parts = 64 / side;
+        for (int y = 0; y < rows * parts; ++y)
+            for (int x = 0; x < columns * parts; ++x)
+                tiles.push_back(scale / (parts * parts) *
+                                rays[static_cast<std::size_t>(y / parts * columns + x / parts)]);
+        return tiles;
+    }
+    const int blocks = side / 64;
+    for (int y = 0; y < rows; y += blocks)
+        for (int x = 0; x < columns; x += blocks) {
+            double sum = 0;
+            for (int v = y; v < std::min(rows, y + blocks); ++v)
+                for (int u = x; u < std::min(columns, x + blocks); ++u)
+                    sum += rays[static_cast<std::size_t>(v * columns + u)];
+            tiles.push_back(scale * sum);
+        }
+    return tiles;
+}
+
+// What chapters/13_cluster/measure/measure.cpp printed on the machine of all studies, with 4 ranks.
+constexpr Costs measured{2e-6, 20e-6, 5e-9};
+constexpr double seconds_per_ray = 0.3e-6;
+
+void study_machines(study::Report& report) {
+    const std::vector<double> rays = rays_of_blocks();
+    for (const int side : {16, 64, 256})
+        for (const int machines : {1, 10, 100, 1000, 10'000}) {
+            const auto tiles = tile_seconds(rays, side, seconds_per_ray);
+            const Simulated one = simulate(tiles, side * side, machines, measured);
+            report.add({"machines", "tiles of " + std::to_string(side),
+                        static_cast<double>(machines), "machines", 100 * one.efficiency,
+                        "efficiency / %"});
+            report.add({"the last tile", "tiles of " + std::to_string(side),
+                        static_cast<double>(machines), "machines", 100 * one.last_wait,
+                        "time that machines wait for the last tile / %"});
+            Costs parallel = measured;
+            parallel.message = parallel.pixel = 0;
+            report.add({"parallel writing", "tiles of " + std::to_string(side),
+                        static_cast<double>(machines), "machines",
+                        100 * simulate(tiles, side * side, machines, parallel).efficiency,
+                        "efficiency / %"});
+        }
+}
+
+}  // namespace
+
+void run_study(study::Report& report) {
+    study_split(report);
+    study_machines(report);
+    report.time_in_turns();
+}
+
+}  // namespace cluster

@@ -1,0 +1,64 @@
+#pragma once
+// A tile, drawn by the threads of one rank.
+
+#include <app/run.hpp>
+#include <atomic>
+#include <rt/canvas.hpp>
+#include <rt/for_each_pixel.hpp>
+#include <rt/needed_effects.hpp>
+#include <rt/render_tiles.hpp>
+#include <thread>
+#include <vector>
+
+#include "tile_renderer.hpp"
+
+namespace cluster {
+
+// Draws tiles of a scene as chapter 08's program does. The threads share out each tile by the
+// smaller tiles of 06.3.
+class TileDrawer {
+  public:
+    // The scene must outlive it. `threads` is 1 or more.
+    TileDrawer(const rt::SceneDescription& scene, int threads)
+        : seed_{scene.settings.seed},
+          threads_{threads},
+          image_{rt::Canvas<rt::Color>{scene.settings.width, scene.settings.height}},
+          renderer_{make_renderer(scene)},
+          workers_(static_cast<std::size_t>(threads)) {}
+
+    // The pixels of a tile, row by row. Adds the rays that it took to `rays`.
+    std::vector<rt::Color> draw(const rt::Tile& tile, std::uint64_t& rays) {
+        const rt::TileGrid parts{tile.right - tile.left, tile.bottom - tile.top,
+                                 renderer_.tile_side};
+        std::atomic<std::uint64_t> all_rays = 0;
+        rt::render_tiles(parts, threads_, [&](rt::Tile part, int worker) {
+            part = {tile.left + part.left, tile.top + part.top, tile.left + part.right,
+                    tile.top + part.bottom};
+            effects::DrawTile& draw_part = workers_[static_cast<std::size_t>(worker)];
+            if (!draw_part) draw_part = renderer_.make_worker();
+            std::uint64_t part_rays = 0;
+            draw_part(part, seed_, image_, part_rays);
+            all_rays += part_rays;
+        });
+        rays += all_rays;
+        std::vector<rt::Color> pixels;
+        rt::for_each_pixel(tile, [&](int x, int y) { pixels.push_back(image_.at(x, y)); });
+        return pixels;
+    }
+
+  private:
+    static effects::TileRenderer make_renderer(const rt::SceneDescription& scene) {
+        const auto& [width, height, samples, depth, seed] = scene.settings;
+        const rt::Quality quality{samples, depth, seed};
+        if (!scene.meshes.empty()) return effects::make_meshed(scene, width, height, quality);
+        return effects::make_narrowest(rt::needed_effects(scene), scene, width, height, quality);
+    }
+
+    std::uint64_t seed_;
+    int threads_;
+    rt::Image image_;  // where tiles are drawn, at their places
+    effects::TileRenderer renderer_;
+    std::vector<effects::DrawTile> workers_;
+};
+
+}  // namespace cluster

@@ -1,0 +1,49 @@
+#pragma once
+#include <list>
+#include <optional>
+#include <rt/ranks.hpp>
+#include <rt/todo.hpp>
+#include <vector>
+
+namespace rt {
+
+// A tile that has arrived at rank 0.
+struct ArrivedTile {
+    int tile = 0, from = 0;  // its number, and the rank that drew it
+    std::vector<Color> pixels;
+};
+
+// Sends tiles to rank 0 without waiting until they are there.
+class TileSender {
+  public:
+    explicit TileSender(MPI_Comm ranks) : ranks_{ranks} {}
+    TileSender(const TileSender&) = delete;
+    TileSender& operator=(const TileSender&) = delete;
+
+    // Exercise 13.3. Begins to send the pixels of the tile with this number to rank 0, with the
+    // number as the tag, and returns at once. Keep them in messages_, until they have been sent.
+    // Star: forget the messages that have been sent.
+    void send(int tile, std::vector<Color> pixels) { rt::todo("13.3", tile, pixels); }
+
+    // Exercise 13.3. Returns when all of them have been sent, and forgets them.
+    void finish() { rt::todo("13.3"); }
+
+    // How many messages it keeps (given).
+    int kept() const { return static_cast<int>(messages_.size()); }
+
+  private:
+    struct Message {
+        std::vector<Color> pixels;
+        MPI_Request request = MPI_REQUEST_NULL;
+    };
+    MPI_Comm ranks_;
+    std::list<Message> messages_;  // in a list, each stays where it is
+};
+
+// Exercise 13.3. Rank 0 calls it: a tile that has arrived, whoever sent it. If there is none, it
+// does not wait.
+inline std::optional<ArrivedTile> receive_tile(MPI_Comm ranks) {
+    return rt::todo("13.3", ranks);
+}
+
+}  // namespace rt

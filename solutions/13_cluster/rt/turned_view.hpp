@@ -1,0 +1,23 @@
+#pragma once
+#include <rt/cross.hpp>
+#include <rt/dot.hpp>
+#include <rt/length.hpp>
+#include <rt/portable.hpp>
+#include <rt/view.hpp>
+
+namespace rt {
+
+// The view of frame 0 ... frames - 1 of a turntable: the camera goes once around the point that it
+// looks at, about the direction `up`, from above counterclockwise. Frame 0 is `view` itself, bit for
+// bit, and so is frame `frames`, 2 * `frames` and so on. There is 1 frame or more.
+inline View turned_view(View view, int frame, int frames) {
+    if (frame % frames == 0) return view;
+    const Vec3 axis = normalize(view.up), away = view.from - view.at;
+    const Vec3 along = dot(away, axis) * axis, across = away - along;
+    const Real angle = 2 * pi * static_cast<Real>(frame % frames) / static_cast<Real>(frames);
+    view.from = view.at + along + portable::cos(angle) * across +
+                portable::sin(angle) * cross(axis, across);
+    return view;
+}
+
+}  // namespace rt

@@ -1,0 +1,98 @@
+#include <rt/gather_rows.hpp>
+#include <rt/slice_rows.hpp>
+
+#include "on_ranks.hpp"
+
+using namespace checkpoint;
+using rt::Color;
+
+namespace {
+
+// What MPI_Gatherv is called with, while it is watched: then nothing is sent.
+bool is_watched = false;
+int sent_count = 0;
+std::int64_t sent_bytes = 0;
+
+Color color_of(int x, int y) {
+    return {static_cast<Real>(x), static_cast<Real>(y), real(0.5)};
+}
+
+// Gathers a picture whose colors are their places.
+std::string gather(int width, int height, MPI_Comm ranks) {
+    const auto [begin, end] = rt::slice_rows(height, rt::rank_count(ranks), rt::rank_of(ranks));
+    std::vector<Color> mine;
+    for (int y = begin; y < end; ++y)
+        for (int x = 0; x < width; ++x) mine.push_back(color_of(x, y));
+    const std::vector<Color> all = rt::gather_rows(mine, width, height, ranks);
+
+    const std::string picture =
+        "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
+    const std::size_t expected =
+        rt::rank_of(ranks) == 0 ? static_cast<std::size_t>(width * height) : 0;
+    if (all.size() != expected)
+        return picture + ": expected " + std::to_string(expected) + " pixels, actual " +
+               std::to_string(all.size()) +
+               "\nHint: rank 0 gets the whole picture, and the others an empty vector";
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+        if (all[i] == color_of(x, y)) continue;
+        return picture + ", pixel (" + std::to_string(x) + ", " + std::to_string(y) +
+               "): expected the color with red " + text(color_of(x, y).r) + " and green " +
+               text(color_of(x, y).g) + ", actual " + text(all[i].r) + " and " + text(all[i].g) +
+               "\nHint: the k-th count is that of rank k's pixels, and the k-th displacement says "
+               "how many pixels are before them";
+    }
+    return {};
+}
+
+}  // namespace
+
+// Takes the place of MPI's function, which has another name as well.
+int MPI_Gatherv(const void* send, int count, MPI_Datatype type, void* receive, const int counts[],
+                const int begins[], MPI_Datatype received, int root, MPI_Comm ranks) {
+    if (!is_watched)
+        return PMPI_Gatherv(send, count, type, receive, counts, begins, received, root, ranks);
+    int size = 0;
+    MPI_Type_size(type, &size);
+    sent_count = count;
+    sent_bytes = std::int64_t{count} * size;
+    return MPI_SUCCESS;
+}
+
+TEST_CASE("13.1 the rows of all ranks arrive in their order", "[13.1]") {
+    for (const int count : {1, 2, 3, 4})
+        on_ranks(count, [](MPI_Comm ranks) {
+            for (const auto& [width, height] : {std::pair{3, 12}, {5, 10}, {16, 9}, {1, 7}, {40, 31}})
+                if (const std::string wrong = gather(width, height, ranks); !wrong.empty())
+                    return wrong;
+            return std::string{};
+        });
+}
+
+TEST_CASE("13.1 ranks without rows take part", "[13.1]") {
+    on_ranks(4, [](MPI_Comm ranks) {
+        for (const auto& [width, height] : {std::pair{6, 1}, {6, 3}, {1, 2}})
+            if (const std::string wrong = gather(width, height, ranks); !wrong.empty()) return wrong;
+        return std::string{};
+    });
+}
+
+TEST_CASE("13.1 more pixels than an int can count", "[13.1][hard]") {
+    on_ranks(2, [](MPI_Comm ranks) {
+        if (rt::rank_of(ranks) == 0) return std::string{};
+        // Nobody looks at the pixels: there is only one.
+        const Color pixel;
+        constexpr int side = 1 << 17;
+        const std::span<const Color> mine{&pixel, std::size_t{side} * side / 2};
+        is_watched = true;
+        rt::gather_rows(mine, side, side, ranks);
+        is_watched = false;
+        const auto expected = static_cast<std::int64_t>(mine.size_bytes());
+        if (sent_bytes == expected) return std::string{};
+        return "of a picture of 131,072 x 131,072 pixels rank 1 sends its half: expected " +
+               std::to_string(expected) + " bytes, actual " + std::to_string(sent_bytes) +
+               ", since the count is " + std::to_string(sent_count) +
+               "\nHint: MPI counts with int. What could you count instead of pixels, with a type "
+               "of your own (MPI_Type_contiguous)?";
+    });
+}

@@ -1,0 +1,144 @@
+#include <rt/render_tiles.hpp>
+#include <rt/shared_counter.hpp>
+
+#include "on_ranks.hpp"
+
+using namespace checkpoint;
+using rt::SharedCounter;
+
+namespace {
+
+// What MPI allows and seldom does, it does here every time: a result arrives no sooner than it must,
+// new memory holds garbage, and rank 0 is slow.
+struct Late {
+    MPI_Win window;
+    void* result;
+    int value;
+};
+std::vector<std::unique_ptr<Late>> late;
+
+void deliver(MPI_Win window) {
+    for (const auto& one : late)
+        if (one->window == window) *static_cast<int*>(one->result) = one->value;
+    std::erase_if(late, [&](const auto& one) { return one->window == window; });
+}
+
+std::string differs(const std::string& what, int expected, int actual, const std::string& hint) {
+    if (expected == actual) return {};
+    return what + ": expected " + std::to_string(expected) + ", actual " + std::to_string(actual) +
+           "\nHint: " + hint;
+}
+
+}  // namespace
+
+int MPI_Win_allocate(MPI_Aint size, int unit, MPI_Info info, MPI_Comm ranks, void* base,
+                     MPI_Win* window) {
+    const int result = PMPI_Win_allocate(size, unit, info, ranks, base, window);
+    auto* const bytes = *static_cast<unsigned char**>(base);
+    for (MPI_Aint i = 0; i < size; ++i) bytes[i] = 90;
+    PMPI_Barrier(ranks);
+    if (size > 0) std::this_thread::sleep_for(std::chrono::milliseconds{50});
+    return result;
+}
+
+int MPI_Fetch_and_op(const void* operand, void* result, MPI_Datatype type, int rank, MPI_Aint at,
+                     MPI_Op operation, MPI_Win window) {
+    late.push_back(std::make_unique<Late>(Late{window, result, 0}));
+    return PMPI_Fetch_and_op(operand, &late.back()->value, type, rank, at, operation, window);
+}
+
+int MPI_Win_flush(int rank, MPI_Win window) {
+    const int done = PMPI_Win_flush(rank, window);
+    deliver(window);
+    return done;
+}
+int MPI_Win_flush_all(MPI_Win window) {
+    const int done = PMPI_Win_flush_all(window);
+    deliver(window);
+    return done;
+}
+int MPI_Win_flush_local(int rank, MPI_Win window) {
+    const int done = PMPI_Win_flush_local(rank, window);
+    deliver(window);
+    return done;
+}
+
+TEST_CASE("13.2 it starts at 0 and returns the number before", "[13.2]") {
+    for (const int count : {1, 2, 4})
+        on_ranks(count, [](MPI_Comm ranks) {
+            SharedCounter counter{ranks};
+            std::string wrong;
+            // In turns.
+            for (int rank = 0, expected = 0; rank < rt::rank_count(ranks); ++rank) {
+                if (rank == rt::rank_of(ranks))
+                    for (const int n : {1, 10, 100}) {
+                        const std::string differ =
+                            differs("before " + std::to_string(n) + " is added", expected,
+                                    counter.fetch_add(n),
+                                    "the number is at rank 0 alone, it starts at 0 before anybody "
+                                    "adds to it, and the result arrives when MPI_Win_flush ends");
+                        if (wrong.empty()) wrong = differ;
+                        expected += n;
+                    }
+                else
+                    expected += 111;
+                MPI_Barrier(ranks);
+            }
+            return wrong;
+        });
+}
+
+TEST_CASE("13.2 nobody counts before the number is 0", "[13.2]") {
+    on_ranks(3, [](MPI_Comm ranks) {
+        SharedCounter counter{ranks};
+        const int before = counter.fetch_add(1);
+        MPI_Barrier(ranks);
+        if (0 <= before && before < 3) return std::string{};
+        return "each of 3 ranks adds 1 at once: expected 0, 1 or 2, actual " +
+               std::to_string(before) +
+               "\nHint: new memory holds anything. Rank 0 sets it to 0, and the others wait for "
+               "that (MPI_Barrier)";
+    });
+}
+
+TEST_CASE("13.2 every tile is taken once", "[13.2]") {
+    on_ranks(4, [](MPI_Comm ranks) {
+        constexpr int tiles = 3000;
+        SharedCounter counter{ranks};
+        std::vector<int> taken(tiles), all(tiles);
+        MPI_Barrier(ranks);
+        while (const std::optional<int> tile = rt::take_tile(counter, tiles))
+            ++taken.at(static_cast<std::size_t>(*tile));
+        MPI_Reduce(taken.data(), all.data(), tiles, MPI_INT, MPI_SUM, 0, ranks);
+        for (std::size_t tile = 0; tile < tiles && rt::rank_of(ranks) == 0; ++tile)
+            if (const std::string wrong =
+                    differs("how often tile " + std::to_string(tile) + " is taken, of 3000", 1,
+                            all[tile],
+                            "another rank must not come between reading and adding: one call does "
+                            "both");
+                !wrong.empty())
+                return wrong;
+        return std::string{};
+    });
+}
+
+TEST_CASE("13.2 two counters at a time", "[13.2][hard]") {
+    on_ranks(3, [](MPI_Comm ranks) {
+        SharedCounter up{ranks}, down{ranks};
+        int last_up = -1, last_down = 1;
+        std::string wrong;
+        for (int i = 0; i < 100 && wrong.empty(); ++i) {
+            const int above = up.fetch_add(2), below = down.fetch_add(-3);
+            if (above <= last_up || above % 2 != 0 || above > 600 || below >= last_down ||
+                below % 3 != 0 || below < -900)
+                wrong = "3 ranks add 2 to a counter and -3 to another one. Expected multiples of 2 "
+                        "that grow, and of -3 that fall; actual " +
+                        std::to_string(above) + " and " + std::to_string(below) +
+                        "\nHint: each counter needs a window of its own";
+            last_up = above;
+            last_down = below;
+        }
+        MPI_Barrier(ranks);
+        return wrong;
+    });
+}

@@ -1,0 +1,192 @@
+#include <rt/tile_messages.hpp>
+
+#include "on_ranks.hpp"
+
+using namespace checkpoint;
+using rt::ArrivedTile, rt::Color, rt::TileSender;
+
+namespace {
+
+using std::chrono::milliseconds;
+
+// A message of this size is not sent before somebody receives it; a small one may be.
+constexpr int large = 64 * 64, small = 4;
+
+std::vector<Color> tile_of(int tile, int size) {
+    std::vector<Color> pixels;
+    for (int i = 0; i < size; ++i)
+        pixels.push_back({static_cast<Real>(tile), static_cast<Real>(i), real(0.25)});
+    return pixels;
+}
+
+// Receives so many tiles, each of which must be `tile_of` its number; `sizes` says how large it is.
+std::string receive(MPI_Comm ranks, int count, const std::function<int(int tile)>& size_of,
+                    const std::function<int(int tile)>& sender_of) {
+    std::vector<int> times(100);
+    const double begin = MPI_Wtime();
+    for (int i = 0; i < count;) {
+        if (MPI_Wtime() - begin > 2)
+            return "expected " + std::to_string(count) + " tiles, actual " + std::to_string(i) +
+                   " within 2 s\nHint: receive_tile must find a message of any rank, with any tag";
+        const std::optional<ArrivedTile> arrived = rt::receive_tile(ranks);
+        if (!arrived) {
+            std::this_thread::sleep_for(milliseconds{1});
+            continue;
+        }
+        ++i;
+        const auto& [tile, from, pixels] = *arrived;
+        const std::string name = "tile " + std::to_string(tile);
+        if (tile < 1 || tile >= 100 || ++times[static_cast<std::size_t>(tile)] != 1)
+            return "a tile has the number " + std::to_string(tile) +
+                   ", which was not sent, or has arrived before\nHint: the number is the tag";
+        if (from != sender_of(tile))
+            return name + ": expected from rank " + std::to_string(sender_of(tile)) +
+                   ", actual from rank " + std::to_string(from) + "\nHint: see MPI_SOURCE";
+        if (static_cast<int>(pixels.size()) != size_of(tile))
+            return name + ": expected " + std::to_string(size_of(tile)) + " pixels, actual " +
+                   std::to_string(pixels.size()) + "\nHint: MPI_Get_count tells how many there are";
+        const std::vector<Color> expected = tile_of(tile, size_of(tile));
+        for (std::size_t k = 0; k < pixels.size(); ++k)
+            if (!(pixels[k] == expected[k]))
+                return name + ", pixel " + std::to_string(k) + ": expected red " +
+                       text(expected[k].r) + " and green " + text(expected[k].g) + ", actual " +
+                       text(pixels[k].r) + " and " + text(pixels[k].g) +
+                       "\nHint: the message reads its pixels until it has been sent; so they must "
+                       "live as long as that, and may not move";
+    }
+    return {};
+}
+
+// Makes use of memory that has been given back.
+void use_memory_again() {
+    static std::vector<std::vector<Color>> kept;
+    for (int i = 0; i < 20; ++i) {
+        kept.emplace_back(large, Color{-7, -7, -7});
+        kept.emplace_back(small, Color{-7, -7, -7});
+    }
+    kept.clear();
+}
+
+}  // namespace
+
+TEST_CASE("13.3 tiles arrive whole with their numbers and senders", "[13.3]") {
+    on_ranks(4, [](MPI_Comm ranks) {
+        const auto size_of = [](int tile) { return tile % 2 == 0 ? large : tile; };
+        if (rt::rank_of(ranks) == 0)
+            return receive(ranks, 15, size_of, [](int tile) { return tile / 10; });
+        TileSender sender{ranks};
+        for (int i = 0; i < 5; ++i) {
+            const int tile = 10 * rt::rank_of(ranks) + i;
+            sender.send(tile, tile_of(tile, size_of(tile)));
+        }
+        sender.finish();
+        return std::string{};
+    });
+}
+
+TEST_CASE("13.3 sending does not wait for rank 0", "[13.3]") {
+    on_ranks(2, [](MPI_Comm ranks) {
+        std::string wrong;
+        if (rt::rank_of(ranks) == 1) {
+            TileSender sender{ranks};
+            const double begin = MPI_Wtime();
+            for (int tile = 1; tile <= 3; ++tile) sender.send(tile, tile_of(tile, large));
+            if (MPI_Wtime() - begin > 0.15)
+                wrong = "rank 0 begins to receive after 0.3 s: expected that send returns before, "
+                        "actual after " +
+                        std::to_string(MPI_Wtime() - begin) +
+                        " s\nHint: MPI_Send waits; MPI_Isend begins to send, and returns";
+            use_memory_again();
+            sender.finish();
+            return wrong;
+        }
+        std::this_thread::sleep_for(milliseconds{300});
+        return receive(ranks, 3, [](int) { return large; }, [](int) { return 1; });
+    });
+}
+
+TEST_CASE("13.3 messages keep their pixels until they are sent", "[13.3]") {
+    on_ranks(3, [](MPI_Comm ranks) {
+        if (rt::rank_of(ranks) == 0) {
+            std::this_thread::sleep_for(milliseconds{100});
+            return receive(ranks, 8, [](int) { return large; }, [](int tile) { return tile / 10; });
+        }
+        TileSender sender{ranks};
+        for (int i = 1; i <= 4; ++i) {
+            const int tile = 10 * rt::rank_of(ranks) + i;
+            sender.send(tile, tile_of(tile, large));
+            use_memory_again();
+        }
+        sender.finish();
+        use_memory_again();
+        return std::string{};
+    });
+}
+
+TEST_CASE("13.3 finish waits until all is sent", "[13.3]") {
+    on_ranks(2, [](MPI_Comm ranks) {
+        if (rt::rank_of(ranks) == 0) {
+            std::this_thread::sleep_for(milliseconds{200});
+            return receive(ranks, 2, [](int) { return large; }, [](int) { return 1; });
+        }
+        TileSender sender{ranks};
+        sender.send(1, tile_of(1, large));
+        sender.send(2, tile_of(2, large));
+        const double begin = MPI_Wtime();
+        sender.finish();
+        const double waited = MPI_Wtime() - begin;
+        std::string wrong;
+        if (waited < 0.1)
+            wrong = "rank 0 begins to receive after 0.2 s: expected that finish waits for that, "
+                    "actual: it returned after " +
+                    std::to_string(waited) + " s\nHint: MPI_Wait, for each message";
+        else if (sender.kept() != 0)
+            wrong = "after finish: expected 0 messages that are kept, actual " +
+                    std::to_string(sender.kept());
+        use_memory_again();
+        return wrong;
+    });
+}
+
+TEST_CASE("13.3 receiving does not wait for a message", "[13.3]") {
+    on_ranks(2, [](MPI_Comm ranks) {
+        std::string wrong;
+        TileSender sender{ranks};
+        if (rt::rank_of(ranks) == 0 && rt::receive_tile(ranks))
+            wrong = "nobody has sent anything: expected no tile, actual a tile";
+        MPI_Barrier(ranks);
+        if (rt::rank_of(ranks) == 0 && wrong.empty())
+            wrong = receive(ranks, 1, [](int) { return small; }, [](int) { return 1; });
+        if (rt::rank_of(ranks) == 1) sender.send(1, tile_of(1, small));
+        sender.finish();
+        return wrong;
+    });
+}
+
+TEST_CASE("13.3 messages that have been sent are forgotten", "[13.3][hard]") {
+    on_ranks(2, [](MPI_Comm ranks) {
+        constexpr int count = 40;
+        if (rt::rank_of(ranks) == 0) {
+            std::string wrong = receive(ranks, count, [](int) { return large; }, [](int) { return 1; });
+            MPI_Barrier(ranks);
+            if (wrong.empty())
+                wrong = receive(ranks, 8, [](int) { return small; }, [](int) { return 1; });
+            return wrong;
+        }
+        TileSender sender{ranks};
+        for (int tile = 1; tile <= count; ++tile) sender.send(tile, tile_of(tile, large));
+        // They can be sent only while this rank is in a call of MPI.
+        MPI_Barrier(ranks);
+        int most = 0;
+        for (int tile = count + 1; tile <= count + 8; ++tile) {
+            sender.send(tile, tile_of(tile, small));
+            most = sender.kept();
+        }
+        sender.finish();
+        if (most < count / 2) return std::string{};
+        return "rank 0 has received 40 tiles, and 8 more are sent: expected that hardly more than "
+               "these 8 are kept, actual " +
+               std::to_string(most) +
+               "\nHint: MPI_Test says whether a message has been sent; std::erase_if removes it";
+    });
+}

@@ -1,0 +1,180 @@
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <rt/rng.hpp>
+#include <rt/saved_tiles.hpp>
+#include <rt/todo.hpp>
+
+#include "checkpoint.hpp"
+
+using namespace checkpoint;
+using rt::Color;
+namespace fs = std::filesystem;
+
+namespace {
+
+// A new, empty folder, which is gone at the end.
+class Folder {
+  public:
+    Folder() {
+        std::string name = fs::temp_directory_path() / "tiles.XXXXXX";
+        path_ = ::mkdtemp(name.data());
+    }
+    ~Folder() { fs::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    const fs::path& path() const { return path_; }
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const auto& entry : fs::directory_iterator{path_})
+            all.push_back(entry.path().filename().string());
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+
+  private:
+    fs::path path_;
+};
+
+std::vector<Color> some_pixels(unsigned seed, int count) {
+    rt::Rng random{seed, 13};
+    std::vector<Color> pixels(static_cast<std::size_t>(count));
+    for (Color& pixel : pixels) pixel = {random.uniform(), random.uniform(), random.uniform()};
+    return pixels;
+}
+
+// Saves a tile in another process, in which no file may get larger than `bytes`: there a program
+// is ended (as a machine dies) in the middle of writing. Returns the signal that ended it.
+int save_and_die(const fs::path& folder, int tile, const std::vector<Color>& pixels, rlim_t bytes) {
+    const pid_t process = ::fork();
+    if (process == 0) {
+        const rlimit limit{bytes, bytes}, none{0, 0};
+        ::setrlimit(RLIMIT_CORE, &none);
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        std::signal(SIGXFSZ, SIG_DFL);
+        try {
+            rt::save_tile(folder, tile, pixels);
+        } catch (...) {
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(process, &status, 0);
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+}  // namespace
+
+TEST_CASE("13.4 a tile is read as it was written", "[13.4]") {
+    const Folder folder;
+    for (const int count : {1, 7, 256, 4096}) {
+        const std::vector<Color> pixels = some_pixels(1, count);
+        rt::save_tile(folder.path(), count, pixels);
+        INFO("tile " << count << ", with as many pixels, in the file "
+                     << rt::tile_file(folder.path(), count).filename());
+        REQUIRE(fs::exists(rt::tile_file(folder.path(), count)));
+        {
+            INFO("Hint: each pixel takes sizeof(Color) bytes");
+            CHECK(fs::file_size(rt::tile_file(folder.path(), count)) ==
+                  pixels.size() * sizeof(Color));
+        }
+        const std::vector<Color> read = rt::load_tile(folder.path(), count);
+        REQUIRE(read.size() == pixels.size());
+        INFO("Hint: a file of numbers is opened with std::ios::binary");
+        CHECK(std::equal(read.begin(), read.end(), pixels.begin()));
+    }
+}
+
+TEST_CASE("13.4 a new version takes the place of an older one", "[13.4]") {
+    const Folder folder;
+    for (const unsigned version : {1, 2, 3}) {
+        const std::vector<Color> pixels = some_pixels(version, static_cast<int>(100 / version));
+        rt::save_tile(folder.path(), 5, pixels);
+        INFO("version " << version);
+        CHECK(rt::load_tile(folder.path(), 5) == pixels);
+        INFO("Hint: the file that was written first is renamed, and not copied");
+        CHECK(folder.names() == std::vector<std::string>{"5.tile"});
+    }
+}
+
+TEST_CASE("13.4 tiles without a file are missing", "[13.4]") {
+    const Folder folder;
+    CHECK(rt::missing_tiles(folder.path(), 4) == std::vector{0, 1, 2, 3});
+    for (const int tile : {0, 2, 3, 11}) rt::save_tile(folder.path(), tile, some_pixels(1, 4));
+    INFO("The tiles 0, 2, 3 and 11 are there");
+    CHECK(rt::missing_tiles(folder.path(), 5) == std::vector{1, 4});
+    CHECK(rt::missing_tiles(folder.path(), 12) == std::vector{1, 4, 5, 6, 7, 8, 9, 10});
+    CHECK(rt::missing_tiles(folder.path(), 1).empty());
+    CHECK(rt::missing_tiles(folder.path(), 0).empty());
+}
+
+TEST_CASE("13.4 a program that dies leaves a whole file or none", "[13.4]") {
+    const std::vector<Color> pixels = some_pixels(1, 4096), older = some_pixels(2, 4096);
+    for (const double part : {0.1, 0.5, 0.9}) {
+        const Folder folder;
+        // With a stub there is nothing to die in.
+        CHECK(rt::missing_tiles(folder.path(), 2).size() == 2);
+        rt::save_tile(folder.path(), 1, older);
+        const auto bytes = static_cast<rlim_t>(
+            part * static_cast<double>(pixels.size() * sizeof(Color)));
+        INFO("the program is ended after " << bytes << " of " << pixels.size() * sizeof(Color)
+                                           << " bytes were written");
+        REQUIRE(save_and_die(folder.path(), 0, pixels, bytes) == SIGXFSZ);
+        {
+            INFO("Hint: write to another name first. Only when all is written, rename");
+            CHECK(rt::missing_tiles(folder.path(), 2) == std::vector{0});
+        }
+        REQUIRE(save_and_die(folder.path(), 1, pixels, bytes) == SIGXFSZ);
+        INFO("there was an older file");
+        CHECK(rt::load_tile(folder.path(), 1) == older);
+        // What a dead program left does not stand in the way.
+        rt::save_tile(folder.path(), 0, pixels);
+        CHECK(rt::load_tile(folder.path(), 0) == pixels);
+    }
+}
+
+TEST_CASE("13.4 a full disk is an error", "[13.4][hard]") {
+    const std::vector<Color> pixels = some_pixels(1, 4096), older = some_pixels(2, 100);
+    const Folder folder;
+    rt::save_tile(folder.path(), 1, older);
+    for (const int tile : {0, 1})
+        // The last bytes may be refused only when the file is closed.
+        for (const std::size_t bytes : {std::size_t{0}, pixels.size() * sizeof(Color) / 2,
+                                        pixels.size() * sizeof(Color) - 1}) {
+            rlimit usual{};
+            ::getrlimit(RLIMIT_FSIZE, &usual);
+            const rlimit limit{bytes, usual.rlim_max};
+            const auto old = std::signal(SIGXFSZ, SIG_IGN);
+            ::setrlimit(RLIMIT_FSIZE, &limit);
+            std::string actual = "no exception";
+            try {
+                rt::save_tile(folder.path(), tile, pixels);
+            } catch (const std::runtime_error&) {
+                actual = "std::runtime_error";
+            } catch (const rt::NotImplemented&) {
+                ::setrlimit(RLIMIT_FSIZE, &usual);
+                throw;
+            } catch (...) {
+                actual = "another exception";
+            }
+            ::setrlimit(RLIMIT_FSIZE, &usual);
+            std::signal(SIGXFSZ, old);
+            INFO("room for " << bytes << " bytes of " << pixels.size() * sizeof(Color));
+            {
+                INFO("Hint: a stream is false once something could not be written. The last bytes "
+                     "are written by close()");
+                CHECK(actual == "std::runtime_error");
+            }
+            {
+                INFO("Hint: remove the unfinished file");
+                CHECK(folder.names() == std::vector<std::string>{"1.tile"});
+            }
+            CHECK(rt::load_tile(folder.path(), 1) == older);
+        }
+    INFO("no such folder");
+    CHECK_THROWS_AS(rt::save_tile(folder.path() / "nowhere", 0, pixels), std::runtime_error);
+}

@@ -1,0 +1,55 @@
+#!/bin/sh
+# ranks.sh MPIEXEC PROGRAM EFFECTS SCENES [OTHER]: any number of ranks and threads draw the file that chapter 08's
+# program EFFECTS draws, byte for byte. What is wrong is said in one line by one rank. OTHER is PROGRAM as another
+# build: ranks that run different builds are refused.
+set -u
+mpiexec=$1 program=$2 effects=$3 scenes=$4
+# shellcheck source=tests/app/group.sh
+. "$(dirname "$0")/group.sh"
+cd "$place" || exit 1
+
+"$effects" --quiet --width 96 --height 54 --spp 4 --out right.ppm
+for count in 1 2 3 4 8; do
+    for threads in 1 2; do
+        ranks "$count" "$threads" --width 96 --height 54 --spp 4 --tile 8 --out shared.ppm ||
+            complain "$count ranks: exit code $?"
+        cmp -s right.ppm shared.ppm || complain "$count ranks, $threads threads: another picture"
+        rm -f shared.ppm
+    done
+done
+ranks 4 1 --width 96 --height 54 --spp 4 --share slices --out slices.ppm || complain "slices: exit code $?"
+cmp -s right.ppm slices.ppm || complain "slices: another picture"
+
+# A scene that only rank 0 can read: the others get it from rank 0, and what it names.
+mkdir scene && cp "$scenes"/planets.json "$scenes"/*.png scene
+"$effects" scene/planets.json --quiet --width 64 --height 36 --spp 2 --out right.ppm
+cat >reader.sh <<'END'
+#!/bin/sh
+# All ranks but rank 0 find nothing where the scene is.
+[ "$OMPI_COMM_WORLD_RANK" -eq 0 ] || { mkdir -p "elsewhere$OMPI_COMM_WORLD_RANK" && cd "elsewhere$OMPI_COMM_WORLD_RANK"; }
+exec "$@"
+END
+chmod +x reader.sh
+"$mpiexec" -n 3 ./reader.sh "$program" scene/planets.json --quiet --width 64 --height 36 --spp 2 --out read.ppm \
+    2>"$place/stderr" || complain "a scene that is sent: exit code $?"
+cmp -s right.ppm read.ppm || complain "a scene that is sent: another picture"
+
+# One line, whatever the number of ranks.
+ranks 3 1 --bogus; code=$?; expect 2 bogus
+ranks 3 1 nowhere.json; code=$?; expect 2 'does not exist'
+ranks 3 1 --width 9 --height 9 --out nowhere/image.png; code=$?; expect 1 'does not exist'
+ranks 2 1 --frame 3 --frames 2; code=$?; expect 2 'go together'
+ranks 2 1 --resume --share slices; code=$?; expect 2 'leave out --resume'
+"$mpiexec" -n 1 "$program" --quiet --spp 2 : -n 1 "$program" --quiet --spp 3 >"$place/stdout" 2>"$place/stderr"
+code=$?; expect 1 'rank 1 on .* other options'
+if [ $# -gt 4 ]; then
+    "$mpiexec" -n 2 "$program" --quiet : -n 1 "$5" --quiet >"$place/stdout" 2>"$place/stderr"
+    code=$?; expect 1 'rank 2 on .* another program'
+fi
+
+# No room for finished tiles: a clear error, and what is finished stays.
+(ulimit -f 1; ranks 3 1 --width 64 --height 36 --spp 2 --tile 16 --resume --out full.ppm; exit $?); code=$?
+expect 1 'cannot be written; free some space there. What is finished is kept'
+[ ! -e full.ppm ] || complain "a full disk: a picture was written"
+
+[ "$failures" -eq 0 ]

@@ -1,0 +1,58 @@
+#pragma once
+#include <list>
+#include <optional>
+#include <rt/ranks.hpp>
+#include <utility>
+#include <vector>
+
+namespace rt {
+
+struct ArrivedTile {
+    int tile = 0, from = 0;  // its number, and the rank that drew it
+    std::vector<Color> pixels;
+};
+
+class TileSender {
+  public:
+    explicit TileSender(MPI_Comm ranks) : ranks_{ranks} {}
+    TileSender(const TileSender&) = delete;
+    TileSender& operator=(const TileSender&) = delete;
+
+    void send(int tile, std::vector<Color> pixels) {
+        Message& message = messages_.emplace_back();
+        message.pixels = std::move(pixels);
+        MPI_Isend(message.pixels.data(), static_cast<int>(message.pixels.size()), mpi_color(), 0,
+                  tile, ranks_, &message.request);
+    }
+
+    void finish() {
+        for (Message& message : messages_) MPI_Wait(&message.request, MPI_STATUS_IGNORE);
+        messages_.clear();
+    }
+
+    int kept() const { return static_cast<int>(messages_.size()); }
+
+  private:
+    struct Message {
+        std::vector<Color> pixels;
+        MPI_Request request = MPI_REQUEST_NULL;
+    };
+    MPI_Comm ranks_;
+    std::list<Message> messages_;  // in a list, each stays where it is
+};
+
+inline std::optional<ArrivedTile> receive_tile(MPI_Comm ranks) {
+    int is_there = 0;
+    MPI_Status status;
+    MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, ranks, &is_there, &status);
+    if (!is_there) return {};
+    int count = 0;
+    MPI_Get_count(&status, mpi_color(), &count);
+    ArrivedTile arrived{status.MPI_TAG, status.MPI_SOURCE, {}};
+    arrived.pixels.resize(static_cast<std::size_t>(count));
+    MPI_Recv(arrived.pixels.data(), count, mpi_color(), arrived.from, arrived.tile, ranks,
+             MPI_STATUS_IGNORE);
+    return arrived;
+}
+
+}  // namespace rt
