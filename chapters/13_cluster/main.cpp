@@ -12,10 +12,10 @@
 #include <rt/show_paths.hpp>
 #include <thread>
 
+#include "../08_effects/show_scene.hpp"
 #include "group.hpp"
 #include "open_scene.hpp"
 #include "share.hpp"
-#include "show_scene.hpp"
 #include "study.hpp"
 #include "tint.hpp"
 
@@ -197,10 +197,13 @@ int main(int argc, char** argv) {
     if (!is_alike) return result;
     if (rank_of(MPI_COMM_WORLD) > 0) return help_rank_0();
     const int code = app::run(argc, argv, program());
-    if (!state.job_is_sent)
-        send({.is_none = true});
-    else if (!state.is_shared)  // it failed in the middle, and the others wait for it
+    if (!state.job_is_sent) {
+        Job none;
+        none.is_none = true;
+        send(none);
+    } else if (!state.is_shared) {  // it failed in the middle, and the others wait for it
         MPI_Abort(MPI_COMM_WORLD, code);
+    }
     if (code == app::done && !state.folder.empty()) {
         std::error_code ignored;
         fs::remove_all(state.folder, ignored);

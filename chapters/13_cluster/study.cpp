@@ -70,7 +70,7 @@ void study_split(study::Report& report) {
     for (int i = 0; i < pixels; ++i) {
         std::vector<double> shuffled = light;
         for (double& value : shuffled)
-            value *= static_cast<double>(static_cast<Real>(0.5 + random.uniform()));
+            value *= static_cast<double>(Real(0.5) + random.uniform());
         all.push_back(std::move(shuffled));
     }
     const std::array<std::pair<const char*, Way>, 3> ways{{{"sums of parts", by_partial_sums},
@@ -94,10 +94,7 @@ void study_split(study::Report& report) {
         }
         report.add({"error in a pixel", name, 0, "", largest, "largest error in a pixel"});
         report.add({"adding", name, samples, "samples", 0, "", 0, "time per sample / ns"},
-                   [way = way, &pixel = all.front(), kept = all.front()] {
-                       static volatile Real sink;
-                       sink = way(kept, 8);
-                   },
+                   [way = way, pixel = all.front()] { study::keep(way(pixel, 8)); },
                    samples);
     }
 }

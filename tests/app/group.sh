@@ -3,7 +3,7 @@
 #   ranks N THREADS ARGUMENTS...: runs $program on N ranks of this machine.
 
 place=$(mktemp -d)
-trap 'rm -rf "$place"' EXIT
+trap 'umount "$place/cluster-tiles" 2>/dev/null; rm -rf "$place"' EXIT
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 export OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
 failures=0
@@ -15,7 +15,7 @@ complain() {
 ranks() {
     count=$1 threads=$2
     shift 2
-    "$mpiexec" -n "$count" "$program" --quiet --threads "$threads" "$@" >"$place/stdout" 2>"$place/stderr"
+    timeout 60 "$mpiexec" -n "$count" "$program" --quiet --threads "$threads" "$@" >"$place/stdout" 2>"$place/stderr"
 }
 # expect CODE WORDS: how the latest run ended: with this code, and one line of its own, which has these words.
 expect() {
