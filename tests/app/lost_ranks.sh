@@ -9,16 +9,18 @@ cd "$place" || exit 1
 
 kept=0
 for seed in $(seq "$times"); do
-    options="--width 192 --height 108 --spp 16 --tile 16 --seed $seed"
+    options="--width 192 --height 108 --spp 32 --tile 16 --seed $seed"
     # shellcheck disable=SC2086  # a word an argument
     "$program" --quiet $options --out right.ppm
     "$mpiexec" -n 4 "$program" --quiet --threads 1 --resume $options --out lost.ppm \
         >"$place/stdout" 2>"$place/stderr" &
-    # Between 0.3 and 1.3 s after the start: before, in and after the drawing.
-    sleep "$(awk -v n="$(od -An -N2 -tu2 /dev/urandom)" 'BEGIN { print 0.3 + n / 65536 }')"
+    # When so many of its 84 tiles are finished, or it has ended.
+    moment=$(shuf -i 0-90 -n 1)
+    while [ -d "/proc/$!" ] && [ "$(find cluster-tiles -name '*.tile' 2>"$place/stdout" | wc -l)" -lt "$moment" ]; do
+        sleep 0.01
+    done
     # One of its ranks, at random. It is found by its parent, since other tests run the same program.
-    victim=$(ps -o pid= --ppid $! | shuf -n 1)
-    [ -z "$victim" ] || kill -9 $victim
+    for victim in $(ps -o pid= --ppid $! | shuf -n 1); do kill -9 "$victim"; done
     wait $!
     if [ -e lost.ppm ]; then
         cmp -s right.ppm lost.ppm || complain "seed $seed: a killed run wrote another picture"
