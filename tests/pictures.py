@@ -290,6 +290,15 @@ def shown():
     return above(above(top, gap), bottom)
 
 
+def poster():
+    """Drawn by eight ranks: which of them draws a tile at the edge is different each time."""
+    out = folder / "poster.ppm"
+    subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "8", build / "bin/13_cluster_solution",
+                    "--threads", "1", "--width", "800", "--height", "450", "--tile", "25", "--tint", "--spp", "256",
+                    "--out", out], check=True)
+    return read_ppm(out)
+
+
 def threads_scene(mistake=None):
     return lambda: draw("06_threads_solution", 480, 270, "--spp", "16", mistake=mistake).part(10, 10, 320, 180)
 
@@ -388,6 +397,8 @@ RECIPES = {
     "10_batches": chapter("10_batches", 640, 360),
     "11_samples": chapter("11_samples", 800, 450),
     "12_triangles": chapter("12_triangles", 800, 450),
+    "13_cluster": chapter("13_cluster", 480, 270),
+    "13-poster": poster,
     "final": lambda: draw("08_effects_solution", 1280, 720, "--spp", "1024"),
     "overview": overview,
     "04-ending-sky": ending("sky"),

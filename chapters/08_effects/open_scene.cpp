@@ -8,9 +8,8 @@
 #include "tile_renderer.hpp"
 
 rt::SceneDescription effects::open_scene(const app::Settings& settings) {
-    rt::SceneDescription scene = settings.file.empty()
-                                 ? final_scene()
-                                 : read_scene(settings.file, read_mesh);
+    rt::SceneDescription scene =
+        settings.file.empty() ? final_scene() : read_scene(settings.file, read_mesh);
     rt::RenderSettings& chosen = scene.settings;
     const auto given = [&](const char* option) { return settings.given.count(option) > 0; };
     if (given("width")) chosen.width = settings.width;

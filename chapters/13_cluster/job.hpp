@@ -31,12 +31,12 @@ struct NamedFile {
 struct Job {
     bool is_none = false;  // there is nothing to draw: the options were wrong, or asked for help
     rt::RenderSettings settings;
-    int frame = 0, frames = 1;      // of a turntable
-    int tile_side = 32;             // pixels
-    int threads = 0;                // of each rank; 0: as many as its machine has
-    bool in_slices = false;         // a slice of the rows for each rank instead of tiles
-    std::vector<int> tiles;         // those that are to be drawn
-    std::vector<NamedFile> files;   // the scene file and what it names; none for the final scene
+    int frame = 0, frames = 1;     // of a turntable
+    int tile_side = 32;            // pixels
+    int threads = 0;               // of each rank; 0: as many as its machine has
+    bool in_slices = false;        // a slice of the rows for each rank instead of tiles
+    std::vector<int> tiles;        // those that are to be drawn
+    std::vector<NamedFile> files;  // the scene file and what it names; none for the final scene
 };
 
 // A job as bytes, and back.

@@ -49,7 +49,8 @@ void choose_frame(const app::Settings& settings, Job& job) {
     };
     const int frame = number("frame"), frames = number("frames"), side = number("tile");
     if ((frame > 0) != (frames > 0) || frame > frames)
-        throw app::UsageError("--frame and --frames go together: --frame 1 to --frame N of --frames N");
+        throw app::UsageError(
+            "--frame and --frames go together: --frame 1 to --frame N of --frames N");
     if (frames > 0) job.frame = frame - 1, job.frames = frames;
     if (side > 0) job.tile_side = side;
 }
@@ -98,7 +99,8 @@ app::Picture draw_in_group(Job job, const app::Settings& settings, app::Progress
 
     Collector collector{job, state.folder, progress};
     for (int tile = 0, next = 0; tile < count; ++tile)
-        if (next < static_cast<int>(job.tiles.size()) && job.tiles[static_cast<std::size_t>(next)] == tile)
+        if (next < static_cast<int>(job.tiles.size()) &&
+            job.tiles[static_cast<std::size_t>(next)] == tile)
             ++next;
         else
             collector.add_old(tile);
@@ -112,7 +114,8 @@ app::Picture draw_in_group(Job job, const app::Settings& settings, app::Progress
     if (!collector.error().empty())
         throw app::Failure(collector.error() +
                            ". What is finished is kept: the same command goes on from there");
-    if (is_given(settings, "tint")) tint_edge(collector.image(), grid_of(job), collector.drawn_by());
+    if (is_given(settings, "tint"))
+        tint_edge(collector.image(), grid_of(job), collector.drawn_by());
     return {std::move(collector.image()), rays, [ranks = rank_count(MPI_COMM_WORLD)] {
                 return "Drawn by " + std::to_string(ranks) + (ranks == 1 ? " rank\n" : " ranks\n");
             }};

@@ -111,22 +111,23 @@ inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* 
         if (collector) collector->receive();
     };
     while (const std::optional<int> index = take_tile(next, count)) try {
-        const int tile = job.tiles[static_cast<std::size_t>(*index)];
-        std::vector<Color> pixels;
-        work_and_serve([&] { pixels = drawer.draw(tile_at(grid, tile), rays); }, serve);
-        if (collector) {
-            collector->add(tile, 0, pixels);
-            // The others find no more tiles then.
-            if (!collector->error().empty()) next.fetch_add(count);
-        } else {
-            sender.send(tile, std::move(pixels));
-            ++sent;
+            const int tile = job.tiles[static_cast<std::size_t>(*index)];
+            std::vector<Color> pixels;
+            work_and_serve([&] { pixels = drawer.draw(tile_at(grid, tile), rays); }, serve);
+            if (collector) {
+                collector->add(tile, 0, pixels);
+                // The others find no more tiles then.
+                if (!collector->error().empty()) next.fetch_add(count);
+            } else {
+                sender.send(tile, std::move(pixels));
+                ++sent;
+            }
+        } catch (const std::exception& error) {
+            // All ranks end the counter together, and so this one cannot go alone.
+            std::fprintf(stderr, "13_cluster: rank %d: %s\n", rank_of(MPI_COMM_WORLD),
+                         error.what());
+            MPI_Abort(MPI_COMM_WORLD, app::could_not);
         }
-    } catch (const std::exception& error) {
-        // All ranks end the counter together, and so this one cannot go alone.
-        std::fprintf(stderr, "13_cluster: rank %d: %s\n", rank_of(MPI_COMM_WORLD), error.what());
-        MPI_Abort(MPI_COMM_WORLD, app::could_not);
-    }
     // Rank 0 goes on receiving until all have said how many tiles they sent, and these are here.
     std::int64_t mine[2] = {sent, static_cast<std::int64_t>(rays)}, all[2] = {0, 0};
     MPI_Request sums{};
@@ -144,8 +145,8 @@ inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* 
 // The same with a slice of the rows for each rank: rank 0 gets the whole picture.
 inline std::uint64_t share_slices(const Job& job, TileDrawer& drawer, Image* image) {
     const auto& settings = job.settings;
-    const Rows rows = slice_rows(settings.height, rank_count(MPI_COMM_WORLD),
-                                 rank_of(MPI_COMM_WORLD));
+    const Rows rows =
+        slice_rows(settings.height, rank_count(MPI_COMM_WORLD), rank_of(MPI_COMM_WORLD));
     std::uint64_t rays = 0, all_rays = 0;
     const std::vector<Color> all =
         gather_rows(drawer.draw({0, rows.begin, settings.width, rows.end}, rays), settings.width,

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <rt/rng.hpp>
-#include <study/double_double.hpp>
 #include <string>
+#include <study/double_double.hpp>
 #include <thread>
 #include <vector>
 
@@ -69,8 +69,7 @@ void study_split(study::Report& report) {
     const std::vector<double> light = some_light();
     for (int i = 0; i < pixels; ++i) {
         std::vector<double> shuffled = light;
-        for (double& value : shuffled)
-            value *= static_cast<double>(Real(0.5) + random.uniform());
+        for (double& value : shuffled) value *= static_cast<double>(Real(0.5) + random.uniform());
         all.push_back(std::move(shuffled));
     }
     const std::array<std::pair<const char*, Way>, 3> ways{{{"sums of parts", by_partial_sums},
@@ -84,18 +83,18 @@ void study_split(study::Report& report) {
                 const Real alone = way(light_of_pixel, 1), shared = way(light_of_pixel, ranks);
                 differ += shared != alone;
                 study::DoubleDouble exact{};
-                for (const double value : light_of_pixel) exact = exact + study::DoubleDouble{value};
-                const double off =
-                    std::abs(static_cast<double>(shared) - exact.high / samples);
+                for (const double value : light_of_pixel)
+                    exact = exact + study::DoubleDouble{value};
+                const double off = std::abs(static_cast<double>(shared) - exact.high / samples);
                 largest = std::max(largest, off);
             }
             report.add({"split samples", name, static_cast<double>(ranks), "ranks",
                         100.0 * differ / pixels, "pixels that change / %"});
         }
         report.add({"error in a pixel", name, 0, "", largest, "largest error in a pixel"});
-        report.add({"adding", name, samples, "samples", 0, "", 0, "time per sample / ns"},
-                   [way = way, pixel = all.front()] { study::keep(way(pixel, 8)); },
-                   samples);
+        report.add(
+            {"adding", name, samples, "samples", 0, "", 0, "time per sample / ns"},
+            [way = way, pixel = all.front()] { study::keep(way(pixel, 8)); }, samples);
     }
 }
 
@@ -112,7 +111,8 @@ std::vector<double> rays_of_blocks() {
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
             std::uint64_t rays = 0;
-            drawer.draw({x * block, y * block, (x + 1) * block, std::min(540, (y + 1) * block)}, rays);
+            drawer.draw({x * block, y * block, (x + 1) * block, std::min(540, (y + 1) * block)},
+                        rays);
             all.push_back(static_cast<double>(rays));
         }
     return all;
@@ -120,7 +120,8 @@ std::vector<double> rays_of_blocks() {
 
 // The same scene eight times as wide and high, at 1024 samples a pixel. A block then has 64 x 64
 // pixels. Smaller tiles share a block's rays; larger ones are several blocks.
-std::vector<double> tile_seconds(const std::vector<double>& rays, int side, double seconds_per_ray) {
+std::vector<double> tile_seconds(const std::vector<double>& rays, int side,
+                                 double seconds_per_ray) {
     const double scale = 64.0 * 1024 * seconds_per_ray;
     std::vector<double> tiles;
     if (side <= 64) {
@@ -161,15 +162,16 @@ double efficiency_in_groups(const std::vector<double>& rays, int side, int machi
              i += static_cast<std::size_t>(groups))
             own.push_back(tiles[i]);
         for (const double seconds : own) drawing += seconds;
-        longest = std::max(
-            longest, simulate(own, side * side, machines / groups, over_a_network).seconds);
+        longest = std::max(longest,
+                           simulate(own, side * side, machines / groups, over_a_network).seconds);
     }
     return drawing / (machines * longest);
 }
 
 void study_machines(study::Report& report) {
     const std::vector<double> rays = rays_of_blocks();
-    const auto add = [&](const char* name, const std::string& variant, int side, const Costs& costs) {
+    const auto add = [&](const char* name, const std::string& variant, int side,
+                         const Costs& costs) {
         const auto tiles = tile_seconds(rays, side, seconds_per_ray);
         for (const int machines : {1, 10, 100, 1000, 10'000})
             report.add({name, variant, static_cast<double>(machines), "machines",

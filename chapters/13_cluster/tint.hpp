@@ -8,12 +8,14 @@ namespace cluster {
 
 // Tints the tiles at the edge of the picture: one color for each rank, of eight. drawn_by has the
 // rank of each tile; -1 is left as it is.
-inline void tint_edge(rt::Image& image, const rt::TileGrid& grid, const std::vector<int>& drawn_by) {
+inline void tint_edge(rt::Image& image, const rt::TileGrid& grid,
+                      const std::vector<int>& drawn_by) {
     using rt::Color, rt::Real;
-    constexpr Color colors[]{{Real(0.85), Real(0.10), Real(0.10)}, {Real(0.05), Real(0.35), Real(0.85)},
-                             {Real(0.95), Real(0.65), Real(0.05)}, {Real(0.05), Real(0.60), Real(0.25)},
-                             {Real(0.50), Real(0.15), Real(0.70)}, {Real(0.05), Real(0.65), Real(0.70)},
-                             {Real(0.90), Real(0.30), Real(0.60)}, {Real(0.45), Real(0.28), Real(0.12)}};
+    constexpr Color colors[]{
+        {Real(0.85), Real(0.10), Real(0.10)}, {Real(0.05), Real(0.35), Real(0.85)},
+        {Real(0.95), Real(0.65), Real(0.05)}, {Real(0.05), Real(0.60), Real(0.25)},
+        {Real(0.50), Real(0.15), Real(0.70)}, {Real(0.05), Real(0.65), Real(0.70)},
+        {Real(0.90), Real(0.30), Real(0.60)}, {Real(0.45), Real(0.28), Real(0.12)}};
     for (int index = 0; index < rt::tile_count(grid); ++index) {
         const rt::Tile tile = rt::tile_at(grid, index);
         const bool at_edge = tile.left == 0 || tile.top == 0 || tile.right == grid.width ||

@@ -62,7 +62,8 @@ int MPI_Gatherv(const void* send, int count, MPI_Datatype type, void* receive, c
 TEST_CASE("13.1 the rows of all ranks arrive in their order", "[13.1]") {
     for (const int count : {1, 2, 3, 4})
         on_ranks(count, [](MPI_Comm ranks) {
-            for (const auto& [width, height] : {std::pair{3, 12}, {5, 10}, {16, 9}, {1, 7}, {40, 31}})
+            for (const auto& [width, height] :
+                 {std::pair{3, 12}, {5, 10}, {16, 9}, {1, 7}, {40, 31}})
                 if (const std::string wrong = gather(width, height, ranks); !wrong.empty())
                     return wrong;
             return std::string{};
@@ -72,7 +73,8 @@ TEST_CASE("13.1 the rows of all ranks arrive in their order", "[13.1]") {
 TEST_CASE("13.1 ranks without rows take part", "[13.1]") {
     on_ranks(4, [](MPI_Comm ranks) {
         for (const auto& [width, height] : {std::pair{6, 1}, {6, 3}, {1, 2}})
-            if (const std::string wrong = gather(width, height, ranks); !wrong.empty()) return wrong;
+            if (const std::string wrong = gather(width, height, ranks); !wrong.empty())
+                return wrong;
         return std::string{};
     });
 }

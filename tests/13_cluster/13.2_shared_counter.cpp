@@ -8,8 +8,8 @@ using rt::SharedCounter;
 
 namespace {
 
-// What MPI allows and seldom does, it does here every time: a result arrives no sooner than it must,
-// new memory holds garbage, and rank 0 is slow.
+// What MPI allows and seldom does, it does here every time: a result arrives no sooner than it
+// must, new memory holds garbage, and rank 0 is slow.
 struct Late {
     MPI_Win window;
     void* result;
@@ -111,11 +111,10 @@ TEST_CASE("13.2 every tile is taken once", "[13.2]") {
             ++taken.at(static_cast<std::size_t>(*tile));
         MPI_Reduce(taken.data(), all.data(), tiles, MPI_INT, MPI_SUM, 0, ranks);
         for (std::size_t tile = 0; tile < tiles && rt::rank_of(ranks) == 0; ++tile)
-            if (const std::string wrong =
-                    differs("how often tile " + std::to_string(tile) + " is taken, of 3000", 1,
-                            all[tile],
-                            "another rank must not come between reading and adding: one call does "
-                            "both");
+            if (const std::string wrong = differs(
+                    "how often tile " + std::to_string(tile) + " is taken, of 3000", 1, all[tile],
+                    "another rank must not come between reading and adding: one call does "
+                    "both");
                 !wrong.empty())
                 return wrong;
         return std::string{};
@@ -131,10 +130,11 @@ TEST_CASE("13.2 two counters at a time", "[13.2][hard]") {
             const int above = up.fetch_add(2), below = down.fetch_add(-3);
             if (above <= last_up || above % 2 != 0 || above > 600 || below >= last_down ||
                 below % 3 != 0 || below < -900)
-                wrong = "3 ranks add 2 to a counter and -3 to another one. Expected multiples of 2 "
-                        "that grow, and of -3 that fall; actual " +
-                        std::to_string(above) + " and " + std::to_string(below) +
-                        "\nHint: each counter needs a window of its own";
+                wrong =
+                    "3 ranks add 2 to a counter and -3 to another one. Expected multiples of 2 "
+                    "that grow, and of -3 that fall; actual " +
+                    std::to_string(above) + " and " + std::to_string(below) +
+                    "\nHint: each counter needs a window of its own";
             last_up = above;
             last_down = below;
         }

@@ -92,16 +92,18 @@ TEST_CASE("13.3 sending does not wait for rank 0", "[13.3]") {
             const double begin = MPI_Wtime();
             for (int tile = 1; tile <= 3; ++tile) sender.send(tile, tile_of(tile, large));
             if (MPI_Wtime() - begin > 0.15)
-                wrong = "rank 0 begins to receive after 0.3 s: expected that send returns before, "
-                        "actual after " +
-                        std::to_string(MPI_Wtime() - begin) +
-                        " s\nHint: MPI_Send waits; MPI_Isend begins to send, and returns";
+                wrong =
+                    "rank 0 begins to receive after 0.3 s: expected that send returns before, "
+                    "actual after " +
+                    std::to_string(MPI_Wtime() - begin) +
+                    " s\nHint: MPI_Send waits; MPI_Isend begins to send, and returns";
             use_memory_again();
             sender.finish();
             return wrong;
         }
         std::this_thread::sleep_for(milliseconds{300});
-        return receive(ranks, 3, [](int) { return large; }, [](int) { return 1; });
+        return receive(
+            ranks, 3, [](int) { return large; }, [](int) { return 1; });
     });
 }
 
@@ -109,7 +111,8 @@ TEST_CASE("13.3 messages keep their pixels until they are sent", "[13.3]") {
     on_ranks(3, [](MPI_Comm ranks) {
         if (rt::rank_of(ranks) == 0) {
             std::this_thread::sleep_for(milliseconds{100});
-            return receive(ranks, 8, [](int) { return large; }, [](int tile) { return tile / 10; });
+            return receive(
+                ranks, 8, [](int) { return large; }, [](int tile) { return tile / 10; });
         }
         TileSender sender{ranks};
         for (int i = 1; i <= 4; ++i) {
@@ -127,7 +130,8 @@ TEST_CASE("13.3 finish waits until all is sent", "[13.3]") {
     on_ranks(2, [](MPI_Comm ranks) {
         if (rt::rank_of(ranks) == 0) {
             std::this_thread::sleep_for(milliseconds{200});
-            return receive(ranks, 2, [](int) { return large; }, [](int) { return 1; });
+            return receive(
+                ranks, 2, [](int) { return large; }, [](int) { return 1; });
         }
         TileSender sender{ranks};
         sender.send(1, tile_of(1, large));
@@ -137,9 +141,10 @@ TEST_CASE("13.3 finish waits until all is sent", "[13.3]") {
         const double waited = MPI_Wtime() - begin;
         std::string wrong;
         if (waited < 0.1)
-            wrong = "rank 0 begins to receive after 0.2 s: expected that finish waits for that, "
-                    "actual: it returned after " +
-                    std::to_string(waited) + " s\nHint: MPI_Wait, for each message";
+            wrong =
+                "rank 0 begins to receive after 0.2 s: expected that finish waits for that, "
+                "actual: it returned after " +
+                std::to_string(waited) + " s\nHint: MPI_Wait, for each message";
         else if (sender.kept() != 0)
             wrong = "after finish: expected 0 messages that are kept, actual " +
                     std::to_string(sender.kept());
@@ -156,7 +161,8 @@ TEST_CASE("13.3 receiving does not wait for a message", "[13.3]") {
             wrong = "nobody has sent anything: expected no tile, actual a tile";
         MPI_Barrier(ranks);
         if (rt::rank_of(ranks) == 0 && wrong.empty())
-            wrong = receive(ranks, 1, [](int) { return small; }, [](int) { return 1; });
+            wrong = receive(
+                ranks, 1, [](int) { return small; }, [](int) { return 1; });
         if (rt::rank_of(ranks) == 1) sender.send(1, tile_of(1, small));
         sender.finish();
         return wrong;
@@ -167,10 +173,12 @@ TEST_CASE("13.3 messages that have been sent are forgotten", "[13.3][hard]") {
     on_ranks(2, [](MPI_Comm ranks) {
         constexpr int count = 40;
         if (rt::rank_of(ranks) == 0) {
-            std::string wrong = receive(ranks, count, [](int) { return large; }, [](int) { return 1; });
+            std::string wrong = receive(
+                ranks, count, [](int) { return large; }, [](int) { return 1; });
             MPI_Barrier(ranks);
             if (wrong.empty())
-                wrong = receive(ranks, 8, [](int) { return small; }, [](int) { return 1; });
+                wrong = receive(
+                    ranks, 8, [](int) { return small; }, [](int) { return 1; });
             return wrong;
         }
         TileSender sender{ranks};

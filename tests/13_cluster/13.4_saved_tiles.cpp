@@ -119,8 +119,8 @@ TEST_CASE("13.4 a program that dies leaves a whole file or none", "[13.4]") {
         // With a stub there is nothing to die in.
         CHECK(rt::missing_tiles(folder.path(), 2).size() == 2);
         rt::save_tile(folder.path(), 1, older);
-        const auto bytes = static_cast<rlim_t>(
-            part * static_cast<double>(pixels.size() * sizeof(Color)));
+        const auto bytes =
+            static_cast<rlim_t>(part * static_cast<double>(pixels.size() * sizeof(Color)));
         INFO("the program is ended after " << bytes << " of " << pixels.size() * sizeof(Color)
                                            << " bytes were written");
         REQUIRE(save_and_die(folder.path(), 0, pixels, bytes) == SIGXFSZ);
@@ -165,8 +165,9 @@ TEST_CASE("13.4 a full disk is an error", "[13.4][hard]") {
             std::signal(SIGXFSZ, old);
             INFO("room for " << bytes << " bytes of " << pixels.size() * sizeof(Color));
             {
-                INFO("Hint: a stream is false once something could not be written. The last bytes "
-                     "are written by close()");
+                INFO(
+                    "Hint: a stream is false once something could not be written. The last bytes "
+                    "are written by close()");
                 CHECK(actual == "std::runtime_error");
             }
             {

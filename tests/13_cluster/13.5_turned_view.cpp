@@ -31,7 +31,8 @@ TEST_CASE("13.5 a quarter of a turn", "[13.5]") {
     const View view{{3, 1, 0}, {1, 0, 0}, {0, 1, 0}, 1};
     const Vec3 expected[] = {{3, 1, 0}, {1, 1, -2}, {-1, 1, 0}, {1, 1, 2}};
     for (int frame = 0; frame < 4; ++frame) {
-        INFO("frame " << frame << " of 4: the camera is 2 to the right of the point that it looks "
+        INFO("frame " << frame
+                      << " of 4: the camera is 2 to the right of the point that it looks "
                          "at, and 1 above it");
         check_near(rt::turned_view(view, frame, 4).from, expected[frame], 3,
                    "seen from above, the camera goes counterclockwise: from +x to -z");
@@ -61,7 +62,8 @@ TEST_CASE("13.5 height and distance stay", "[13.5]") {
                    "the height above `at`, measured along up, and the distance: up may have any "
                    "length and direction");
         // The angle between the parts across the axis.
-        const Vec3 before = away - dot(away, axis) * axis, after = turned - dot(turned, axis) * axis;
+        const Vec3 before = away - dot(away, axis) * axis,
+                   after = turned - dot(turned, axis) * axis;
         const Real angle = 2 * rt::pi * static_cast<Real>(frame) / static_cast<Real>(frames);
         const Real cosine = dot(before, after) / dot(before, before);
         HINT(std::cos(angle), cosine, "frame k of n has turned by k/n of 2 pi");
@@ -75,9 +77,10 @@ TEST_CASE("13.5 a whole turn is no turn", "[13.5][hard]") {
         const View view = some_view(random);
         for (const int frame : {0, 120, 240, 120'000'000}) {
             const View turned = rt::turned_view(view, frame, 120);
-            HINT(view.from, turned.from, "frame " + std::to_string(frame) +
-                                             " of 120 is the view itself, to the last bit: the "
-                                             "film can be shown in a loop");
+            HINT(view.from, turned.from,
+                 "frame " + std::to_string(frame) +
+                     " of 120 is the view itself, to the last bit: the "
+                     "film can be shown in a loop");
             REQUIRE(turned.from == view.from);
         }
         const View once = rt::turned_view(view, 7, 120);

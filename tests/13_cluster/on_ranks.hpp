@@ -215,7 +215,9 @@ class Group {
 // The stub's exception, as a rank told of it.
 [[noreturn]] inline void throw_unwritten(const std::string& words) {
     // exercise 13.1 is still to be written: FILE:LINE, explained in ...
-    const auto after = [&](const char* mark) { return words.find(mark) + std::string{mark}.size(); };
+    const auto after = [&](const char* mark) {
+        return words.find(mark) + std::string{mark}.size();
+    };
     const auto file = after("written: "), id = after("exercise ");
     const auto colon = words.find(':', file);
     throw rt::NotImplemented{words.substr(id, words.find(' ', id) - id),

@@ -60,8 +60,9 @@ double message_cost(int side) {
     MPI_Barrier(all);
     if (times.empty()) return 0;
     std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
-    std::printf("a tile of %d x %d at rank 0: median %.1f us, the fastest %.1f, the slowest %.1f\n", side,
-                side, 1e6 * times[times.size() / 2], 1e6 * *std::min_element(times.begin(), times.end()),
+    std::printf("a tile of %d x %d at rank 0: median %.1f us, the fastest %.1f, the slowest %.1f\n",
+                side, side, 1e6 * times[times.size() / 2],
+                1e6 * *std::min_element(times.begin(), times.end()),
                 1e6 * *std::max_element(times.begin(), times.end()));
     return times[times.size() / 2];
 }

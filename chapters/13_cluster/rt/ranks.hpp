@@ -1,5 +1,5 @@
 #pragma once
-#define OMPI_SKIP_MPICXX 1   // MPI as a C library, which is all of it since 2012
+#define OMPI_SKIP_MPICXX 1  // MPI as a C library, which is all of it since 2012
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
 

@@ -14,7 +14,8 @@ namespace rt {
 // when it is whole: a program that ends at whatever moment leaves a whole file or none.
 // Star: throw std::runtime_error if it cannot be written; an older file is then unchanged, and
 // nothing else is left behind.
-inline void save_tile(const std::filesystem::path& folder, int tile, std::span<const Color> pixels) {
+inline void save_tile(const std::filesystem::path& folder, int tile,
+                      std::span<const Color> pixels) {
     rt::todo("13.4", folder, tile, pixels);
 }
 

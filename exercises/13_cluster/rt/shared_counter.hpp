@@ -4,29 +4,34 @@
 
 namespace rt {
 
-// Exercise 13.2. A number in the memory of rank 0 that all ranks count up, as threads count up a
-// std::atomic<int>. So take_tile (06.3) can take tiles from it.
+// Exercise 13.2. A window that holds a number in the memory of rank 0, open to all ranks. All of
+// them call it together. The number starts at 0, before any rank gets the window.
+inline MPI_Win open_counter(MPI_Comm ranks) {
+    return rt::todo("13.2", ranks);
+}
+
+// Exercise 13.2. Adds n to that number, and returns what it was before, in a single step. Any rank
+// may call it at any time, whatever the others are doing.
+inline int count_up(MPI_Win window, int n) {
+    return rt::todo("13.2", window, n);
+}
+
+// The two together (given): it counts as a std::atomic<int> does, and so take_tile (06.3) can take
+// tiles from it. All ranks of the group make it together, and give it up together.
 class SharedCounter {
   public:
-    // Exercise 13.2. All ranks of the group make it together. It starts at 0. Make window_ here,
-    // and open it to all with MPI_Win_lock_all.
-    explicit SharedCounter(MPI_Comm ranks) { rt::todo("13.2", ranks); }
-
-    // All ranks give it up together (given).
+    explicit SharedCounter(MPI_Comm ranks) : window_{open_counter(ranks)} {}
     ~SharedCounter() {
-        if (window_ == MPI_WIN_NULL) return;
         MPI_Win_unlock_all(window_);
         MPI_Win_free(&window_);
     }
     SharedCounter(const SharedCounter&) = delete;
     SharedCounter& operator=(const SharedCounter&) = delete;
 
-    // Exercise 13.2. Adds n, and returns what the number was before, in a single step. Any rank may
-    // call it at any time, whatever the others are doing.
-    int fetch_add(int n) { return rt::todo("13.2", n); }
+    int fetch_add(int n) { return count_up(window_, n); }
 
   private:
-    MPI_Win window_ = MPI_WIN_NULL;
+    MPI_Win window_;
 };
 
 }  // namespace rt

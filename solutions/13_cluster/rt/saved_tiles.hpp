@@ -12,8 +12,10 @@ namespace rt {
 // Writes the pixels of a tile to its file. The file has its name only when it is whole, so whoever
 // ends the program at whatever moment leaves a whole file or none. Throws std::runtime_error if it
 // cannot be written; an older file is then unchanged, and nothing else is left behind.
-inline void save_tile(const std::filesystem::path& folder, int tile, std::span<const Color> pixels) {
-    const std::filesystem::path file = tile_file(folder, tile), unfinished = file.string() + ".part";
+inline void save_tile(const std::filesystem::path& folder, int tile,
+                      std::span<const Color> pixels) {
+    const std::filesystem::path file = tile_file(folder, tile),
+                                unfinished = file.string() + ".part";
     std::ofstream out{unfinished, std::ios::binary};
     out.write(reinterpret_cast<const char*>(pixels.data()),
               static_cast<std::streamsize>(pixels.size_bytes()));

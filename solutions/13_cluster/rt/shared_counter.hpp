@@ -3,40 +3,45 @@
 
 namespace rt {
 
-// A number in the memory of rank 0 that all ranks count up, as threads count up a std::atomic<int>.
+// A window that holds a number in the memory of rank 0, open to all ranks. All of them call it
+// together. The number starts at 0, before any rank gets the window.
+inline MPI_Win open_counter(MPI_Comm ranks) {
+    const bool is_here = rank_of(ranks) == 0;
+    int* number = nullptr;
+    MPI_Win window{};
+    MPI_Win_allocate(is_here ? sizeof(int) : 0, sizeof(int), MPI_INFO_NULL, ranks, &number,
+                     &window);
+    if (is_here) *number = 0;
+    MPI_Barrier(ranks);  // nobody counts before it is 0
+    MPI_Win_lock_all(0, window);
+    return window;
+}
+
+// Adds n to that number, and returns what it was before, in a single step. Any rank may call it at
+// any time, whatever the others are doing.
+inline int count_up(MPI_Win window, int n) {
+    int before = 0;
+    MPI_Fetch_and_op(&n, &before, MPI_INT, 0, 0, MPI_SUM, window);
+    MPI_Win_flush(0, window);  // until it returns, `before` may not have arrived
+    return before;
+}
+
+// The two together (given): it counts as a std::atomic<int> does, and so take_tile (06.3) can take
+// tiles from it. All ranks of the group make it together, and give it up together.
 class SharedCounter {
   public:
-    // All ranks of the group make it together. It starts at 0.
-    explicit SharedCounter(MPI_Comm ranks) {
-        const bool is_here = rank_of(ranks) == 0;
-        int* number = nullptr;
-        MPI_Win_allocate(is_here ? sizeof(int) : 0, sizeof(int), MPI_INFO_NULL, ranks, &number,
-                         &window_);
-        if (is_here) *number = 0;
-        MPI_Barrier(ranks);  // nobody counts before it is 0
-        MPI_Win_lock_all(0, window_);
-    }
-
-    // All ranks give it up together (given).
+    explicit SharedCounter(MPI_Comm ranks) : window_{open_counter(ranks)} {}
     ~SharedCounter() {
-        if (window_ == MPI_WIN_NULL) return;
         MPI_Win_unlock_all(window_);
         MPI_Win_free(&window_);
     }
     SharedCounter(const SharedCounter&) = delete;
     SharedCounter& operator=(const SharedCounter&) = delete;
 
-    // Adds n, and returns what the number was before, in a single step. Any rank may call it at any
-    // time, whatever the others are doing.
-    int fetch_add(int n) {
-        int before = 0;
-        MPI_Fetch_and_op(&n, &before, MPI_INT, 0, 0, MPI_SUM, window_);
-        MPI_Win_flush(0, window_);  // before that, `before` may not have arrived
-        return before;
-    }
+    int fetch_add(int n) { return count_up(window_, n); }
 
   private:
-    MPI_Win window_ = MPI_WIN_NULL;
+    MPI_Win window_;
 };
 
 }  // namespace rt

@@ -9,8 +9,10 @@
 
 namespace rt {
 
-inline void save_tile(const std::filesystem::path& folder, int tile, std::span<const Color> pixels) {
-    const std::filesystem::path file = tile_file(folder, tile), unfinished = file.string() + ".part";
+inline void save_tile(const std::filesystem::path& folder, int tile,
+                      std::span<const Color> pixels) {
+    const std::filesystem::path file = tile_file(folder, tile),
+                                unfinished = file.string() + ".part";
     std::ofstream out{unfinished, std::ios::binary};
     out.write(reinterpret_cast<const char*>(pixels.data()),
               static_cast<std::streamsize>(pixels.size_bytes()));
