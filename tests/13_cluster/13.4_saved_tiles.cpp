@@ -138,44 +138,53 @@ TEST_CASE("13.4 a program that dies leaves a whole file or none", "[13.4]") {
 }
 
 TEST_CASE("13.4 a full disk is an error", "[13.4][hard]") {
-    const std::vector<Color> pixels = some_pixels(1, 4096), older = some_pixels(2, 100);
+    const std::vector<Color> older = some_pixels(2, 100);
     const Folder folder;
     rt::save_tile(folder.path(), 1, older);
-    for (const int tile : {0, 1})
-        // The last bytes may be refused only when the file is closed.
-        for (const std::size_t bytes : {std::size_t{0}, pixels.size() * sizeof(Color) / 2,
-                                        pixels.size() * sizeof(Color) - 1}) {
-            rlimit usual{};
-            ::getrlimit(RLIMIT_FSIZE, &usual);
-            const rlimit limit{bytes, usual.rlim_max};
-            const auto old = std::signal(SIGXFSZ, SIG_IGN);
-            ::setrlimit(RLIMIT_FSIZE, &limit);
-            std::string actual = "no exception";
-            try {
-                rt::save_tile(folder.path(), tile, pixels);
-            } catch (const std::runtime_error&) {
-                actual = "std::runtime_error";
-            } catch (const rt::NotImplemented&) {
+    // What a small tile writes may be refused only when the file is closed.
+    for (const int count : {4096, 7})
+        for (const int tile : {0, 1}) {
+            const std::vector<Color> pixels = some_pixels(1, count);
+            const std::size_t bytes = pixels.size() * sizeof(Color);
+            for (const std::size_t room : {std::size_t{0}, bytes / 2, bytes - 1}) {
+                rlimit usual{};
+                ::getrlimit(RLIMIT_FSIZE, &usual);
+                const rlimit limit{room, usual.rlim_max};
+                const auto old = std::signal(SIGXFSZ, SIG_IGN);
+                ::setrlimit(RLIMIT_FSIZE, &limit);
+                std::string actual = "no exception";
+                try {
+                    rt::save_tile(folder.path(), tile, pixels);
+                } catch (const std::runtime_error&) {
+                    actual = "std::runtime_error";
+                } catch (const rt::NotImplemented&) {
+                    ::setrlimit(RLIMIT_FSIZE, &usual);
+                    throw;
+                } catch (...) {
+                    actual = "another exception";
+                }
                 ::setrlimit(RLIMIT_FSIZE, &usual);
-                throw;
-            } catch (...) {
-                actual = "another exception";
+                std::signal(SIGXFSZ, old);
+                INFO("room for " << room << " bytes of " << bytes);
+                {
+                    INFO(
+                        "Hint: a stream is false once something could not be written. The last "
+                        "bytes are written by close()");
+                    CHECK(actual == "std::runtime_error");
+                }
+                {
+                    INFO("Hint: remove the unfinished file");
+                    CHECK(folder.names() == std::vector<std::string>{"1.tile"});
+                }
+                CHECK(rt::load_tile(folder.path(), 1) == older);
             }
-            ::setrlimit(RLIMIT_FSIZE, &usual);
-            std::signal(SIGXFSZ, old);
-            INFO("room for " << bytes << " bytes of " << pixels.size() * sizeof(Color));
-            {
-                INFO(
-                    "Hint: a stream is false once something could not be written. The last bytes "
-                    "are written by close()");
-                CHECK(actual == "std::runtime_error");
-            }
-            {
-                INFO("Hint: remove the unfinished file");
-                CHECK(folder.names() == std::vector<std::string>{"1.tile"});
-            }
-            CHECK(rt::load_tile(folder.path(), 1) == older);
         }
-    INFO("no such folder");
-    CHECK_THROWS_AS(rt::save_tile(folder.path() / "nowhere", 0, pixels), std::runtime_error);
+    {
+        INFO("no such folder");
+        CHECK_THROWS_AS(rt::save_tile(folder.path() / "nowhere", 0, older), std::runtime_error);
+    }
+    INFO("a folder has the tile's name");
+    fs::create_directories(rt::tile_file(folder.path(), 2) / "inner");
+    CHECK_THROWS_AS(rt::save_tile(folder.path(), 2, older), std::runtime_error);
+    CHECK(folder.names() == std::vector<std::string>{"1.tile", "2.tile"});
 }
