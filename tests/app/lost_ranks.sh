@@ -12,6 +12,7 @@ for seed in $(seq "$times"); do
     options="--width 192 --height 108 --spp 32 --tile 16 --seed $seed"
     # shellcheck disable=SC2086  # a word an argument
     "$program" --quiet $options --out right.ppm
+    # shellcheck disable=SC2086
     "$mpiexec" -n 4 "$program" --quiet --threads 1 --resume $options --out lost.ppm \
         >"$place/stdout" 2>"$place/stderr" &
     # When so many of its 84 tiles are finished, or it has ended.
