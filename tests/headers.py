@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""headers.py COMPILER
+"""headers.py COMPILER [FOLDERS OF MPI]
 
 Compiles each header alone: it must include what it uses of the course. Reading the standard library
 would take most of the time, so it is compiled once for all headers; a missing standard header is not
@@ -45,13 +45,14 @@ def include_order(header):
 
 def main():
     compiler = sys.argv[1]
-    flags = ["-std=c++20", "-O0"]
+    mpi = sys.argv[2:]  # without it, chapter 13 is left out
+    flags = ["-std=c++20", "-O0", *(f"-isystem{folder}" for folder in mpi)]
     files = {
         file.relative_to(ROOT): file.read_text()
         for room in ("common", "companion", "solutions", "chapters")
         for file in sorted((ROOT / room).rglob("*.[ch]pp"))
     }
-    headers = [f for f in files if f.suffix == ".hpp" and str(f) not in BODIES]
+    headers = [f for f in files if f.suffix == ".hpp" and str(f) not in BODIES and (mpi or "13_cluster" not in f.parts)]
     standard = sorted(set(re.findall(r"^#include <([a-z_]+)>", "".join(files.values()), re.M)))
     standard.remove("execution")  # another library, which may be missing
     begun = {place for file, text in files.items() if (place := first_include(file, text))}
