@@ -6,11 +6,14 @@
 #
 # and in float the same with .float at the end. check.NN.k finds the headers of tests/NN_topic/NN.k/rt in place
 # of the exercise's: these declare the library's functions. It is linked to answer.NN.k, and takes another
-# library of that name from the folder that LD_LIBRARY_PATH names: the learner's, or that of a mistake.
+# library of that name from the folder that LD_LIBRARY_PATH names (PATH on Windows): the learner's, or that of a
+# mistake.
 
 set(course_answers ${CMAKE_BINARY_DIR}/answers)  # in it: solution/double, yours/float and so on
 if(APPLE)
   set(course_library_path DYLD_LIBRARY_PATH)
+elseif(WIN32)
+  set(course_library_path PATH)
 else()
   set(course_library_path LD_LIBRARY_PATH)
 endif()
@@ -56,14 +59,16 @@ endfunction()
 function(course_as_answer target real place chapter id)
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:answer_${real}>)
   target_include_directories(${target} PRIVATE ${ARGN} ${CMAKE_SOURCE_DIR}/tests/${chapter}
-                                               ${CMAKE_SOURCE_DIR}/tests/support)
+                                               ${CMAKE_SOURCE_DIR}/tests/support/${course_system})
   target_link_libraries(${target} PRIVATE answer_${real}_flags ${course_libraries_of_answer_${id}})
   target_precompile_headers(${target} REUSE_FROM answer_${real})
   if(course_targets_of_answer_${id})
     add_dependencies(${target} ${course_targets_of_answer_${id}})
   endif()
   set_target_properties(${target} PROPERTIES OUTPUT_NAME answer.${id} DEFINE_SYMBOL ""
-    LIBRARY_OUTPUT_DIRECTORY ${course_answers}/${place})
+    LIBRARY_OUTPUT_DIRECTORY ${course_answers}/${place}
+    # Where this is a DLL:
+    PREFIX lib RUNTIME_OUTPUT_DIRECTORY ${course_answers}/${place} ARCHIVE_OUTPUT_DIRECTORY ${course_answers}/${place})
   course_linked_with(${target} -shared ${course_answer_linker}
                      $<FILTER:$<TARGET_OBJECTS:answer_${real}>,EXCLUDE,[.][gp]ch$>
                      ${course_libraries_of_answer_${id}})

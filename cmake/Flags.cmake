@@ -13,6 +13,17 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 and 13 warn about "text" + std::string where nothing is wrong (GCC bug 105651).
   target_compile_options(course_flags INTERFACE -Wno-restrict)
 endif()
+# What systems do differently is in folders of these names.
+set(course_system posix)
+if(WIN32)
+  set(course_system windows)
+  # As much stack as programs have elsewhere.
+  target_link_options(course_flags INTERFACE -Wl,--stack,8388608)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # There g++ aligns variables on the stack to 16 bytes and believes that they are aligned to 32 (GCC bug 54412).
+    target_compile_options(course_flags INTERFACE -Wa,-muse-unaligned-vector-move)
+  endif()
+endif()
 if(RT_WERROR)
   target_compile_options(course_flags INTERFACE -Werror)
 endif()

@@ -23,7 +23,7 @@ function(course_executable target real)
   cmake_parse_arguments(arg "" "" "INCLUDE" ${ARGN})
   add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
   target_include_directories(${target} PRIVATE ${arg_INCLUDE})
-  target_link_libraries(${target} PRIVATE common_${real})
+  target_link_libraries(${target} PRIVATE common_${real} course_utf8)
 endfunction()
 
 # course_as_program(target): sanitized only with RT_SANITIZE_PROGRAMS.

@@ -1,6 +1,6 @@
 #include <app/errors.hpp>
+#include <app/platform.hpp>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -40,13 +40,13 @@ const std::terminate_handler usual_end = std::get_terminate();
         } catch (...) {
         }
     usual_end();
-    std::abort();
+    crash();
 }
 
 }  // namespace
 
 int run_or_explain(const std::string& program, const std::function<int()>& work) {
-    std::signal(SIGXFSZ, SIG_IGN);
+    prepare_process();
     running = program;
     std::set_terminate(name_the_stub);
     try {

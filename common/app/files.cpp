@@ -1,8 +1,6 @@
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <app/errors.hpp>
 #include <app/files.hpp>
+#include <app/platform.hpp>
 #include <app/signals.hpp>
 #include <atomic>
 #include <cerrno>
@@ -21,14 +19,8 @@ namespace fs = std::filesystem;
     throw std::system_error(error ? error : EIO, std::generic_category());
 }
 
-// flags is O_EXCL for a new file only.
-void write_to(const fs::path& path, const std::string& bytes, int flags) {
-    // Opening a pipe must not wait for a reader, who may never come; writing to it may wait.
-    const int descriptor =
-        ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK | flags, 0666);
-    if (descriptor < 0) fail(errno);
-    ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
-    std::FILE* const file = ::fdopen(descriptor, "w");
+void write_to(const fs::path& path, const std::string& bytes, bool only_new) {
+    std::FILE* const file = open_for_writing(path, only_new);
     if (!file) fail(errno);
     errno = 0;
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
@@ -41,10 +33,10 @@ void write_to(const fs::path& path, const std::string& bytes, int flags) {
 }
 
 // The file that Ctrl-C and the like must not leave behind, while there is one.
-std::atomic<const char*> unfinished = nullptr;
+std::atomic<const fs::path::value_type*> unfinished = nullptr;
 
 bool remove_unfinished(int) {
-    if (const char* const path = unfinished) ::unlink(path);
+    if (const auto* const path = unfinished.load()) remove_now(path);
     return false;
 }
 
@@ -70,7 +62,7 @@ fs::path behind_links(fs::path path) {
 
 void replace_file(const fs::path& path, const std::string& bytes) try {
     const fs::file_status status = fs::status(path);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, bytes, 0);
+    if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, bytes, false);
 
     const fs::path target = behind_links(path);
     // A unique name, so that two programs that write the same image do not collide.
@@ -78,9 +70,9 @@ void replace_file(const fs::path& path, const std::string& bytes) try {
         target.parent_path() / ("." + std::to_string(std::random_device{}()) + ".part");
     const RemovedOnInterrupt guard{temporary};
     try {
-        write_to(temporary, bytes, O_EXCL);
+        write_to(temporary, bytes, true);
         if (fs::exists(status)) fs::permissions(temporary, status.permissions());
-        fs::rename(temporary, target);
+        rename_over(temporary, target);
     } catch (const std::system_error&) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
@@ -105,7 +97,7 @@ std::string read_input_file(const fs::path& path, const std::string& name, std::
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    const std::unique_ptr<std::FILE, Close> file{std::fopen(path.c_str(), "rb")};
+    const std::unique_ptr<std::FILE, Close> file{open_for_reading(path)};
     if (!file)
         refuse(std::string{"cannot be read ("} + std::strerror(errno) + "); name a readable file");
     std::string bytes;

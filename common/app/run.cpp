@@ -1,11 +1,9 @@
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <app/files.hpp>
 #include <app/limits.hpp>
 #include <app/nearest_word.hpp>
+#include <app/platform.hpp>
 #include <app/run.hpp>
 #include <app/threads.hpp>
 #include <charconv>
@@ -111,10 +109,10 @@ void check_output(const fs::path& path) {
         throw Failure("--out: the folder " + folder.string() +
                       (target == path ? "" : ", to which the link " + path.string() + " points,") +
                       " does not exist; create it, or name another one");
-    if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
+    if (fs::exists(status) && !is_writable(path))
         throw Failure(name + " exists and is not writable (" + std::strerror(errno) +
                       "); name another file");
-    if (!is_device && ::access(folder.c_str(), W_OK) != 0)
+    if (!is_device && !is_writable(folder))
         throw Failure("--out: the folder " + folder.string() + " is not writable (" +
                       std::strerror(errno) + "); name another one");
 }
@@ -147,23 +145,23 @@ class HeldPipe {
     explicit HeldPipe(const fs::path& path) {
         if (!fs::is_fifo(path)) return;
         // A reader that was started at the same time may need a moment.
-        for (int tries = 0; descriptor_ < 0 && tries < 100; ++tries) {
+        for (int tries = 0; !file_ && tries < 100; ++tries) {
             if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-            descriptor_ = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+            file_ = open_for_writing(path, false);
         }
-        if (descriptor_ < 0)
+        if (!file_)
             throw Failure(
                 "--out: " + path.string() +
                 " is a pipe that nobody reads from; start the reader first, or name a file");
     }
     ~HeldPipe() {
-        if (descriptor_ >= 0) ::close(descriptor_);
+        if (file_) std::fclose(file_);
     }
     HeldPipe(const HeldPipe&) = delete;
     HeldPipe& operator=(const HeldPipe&) = delete;
 
   private:
-    int descriptor_ = -1;
+    std::FILE* file_ = nullptr;
 };
 
 // Uses fewer threads if the system does not allow that many, and says so.
@@ -197,7 +195,7 @@ int draw_picture(const Program& program, const Request& request) {
     const auto start = std::chrono::steady_clock::now();
     Picture picture;
     {
-        Progress progress{!request.quiet && ::isatty(STDERR_FILENO)};
+        Progress progress{!request.quiet && is_terminal(stderr)};
         picture = program.render(settings, progress);
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -238,7 +236,7 @@ void run_study(const Program& program, const Request& request) {
     fs::create_directories(folder, error);
     if (error) fail(error);
     // Checked before the work starts, so that no result is lost.
-    if (::access(folder.c_str(), W_OK) != 0) fail({errno, std::generic_category()});
+    if (!is_writable(folder)) fail({errno, std::generic_category()});
     study::Report report{program.name};
     program.study(report);
     try {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <app/platform.hpp>
 #include <app/signals.hpp>
 #include <array>
 #include <atomic>
@@ -16,21 +17,13 @@ std::mutex changing;
 
 extern "C" void act(int signal) {
     const int error = errno;
+    std::signal(signal, act);  // which Windows sets back to the default before the call
     for (const auto& action : actions[signal])
         if (const OnSignal::Action call = action; call && call(signal)) {
             errno = error;
             return;
         }
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
-}
-
-using Handler = void (*)(int);
-
-Handler handler_of(int signal) {
-    struct sigaction now {};
-    ::sigaction(signal, nullptr, &now);
-    return now.sa_handler;
+    end_by(signal);
 }
 
 }  // namespace

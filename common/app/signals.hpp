@@ -7,8 +7,8 @@
 
 namespace app {
 
-// The signals by which a person or the system ends a program.
-inline constexpr std::initializer_list<int> ending_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+// The signals by which a person or the system ends a program, as the system has them.
+extern const std::initializer_list<int> ending_signals;
 
 // While an OnSignal exists, each of its signals first calls its action, and then ends the program
 // as it would without it. Several may exist at once: all actions are called, the oldest first. A

@@ -63,7 +63,7 @@ std::string missing_semicolon(const Course& course, const std::string& error) {
 
 std::string with_relative_paths(const Course& course, std::string line) {
     for (const fs::path& folder : {course.root, fs::weakly_canonical(course.root)}) {
-        const std::string prefix = folder.string() + '/';
+        const std::string prefix = folder.generic_string() + '/';
         for (auto at = line.find(prefix); at != std::string::npos; at = line.find(prefix))
             line.erase(at, prefix.size());
     }

@@ -34,7 +34,7 @@ Sources sources_of(const Course& course) {
     Sources all;
     const auto add = [&](const std::string& group, const fs::path& folder) {
         for (const fs::path& file : source_files(folder)) {
-            all[group][file.lexically_relative(folder).string()] = {hash_of(read_file(file)),
+            all[group][file.lexically_relative(folder).generic_string()] = {hash_of(read_file(file)),
                                                                     written(file)};
         }
     };
@@ -118,7 +118,9 @@ void remove_built(const fs::path& build, const std::string& group) {
             if (const fs::path& folder = entry.path();
                 folder.extension() == ".dir" && compiles(folder.stem().string(), group))
                 for (const auto& object : fs::recursive_directory_iterator{folder, none})
-                    if (object.path().extension() == ".o") stale.push_back(object.path());
+                    if (const fs::path kind = object.path().extension();
+                        kind == ".o" || kind == ".obj")
+                        stale.push_back(object.path());
     // Programs and libraries are linked again when their objects are new.
     for (const fs::path& path : stale) fs::remove(path);
 }

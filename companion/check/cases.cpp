@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <companion/build/side_build.hpp>
 #include <companion/check/cases.hpp>
-#include <csignal>
+#include <companion/system/platform.hpp>
 #include <cstdio>
 #include <random>
 
@@ -14,9 +14,8 @@ constexpr std::size_t most_bytes = std::size_t{16} << 20, most_memory = std::siz
 // Why a program crashed, given the test case in which it crashed, if that is known.
 std::string cause_of(const Result& result, const TestCase* test) {
     const std::string memory = test ? test->memory : "";
-    switch (result.signal) {
-        case SIGSEGV:
-        case SIGBUS:
+    switch (crash_of(result.signal)) {
+        case Crash::memory:
             if (memory == "stack")
                 return "the stack overflowed: a function calls itself without end, or a local "
                        "array is too large";
@@ -24,15 +23,15 @@ std::string cause_of(const Result& result, const TestCase* test) {
             return "it accessed memory that does not belong to it (segmentation fault): an index "
                    "out of range, the value of an empty std::optional, or a reference to something "
                    "that no longer exists, such as v.back() after v.pop_back()";
-        case SIGFPE:
+        case Crash::division:
             return "it divided an integer by 0";
-        case SIGABRT:
+        case Crash::aborted:
             return "it was aborted: an index is out of range, an empty std::optional has no value, "
                    "memory was freed twice, a std::thread was destroyed before it was joined, or "
                    "an exception left a thread or a function that must not throw";
-        case SIGILL:
+        case Crash::invalid_code:
             return "it executed invalid code: is a return statement missing?";
-        case 0:
+        case Crash::none:
             return test && !test->crash.empty() ? test->crash : "the code ended the program";
         default:
             return test && !test->crash.empty() ? test->crash : how_it_ended(result);
@@ -75,14 +74,6 @@ bool is_complete(const Cases& cases, const Report& report) {
                        });
 }
 
-#ifdef __APPLE__
-constexpr const char* library_path = "DYLD_LIBRARY_PATH=";
-constexpr const char* library_end = ".dylib";
-#else
-constexpr const char* library_path = "LD_LIBRARY_PATH=";
-constexpr const char* library_end = ".so";
-#endif
-
 }  // namespace
 
 const TestCase* Tested::ended_in() const {
@@ -105,8 +96,8 @@ fs::path yours_folder(const Course& course, bool in_float) {
 std::string answer_file(const Course& course, const std::string& exercise) {
     for (const auto& entry : fs::directory_iterator{course.root / "tests"})
         if (fs::exists(entry.path() / exercise / "answer.cpp"))
-            return "libanswer." + exercise + library_end;
-    return "answer." + exercise;
+            return library_name("answer." + exercise);
+    return program_name("answer." + exercise);
 }
 
 std::vector<std::string> command_of(const Course& course, const Cases& cases,
@@ -114,9 +105,9 @@ std::vector<std::string> command_of(const Course& course, const Cases& cases,
     const fs::path answer =
         cases.answer.empty() ? yours_folder(course, cases.in_float) : cases.answer;
     const std::string program = "check." + cases.exercise + (cases.in_float ? ".float" : "");
-    std::vector<std::string> command{"env", library_path + answer.string(),
+    std::vector<std::string> command{"env", libraries_in(answer),
                                      "COURSE_ANSWER=" + answer.string(),
-                                     (course.build / "check" / program).string()};
+                                     (course.build / "check" / program_name(program)).string()};
     if (!secret.empty()) {
         command.insert(command.begin() + 1, "COURSE_EVENTS=" + secret);
         command.insert(command.end(), {"-r", "events"});

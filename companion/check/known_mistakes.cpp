@@ -6,6 +6,7 @@
 #include <companion/model/source.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/parallel.hpp>
+#include <companion/system/platform.hpp>
 #include <nlohmann/json.hpp>
 
 namespace companion {
@@ -30,7 +31,7 @@ std::string version_of(const Course& course, const Exercise& exercise) {
         bytes += read_file(file);
     std::error_code missing;
     const auto checkpoint =
-        fs::last_write_time(course.build / "check" / ("check." + exercise.id), missing);
+        fs::last_write_time(course.build / "check" / program_name("check." + exercise.id), missing);
     const auto ticks = static_cast<long long>(checkpoint.time_since_epoch().count());
     return hash_of(bytes + std::to_string(ticks));
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <companion/check/compiler_words.hpp>
 #include <companion/check/verdict_text.hpp>
+#include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
 #include <sstream>
 
@@ -251,6 +252,12 @@ std::string where(const std::vector<TestCase>& tests) {
     return name.empty() ? "" : " in the test case\n  " + bold(name);
 }
 
+std::string how_to_find_the_line(const Exercise& exercise) {
+    const std::string other = instead_of_sanitizers();
+    if (!other.empty()) return wrapped("To find the line: " + other + '.', "  ");
+    return "  To find the line:  ./course check " + exercise.id + " --sanitize\n";
+}
+
 std::string what_is_wrong(const Checked& checked) {
     return std::visit(
         Kinds{[](const Passed&) { return std::string{}; },
@@ -263,8 +270,8 @@ std::string what_is_wrong(const Checked& checked) {
               [&](const Crashed& crashed) {
                   return "It crashes" + where(crashed.tests) + '\n' +
                          wrapped(crashed.cause + '.', "  ") + warned(checked) +
-                         "\n  To find the line:  ./course check " + checked.exercise.id +
-                         " --sanitize\n" + before_that(failing_cases(crashed.tests));
+                         '\n' + how_to_find_the_line(checked.exercise) +
+                         before_that(failing_cases(crashed.tests));
               },
               [&](const Left& left) {
                   return "Your code ended the program" + where(left.tests) +

@@ -1,8 +1,7 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
+#include <app/platform.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/model/questions.hpp>
 #include <companion/model/state.hpp>
@@ -177,7 +176,7 @@ int ask(const Course& course, const Given& given) {
     for (const Open& one : open)
         if (!ask_until_told(course, one)) {
             print("\n");
-            if (!::isatty(STDIN_FILENO))
+            if (!app::is_terminal(stdin))
                 print("To answer: ./course ask " +
                       (given.named ? chosen[0] : one.chapter).number() + " --answer ANSWER\n");
             return app::done;

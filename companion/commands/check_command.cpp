@@ -6,6 +6,7 @@
 #include <companion/commands/commands.hpp>
 #include <companion/commands/next_step.hpp>
 #include <companion/model/progress.hpp>
+#include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
 
@@ -83,6 +84,8 @@ int check_sanitized(const Course& course, const Given& given) {
     const Exercise exercise = find_exercise(course, name);
     if (const std::string trouble = trouble_with_files(course, exercise); !trouble.empty())
         throw app::Failure(trouble);
+    if (const std::string why = instead_of_sanitizers(); !why.empty())
+        throw app::Failure("--sanitize: " + why);
     const SanitizedRun run = run_sanitized(course, exercise, sanitizer == "thread");
     print(run.words);
     return run.passed ? app::done : app::could_not;

@@ -17,7 +17,8 @@ namespace {
 std::string render_scene(const Course& course, const Chapter& chapter) {
     const fs::path ppm = course.out() / (chapter.name + ".ppm");
     const Result result = run_process(
-        {.command = {course.program(chapter.name + "_solution"), course.build / chapter.scene, ppm},
+        {.command = {course.program(chapter.name + "_solution").string(),
+                     (course.build / chapter.scene).string(), ppm.string()},
          .output = Output::errors_shown});
     if (!result.ok()) throw app::Failure(how_it_ended(result));
     const Picture picture = parse_ppm(read_file(ppm));

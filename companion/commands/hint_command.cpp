@@ -14,7 +14,7 @@ std::string solution_of(const Exercise& exercise) {
     std::string files;
     for (const fs::path& file : exercise.files)
         files += (files.empty() ? "" : ", ") +
-                 (fs::path{"solutions"} / file.lexically_relative("exercises")).string();
+                 (fs::path{"solutions"} / file.lexically_relative("exercises")).generic_string();
     return files;
 }
 

@@ -1,6 +1,5 @@
-#include <unistd.h>
-
 #include <app/cores.hpp>
+#include <app/platform.hpp>
 #include <companion/build/build.hpp>
 #include <companion/commands/judged_lines.hpp>
 #include <companion/model/state.hpp>
@@ -11,7 +10,7 @@
 
 namespace companion {
 
-JudgedLines::JudgedLines() : on_terminal_{::isatty(STDOUT_FILENO) != 0} {
+JudgedLines::JudgedLines() : on_terminal_{app::is_terminal(stdout)} {
     if (on_terminal_) begins = [](const std::string& what) { print(dim("  " + what + " ...")); };
 }
 

@@ -5,8 +5,7 @@
 #include <app/nearest_word.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/model/stubs.hpp>
-#include <csignal>
-#include <cstdlib>
+#include <companion/system/platform.hpp>
 #include <sstream>
 
 namespace {
@@ -137,8 +136,7 @@ int obey(const Words& words) {
 
 int main(int argc, char** argv) {
     // In English, because the companion reads the messages of compilers and CMake.
-    ::setenv("LC_ALL", "C", true);
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error, with the file's name
+    companion::set_variable("LC_ALL", "C");
     Words words{argv + 1, argv + argc};
     if (words.empty()) words = {"list"};
     return app::run_or_explain("course", [&] { return obey(words); });

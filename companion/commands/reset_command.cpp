@@ -36,7 +36,7 @@ int reset(const Course& course, const Given& given) {
             fs::copy_file(path, folder / path.filename());
             std::printf(
                 "kept   %s\n",
-                (folder / path.filename()).lexically_relative(course.root).string().c_str());
+                (folder / path.filename()).lexically_relative(course.root).generic_string().c_str());
         }
         fs::create_directories(path.parent_path());
         app::replace_file(path, shipped_stub(course, file));

@@ -19,7 +19,7 @@ namespace companion {
 namespace {
 
 std::string relative(const Course& course, const fs::path& path) {
-    return path.lexically_relative(course.root).string();
+    return path.lexically_relative(course.root).generic_string();
 }
 
 // The tracer begins as the program of 00.1.

@@ -1,7 +1,6 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <app/errors.hpp>
+#include <app/platform.hpp>
 #include <chrono>
 #include <companion/check/check.hpp>
 #include <companion/check/verdict_text.hpp>
@@ -43,7 +42,7 @@ class Watch {
         : course_{course},
           all_{std::move(all)},
           current_{first},
-          on_terminal_{::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO)},
+          on_terminal_{app::is_terminal(stdin) && app::is_terminal(stdout)},
           keyboard_{on_terminal_} {}
 
     ~Watch() {

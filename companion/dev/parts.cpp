@@ -33,7 +33,7 @@ std::vector<fs::path> checkpoint_files(const Course& course, const Exercise& exe
     std::vector<fs::path> found;
     const fs::path folder = course.root / "tests" / exercise.chapter.name;
     for (const fs::path& file : source_files(folder)) {
-        const std::string name = file.lexically_relative(folder).string();
+        const std::string name = file.lexically_relative(folder).generic_string();
         if (name.rfind(exercise.id + '_', 0) == 0 || name.rfind(exercise.id + '/', 0) == 0)
             found.push_back(file.lexically_relative(course.root));
     }

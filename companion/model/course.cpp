@@ -1,9 +1,14 @@
 #include <app/errors.hpp>
 #include <companion/model/course.hpp>
 #include <companion/model/course_file.hpp>
+#include <companion/system/platform.hpp>
 #include <cstdlib>
 
 namespace companion {
+
+fs::path Course::program(const std::string& name) const {
+    return build / "bin" / program_name(name);
+}
 
 Course this_course() {
     // The tests try the companion on a small course of their own, and do not wait as long.

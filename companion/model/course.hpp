@@ -16,7 +16,7 @@ struct Course {
     fs::path build;
     double patience = 20;  // seconds after which an exercise's checkpoints are stopped
 
-    fs::path program(const std::string& name) const { return build / "bin" / name; }
+    fs::path program(const std::string& name) const;  // of the build
     fs::path out() const { return root / "out"; }
 };
 

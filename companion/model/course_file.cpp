@@ -28,7 +28,7 @@ Exercise read_exercise(const Value& value, const Chapter& chapter) {
     if (const auto several = value.find("several_answers"))
         exercise.several_answers = several->yes();
     for (const Value& file : value.at("files").list("files", 1))
-        exercise.files.push_back(fs::path{"exercises"} / chapter.name / text(file));
+        exercise.files.push_back("exercises/" + chapter.name + '/' + text(file));
     return exercise;
 }
 

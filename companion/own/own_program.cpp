@@ -3,6 +3,7 @@
 #include <companion/own/own_program.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/files.hpp>
+#include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
 #include <fstream>
 #include <sstream>
@@ -44,7 +45,7 @@ std::string first_error_of(const std::string& output) {
 }  // namespace
 
 OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& options)
-    : scratch_{name_of_copy(folder)}, work_{scratch_.path()}, program_{work_ / "copy/own"} {
+    : scratch_{name_of_copy(folder)}, work_{scratch_.path()}, program_{work_ / "copy" / program_name("own")} {
     for (const fs::path& source : own_sources(folder)) {
         fs::create_directories((work_ / "copy" / source).parent_path());
         fs::copy_file(folder / source, work_ / "copy" / source);
@@ -70,7 +71,7 @@ OwnProgram::OwnProgram(Existing, const fs::path& program)
 
 Result OwnProgram::call(const std::vector<std::string>& words) const {
     std::vector<std::string> command = before;
-    command.push_back(program_);
+    command.push_back(program_.string());
     command.insert(command.end(), words.begin(), words.end());
     const Result result = run_process({.command = command,
                                        .folder = work_,
@@ -88,9 +89,9 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
     static std::atomic<int> count = 0;
     const std::string number = std::to_string(count++);
     const fs::path scene_file = work_ / (number + ".txt"), picture = work_ / (number + ".ppm");
-    std::ofstream{scene_file} << scene;
-    if (!mesh.empty()) std::ofstream{work_ / "shape.obj"} << mesh;
-    std::vector<std::string> words{scene_file, picture};
+    std::ofstream{scene_file, std::ios::binary} << scene;
+    if (!mesh.empty()) std::ofstream{work_ / "shape.obj", std::ios::binary} << mesh;
+    std::vector<std::string> words{scene_file.string(), picture.string()};
     words.insert(words.end(), options.begin(), options.end());
     Drawn drawn{call(words), {}, {}};
     std::error_code ignored;

@@ -6,6 +6,7 @@
 #include <companion/own/own_program.hpp>
 #include <companion/own/tracer.hpp>
 #include <companion/system/files.hpp>
+#include <companion/system/platform.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
@@ -21,7 +22,7 @@ std::vector<std::string> compiler_words(const Course& course, const Chapter& las
     const std::string compiler = fs::path{cached(course, "CMAKE_CXX_COMPILER")}.filename().string();
     std::vector<std::string> words{compiler.empty() ? "c++" : compiler, "-std=c++20", "-O3",
                                    "-pthread", "-Wall"};
-    words.push_back("-I" + (course.build / "yours").lexically_relative(course.root).string());
+    words.push_back("-I" + (course.build / "yours").lexically_relative(course.root).generic_string());
     for (const Chapter& chapter : grafts(course))
         if (chapter.name <= last.name) words.push_back("-Ichapters/" + chapter.name);
     words.insert(words.end(), {"-Icommon", "exercises/tracer/tracer.cpp"});
@@ -39,7 +40,7 @@ fs::path tracer_scene(const Course& course) {
 }
 
 fs::path tracer_program(const Course& course) {
-    return course.build / "tracer";
+    return course.build / program_name("tracer");
 }
 
 fs::path tracer_answer(const Course& course, const Chapter& chapter) {
@@ -55,7 +56,7 @@ std::vector<Chapter> grafts(const Course& course) {
 std::vector<std::string> tracer_command(const Course& course, const Chapter& last) {
     std::vector<std::string> words = compiler_words(course, last);
     words.insert(words.end(),
-                 {"-o", tracer_program(course).lexically_relative(course.root).string()});
+                 {"-o", tracer_program(course).lexically_relative(course.root).generic_string()});
     return words;
 }
 
@@ -64,7 +65,7 @@ void compile_tracer(const Course& course, const Chapter& last) {
                                        .folder = course.root,
                                        .most_cpu = most_compiling,
                                        .most_memory = memory_of_compiler()});
-    const fs::path file = tracer_file(course).lexically_relative(course.root);
+    const fs::path file = tracer_file(course).lexically_relative(course.root).generic_string();
     if (result.ok()) {
         if (const std::string warning =
                 first_warning(course, printable(result.output, most_words), {file});

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 
 namespace companion {
@@ -13,7 +14,7 @@ class FileLock {
     FileLock& operator=(const FileLock&) = delete;
 
   private:
-    int descriptor_;
+    std::intptr_t file_;  // as the system names it
 };
 
 }  // namespace companion

@@ -1,5 +1,5 @@
 #pragma once
-// Running other programs. The one part of the companion that knows the operating system.
+// Running other programs.
 
 #include <filesystem>
 #include <string>
@@ -18,14 +18,16 @@ enum class Output {
 
 struct Run {
     // The program, then its arguments; no shell reads them, so they may hold anything. A program
-    // without a slash in its name is looked up in PATH.
+    // without a slash in its name is looked up in PATH. The word env and some NAME=VALUE may stand
+    // before it, on all systems.
     std::vector<std::string> command;
     std::filesystem::path folder = ".";  // in which it runs
     Output output = Output::captured;
     // It may write to the descriptor 3, too, which comes into Result::events.
     bool has_events = false;
     // SIGINT and SIGTERM are passed on to the program, which may want to keep what is done, and the
-    // companion waits for it; otherwise they end the program and the companion at once.
+    // companion waits for it; otherwise they end the program and the companion at once. (On
+    // Windows Ctrl-C goes to both anyway.)
     bool passes_signals = false;
     // False: it is ended where it starts another process, if the system can tell. It is then named
     // with its folder.
@@ -33,13 +35,14 @@ struct Run {
     double timeout = 0;   // seconds after which it is asked to end, then killed; 0 is never
     double most_cpu = 0;  // seconds of processor time that each of its processes may take; 0 is any
     std::size_t most_memory = 0;  // bytes that each may have, if the system can tell; 0 is any
-    std::size_t most_file = 0;    // bytes of a file that it may write; 0 is any
+    // Bytes of a file that it may write, if the system can tell; 0 is any.
+    std::size_t most_file = 0;
     std::size_t most_output = 0;  // bytes of captured output after which it is ended; 0 is never
 };
 
 struct Result {
     int exit_code = 0;  // 127 if the program could not be started
-    int signal = 0;     // that ended it, else 0
+    int signal = 0;     // that ended it, else 0; on Windows, the one that stands for its exception
     int passed_on = 0;  // the last signal that was passed on to it, else 0
     bool timed_out = false;
     bool too_much = false;       // output: the rest is lost
@@ -61,6 +64,16 @@ Result run_process(const Run& run);
 // than there is. The memory is half of the machine's, from 1 to 4 GB.
 inline constexpr double most_compiling = 300;
 std::size_t memory_of_compiler();
+
+// Of the whole machine, in bytes; 0 if the system does not tell.
+std::size_t memory_of_machine();
+
+// The kind of crash that a signal tells.
+enum class Crash { none, memory, division, aborted, invalid_code, other };
+Crash crash_of(int signal);
+
+// "Segmentation fault".
+std::string name_of_signal(int signal);
 
 // How a run ended, for a person: "exit code 2", "it timed out after 20 s", "signal 11 (Segmentation
 // fault)".

@@ -1,6 +1,5 @@
 #pragma once
-#include <sys/types.h>
-
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -8,7 +7,7 @@ namespace companion {
 
 // A new folder for files that nobody needs later, in the system's folder for such files. It is
 // removed with this object, and also if the program ends in any other way: a process waits for
-// that.
+// that, or the next program that makes such a folder does it.
 class ScratchFolder {
   public:
     // Throws app::Failure if it cannot be made.
@@ -21,8 +20,8 @@ class ScratchFolder {
 
   private:
     std::filesystem::path path_;
-    pid_t remover_ = -1;
-    int pipe_ = -1;  // whose end the remover waits for
+    std::intptr_t held_ = -1;  // what ends with this program, as the system names it
+    std::intptr_t remover_ = -1;  // the process that waits for that, if the system needs one
 };
 
 }  // namespace companion

@@ -1,9 +1,8 @@
-#include <unistd.h>
-
 #include <algorithm>
+#include <app/platform.hpp>
+#include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdlib>
-#include <cstring>
 #include <sstream>
 
 namespace companion {
@@ -12,9 +11,7 @@ namespace {
 bool has_colors() {
     static const bool has = [] {
         const char* const no = std::getenv("NO_COLOR");
-        const char* const terminal = std::getenv("TERM");
-        return ::isatty(STDOUT_FILENO) && !(no && *no) && terminal &&
-               std::strcmp(terminal, "dumb") != 0;
+        return app::is_terminal(stdout) && !(no && *no) && has_escapes(std::getenv("TERM"));
     }();
     return has;
 }
@@ -74,6 +71,21 @@ std::string printable(const std::string& text, std::size_t most) {
         }
     }
     return kept;
+}
+
+void Shown::add(const char* bytes, std::size_t count) {
+    constexpr std::size_t most = 1 << 20, most_in_line = 1 << 12;
+    if (count_ > most) return;
+    count_ += count;
+    line_.append(bytes, count);
+    const auto end = line_.size() > most_in_line ? line_.size() : line_.rfind('\n') + 1;
+    print(printable(line_.substr(0, end), most));
+    line_.erase(0, end);
+    if (count_ > most) print("\n... and more, which is not shown.\n");
+}
+
+void Shown::end() const {
+    print(printable(line_));
 }
 
 std::string bar(int part, int whole, int width) {

@@ -20,6 +20,17 @@ std::string dim(const std::string& text);
 // characters other than the line's end and the tab. Of more than this many bytes the rest is cut.
 std::string printable(const std::string& text, std::size_t most = 4000);
 
+// Shows what a program prints, line by line, as far as it is printable and not too much.
+class Shown {
+  public:
+    void add(const char* bytes, std::size_t count);
+    void end() const;
+
+  private:
+    std::string line_;
+    std::size_t count_ = 0;
+};
+
 // "[#####.....]": how much of a whole is done.
 std::string bar(int part, int whole, int width);
 

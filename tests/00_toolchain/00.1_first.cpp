@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "first_picture.hpp"
+#include "own_process.hpp"
 
 using first::Picture;
 
@@ -357,8 +358,8 @@ std::string program() {
 }
 
 // The program runs once for all test cases. If it prints nothing, it is still to be written.
-const first::Printed& printed() {
-    static const first::Printed once = first::run(program().c_str());
+const checkpoint::Printed& printed() {
+    static const checkpoint::Printed once = checkpoint::run_program(program());
     if (once.trouble.empty() && first::words(once.text, 1).empty()) {
         UNSCOPED_INFO("Hint: first.cpp prints nothing yet. Begin with step 1 of the text, the sky");
         rt::todo({"00.1", "exercises/00_toolchain/first.cpp", 1});

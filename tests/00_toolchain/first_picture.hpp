@@ -1,12 +1,5 @@
 #pragma once
-// Runs the learner's first ray tracer, which is a program of its own, and reads the picture
-// that it prints.
-
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
+// Reads the picture that the learner's first ray tracer prints.
 
 #include <algorithm>
 #include <cctype>
@@ -15,61 +8,6 @@
 #include <vector>
 
 namespace first {
-
-struct Printed {
-    std::string text;
-    std::string trouble;  // why it did not finish, or empty
-};
-
-// Runs a program without input, for three seconds of processor time and ten seconds at most, and
-// takes up to 64 MiB of what it prints.
-inline Printed run(const char* program) {
-    constexpr unsigned seconds = 10, computing = 3;
-    constexpr std::size_t most = std::size_t{64} << 20;
-    int ends[2];
-    if (pipe(ends) != 0) return {"", "no pipe could be made to read its output"};
-    const pid_t child = fork();
-    if (child == 0) {
-        const int nothing = open("/dev/null", O_RDWR);
-        dup2(nothing, STDIN_FILENO);
-        dup2(nothing, STDERR_FILENO);
-        dup2(ends[1], STDOUT_FILENO);
-        close(ends[0]);
-        close(ends[1]);
-        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM, SIGXCPU})
-            signal(number, SIG_DFL);
-        alarm(seconds);
-        const rlimit most_computing{computing, computing + 1};
-        setrlimit(RLIMIT_CPU, &most_computing);
-        execl(program, program, static_cast<char*>(nullptr));
-        _exit(127);
-    }
-    close(ends[1]);
-    Printed printed;
-    char buffer[1 << 16];
-    for (ssize_t count; (count = read(ends[0], buffer, sizeof buffer)) > 0;) {
-        printed.text.append(buffer, static_cast<std::size_t>(count));
-        if (printed.text.size() > most) {
-            printed.trouble = "it printed more than 64 MiB and was stopped; does a loop never end?";
-            kill(child, SIGKILL);
-            break;
-        }
-    }
-    close(ends[0]);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (!printed.trouble.empty()) return printed;
-    if (WIFSIGNALED(status))
-        printed.trouble = WTERMSIG(status) == SIGXCPU
-                              ? "it computed for 3 seconds without ending; does a loop never end?"
-                          : WTERMSIG(status) == SIGALRM
-                              ? "it was still running after 10 seconds; what does it wait for?"
-                              : "it crashed (signal " + std::to_string(WTERMSIG(status)) +
-                                    "); does it use an array past its end?";
-    else if (WEXITSTATUS(status) == 127 && printed.text.empty())
-        printed.trouble = "it could not be started";
-    return printed;
-}
 
 struct Picture {
     int width = 0, height = 0;

@@ -3,13 +3,9 @@
 // Right code ends every wait at once; otherwise the wait ends after a while, so wrong code fails
 // instead of hanging.
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <cstdio>
 #include <mutex>
 #include <rt/tile.hpp>
 #include <set>
@@ -155,23 +151,6 @@ class PixelCounts {
 inline std::string text(const rt::Tile& tile) {
     return "columns " + std::to_string(tile.left) + " to " + std::to_string(tile.right) +
            " of rows " + std::to_string(tile.top) + " to " + std::to_string(tile.bottom);
-}
-
-// Leaves this process only a little more address space: enough for a few threads. Returns false
-// where that is impossible: under sanitizers, and where there is no /proc.
-inline bool leave_room_for_few_threads() {
-    long pages = 0;
-    if (std::FILE* const file = std::fopen("/proc/self/statm", "r")) {
-        if (std::fscanf(file, "%ld", &pages) != 1) pages = 0;
-        std::fclose(file);
-    }
-    const long long used = static_cast<long long>(pages) * sysconf(_SC_PAGESIZE);
-    if (used == 0 || used > 1LL << 40) return false;
-    const auto limit = static_cast<rlim_t>(used + (64LL << 20));
-    rlimit both{limit, limit};
-    if (setrlimit(RLIMIT_AS, &both) != 0) return false;
-    // Under an emulator of another processor the limit is not set, and nothing says so.
-    return getrlimit(RLIMIT_AS, &both) == 0 && both.rlim_cur == limit;
 }
 
 }  // namespace checkpoint

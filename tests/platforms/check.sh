@@ -9,17 +9,19 @@
 #
 #   --pictures PATTERN              of the chapters that match (grep -E), such as '0[38]'; default: all
 #   --checkpoints PATTERN           likewise; '-' for none
+#   --tests PATTERN                 also these tests, such as '^companion' for Windows; default: none
 #   --jobs N                        default: the number of cores
 #   --folder FOLDER                 to build in; default: build-platforms
 #
 # Each configuration has one line of output. Exit code 1 when one failed.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit
-pictures=. checkpoints=. jobs=$(nproc) folder=build-platforms
+pictures=. checkpoints=. tests='^-$' folder=build-platforms
+jobs=$(nproc 2>/dev/null || getconf _NPROCESSORS_ONLN)
 
 each_name() {
     local compiler tuning level library processor
-    for processor in x86_64 aarch64; do
+    for processor in x86_64 aarch64 windows; do
         for library in libstdc++ libc++; do
             for compiler in g++ clang++; do
                 for tuning in native baseline; do
@@ -38,6 +40,7 @@ left_out() {
     g++*-libc++-*) echo "g++ comes with libstdc++ alone" ;;
     *-native-*-aarch64) echo "an emulator has no processor of its own" ;;
     *-libc++-aarch64) echo "Debian has no libc++ for cross-compiling" ;;
+    clang++-*-windows | *-libc++-windows) echo "what MSYS2 gives a beginner is g++" ;;
     esac
 }
 
@@ -55,6 +58,12 @@ missing() {
     *-aarch64)
         command -v aarch64-linux-gnu-g++ >/dev/null || echo "needs g++-aarch64-linux-gnu"
         command -v "$emulator" >/dev/null || echo "needs qemu-user" ;;
+    esac
+    case $1 in
+    *-windows)
+        command -v x86_64-w64-mingw32-g++-posix >/dev/null || echo "needs g++-mingw-w64-x86-64-posix"
+        [ -x /usr/lib/wine/wine64 ] || command -v wine >/dev/null || echo "needs wine64"
+        return ;;
     esac
     command -v "$compiler" >/dev/null || echo "needs $compiler"
     case $1 in
@@ -84,6 +93,10 @@ configure() {
         else
             flags+=(-DCMAKE_CXX_COMPILER_TARGET=aarch64-linux-gnu)
         fi ;;
+    *-windows)
+        tests/platforms/wine.sh --boot || return
+        compiler=x86_64-w64-mingw32-g++-posix
+        flags+=("-DCMAKE_TOOLCHAIN_FILE=$PWD/cmake/mingw.cmake") ;;
     esac
     cmake -S . -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
         -DRT_OPTIMIZE="$level" -DRT_NATIVE=$native -DRT_WERROR=ON \
@@ -105,9 +118,10 @@ check() {
             checked+="|${chapter%%_*}"
         fi
     done
+    [ "$tests" = '^-$' ] || targets+=(companion_test common_test_double)
     configure "$1" "$2" && cmake --build "$2" -j "$jobs" --target "${targets[@]}" &&
         ctest --test-dir "$2" -j "$jobs" --no-tests=error --output-on-failure -E "$(excluded "$1")" \
-            -R "^(-$drawn)\.small_picture(_in_float)?$|^checkpoint\.(-$checked)\."
+            -R "^(-$drawn)\.small_picture(_in_float)?$|^checkpoint\.(-$checked)\.|$tests"
 }
 
 # excluded NAME: tests that tell nothing there.
@@ -134,6 +148,7 @@ while [ $# -gt 0 ]; do
         exit ;;
     --pictures) pictures=$2 && shift ;;
     --checkpoints) checkpoints=$2 && shift ;;
+    --tests) tests=$2 && shift ;;
     --jobs) jobs=$2 && shift ;;
     --folder) folder=$2 && shift ;;
     all) for name in $(each_name); do [ -n "$(left_out "$name")" ] || names+=("$name"); done ;;
@@ -146,7 +161,7 @@ while [ $# -gt 0 ]; do
     esac
     shift
 done
-[ ${#names[@]} -gt 0 ] || { sed -n '2,/^set/{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" && exit 2; }
+[ ${#names[@]} -gt 0 ] || { sed -n '2,/^set/{/^#/s/^# \{0,1\}//p;}' "${BASH_SOURCE[0]}" && exit 2; }
 
 failed=0
 TIMEFORMAT='%R s, of which the processors worked %U + %S s'

@@ -4,17 +4,12 @@
 //
 // For the companion they go to the descriptor 3, each after a secret word, which COURSE_EVENTS
 // holds: so the tested code cannot write events of its own.
-#include <sys/resource.h>
-#include <sys/time.h>
-#include <unistd.h>
-
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
+#include <string>
 #if __has_include(<catch2/catch_test_macros.hpp>)
 #include <catch2/catch_test_case_info.hpp>
+#include <catch2/interfaces/catch_interfaces_capture.hpp>
 #include <catch2/interfaces/catch_interfaces_registry_hub.hpp>
 #include <catch2/interfaces/catch_interfaces_testcase.hpp>
 #include <catch2/reporters/catch_reporter_registrars.hpp>
@@ -26,151 +21,48 @@
 #include <nlohmann/json.hpp>
 #include <rt/todo.hpp>
 #include "catch.hpp"
+#include "run_control.hpp"
 
 using nlohmann::json;
 
 int checkpoint::unfinished_passes = 0;
 
-extern char** environ;
-
 namespace {
 
-// The secret word of this run, and what is left of it in the environment: nothing.
-class Secret {
-  public:
-    // Calls nothing of the C library, which is not ready where the system is Linux.
-    static void take(char** environment) {
-        for (; environment && *environment; ++environment) {
-            const char* name = "COURSE_EVENTS=";
-            char* at = *environment;
-            while (*name && *at == *name) ++at, ++name;
-            if (*name) continue;
-            std::size_t length = 0;
-            for (; *at && length + 1 < sizeof word_; ++at) {
-                word_[length++] = *at;
-                *at = '-';
-            }
-        }
-    }
-    static const char* word() { return word_; }
-
-  private:
-    static inline char word_[64]{};
-};
-
-#if defined(__GLIBC__) && !defined(RT_SANITIZED)
-// Before any code of a library, and so before the answer's.
-[[gnu::used, gnu::section(".preinit_array")]] void (*const before_libraries)(int, char**, char**) =
-    [](int, char**, char** environment) { Secret::take(environment); };
-#else
-const bool is_taken = (Secret::take(environ), true);
-#endif
-
-// The forbidden memory whose use ended the program: that of a null pointer, or below a full stack.
+// The forbidden memory whose use ended the program.
 const char* forbidden_memory = "";
 
-#if defined(CATCH_CONFIG_MAIN) && !defined(RT_SANITIZED)  // sanitizers tell more about a crash
-// Does what Catch2 does at such a signal, and also looks at the address.
-class CrashHandler {
-  public:
-    CrashHandler() {
-        static char stack[1 << 16];  // since a full stack leaves no room
-        stack_t own{};
-        own.ss_sp = stack;
-        own.ss_size = sizeof stack;
-        sigaltstack(&own, nullptr);
-        for (const Crash& crash : crashes) {
-            struct sigaction action {};
-            action.sa_sigaction = report;
-            action.sa_flags = SA_ONSTACK | SA_SIGINFO | SA_RESETHAND | SA_NODEFER;
-            sigaction(crash.signal, &action, nullptr);
-        }
-        rlimit limit{};
-        getrlimit(RLIMIT_STACK, &limit);
-        char here = 0;
-        if (limit.rlim_cur != RLIM_INFINITY)
-            stack_end = reinterpret_cast<std::uintptr_t>(&here) - limit.rlim_cur;
-    }
-
-  private:
-    struct Crash {
-        int signal;
-        const char* name;
-    };
-    static constexpr Crash crashes[]{
-        {SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"},  {SIGFPE, "SIGFPE"}, {SIGILL, "SIGILL"},
-        {SIGABRT, "SIGABRT"}, {SIGTERM, "SIGTERM"}};  // the companion's at a time-out
-    static inline std::uintptr_t stack_end = 0;
-
-    static void report(int signal, siginfo_t* info, void*) {
-        constexpr std::uintptr_t page = 4096, near = 1 << 20;
-        const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
-        if ((signal == SIGSEGV || signal == SIGBUS) && info->si_code > 0) {
-            if (address < page) forbidden_memory = "null";
-            if (stack_end > 0 && address + near > stack_end && address < stack_end + near)
-                forbidden_memory = "stack";
-        }
-        for (const Crash& crash : crashes)
-            if (crash.signal == signal)
-                Catch::getCurrentContext().getResultCapture()->handleFatalErrorCondition(
-                    crash.name);
-        std::raise(signal);
-    }
-};
-const CrashHandler crash_handler;
+#ifndef RT_SANITIZED  // sanitizers tell more about a crash
+#ifdef CATCH_CONFIG_MAIN
+constexpr bool catch_tells_signals = false;
+#else
+constexpr bool catch_tells_signals = true;
+#endif
+// Does what Catch2 does at such a signal, and also notes the memory.
+void tell_crash(const char* signal, const char* memory) {
+    forbidden_memory = memory;
+    Catch::getResultCapture().handleFatalErrorCondition(signal);
+}
+const bool tells_crashes = (checkpoint::tell_crashes(tell_crash, catch_tells_signals), true);
 #endif
 
-// Writes all of it, whatever the file takes at once.
-void write_line(int file, const char* line, std::size_t size) {
-    for (std::size_t done = 0; done < size;) {
-        const ssize_t count = ::write(file, line + done, size - done);
-        if (count <= 0) return;
-        done += static_cast<std::size_t>(count);
-    }
+// Each step of the test cases. Without one, the tested code is in an endless loop.
+volatile std::sig_atomic_t step = 0;
+void note_progress() {
+    step = step + 1;
 }
 
-// Ends the program when it gets no further: the tested code is in an endless loop. What counts is
-// the processor time of all threads, so a busy machine does not matter.
-class Watch {
-  public:
-    static void begin() {
+void end_when_stuck() {
 #ifndef RT_SANITIZED  // where everything takes many times as long
-        const bool is_secret = *Secret::word();
-        std::snprintf(event_, sizeof event_, "\n%s%s{\"event\":\"computes\",\"seconds\":%d}\n",
-                      Secret::word(), is_secret ? " " : "", most_seconds);
-        file_ = is_secret ? 3 : STDOUT_FILENO;
-        struct sigaction action {};
-        action.sa_handler = look;
-        action.sa_flags = SA_RESTART;
-        sigaction(SIGPROF, &action, nullptr);
-        const itimerval often{{0, 1'000'000 / looks_a_second}, {0, 1'000'000 / looks_a_second}};
-        setitimer(ITIMER_PROF, &often, nullptr);
+    static char event[128];
+    constexpr int most_seconds = 3;
+    const bool is_secret = *checkpoint::secret_word();
+    std::snprintf(event, sizeof event, "\n%s%s{\"event\":\"computes\",\"seconds\":%d}\n",
+                  checkpoint::secret_word(), is_secret ? " " : "", most_seconds);
+    checkpoint::end_when_stuck(step, most_seconds, event,
+                               is_secret ? checkpoint::events_file : checkpoint::standard_output);
 #endif
-    }
-    static void note_progress() {
-        step_ = step_ + 1;
-    }
-
-  private:
-    static constexpr int most_seconds = 3, looks_a_second = 4;
-
-    static void look(int) {
-        idle_looks_ = step_ == seen_ ? idle_looks_ + 1 : 0;
-        seen_ = step_;
-        // The first look may come right after the last step.
-        if (idle_looks_ <= most_seconds * looks_a_second) return;
-        write_line(file_, event_, std::strlen(event_));
-        std::signal(SIGPROF, SIG_IGN);
-        // The rest allocates memory. If the tested code was doing that, it never ends, either.
-        std::signal(SIGALRM, SIG_DFL);
-        ::alarm(1);
-        std::raise(SIGTERM);  // which is told with the hints of the test case
-    }
-
-    static inline char event_[128]{};
-    static inline int file_ = 0, idle_looks_ = 0;
-    static inline volatile std::sig_atomic_t step_ = 0, seen_ = 0;
-};
+}
 
 // The exercise whose rt::todo threw the exception that is being handled; empty for
 // any other exception.
@@ -210,9 +102,9 @@ class EventReporter : public Catch::StreamingReporterBase<EventReporter> {
     explicit EventReporter(const Catch::ReporterConfig& config) : StreamingReporterBase{config} {
         m_reporterPrefs.shouldRedirectStdOut = true;
         watch_exit();
-        Watch::begin();
+        end_when_stuck();
     }
-    void assertionStarting(const Catch::AssertionInfo&) override { Watch::note_progress(); }
+    void assertionStarting(const Catch::AssertionInfo&) override { note_progress(); }
     bool assertionEnded(const Catch::AssertionStats& stats) override {
         report(stats);
         return true;
@@ -225,9 +117,9 @@ class EventReporter : public Catch::StreamingReporterBase {
         : StreamingReporterBase{std::move(config)} {
         m_preferences.shouldRedirectStdOut = true;
         watch_exit();
-        Watch::begin();
+        end_when_stuck();
     }
-    void assertionStarting(const Catch::AssertionInfo&) override { Watch::note_progress(); }
+    void assertionStarting(const Catch::AssertionInfo&) override { note_progress(); }
     void assertionEnded(const Catch::AssertionStats& stats) override { report(stats); }
     std::ostream& out() { return m_stream; }
 #endif
@@ -249,7 +141,7 @@ class EventReporter : public Catch::StreamingReporterBase {
     }
     void testCaseStarting(const Catch::TestCaseInfo& test) override {
         StreamingReporterBase::testCaseStarting(test);
-        Watch::note_progress();
+        note_progress();
         checkpoint::unfinished_passes = 0;
         json event = described(test);
         event["event"] = "begins";
@@ -286,15 +178,13 @@ class EventReporter : public Catch::StreamingReporterBase {
 
     // What calls exit() in a test case does not run the destructors of what the test case uses.
     void watch_exit() {
-        process = ::getpid();
-        std::atexit([] {
-            if (!running || ::getpid() != process) return;
+        checkpoint::at_exit([] {
+            if (!running) return;
             running->write({{"event", "exits"}});
-            ::_exit(1);
+            checkpoint::end_at_once(1);
         });
     }
     static inline EventReporter* running = nullptr;
-    static inline pid_t process = 0;
 
     void report(const Catch::AssertionStats& stats) {
         const Catch::AssertionResult& result = stats.assertionResult;
@@ -309,14 +199,14 @@ class EventReporter : public Catch::StreamingReporterBase {
 
     // On a line of its own, whatever the tested code has printed before.
     void write(const json& event) {
-        const std::string secret = Secret::word(),
+        const std::string secret = checkpoint::secret_word(),
                           text = event.dump(-1, ' ', false, json::error_handler_t::replace);
         if (secret.empty()) {
             out() << '\n' << text << std::endl;
             return;
         }
         const std::string line = '\n' + secret + ' ' + text + '\n';
-        write_line(3, line.data(), line.size());
+        checkpoint::write_line(checkpoint::events_file, line.data(), line.size());
     }
 };
 

@@ -1,47 +1,43 @@
 #pragma once
-// Runs code that may end the program, so that the checkpoint survives it.
+// Runs code that may end the program, so that the checkpoint survives it; and whole programs.
 
-#include <signal.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <exception>
+#include <cstddef>
+#include <functional>
 #include <string>
 
 namespace checkpoint {
 
-// Runs work() in a process of its own, with the usual 8 MiB of stack or less and for at most this
-// many seconds, and returns its text; "the program ended" if that process did not survive.
-template <class Work>
-std::string in_own_process(Work work, unsigned seconds = 20, rlim_t stack = rlim_t{8} << 20) {
-    int ends[2];
-    if (pipe(ends) != 0) return "no pipe";
-    const pid_t child = fork();
-    if (child == 0) {
-        rlimit limit{};
-        getrlimit(RLIMIT_STACK, &limit);
-        limit.rlim_cur = std::min(limit.rlim_max, stack);
-        setrlimit(RLIMIT_STACK, &limit);
-        std::set_terminate([] { _exit(3); });  // what an exception in a thread leads to
-        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL}) signal(number, SIG_DFL);
-        alarm(seconds);
-        std::string result = "an exception";
-        try {
-            result = work();
-        } catch (...) {
-        }
-        _exit(write(ends[1], result.data(), result.size()) < 0);
-    }
-    close(ends[1]);
-    std::string result;
-    char buffer[256];
-    for (ssize_t count; (count = read(ends[0], buffer, sizeof buffer)) > 0;)
-        result.append(buffer, static_cast<std::size_t>(count));
-    close(ends[0]);
-    waitpid(child, nullptr, 0);
-    return result.empty() ? "the program ended" : result;
+// Runs work() where it may crash, with the usual 8 MiB of stack or less and for at most this many
+// seconds, and returns its text; "the program ended" if it did not come to its end, "an exception"
+// if it threw one. It runs in a process of its own, or on Windows in a thread.
+std::string in_own_process(const std::function<std::string()>& work, unsigned seconds = 20,
+                           std::size_t stack = std::size_t{8} << 20);
+
+// Leaves this process only a little more address space: enough for a few threads. Returns false
+// where that is impossible: under sanitizers, and where there is no /proc.
+bool leave_room_for_few_threads();
+
+struct Printed {
+    std::string text;
+    std::string trouble;  // why it did not finish, or empty
+};
+
+// Runs a program without input, for three seconds of processor time and ten seconds at most, and
+// takes up to 64 MiB of what it prints.
+Printed run_program(const std::string& program);
+
+// What `trouble` says.
+namespace trouble {
+inline constexpr const char* too_much =
+    "it printed more than 64 MiB and was stopped; does a loop never end?";
+inline constexpr const char* endless =
+    "it computed for 3 seconds and did not end; does a loop never end?";
+inline constexpr const char* waits =
+    "it was still running after 10 seconds; what does it wait for?";
+inline constexpr const char* not_started = "it could not be started";
+inline std::string crashed(const std::string& how) {
+    return "it crashed (" + how + "); does it use an array past its end?";
 }
+}  // namespace trouble
 
 }  // namespace checkpoint

@@ -1,1 +1,1 @@
-g++ -std=c++20 -O3 -march=native -pthread main.cpp -o own "$@"
+g++ -std=c++20 -O3 -march=native -pthread ${MSYSTEM:+-Wa,-muse-unaligned-vector-move} main.cpp -o own "$@"

@@ -10,15 +10,15 @@
 namespace companion {
 
 FileLock::FileLock(const std::filesystem::path& path)
-    : descriptor_{::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)} {
-    if (descriptor_ < 0)
+    : file_{::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)} {
+    if (file_ < 0)
         throw app::Failure("cannot write " + path.string() + ": " + std::strerror(errno));
-    while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+    while (::flock(static_cast<int>(file_), LOCK_EX) != 0 && errno == EINTR) {
     }
 }
 
 FileLock::~FileLock() {
-    ::close(descriptor_);
+    ::close(static_cast<int>(file_));
 }
 
 }  // namespace companion

@@ -1,4 +1,4 @@
-#include <companion/system/confined.hpp>
+#include <companion/system/posix/confined.hpp>
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__)) && \
     __has_include(<linux/seccomp.h>)

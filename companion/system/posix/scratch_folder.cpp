@@ -37,12 +37,12 @@ ScratchFolder::ScratchFolder(const std::string& name) {
     }
     ::pthread_sigmask(SIG_SETMASK, &usual, nullptr);
     ::close(ends[0]);
-    pipe_ = ends[1];
+    held_ = ends[1];
 }
 
 ScratchFolder::~ScratchFolder() {
-    ::close(pipe_);
-    while (remover_ > 0 && ::waitpid(remover_, nullptr, 0) < 0 && errno == EINTR) {
+    ::close(static_cast<int>(held_));
+    while (remover_ > 0 && ::waitpid(static_cast<pid_t>(remover_), nullptr, 0) < 0 && errno == EINTR) {
     }
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);  // if there was no process

@@ -1,0 +1,122 @@
+#include <fcntl.h>
+#include <io.h>
+#include <sys/stat.h>
+#include <windows.h>
+
+#include <app/platform.hpp>
+#include <app/signals.hpp>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+namespace app {
+
+namespace fs = std::filesystem;
+
+// SIGBREAK is Ctrl-Break, and the closing of the window.
+const std::initializer_list<int> ending_signals{SIGINT, SIGTERM, SIGBREAK};
+
+namespace {
+
+constexpr int aborted = 134;  // as shells of other systems have it
+
+extern "C" void end_aborted(int) {
+    std::_Exit(aborted);  // abort() itself ends with 3
+}
+
+bool is_console(HANDLE handle) {
+    DWORD mode = 0;
+    return ::GetConsoleMode(handle, &mode) != 0;
+}
+
+// The windows of MSYS2 and Git are no consoles: there a program has a pipe with a name such as
+// \msys-dd50a72ab4668b33-pty0-to-master.
+bool is_pipe_of_terminal(HANDLE handle) {
+    if (::GetFileType(handle) != FILE_TYPE_PIPE) return false;
+    union {
+        FILE_NAME_INFO info;
+        wchar_t room[sizeof(FILE_NAME_INFO) / sizeof(wchar_t) + MAX_PATH];
+    } name{};
+    if (!::GetFileInformationByHandleEx(handle, FileNameInfo, &name, sizeof name)) return false;
+    const std::wstring_view text{name.info.FileName,
+                                 name.info.FileNameLength / sizeof(wchar_t)};
+    return (text.rfind(L"\\msys-", 0) == 0 || text.rfind(L"\\cygwin-", 0) == 0) &&
+           text.find(L"-pty") != text.npos;
+}
+
+}  // namespace
+
+void prepare_process() {
+    ::SetErrorMode(SEM_FAILCRITICALERRORS | SEM_NOGPFAULTERRORBOX | SEM_NOOPENFILEERRORBOX);
+    std::signal(SIGABRT, end_aborted);
+    for (std::FILE* const file : {stdin, stdout, stderr}) ::_setmode(::_fileno(file), _O_BINARY);
+    const HANDLE out = ::GetStdHandle(STD_OUTPUT_HANDLE);
+    DWORD mode = 0;
+    if (!::GetConsoleMode(out, &mode)) return;
+    ::SetConsoleOutputCP(CP_UTF8);
+    // Colors, and lines that are written again.
+    ::SetConsoleMode(out, mode | ENABLE_PROCESSED_OUTPUT | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
+}
+
+void crash() {
+    end_aborted(SIGABRT);
+    std::abort();
+}
+
+void end_by(int signal) {
+    std::_Exit(128 + signal);  // raise() would end it with 3
+}
+
+SignalHandler handler_of(int signal) {
+    // It can be asked for only by setting another one.
+    const SignalHandler now = std::signal(signal, SIG_IGN);
+    std::signal(signal, now);
+    return now;
+}
+
+std::FILE* open_for_reading(const fs::path& path) {
+    return ::_wfopen(path.c_str(), L"rb");
+}
+
+std::FILE* open_for_writing(const fs::path& path, bool only_new) {
+    const int descriptor = ::_wopen(path.c_str(),
+                                    _O_WRONLY | _O_CREAT | _O_TRUNC | _O_BINARY | _O_NOINHERIT |
+                                        (only_new ? _O_EXCL : 0),
+                                    _S_IREAD | _S_IWRITE);
+    return descriptor < 0 ? nullptr : ::_fdopen(descriptor, "wb");
+}
+
+void rename_over(const fs::path& from, const fs::path& to) {
+    // A viewer, a virus scanner or OneDrive may hold the file for a moment.
+    constexpr int tries = 100;
+    for (int i = 0;; ++i) {
+        if (::MoveFileExW(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING)) return;
+        const DWORD error = ::GetLastError();
+        const bool is_held = error == ERROR_ACCESS_DENIED || error == ERROR_SHARING_VIOLATION ||
+                             error == ERROR_LOCK_VIOLATION;
+        if (!is_held || i == tries || fs::is_directory(to))
+            throw fs::filesystem_error(
+                "cannot rename", from, to,
+                std::error_code{static_cast<int>(error), std::system_category()});
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+}
+
+void remove_now(const wchar_t* path) {
+    ::DeleteFileW(path);
+}
+
+bool is_writable(const fs::path& path) {
+    constexpr int to_write = 2;
+    return ::_waccess(path.c_str(), to_write) == 0;
+}
+
+bool is_terminal(std::FILE* file) {
+    const auto handle = reinterpret_cast<HANDLE>(::_get_osfhandle(::_fileno(file)));
+    return handle != INVALID_HANDLE_VALUE && (is_console(handle) || is_pipe_of_terminal(handle));
+}
+
+}  // namespace app

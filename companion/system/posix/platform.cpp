@@ -1,0 +1,55 @@
+#include <sys/utsname.h>
+
+#include <companion/system/platform.hpp>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <thread>
+
+namespace companion {
+
+#ifdef __APPLE__
+constexpr const char* library_path = "DYLD_LIBRARY_PATH=";
+constexpr const char* library_end = ".dylib";
+#else
+constexpr const char* library_path = "LD_LIBRARY_PATH=";
+constexpr const char* library_end = ".so";
+#endif
+
+std::string program_name(const std::string& name) {
+    return name;
+}
+
+std::string library_name(const std::string& name) {
+    return "lib" + name + library_end;
+}
+
+std::string libraries_in(const std::filesystem::path& folder) {
+    return library_path + folder.string();
+}
+
+void set_variable(const char* name, const char* value) {
+    ::setenv(name, value, true);
+}
+
+bool has_escapes(const char* terminal) {
+    return terminal && std::strcmp(terminal, "dumb") != 0;
+}
+
+std::string instead_of_sanitizers() {
+    return "";
+}
+
+std::string machine() {
+    std::string name;
+    std::ifstream in{"/proc/cpuinfo"};
+    for (std::string line; name.empty() && std::getline(in, line);)
+        if (line.rfind("model name", 0) == 0) name = line.substr(line.find(':') + 2);
+    utsname system{};
+    ::uname(&system);
+    if (name.empty()) name = system.machine;
+    return name + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, " +
+           system.sysname;
+}
+
+}  // namespace companion

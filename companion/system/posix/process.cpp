@@ -1,0 +1,400 @@
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/select.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include <algorithm>
+#include <app/signals.hpp>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <companion/system/posix/confined.hpp>
+#include <companion/system/process.hpp>
+#include <companion/system/terminal.hpp>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <sstream>
+#include <system_error>
+
+namespace companion {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+[[noreturn]] void fail(const char* what) {
+    throw std::system_error(errno, std::generic_category(), what);
+}
+
+// The keepers of the programs to which signals are passed on; 0 is none.
+std::atomic<pid_t> passing[4];
+std::atomic<int> passed_on = 0;
+
+// True if a program is left to end by itself. The others end when the companion does: see Keeper.
+bool pass_on_to_programs(int signal) {
+    bool passed = false;
+    for (const auto& keeper : passing) {
+        const pid_t id = keeper;
+        if (id == 0 || (signal != SIGINT && signal != SIGTERM)) continue;
+        ::kill(id, signal);
+        passed = true;
+    }
+    if (passed) passed_on = signal;
+    return passed;
+}
+
+// While one of these exists, signals are passed on to the program of this keeper.
+class PassesSignals {
+  public:
+    explicit PassesSignals(pid_t keeper) {
+        static const app::OnSignal on_signal{app::ending_signals, pass_on_to_programs};
+        for (auto& one : passing) {
+            pid_t none = 0;
+            if (!one.compare_exchange_strong(none, keeper)) continue;
+            one_ = &one;
+            return;
+        }
+    }
+    ~PassesSignals() {
+        if (one_) *one_ = 0;
+    }
+    PassesSignals(const PassesSignals&) = delete;
+    PassesSignals& operator=(const PassesSignals&) = delete;
+
+  private:
+    std::atomic<pid_t>* one_ = nullptr;
+};
+
+// Closes what it holds.
+struct Descriptor {
+    int value = -1;
+    Descriptor() = default;
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+    void close() {
+        if (value >= 0) ::close(value);
+        value = -1;
+    }
+};
+
+// What the processes between this one and the program need to know, made before the fork.
+struct Start {
+    const Run& run;
+    std::vector<char*> command;
+    const char* folder;
+    int out = -1, err = -1, events = -1;
+    sigset_t signals{};  // that were blocked before
+};
+
+void limit(int what, rlim_t most) {
+    const rlimit both{most, most + 1};  // the first is told by a signal of its own
+    if (most > 0) ::setrlimit(what, &both);
+}
+
+// The last step to the program. Between fork and exec, only system calls are allowed.
+[[noreturn]] void become(const Start& start) {
+    // Whose group and session are its own: it is ended with all its group, and cannot open the
+    // terminal.
+    ::setsid();
+    const int nothing = ::open("/dev/null", O_RDONLY);
+    if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
+    if (start.out >= 0) ::dup2(start.out, STDOUT_FILENO);
+    if (start.err >= 0) ::dup2(start.err, STDERR_FILENO);
+    if (start.events >= 0) ::dup2(start.events, 3);
+    if (start.events == 3) ::fcntl(3, F_SETFD, 0);
+    std::signal(SIGXFSZ, SIG_DFL);  // the companion ignores it
+    limit(RLIMIT_CPU, static_cast<rlim_t>(start.run.most_cpu));
+    limit(RLIMIT_DATA, start.run.most_memory);
+    limit(RLIMIT_FSIZE, start.run.most_file);
+#ifdef __linux__
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // if its keeper is killed
+#endif
+    if (::chdir(start.folder) == 0) {
+        if (!start.run.may_start_others) confine_to(start.command[0]);
+        ::pthread_sigmask(SIG_SETMASK, &start.signals, nullptr);
+        if (start.run.may_start_others)
+            ::execvp(start.command[0], start.command.data());
+        else
+            ::execv(start.command[0], start.command.data());
+    }
+    ::_exit(127);
+}
+
+// A process between the companion and a program. What the program starts and leaves behind becomes
+// a child of the keeper, whatever group or session it went to, and ends with the program. If the
+// companion ends, even killed, the keeper's end of their socket says so, and everything ends.
+namespace keeper {
+
+pid_t program = 0;
+
+extern "C" void pass_on(int signal) {
+    if (signal != SIGCHLD && ::kill(-program, signal) != 0) ::kill(program, signal);
+}
+
+// Closes all that was inherited, but for these.
+void close_others(int one, int two, int three, int four) {
+    rlimit most{};
+    ::getrlimit(RLIMIT_NOFILE, &most);
+    const int end = static_cast<int>(std::min<rlim_t>(most.rlim_cur, 1024));
+    for (int i = 3; i < end; ++i)
+        if (i != one && i != two && i != three && i != four) ::close(i);
+}
+
+bool has_ended(pid_t id) {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(id), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid == id;
+}
+
+// Kills all children that the system lists.
+void kill_children() {
+    char list[4096];
+    const int file = ::open("/proc/thread-self/children", O_RDONLY);
+    if (file < 0) return;
+    const ssize_t size = ::read(file, list, sizeof list - 1);
+    ::close(file);
+    pid_t id = 0;
+    for (ssize_t i = 0; i < size; ++i) {
+        if (list[i] != ' ') {
+            id = 10 * id + (list[i] - '0');
+            continue;
+        }
+        if (id > 0) ::kill(id, SIGKILL);
+        id = 0;
+    }
+}
+
+// Kills the program and all that it started. Returns how the program ended.
+int end_all() {
+    int ended = SIGKILL;
+    for (int tries = 0; tries < 2000; ++tries) {
+        ::kill(-program, SIGKILL);
+        kill_children();
+        int status = 0;
+        pid_t id = 0;
+        while ((id = ::waitpid(-1, &status, WNOHANG)) > 0)
+            if (id == program) ended = status;
+        if (id < 0 && errno == ECHILD) break;
+        ::poll(nullptr, 0, 1);
+    }
+    return ended;
+}
+
+// Starts the program, waits for its end or the companion's, and tells the companion its status.
+[[noreturn]] void keep(const Start& start, int companion) {
+    ::setsid();
+    close_others(start.out, start.err, start.events, companion);
+#ifdef __linux__
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+#endif
+    program = ::fork();
+    if (program == 0) become(start);
+    if (program < 0) ::_exit(1);
+    for (const int descriptor : {start.out, start.err, start.events})
+        if (descriptor >= 0) ::close(descriptor);
+    struct sigaction action {};
+    action.sa_handler = pass_on;
+    for (const int signal : {SIGCHLD, SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);
+    sigset_t none;
+    sigemptyset(&none);
+    while (!has_ended(program)) {
+        fd_set from;
+        FD_ZERO(&from);
+        FD_SET(companion, &from);
+        if (::pselect(companion + 1, &from, nullptr, nullptr, nullptr, &none) > 0) break;
+    }
+    const int status = end_all();
+    ::_exit(::write(companion, &status, sizeof status) != sizeof status);
+}
+
+}  // namespace keeper
+
+// A running program, seen through its keeper, and the ends of the pipes from which its output is
+// read.
+class Child {
+  public:
+    Child(pid_t keeper, int socket, int out, int events, bool is_shown)
+        : keeper_{keeper}, pipes_{socket, out, events}, is_shown_{is_shown}, start_{Clock::now()} {}
+
+    // Waits until it ends, the time is over or its output is too much, and collects its output.
+    Result wait(double timeout, std::size_t most_output) {
+        Result result;
+        while (!is_over_) {
+            const double left = timeout > 0 ? timeout - seconds() : 1;
+            result.timed_out = left <= 0;
+            result.too_much =
+                most_output > 0 && result.output.size() + result.events.size() > most_output;
+            if (result.timed_out) end_politely(result);
+            if (result.timed_out || result.too_much) {
+                ::shutdown(pipes_[0], SHUT_WR);
+                while (!is_over_) read_for(-1, result, most_output);
+                break;
+            }
+            read_for(timeout > 0 ? static_cast<int>(std::min(1000 * left + 1, 1e6)) : -1, result);
+        }
+        while (read_for(0, result)) {
+        }  // what was still in the pipes
+        if (is_shown_) shown_.end();
+        rusage used{};
+        while (::wait4(keeper_, nullptr, 0, &used) < 0 && errno == EINTR) {
+        }
+        result.seconds = seconds();
+        for (const timeval& time : {used.ru_utime, used.ru_stime})
+            result.cpu_seconds +=
+                static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+        if (WIFSIGNALED(status_)) result.signal = WTERMSIG(status_);
+        if (WIFEXITED(status_)) result.exit_code = WEXITSTATUS(status_);
+        return result;
+    }
+
+  private:
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+    // Asks it to end, so that it can say what it was doing, and waits for that for half a second.
+    void end_politely(Result& result) {
+        ::kill(keeper_, SIGTERM);
+        for (const auto start = Clock::now();
+             !is_over_ && Clock::now() - start < std::chrono::milliseconds(500);)
+            read_for(10, result);
+    }
+
+    // Waits for output or the end, for at most this many milliseconds. True if there was output;
+    // beyond this much, if it is not 0, it is lost.
+    bool read_for(int milliseconds, Result& result, std::size_t most = 0) {
+        pollfd from[3]{};
+        for (int i = 0; i < 3; ++i) from[i] = {pipes_[i], POLLIN, 0};  // -1 is left out
+        if (::poll(from, 3, milliseconds) <= 0) return false;
+        bool some = false;
+        std::string* const texts[]{nullptr, &result.output, &result.events};
+        for (int i = 1; i < 3; ++i) {
+            if (from[i].revents == 0) continue;
+            char bytes[65536];
+            const ssize_t count = ::read(pipes_[i], bytes, sizeof bytes);
+            if (count > 0 && is_shown_)
+                shown_.add(bytes, static_cast<std::size_t>(count));
+            else if (count > 0 && (most == 0 || texts[i]->size() <= most))
+                texts[i]->append(bytes, static_cast<std::size_t>(count));
+            if (count == 0) pipes_[i] = -1;  // its other end is closed: nothing more will come
+            some = some || count > 0;
+        }
+        if (from[0].revents != 0 && !is_over_) {
+            is_over_ = true;
+            // If even the keeper was killed, it says nothing.
+            if (::read(pipes_[0], &status_, sizeof status_) != sizeof status_) status_ = SIGKILL;
+            pipes_[0] = -1;
+        }
+        return some;
+    }
+
+    pid_t keeper_;
+    int pipes_[3];
+    bool is_shown_;  // the output is, and not kept
+    Shown shown_;
+    Clock::time_point start_;
+    bool is_over_ = false;
+    int status_ = 0;
+};
+
+void make_pipe(Descriptor& from, Descriptor& into) {
+    int ends[2];
+    if (::pipe(ends) != 0) fail("pipe");
+    from.value = ends[0];
+    into.value = ends[1];
+    for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+}
+
+}  // namespace
+
+Result run_process(const Run& run) {
+    Descriptor from, into, events_from, events_into, nowhere, mine, keepers;
+    const bool is_shown = run.output == Output::printable && ::isatty(STDOUT_FILENO);
+    if (is_shown || (run.output != Output::shown && run.output != Output::printable))
+        make_pipe(from, into);
+    if (run.has_events) make_pipe(events_from, events_into);
+    int ends[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) fail("socketpair");
+    mine.value = ends[0];
+    keepers.value = ends[1];
+    for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+    if (run.output == Output::errors_hidden)
+        nowhere.value = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    std::vector<std::string> words = run.command;
+    Start start{run, {}, run.folder.c_str(), into.value};
+    for (std::string& word : words) start.command.push_back(word.data());
+    start.command.push_back(nullptr);
+    start.err = run.output == Output::captured ? into.value : nowhere.value;
+    start.events = events_into.value;
+
+    std::fflush(nullptr);  // otherwise parts of the output would swap positions
+    // The keeper does not run the companion's handlers.
+    sigset_t all;
+    sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &start.signals);
+    const pid_t keeper = ::fork();
+    if (keeper == 0) keeper::keep(start, keepers.value);
+    const int error = errno;
+    if (run.passes_signals) passed_on = 0;
+    std::optional<PassesSignals> passes;
+    if (keeper > 0 && run.passes_signals) passes.emplace(keeper);
+    ::pthread_sigmask(SIG_SETMASK, &start.signals, nullptr);
+    if (keeper < 0) {
+        errno = error;
+        fail("fork");
+    }
+    keepers.close();
+    into.close();
+    events_into.close();
+    Result result = Child{keeper, mine.value, from.value, events_from.value, is_shown}.wait(
+        run.timeout, run.most_output);
+    if (run.passes_signals) result.passed_on = passed_on;
+    result.started_other = !run.may_start_others && result.signal == SIGSYS;
+    return result;
+}
+
+std::size_t memory_of_machine() {
+    const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+    if (pages <= 0 || page <= 0) return 0;
+    return static_cast<std::size_t>(pages) * static_cast<std::size_t>(page);
+}
+
+Crash crash_of(int signal) {
+    switch (signal) {
+        case 0:
+            return Crash::none;
+        case SIGSEGV:
+        case SIGBUS:
+            return Crash::memory;
+        case SIGFPE:
+            return Crash::division;
+        case SIGABRT:
+            return Crash::aborted;
+        case SIGILL:
+            return Crash::invalid_code;
+        default:
+            return Crash::other;
+    }
+}
+
+std::string name_of_signal(int signal) {
+    return ::strsignal(signal);
+}
+
+bool is_installed(const std::string& program) {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders{path ? path : ""};
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (::access((folder + '/' + program).c_str(), X_OK) == 0) return true;
+    return false;
+}
+
+}  // namespace companion

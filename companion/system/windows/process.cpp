@@ -1,0 +1,521 @@
+#include <windows.h>
+
+#include <algorithm>
+#include <app/platform.hpp>
+#include <app/signals.hpp>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <companion/system/process.hpp>
+#include <companion/system/terminal.hpp>
+#include <companion/system/windows/wide.hpp>
+#include <cstring>
+#include <csignal>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace companion {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// What Linux calls the signals that this system does not have.
+constexpr int too_much_time = 24, not_allowed = 31;
+
+[[noreturn]] void fail(const char* what) {
+    throw std::system_error(static_cast<int>(::GetLastError()), std::system_category(), what);
+}
+
+// Closes what it holds.
+class Handle {
+  public:
+    Handle() = default;
+    explicit Handle(HANDLE value) : value_{value} {}
+    Handle(Handle&& other) noexcept : value_{std::exchange(other.value_, nullptr)} {}
+    Handle& operator=(Handle&& other) noexcept {
+        std::swap(value_, other.value_);
+        return *this;
+    }
+    ~Handle() { close(); }
+    void close() {
+        if (*this) ::CloseHandle(value_);
+        value_ = nullptr;
+    }
+    HANDLE get() const { return value_; }
+    HANDLE* address() { return &value_; }
+    explicit operator bool() const { return value_ && value_ != INVALID_HANDLE_VALUE; }
+
+  private:
+    HANDLE value_ = nullptr;
+};
+
+// How many programs want to hear of Ctrl-C themselves. They are on the same console, so they do.
+std::atomic<int> listening = 0;
+std::atomic<int> passed_on = 0;
+
+bool leave_it_to_programs(int signal) {
+    if (listening == 0 || (signal != SIGINT && signal != SIGTERM)) return false;
+    passed_on = signal;
+    return true;
+}
+
+// While one of these exists, Ctrl-C does not end the companion.
+class Listening {
+  public:
+    Listening() {
+        static const app::OnSignal on_signal{app::ending_signals, leave_it_to_programs};
+        ++listening;
+    }
+    ~Listening() { --listening; }
+    Listening(const Listening&) = delete;
+    Listening& operator=(const Listening&) = delete;
+};
+
+// A word as the usual C library takes it apart again.
+void add_word(std::wstring& line, const std::wstring& word) {
+    if (!line.empty()) line += L' ';
+    if (!word.empty() && word.find_first_of(L" \t\n\v\"") == word.npos) {
+        line += word;
+        return;
+    }
+    line += L'"';
+    std::size_t backslashes = 0;  // which are doubled before a quotation mark alone
+    for (const wchar_t c : word) {
+        if (c == L'\\') {
+            ++backslashes;
+        } else {
+            if (c == L'"') line.append(backslashes + 1, L'\\');
+            backslashes = 0;
+        }
+        line += c;
+    }
+    line.append(backslashes, L'\\');
+    line += L'"';
+}
+
+bool is_file(const fs::path& path) {
+    std::error_code none;
+    return fs::is_regular_file(path, none);
+}
+
+// The file of a program, with or without its .exe; empty if there is none.
+fs::path with_end(const fs::path& path) {
+    if (is_file(path)) return path;
+    fs::path longer = path;
+    longer += ".exe";
+    return is_file(longer) ? longer : fs::path{};
+}
+
+fs::path find_in_path(const std::string& name) {
+    const wchar_t* const path = ::_wgetenv(L"PATH");
+    std::wistringstream folders{path ? path : L""};
+    for (std::wstring folder; std::getline(folders, folder, L';');)
+        if (const fs::path found = with_end(fs::path{folder} / name);
+            !folder.empty() && found.extension() == ".exe")
+            return found;
+    return {};
+}
+
+fs::path find_program(const std::string& name, const fs::path& folder) {
+    if (name.find_first_of("/\\") == std::string::npos) return find_in_path(name);
+    return with_end(fs::absolute(folder / name));
+}
+
+// What a program finds in its environment: this one's, with changes, as the system takes it.
+std::wstring environment_with(const std::vector<std::string>& changes) {
+    const auto less = [](const std::wstring& a, const std::wstring& b) {
+        return ::CompareStringOrdinal(a.data(), static_cast<int>(a.size()), b.data(),
+                                      static_cast<int>(b.size()), TRUE) == CSTR_LESS_THAN;
+    };
+    std::map<std::wstring, std::wstring, decltype(less)> all{less};
+    const auto add = [&](const std::wstring& variable) {
+        const auto equals = variable.find(L'=', 1);  // names of drives begin with one
+        if (equals != variable.npos)
+            all[variable.substr(0, equals)] = variable.substr(equals + 1);
+    };
+    wchar_t* const mine = ::GetEnvironmentStringsW();
+    for (const wchar_t* one = mine; one && *one; one += std::wcslen(one) + 1) add(one);
+    ::FreeEnvironmentStringsW(mine);
+    for (const std::string& change : changes) add(wide(change));
+    std::wstring block;
+    for (const auto& [name, value] : all) block += name + L'=' + value + L'\0';
+    return block + L'\0';
+}
+
+// A pipe: this program reads from one end, and others inherit the other.
+struct Pipe {
+    Handle from, into;
+};
+
+Pipe make_pipe() {
+    Pipe pipe;
+    SECURITY_ATTRIBUTES inherited{sizeof inherited, nullptr, TRUE};
+    if (!::CreatePipe(pipe.from.address(), pipe.into.address(), &inherited, 0)) fail("pipe");
+    ::SetHandleInformation(pipe.from.get(), HANDLE_FLAG_INHERIT, 0);
+    return pipe;
+}
+
+Handle nothing(DWORD access) {
+    SECURITY_ATTRIBUTES inherited{sizeof inherited, nullptr, TRUE};
+    return Handle{::CreateFileW(L"NUL", access, FILE_SHARE_READ | FILE_SHARE_WRITE, &inherited,
+                                OPEN_EXISTING, 0, nullptr)};
+}
+
+Handle inherited(HANDLE of_this_program) {
+    HANDLE copy = nullptr;
+    const HANDLE here = ::GetCurrentProcess();
+    if (!::DuplicateHandle(here, of_this_program, here, &copy, 0, TRUE, DUPLICATE_SAME_ACCESS))
+        return nothing(GENERIC_WRITE);
+    return Handle{copy};
+}
+
+// What the C library of a program reads at its start: its descriptors, of which 3 is this pipe.
+std::string descriptors(HANDLE events) {
+    constexpr unsigned char is_open = 0x01, is_pipe = 0x08;
+    const std::int32_t count = 4;
+    const unsigned char flags[count]{0, 0, 0, is_open | is_pipe};
+    const HANDLE handles[count]{INVALID_HANDLE_VALUE, INVALID_HANDLE_VALUE, INVALID_HANDLE_VALUE,
+                                events};
+    std::string bytes(sizeof count + sizeof flags + sizeof handles, '\0');
+    std::memcpy(bytes.data(), &count, sizeof count);
+    std::memcpy(bytes.data() + sizeof count, flags, sizeof flags);
+    std::memcpy(bytes.data() + sizeof count + sizeof flags, handles, sizeof handles);
+    return bytes;
+}
+
+// All that a program starts belongs to its job. When the last handle of the job is closed, even
+// because this program was killed, all of it ends.
+class Job {
+  public:
+    explicit Job(const Run& run)
+        : job_{::CreateJobObjectW(nullptr, nullptr)},
+          port_{::CreateIoCompletionPort(INVALID_HANDLE_VALUE, nullptr, 0, 1)} {
+        if (!job_ || !port_) fail("job");
+        JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
+        DWORD& which = limits.BasicLimitInformation.LimitFlags;
+        which = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE | JOB_OBJECT_LIMIT_DIE_ON_UNHANDLED_EXCEPTION;
+        if (run.most_memory > 0) {
+            which |= JOB_OBJECT_LIMIT_PROCESS_MEMORY;
+            limits.ProcessMemoryLimit = run.most_memory;
+        }
+        if (!run.may_start_others) {
+            which |= JOB_OBJECT_LIMIT_ACTIVE_PROCESS;
+            limits.BasicLimitInformation.ActiveProcessLimit = 1;
+        }
+        ::SetInformationJobObject(job_.get(), JobObjectExtendedLimitInformation, &limits,
+                                  sizeof limits);
+        JOBOBJECT_ASSOCIATE_COMPLETION_PORT port{job_.get(), port_.get()};
+        ::SetInformationJobObject(job_.get(), JobObjectAssociateCompletionPortInformation, &port,
+                                  sizeof port);
+    }
+
+    HANDLE get() const { return job_.get(); }
+
+    void end() { ::TerminateJobObject(job_.get(), static_cast<UINT>(STATUS_CONTROL_C_EXIT)); }
+
+    // Whether a program tried to start one more than it may.
+    bool reached_limit() {
+        DWORD message = 0;
+        ULONG_PTR key = 0;
+        OVERLAPPED* about = nullptr;
+        while (::GetQueuedCompletionStatus(port_.get(), &message, &key, &about, 0))
+            if (message == JOB_OBJECT_MSG_ACTIVE_PROCESS_LIMIT) reached_ = true;
+        return reached_;
+    }
+
+    double cpu_seconds() const {
+        JOBOBJECT_BASIC_ACCOUNTING_INFORMATION used{};
+        ::QueryInformationJobObject(job_.get(), JobObjectBasicAccountingInformation, &used,
+                                    sizeof used, nullptr);
+        return 1e-7 * static_cast<double>(used.TotalUserTime.QuadPart +
+                                          used.TotalKernelTime.QuadPart);
+    }
+
+  private:
+    Handle job_, port_;
+    bool reached_ = false;
+};
+
+// Collects what comes out of a pipe, in a thread of its own.
+class Reader {
+  public:
+    Reader(Handle from, std::size_t most, Shown* shown)
+        : from_{std::move(from)}, most_{most}, shown_{shown} {
+        if (from_) thread_ = std::thread{[this] { read(); }};
+    }
+    ~Reader() { join(); }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+
+    std::size_t size() const { return size_; }
+
+    // All of it, once the other end is closed.
+    std::string text() {
+        join();
+        return std::move(text_);
+    }
+
+  private:
+    void join() {
+        if (thread_.joinable()) thread_.join();
+    }
+    void read() {
+        char bytes[65536];
+        for (DWORD count = 0;
+             ::ReadFile(from_.get(), bytes, sizeof bytes, &count, nullptr) && count > 0;) {
+            if (shown_)
+                shown_->add(bytes, count);
+            else if (most_ == 0 || text_.size() <= most_)
+                text_.append(bytes, count);
+            if (!shown_) size_ += count;
+        }
+    }
+
+    Handle from_;
+    std::size_t most_;
+    Shown* shown_;
+    std::string text_;
+    std::atomic<std::size_t> size_ = 0;
+    std::thread thread_;
+};
+
+double cpu_seconds_of(HANDLE process) {
+    FILETIME begin, end, kernel, user;
+    if (!::GetProcessTimes(process, &begin, &end, &kernel, &user)) return 0;
+    const auto seconds = [](const FILETIME& time) {
+        return 1e-7 * (4294967296.0 * time.dwHighDateTime + time.dwLowDateTime);
+    };
+    return seconds(kernel) + seconds(user);
+}
+
+// The signal by which the same crash is told elsewhere; 0 if the program ended by itself.
+int signal_of(DWORD code) {
+    switch (code) {
+        case EXCEPTION_ACCESS_VIOLATION:
+        case EXCEPTION_STACK_OVERFLOW:
+        case EXCEPTION_IN_PAGE_ERROR:
+        case EXCEPTION_DATATYPE_MISALIGNMENT:
+            return SIGSEGV;
+        case EXCEPTION_INT_DIVIDE_BY_ZERO:
+        case EXCEPTION_INT_OVERFLOW:
+            return SIGFPE;
+        case EXCEPTION_ILLEGAL_INSTRUCTION:
+        case EXCEPTION_PRIV_INSTRUCTION:
+            return SIGILL;
+        case 0xc0000374:  // the heap is damaged
+        case 0xc0000409:  // the C library's check failed
+            return SIGABRT;
+        case static_cast<DWORD>(STATUS_CONTROL_C_EXIT):
+            return SIGINT;
+        default:
+            return 0;
+    }
+}
+
+// An attribute of a new process: the handles that it inherits, and no others, so that threads may
+// start programs at the same time.
+class Attributes {
+  public:
+    explicit Attributes(std::vector<HANDLE> handles) : handles_{std::move(handles)} {
+        SIZE_T size = 0;
+        ::InitializeProcThreadAttributeList(nullptr, 1, 0, &size);
+        room_.resize(size);
+        if (!::InitializeProcThreadAttributeList(list(), 1, 0, &size) ||
+            !::UpdateProcThreadAttribute(list(), 0, PROC_THREAD_ATTRIBUTE_HANDLE_LIST,
+                                         handles_.data(), handles_.size() * sizeof(HANDLE), nullptr,
+                                         nullptr))
+            fail("process");
+    }
+    ~Attributes() { ::DeleteProcThreadAttributeList(list()); }
+    Attributes(const Attributes&) = delete;
+    Attributes& operator=(const Attributes&) = delete;
+
+    LPPROC_THREAD_ATTRIBUTE_LIST list() {
+        return reinterpret_cast<LPPROC_THREAD_ATTRIBUTE_LIST>(room_.data());
+    }
+
+  private:
+    std::vector<HANDLE> handles_;
+    std::string room_;
+};
+
+// Asks a test program to say what it was doing: see tests/support/windows. True if it listens.
+bool ask_to_end(DWORD process) {
+    const std::wstring name = L"Local\\course-end-" + std::to_wstring(process);
+    const Handle event{::OpenEventW(EVENT_MODIFY_STATE, FALSE, name.c_str())};
+    return event && ::SetEvent(event.get());
+}
+
+}  // namespace
+
+Result run_process(const Run& run) {
+    std::vector<std::string> variables, words = run.command;
+    if (words[0] == "env") {
+        const auto is_variable = [](const std::string& word) { return word.find('=') != word.npos; };
+        const auto end = std::find_if_not(words.begin() + 1, words.end(), is_variable);
+        variables.assign(words.begin() + 1, end);
+        words.erase(words.begin(), end);
+    }
+    Result result;
+    const fs::path program = find_program(words[0], run.folder);
+    std::error_code none;
+    if (program.empty() || !fs::is_directory(run.folder, none)) {
+        result.exit_code = 127;
+        return result;
+    }
+
+    Shown shown;
+    const bool is_shown = run.output == Output::printable && app::is_terminal(stdout);
+    const bool takes_out =
+        is_shown || (run.output != Output::shown && run.output != Output::printable);
+    Pipe out, events;
+    if (takes_out) out = make_pipe();
+    if (run.has_events) events = make_pipe();
+    const Handle in = nothing(GENERIC_READ);
+    Handle other_out, other_err;
+    if (!takes_out) other_out = inherited(::GetStdHandle(STD_OUTPUT_HANDLE));
+    if (run.output == Output::errors_hidden) other_err = nothing(GENERIC_WRITE);
+    if (run.output != Output::errors_hidden && run.output != Output::captured)
+        other_err = inherited(::GetStdHandle(STD_ERROR_HANDLE));
+
+    STARTUPINFOEXW start{};
+    start.StartupInfo.cb = sizeof start;
+    start.StartupInfo.dwFlags = STARTF_USESTDHANDLES;
+    start.StartupInfo.hStdInput = in.get();
+    start.StartupInfo.hStdOutput = takes_out ? out.into.get() : other_out.get();
+    start.StartupInfo.hStdError = other_err ? other_err.get() : out.into.get();
+    std::vector<HANDLE> handles{start.StartupInfo.hStdInput, start.StartupInfo.hStdOutput};
+    if (other_err) handles.push_back(other_err.get());
+    std::string third;
+    if (run.has_events) {
+        handles.push_back(events.into.get());
+        third = descriptors(events.into.get());
+        start.StartupInfo.cbReserved2 = static_cast<WORD>(third.size());
+        start.StartupInfo.lpReserved2 = reinterpret_cast<BYTE*>(third.data());
+    }
+    Job job{run};
+    Attributes attributes{std::move(handles)};
+    start.lpAttributeList = attributes.list();
+
+    std::wstring line, environment = environment_with(variables);
+    for (const std::string& word : words) add_word(line, wide(word));
+    std::fflush(nullptr);  // otherwise parts of the output would swap positions
+    if (run.passes_signals) passed_on = 0;
+    std::optional<Listening> listens;
+    if (run.passes_signals) listens.emplace();
+    const auto begin = Clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(Clock::now() - begin).count();
+    };
+    PROCESS_INFORMATION made{};
+    if (!::CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE,
+                          CREATE_SUSPENDED | CREATE_UNICODE_ENVIRONMENT |
+                              EXTENDED_STARTUPINFO_PRESENT,
+                          environment.data(), fs::absolute(run.folder).c_str(), &start.StartupInfo,
+                          &made)) {
+        result.exit_code = 127;
+        return result;
+    }
+    const Handle process{made.hProcess}, thread{made.hThread};
+    ::AssignProcessToJobObject(job.get(), process.get());
+    ::ResumeThread(thread.get());
+    out.into.close();
+    events.into.close();
+    Reader output{std::move(out.from), run.most_output, is_shown ? &shown : nullptr};
+    Reader of_events{std::move(events.from), run.most_output, nullptr};
+
+    // Whether it has ended, after at most this many milliseconds.
+    const auto has_ended = [&](double milliseconds) {
+        return ::WaitForSingleObject(process.get(), static_cast<DWORD>(milliseconds)) ==
+               WAIT_OBJECT_0;
+    };
+    const bool is_watched = run.most_output > 0 || run.most_cpu > 0 || !run.may_start_others;
+    while (true) {
+        const double left = run.timeout > 0 ? run.timeout - seconds() : 1;
+        if (has_ended(std::clamp(1000 * left, 0.0, is_watched ? 20.0 : 1000.0))) break;
+        result.timed_out = left <= 0;
+        result.too_much =
+            run.most_output > 0 && output.size() + of_events.size() > run.most_output;
+        if (run.most_cpu > 0 && cpu_seconds_of(process.get()) > run.most_cpu)
+            result.signal = too_much_time;
+        if (!run.may_start_others && job.reached_limit()) break;
+        if (result.timed_out && ask_to_end(made.dwProcessId)) has_ended(500);
+        if (result.timed_out || result.too_much || result.signal) break;
+    }
+    const bool ended = has_ended(0);
+    DWORD code = 0;
+    if (ended) ::GetExitCodeProcess(process.get(), &code);
+    job.end();
+    has_ended(INFINITE);
+    result.seconds = seconds();
+    result.cpu_seconds = std::max(job.cpu_seconds(), cpu_seconds_of(process.get()));
+    result.output = output.text();
+    result.events = of_events.text();
+    if (is_shown) shown.end();
+    result.started_other = !run.may_start_others && job.reached_limit();
+    if (result.started_other)
+        result.signal = not_allowed;
+    else if (ended && result.signal == 0)
+        result.signal = signal_of(code);
+    else if (result.signal == 0)
+        result.signal = SIGTERM;
+    if (result.signal == 0) result.exit_code = static_cast<int>(code);
+    if (run.passes_signals) result.passed_on = passed_on;
+    return result;
+}
+
+std::size_t memory_of_machine() {
+    MEMORYSTATUSEX memory{};
+    memory.dwLength = sizeof memory;
+    return ::GlobalMemoryStatusEx(&memory) ? static_cast<std::size_t>(memory.ullTotalPhys) : 0;
+}
+
+Crash crash_of(int signal) {
+    switch (signal) {
+        case 0:
+            return Crash::none;
+        case SIGSEGV:
+            return Crash::memory;
+        case SIGFPE:
+            return Crash::division;
+        case SIGABRT:
+            return Crash::aborted;
+        case SIGILL:
+            return Crash::invalid_code;
+        default:
+            return Crash::other;
+    }
+}
+
+std::string name_of_signal(int signal) {
+    switch (signal) {
+        case SIGSEGV:
+            return "access violation";
+        case SIGFPE:
+            return "integer division by zero";
+        case SIGABRT:
+            return "aborted";
+        case SIGILL:
+            return "illegal instruction";
+        case SIGINT:
+            return "Ctrl-C";
+        case too_much_time:
+            return "too much processor time";
+        default:
+            return "ended from outside";
+    }
+}
+
+bool is_installed(const std::string& program) {
+    return !find_in_path(program).empty();
+}
+
+}  // namespace companion

@@ -1,0 +1,19 @@
+#!/bin/sh
+# wine.sh PROGRAM...: runs a program for Windows, with the compiler's libraries. With --boot instead, it makes what
+# wine needs before the first program.
+set -eu
+export WINEDEBUG="${WINEDEBUG:--all}" WINEDLLOVERRIDES='mscoree,mshtml='
+export WINEPREFIX="${WINEPREFIX:-${XDG_CACHE_HOME:-$HOME/.cache}/course-wine}"
+wine=$(command -v wine64 || command -v wine || echo /usr/lib/wine/wine64)
+if [ "$1" = --boot ]; then
+    mkdir -p "$WINEPREFIX"
+    exec "$wine" wineboot --init
+fi
+# A checkpoint finds the answer by PATH; see course_with_answers in cmake/Checkpoints.cmake.
+WINEPATH=${COURSE_ANSWER:+Z:$COURSE_ANSWER}
+for library in libstdc++-6.dll libwinpthread-1.dll; do
+    file=$(x86_64-w64-mingw32-g++-posix -print-file-name=$library)
+    WINEPATH="$WINEPATH;Z:$(realpath "$(dirname "$file")")"
+done
+export WINEPATH
+exec "$wine" "$@"

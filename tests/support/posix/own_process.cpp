@@ -1,0 +1,115 @@
+#include "own_process.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include "processor_time.hpp"
+
+namespace checkpoint {
+
+std::string in_own_process(const std::function<std::string()>& work, unsigned seconds,
+                           std::size_t stack) {
+    int ends[2];
+    if (pipe(ends) != 0) return "no pipe";
+    const pid_t child = fork();
+    if (child == 0) {
+        rlimit limit{};
+        getrlimit(RLIMIT_STACK, &limit);
+        limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(stack));
+        setrlimit(RLIMIT_STACK, &limit);
+        std::set_terminate([] { _exit(3); });  // what an exception in a thread leads to
+        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL}) signal(number, SIG_DFL);
+        alarm(seconds);
+        std::string result = "an exception";
+        try {
+            result = work();
+        } catch (...) {
+        }
+        _exit(write(ends[1], result.data(), result.size()) < 0);
+    }
+    close(ends[1]);
+    std::string result;
+    char buffer[256];
+    for (ssize_t count; (count = read(ends[0], buffer, sizeof buffer)) > 0;)
+        result.append(buffer, static_cast<std::size_t>(count));
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+    return result.empty() ? "the program ended" : result;
+}
+
+bool leave_room_for_few_threads() {
+    long pages = 0;
+    if (std::FILE* const file = std::fopen("/proc/self/statm", "r")) {
+        if (std::fscanf(file, "%ld", &pages) != 1) pages = 0;
+        std::fclose(file);
+    }
+    const long long used = static_cast<long long>(pages) * sysconf(_SC_PAGESIZE);
+    if (used == 0 || used > 1LL << 40) return false;
+    const auto limit = static_cast<rlim_t>(used + (64LL << 20));
+    rlimit both{limit, limit};
+    if (setrlimit(RLIMIT_AS, &both) != 0) return false;
+    // Under an emulator of another processor the limit is not set, and nothing says so.
+    return getrlimit(RLIMIT_AS, &both) == 0 && both.rlim_cur == limit;
+}
+
+Printed run_program(const std::string& program) {
+    constexpr unsigned seconds = 10, computing = 3;
+    constexpr std::size_t most = std::size_t{64} << 20;
+    int ends[2];
+    if (pipe(ends) != 0) return {"", "there was no pipe to read its output from"};
+    const pid_t child = fork();
+    if (child == 0) {
+        const int nothing = open("/dev/null", O_RDWR);
+        dup2(nothing, STDIN_FILENO);
+        dup2(nothing, STDERR_FILENO);
+        dup2(ends[1], STDOUT_FILENO);
+        close(ends[0]);
+        close(ends[1]);
+        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM, SIGXCPU})
+            signal(number, SIG_DFL);
+        alarm(seconds);
+        const rlimit most_computing{computing, computing + 1};
+        setrlimit(RLIMIT_CPU, &most_computing);
+        execl(program.c_str(), program.c_str(), static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    close(ends[1]);
+    Printed printed;
+    char buffer[1 << 16];
+    for (ssize_t count; (count = read(ends[0], buffer, sizeof buffer)) > 0;) {
+        printed.text.append(buffer, static_cast<std::size_t>(count));
+        if (printed.text.size() > most) {
+            printed.trouble = trouble::too_much;
+            kill(child, SIGKILL);
+            break;
+        }
+    }
+    close(ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (!printed.trouble.empty()) return printed;
+    if (WIFSIGNALED(status))
+        printed.trouble = WTERMSIG(status) == SIGXCPU   ? trouble::endless
+                          : WTERMSIG(status) == SIGALRM ? trouble::waits
+                                                        : trouble::crashed(
+                              "signal " + std::to_string(WTERMSIG(status)));
+    else if (WEXITSTATUS(status) == 127 && printed.text.empty())
+        printed.trouble = trouble::not_started;
+    return printed;
+}
+
+double processor_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace checkpoint

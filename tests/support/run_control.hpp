@@ -1,0 +1,37 @@
+#pragma once
+// What main.cpp asks of the operating system: posix/ and windows/ have the same functions.
+
+#include <csignal>
+#include <cstddef>
+
+namespace checkpoint {
+
+// The secret word of this run, which the environment holds no longer; empty without one.
+const char* secret_word();
+
+// Writes all of it, whatever the file takes at once.
+void write_line(int file, const char* line, std::size_t size);
+
+// Where events go with a secret word, and without.
+inline constexpr int events_file = 3, standard_output = 1;
+
+// From now on a crash is told before it ends the program: with the name of the signal by which
+// Catch2 knows it, and with the forbidden memory that was used: "null" of a null pointer, "stack"
+// below a full stack, or "". Signals are left to Catch2 where it tells them itself.
+using Tell = void (*)(const char* signal, const char* memory);
+void tell_crashes(Tell tell, bool catch_tells_signals);
+
+// From now on the program is ended where `step` stays the same for this many seconds of its
+// processor time: the tested code is in an endless loop. Then this event is written to the file,
+// and the end is told as that by a signal. What counts is the time of all threads, so a busy machine
+// does not matter.
+void end_when_stuck(const volatile std::sig_atomic_t& step, int seconds, const char* event,
+                    int file);
+
+// Calls this function when the program ends by exit(), except in a process that it forked.
+void at_exit(void (*call)());
+
+// Ends the program, without what it does at exit.
+[[noreturn]] void end_at_once(int code);
+
+}  // namespace checkpoint
