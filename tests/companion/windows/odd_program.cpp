@@ -12,7 +12,7 @@
 
 namespace {
 
-int depth(volatile int from) {
+int depth(int from) {
     volatile char much[4096]{};
     return from == 0 ? 0 : 1 + depth(from + 1) + much[0];
 }
@@ -69,6 +69,8 @@ int main(int argc, char** argv) {
         Sleep(20'000);
     }
     if (does == "loop")
-        for (volatile int i = 0;; i = i + 1) {
+        for (volatile int i = 0;;) {
+            const int next = i;
+            i = next;
         }
 }

@@ -15,11 +15,12 @@ using companion::Crash;
 using companion::Output;
 using companion::Result;
 using companion::Run;
+using companion::run_process;
 
 namespace {
 
 // Runs odd_program as the rest of `run` says.
-Result odd(const std::vector<std::string>& words, Run run = {}) {
+Result odd(const std::vector<std::string>& words, Run run = {.command = {}}) {
     run.command.push_back(ODD_PROGRAM);
     run.command.insert(run.command.end(), words.begin(), words.end());
     return run_process(run);
@@ -61,25 +62,25 @@ TEST_CASE("a process's exit code and crash come back", "[process]") {
 
 TEST_CASE("a process's output is captured in its order, errors too", "[process]") {
     CHECK(odd({"both"}).output == "one\ntwo\nthree\n");
-    CHECK(odd({"both"}, {.output = Output::errors_shown}).output == "one\nthree\n");
-    CHECK(odd({"both"}, {.output = Output::errors_hidden}).output == "one\nthree\n");
+    CHECK(odd({"both"}, {.command = {}, .output = Output::errors_shown}).output == "one\nthree\n");
+    CHECK(odd({"both"}, {.command = {}, .output = Output::errors_hidden}).output == "one\nthree\n");
 }
 
 TEST_CASE("a lot of output arrives whole, or is cut", "[process]") {
     const Result result = odd({"count", "20000"});
     CHECK(result.output.size() == 108890);
     CHECK(result.output.substr(result.output.size() - 6) == "19999\n");
-    const Result cut = odd({"count", "2000000000"}, {.most_output = 1 << 20});
+    const Result cut = odd({"count", "2000000000"}, {.command = {}, .most_output = 1 << 20});
     CHECK(cut.too_much);
     CHECK_FALSE(cut.ok());
 }
 
 TEST_CASE("a process runs in the folder that was asked for, with nothing to read", "[process]") {
     const TemporaryFolder folder;
-    CHECK(odd({"write", "file"}, {.folder = folder.path()}).ok());
+    CHECK(odd({"write", "file"}, {.command = {}, .folder = folder.path()}).ok());
     CHECK(read_file(folder / "file") == "x\n");
     CHECK(odd({"read"}).output.empty());
-    CHECK(odd({"exit", "0"}, {.folder = folder / "missing"}).exit_code == 127);
+    CHECK(odd({"exit", "0"}, {.command = {}, .folder = folder / "missing"}).exit_code == 127);
 }
 
 TEST_CASE("a process has the variables that were asked for", "[process]") {
@@ -90,7 +91,7 @@ TEST_CASE("a process has the variables that were asked for", "[process]") {
 TEST_CASE("a process that takes too long is ended with all that it started", "[process]") {
     const TemporaryFolder folder;
     const Result result = odd({"start_and_wait", "late", "file"},
-                              {.folder = folder.path(), .timeout = 0.5});
+                              {.command = {}, .folder = folder.path(), .timeout = 0.5});
     CHECK(result.timed_out);
     CHECK_FALSE(result.ok());
     CHECK(result.output == "before\n");
@@ -103,20 +104,20 @@ TEST_CASE("a process that takes too long is ended with all that it started", "[p
 TEST_CASE("a process that leaves a child behind with its output open has still ended",
           "[process]") {
     const TemporaryFolder folder;
-    CHECK(odd({"start", "late", "file"}, {.folder = folder.path()}).ok());
+    CHECK(odd({"start", "late", "file"}, {.command = {}, .folder = folder.path()}).ok());
     wait(1500);
     CHECK(folder.count() == 0);
 }
 
 TEST_CASE("a process has a limit of processor time", "[process]") {
-    const Result result = odd({"loop"}, {.timeout = 20, .most_cpu = 1});
+    const Result result = odd({"loop"}, {.command = {}, .timeout = 20, .most_cpu = 1});
     CHECK_FALSE(result.timed_out);
     CHECK(how_it_ended(result).find("too much processor time") != std::string::npos);
     CHECK(result.cpu_seconds > 0.9);
 }
 
 TEST_CASE("a process's events come through a descriptor of their own", "[process]") {
-    const Result result = odd({"event"}, {.has_events = true});
+    const Result result = odd({"event"}, {.command = {}, .has_events = true});
     CHECK(result.ok());
     CHECK(result.output.empty());
     CHECK(result.events == "event\n");
@@ -127,7 +128,7 @@ TEST_CASE("processes run at the same time, and each has its own output", "[proce
     std::vector<std::string> outputs(6);
     for (std::size_t i = 0; i < outputs.size(); ++i)
         threads.emplace_back(
-            [&, i] { outputs[i] = odd({"print", std::to_string(i)}, {.timeout = 30}).output; });
+            [&, i] { outputs[i] = odd({"print", std::to_string(i)}, {.command = {}, .timeout = 30}).output; });
     for (std::thread& thread : threads) thread.join();
     for (std::size_t i = 0; i < outputs.size(); ++i) CHECK(outputs[i] == std::to_string(i) + '|');
 }

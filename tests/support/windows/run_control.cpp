@@ -47,11 +47,11 @@ Tell tell_crash = nullptr;
 constexpr DWORD aborted = 0xc0000409, ended_from_outside = 0xc000013a;
 
 const char* memory_at(std::uintptr_t address) {
-    constexpr std::uintptr_t never_given = 0x10000, near = 1 << 17;
+    constexpr std::uintptr_t never_given = 0x10000, around = 1 << 17;
     if (address < never_given) return "null";
     ULONG_PTR low = 0, high = 0;
     ::GetCurrentThreadStackLimits(&low, &high);
-    return address + near > low && address < low + near ? "stack" : "";
+    return address + around > low && address < low + around ? "stack" : "";
 }
 
 LONG CALLBACK on_exception(EXCEPTION_POINTERS* what) {
