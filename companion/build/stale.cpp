@@ -34,8 +34,8 @@ Sources sources_of(const Course& course) {
     Sources all;
     const auto add = [&](const std::string& group, const fs::path& folder) {
         for (const fs::path& file : source_files(folder)) {
-            all[group][file.lexically_relative(folder).generic_string()] = {hash_of(read_file(file)),
-                                                                    written(file)};
+            all[group][file.lexically_relative(folder).generic_string()] = {
+                hash_of(read_file(file)), written(file)};
         }
     };
     for (const Chapter& chapter : chapters(course)) {

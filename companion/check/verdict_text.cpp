@@ -269,8 +269,8 @@ std::string what_is_wrong(const Checked& checked) {
               },
               [&](const Crashed& crashed) {
                   return "It crashes" + where(crashed.tests) + '\n' +
-                         wrapped(crashed.cause + '.', "  ") + warned(checked) +
-                         '\n' + how_to_find_the_line(checked.exercise) +
+                         wrapped(crashed.cause + '.', "  ") + warned(checked) + '\n' +
+                         how_to_find_the_line(checked.exercise) +
                          before_that(failing_cases(crashed.tests));
               },
               [&](const Left& left) {

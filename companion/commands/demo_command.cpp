@@ -16,10 +16,10 @@ namespace {
 // and writes PPM.
 std::string render_scene(const Course& course, const Chapter& chapter) {
     const fs::path ppm = course.out() / (chapter.name + ".ppm");
-    const Result result = run_process(
-        {.command = {course.program(chapter.name + "_solution").string(),
-                     (course.build / chapter.scene).string(), ppm.string()},
-         .output = Output::errors_shown});
+    const Result result =
+        run_process({.command = {course.program(chapter.name + "_solution").string(),
+                                 (course.build / chapter.scene).string(), ppm.string()},
+                     .output = Output::errors_shown});
     if (!result.ok()) throw app::Failure(how_it_ended(result));
     const Picture picture = parse_ppm(read_file(ppm));
     fs::remove(ppm);

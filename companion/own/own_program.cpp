@@ -45,7 +45,9 @@ std::string first_error_of(const std::string& output) {
 }  // namespace
 
 OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& options)
-    : scratch_{name_of_copy(folder)}, work_{scratch_.path()}, program_{work_ / "copy" / program_name("own")} {
+    : scratch_{name_of_copy(folder)},
+      work_{scratch_.path()},
+      program_{work_ / "copy" / program_name("own")} {
     for (const fs::path& source : own_sources(folder)) {
         fs::create_directories((work_ / "copy" / source).parent_path());
         fs::copy_file(folder / source, work_ / "copy" / source);

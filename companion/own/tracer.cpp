@@ -22,7 +22,8 @@ std::vector<std::string> compiler_words(const Course& course, const Chapter& las
     const std::string compiler = fs::path{cached(course, "CMAKE_CXX_COMPILER")}.filename().string();
     std::vector<std::string> words{compiler.empty() ? "c++" : compiler, "-std=c++20", "-O3",
                                    "-pthread", "-Wall"};
-    words.push_back("-I" + (course.build / "yours").lexically_relative(course.root).generic_string());
+    words.push_back("-I" +
+                    (course.build / "yours").lexically_relative(course.root).generic_string());
     for (const Chapter& chapter : grafts(course))
         if (chapter.name <= last.name) words.push_back("-Ichapters/" + chapter.name);
     words.insert(words.end(), {"-Icommon", "exercises/tracer/tracer.cpp"});

@@ -20,7 +20,7 @@ class ScratchFolder {
 
   private:
     std::filesystem::path path_;
-    std::intptr_t held_ = -1;  // what ends with this program, as the system names it
+    std::intptr_t held_ = -1;     // what ends with this program, as the system names it
     std::intptr_t remover_ = -1;  // the process that waits for that, if the system needs one
 };
 

@@ -9,14 +9,13 @@
 #
 #   --pictures PATTERN              of the chapters that match (grep -E), such as '0[38]'; default: all
 #   --checkpoints PATTERN           likewise; '-' for none
-#   --tests PATTERN                 also these tests, such as '^companion' for Windows; default: none
 #   --jobs N                        default: the number of cores
 #   --folder FOLDER                 to build in; default: build-platforms
 #
 # Each configuration has one line of output. Exit code 1 when one failed.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit
-pictures=. checkpoints=. tests='^-$' folder=build-platforms
+pictures=. checkpoints=. folder=build-platforms
 jobs=$(nproc 2>/dev/null || getconf _NPROCESSORS_ONLN)
 
 each_name() {
@@ -118,10 +117,10 @@ check() {
             checked+="|${chapter%%_*}"
         fi
     done
-    [ "$tests" = '^-$' ] || targets+=(companion_test common_test_double)
+    case $1 in *-windows) targets+=(system_test course) ;; esac
     configure "$1" "$2" && cmake --build "$2" -j "$jobs" --target "${targets[@]}" &&
         ctest --test-dir "$2" -j "$jobs" --no-tests=error --output-on-failure -E "$(excluded "$1")" \
-            -R "^(-$drawn)\.small_picture(_in_float)?$|^checkpoint\.(-$checked)\.|$tests"
+            -R "^(-$drawn)\.small_picture(_in_float)?$|^checkpoint\.(-$checked)\.|^system_test$"
 }
 
 # excluded NAME: tests that tell nothing there.
@@ -148,7 +147,6 @@ while [ $# -gt 0 ]; do
         exit ;;
     --pictures) pictures=$2 && shift ;;
     --checkpoints) checkpoints=$2 && shift ;;
-    --tests) tests=$2 && shift ;;
     --jobs) jobs=$2 && shift ;;
     --folder) folder=$2 && shift ;;
     all) for name in $(each_name); do [ -n "$(left_out "$name")" ] || names+=("$name"); done ;;

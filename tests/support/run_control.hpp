@@ -23,8 +23,8 @@ void tell_crashes(Tell tell, bool catch_tells_signals);
 
 // From now on the program is ended where `step` stays the same for this many seconds of its
 // processor time: the tested code is in an endless loop. Then this event is written to the file,
-// and the end is told as that by a signal. What counts is the time of all threads, so a busy machine
-// does not matter.
+// and the end is told as that by a signal. What counts is the time of all threads, so a busy
+// machine does not matter.
 void end_when_stuck(const volatile std::sig_atomic_t& step, int seconds, const char* event,
                     int file);
 

@@ -27,6 +27,19 @@ extern "C" void end_aborted(int) {
     std::_Exit(aborted);  // abort() itself ends with 3
 }
 
+// A crash ends the program with the number of its exception, whatever the C library makes of it.
+LONG CALLBACK end_at_crash(EXCEPTION_POINTERS* what) {
+    const DWORD code = what->ExceptionRecord->ExceptionCode;
+    switch (code) {
+        case EXCEPTION_ACCESS_VIOLATION:
+        case EXCEPTION_STACK_OVERFLOW:
+        case EXCEPTION_INT_DIVIDE_BY_ZERO:
+        case EXCEPTION_ILLEGAL_INSTRUCTION:
+            ::TerminateProcess(::GetCurrentProcess(), code);
+    }
+    return EXCEPTION_CONTINUE_SEARCH;
+}
+
 bool is_console(HANDLE handle) {
     DWORD mode = 0;
     return ::GetConsoleMode(handle, &mode) != 0;
@@ -41,8 +54,7 @@ bool is_pipe_of_terminal(HANDLE handle) {
         wchar_t room[sizeof(FILE_NAME_INFO) / sizeof(wchar_t) + MAX_PATH];
     } name{};
     if (!::GetFileInformationByHandleEx(handle, FileNameInfo, &name, sizeof name)) return false;
-    const std::wstring_view text{name.info.FileName,
-                                 name.info.FileNameLength / sizeof(wchar_t)};
+    const std::wstring_view text{name.info.FileName, name.info.FileNameLength / sizeof(wchar_t)};
     return (text.rfind(L"\\msys-", 0) == 0 || text.rfind(L"\\cygwin-", 0) == 0) &&
            text.find(L"-pty") != text.npos;
 }
@@ -51,6 +63,7 @@ bool is_pipe_of_terminal(HANDLE handle) {
 
 void prepare_process() {
     ::SetErrorMode(SEM_FAILCRITICALERRORS | SEM_NOGPFAULTERRORBOX | SEM_NOOPENFILEERRORBOX);
+    ::AddVectoredExceptionHandler(1, end_at_crash);
     std::signal(SIGABRT, end_aborted);
     for (std::FILE* const file : {stdin, stdout, stderr}) ::_setmode(::_fileno(file), _O_BINARY);
     const HANDLE out = ::GetStdHandle(STD_OUTPUT_HANDLE);
@@ -82,10 +95,10 @@ std::FILE* open_for_reading(const fs::path& path) {
 }
 
 std::FILE* open_for_writing(const fs::path& path, bool only_new) {
-    const int descriptor = ::_wopen(path.c_str(),
-                                    _O_WRONLY | _O_CREAT | _O_TRUNC | _O_BINARY | _O_NOINHERIT |
-                                        (only_new ? _O_EXCL : 0),
-                                    _S_IREAD | _S_IWRITE);
+    const int descriptor = ::_wopen(
+        path.c_str(),
+        _O_WRONLY | _O_CREAT | _O_TRUNC | _O_BINARY | _O_NOINHERIT | (only_new ? _O_EXCL : 0),
+        _S_IREAD | _S_IWRITE);
     return descriptor < 0 ? nullptr : ::_fdopen(descriptor, "wb");
 }
 

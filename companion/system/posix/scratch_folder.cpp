@@ -42,7 +42,8 @@ ScratchFolder::ScratchFolder(const std::string& name) {
 
 ScratchFolder::~ScratchFolder() {
     ::close(static_cast<int>(held_));
-    while (remover_ > 0 && ::waitpid(static_cast<pid_t>(remover_), nullptr, 0) < 0 && errno == EINTR) {
+    while (remover_ > 0 && ::waitpid(static_cast<pid_t>(remover_), nullptr, 0) < 0 &&
+           errno == EINTR) {
     }
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);  // if there was no process

@@ -11,17 +11,17 @@ namespace companion {
 
 std::wstring wide(const std::string& text) {
     const int size = static_cast<int>(text.size());
-    std::wstring all(static_cast<std::size_t>(
-                         ::MultiByteToWideChar(CP_UTF8, 0, text.data(), size, nullptr, 0)),
-                     L'\0');
+    std::wstring all(
+        static_cast<std::size_t>(::MultiByteToWideChar(CP_UTF8, 0, text.data(), size, nullptr, 0)),
+        L'\0');
     ::MultiByteToWideChar(CP_UTF8, 0, text.data(), size, all.data(), static_cast<int>(all.size()));
     return all;
 }
 
 std::string narrow(const std::wstring& text) {
     const int size = static_cast<int>(text.size());
-    std::string all(static_cast<std::size_t>(::WideCharToMultiByte(
-                        CP_UTF8, 0, text.data(), size, nullptr, 0, nullptr, nullptr)),
+    std::string all(static_cast<std::size_t>(::WideCharToMultiByte(CP_UTF8, 0, text.data(), size,
+                                                                   nullptr, 0, nullptr, nullptr)),
                     '\0');
     ::WideCharToMultiByte(CP_UTF8, 0, text.data(), size, all.data(), static_cast<int>(all.size()),
                           nullptr, nullptr);

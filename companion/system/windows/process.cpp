@@ -9,9 +9,9 @@
 #include <companion/system/process.hpp>
 #include <companion/system/terminal.hpp>
 #include <companion/system/windows/wide.hpp>
-#include <cstring>
 #include <csignal>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -126,7 +126,8 @@ fs::path find_in_path(const std::string& name) {
 
 fs::path find_program(const std::string& name, const fs::path& folder) {
     if (name.find_first_of("/\\") == std::string::npos) return find_in_path(name);
-    return with_end(fs::absolute(folder / name));
+    const fs::path path{name};
+    return with_end(fs::absolute(path.has_root_directory() ? path : folder / path));
 }
 
 // What a program finds in its environment: this one's, with changes, as the system takes it.
@@ -138,8 +139,7 @@ std::wstring environment_with(const std::vector<std::string>& changes) {
     std::map<std::wstring, std::wstring, decltype(less)> all{less};
     const auto add = [&](const std::wstring& variable) {
         const auto equals = variable.find(L'=', 1);  // names of drives begin with one
-        if (equals != variable.npos)
-            all[variable.substr(0, equals)] = variable.substr(equals + 1);
+        if (equals != variable.npos) all[variable.substr(0, equals)] = variable.substr(equals + 1);
     };
     wchar_t* const mine = ::GetEnvironmentStringsW();
     for (const wchar_t* one = mine; one && *one; one += std::wcslen(one) + 1) add(one);
@@ -235,8 +235,8 @@ class Job {
         JOBOBJECT_BASIC_ACCOUNTING_INFORMATION used{};
         ::QueryInformationJobObject(job_.get(), JobObjectBasicAccountingInformation, &used,
                                     sizeof used, nullptr);
-        return 1e-7 * static_cast<double>(used.TotalUserTime.QuadPart +
-                                          used.TotalKernelTime.QuadPart);
+        return 1e-7 *
+               static_cast<double>(used.TotalUserTime.QuadPart + used.TotalKernelTime.QuadPart);
     }
 
   private:
@@ -359,7 +359,9 @@ bool ask_to_end(DWORD process) {
 Result run_process(const Run& run) {
     std::vector<std::string> variables, words = run.command;
     if (words[0] == "env") {
-        const auto is_variable = [](const std::string& word) { return word.find('=') != word.npos; };
+        const auto is_variable = [](const std::string& word) {
+            return word.find('=') != word.npos;
+        };
         const auto end = std::find_if_not(words.begin() + 1, words.end(), is_variable);
         variables.assign(words.begin() + 1, end);
         words.erase(words.begin(), end);
@@ -416,11 +418,10 @@ Result run_process(const Run& run) {
         return std::chrono::duration<double>(Clock::now() - begin).count();
     };
     PROCESS_INFORMATION made{};
-    if (!::CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE,
-                          CREATE_SUSPENDED | CREATE_UNICODE_ENVIRONMENT |
-                              EXTENDED_STARTUPINFO_PRESENT,
-                          environment.data(), fs::absolute(run.folder).c_str(), &start.StartupInfo,
-                          &made)) {
+    if (!::CreateProcessW(
+            program.c_str(), line.data(), nullptr, nullptr, TRUE,
+            CREATE_SUSPENDED | CREATE_UNICODE_ENVIRONMENT | EXTENDED_STARTUPINFO_PRESENT,
+            environment.data(), fs::absolute(run.folder).c_str(), &start.StartupInfo, &made)) {
         result.exit_code = 127;
         return result;
     }
@@ -442,8 +443,7 @@ Result run_process(const Run& run) {
         const double left = run.timeout > 0 ? run.timeout - seconds() : 1;
         if (has_ended(std::clamp(1000 * left, 0.0, is_watched ? 20.0 : 1000.0))) break;
         result.timed_out = left <= 0;
-        result.too_much =
-            run.most_output > 0 && output.size() + of_events.size() > run.most_output;
+        result.too_much = run.most_output > 0 && output.size() + of_events.size() > run.most_output;
         if (run.most_cpu > 0 && cpu_seconds_of(process.get()) > run.most_cpu)
             result.signal = too_much_time;
         if (!run.may_start_others && job.reached_limit()) break;

@@ -1,9 +1,8 @@
 // odd_program DOES WORDS...: what a program may do, for the tests of running programs.
-#include <fcntl.h>
 #include <io.h>
 #include <windows.h>
 
-#include <cstdio>
+#include <app/platform.hpp>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -40,8 +39,7 @@ bool start(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    SetErrorMode(SEM_NOGPFAULTERRORBOX);
-    _setmode(_fileno(stdout), _O_BINARY);
+    app::prepare_process();
     const std::string does = argc > 1 ? argv[1] : "", word = argc > 2 ? argv[2] : "";
     if (does == "print")
         for (int i = 2; i < argc; ++i) std::cout << argv[i] << '|';

@@ -10,8 +10,8 @@
 
 using checkpoint::read_file;
 using checkpoint::TemporaryFolder;
-using companion::crash_of;
 using companion::Crash;
+using companion::crash_of;
 using companion::Output;
 using companion::Result;
 using companion::Run;
@@ -33,9 +33,9 @@ void wait(int milliseconds) {
 }  // namespace
 
 TEST_CASE("a process gets its arguments as they are", "[process]") {
-    const std::string strange = "a b; echo %PATH% \"quoted\" 'x' *\\\" \\\\", end = "back\\slash\\ \\";
-    CHECK(odd({"print", strange, "", end, "\\", "z"}).output ==
-          strange + "||" + end + "|\\|z|");
+    const std::string strange = "a b; echo %PATH% \"quoted\" 'x' *\\\" \\\\",
+                      end = "back\\slash\\ \\";
+    CHECK(odd({"print", strange, "", end, "\\", "z"}).output == strange + "||" + end + "|\\|z|");
 }
 
 TEST_CASE("a process's exit code and crash come back", "[process]") {
@@ -127,8 +127,9 @@ TEST_CASE("processes run at the same time, and each has its own output", "[proce
     std::vector<std::thread> threads;
     std::vector<std::string> outputs(6);
     for (std::size_t i = 0; i < outputs.size(); ++i)
-        threads.emplace_back(
-            [&, i] { outputs[i] = odd({"print", std::to_string(i)}, {.command = {}, .timeout = 30}).output; });
+        threads.emplace_back([&, i] {
+            outputs[i] = odd({"print", std::to_string(i)}, {.command = {}, .timeout = 30}).output;
+        });
     for (std::thread& thread : threads) thread.join();
     for (std::size_t i = 0; i < outputs.size(); ++i) CHECK(outputs[i] == std::to_string(i) + '|');
 }

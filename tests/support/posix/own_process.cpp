@@ -97,10 +97,10 @@ Printed run_program(const std::string& program) {
     waitpid(child, &status, 0);
     if (!printed.trouble.empty()) return printed;
     if (WIFSIGNALED(status))
-        printed.trouble = WTERMSIG(status) == SIGXCPU   ? trouble::endless
-                          : WTERMSIG(status) == SIGALRM ? trouble::waits
-                                                        : trouble::crashed(
-                              "signal " + std::to_string(WTERMSIG(status)));
+        printed.trouble = WTERMSIG(status) == SIGXCPU ? trouble::endless
+                          : WTERMSIG(status) == SIGALRM
+                              ? trouble::waits
+                              : trouble::crashed("signal " + std::to_string(WTERMSIG(status)));
     else if (WEXITSTATUS(status) == 127 && printed.text.empty())
         printed.trouble = trouble::not_started;
     return printed;

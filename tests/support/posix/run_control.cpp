@@ -43,7 +43,7 @@ struct Crash {
     const char* name;
 };
 constexpr Crash crashes[]{
-    {SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"},   {SIGFPE, "SIGFPE"}, {SIGILL, "SIGILL"},
+    {SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"},  {SIGFPE, "SIGFPE"}, {SIGILL, "SIGILL"},
     {SIGABRT, "SIGABRT"}, {SIGTERM, "SIGTERM"}};  // the companion's at a time-out
 std::uintptr_t stack_end = 0;
 Tell tell_crash = nullptr;

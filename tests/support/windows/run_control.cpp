@@ -146,8 +146,7 @@ void tell_crashes(Tell tell, bool) {
     story_is_there = ::CreateEventW(nullptr, FALSE, FALSE, nullptr);
     story_is_told = ::CreateEventW(nullptr, FALSE, FALSE, nullptr);
     start(tell_story, nullptr);
-    const std::wstring name =
-        L"Local\\course-end-" + std::to_wstring(::GetCurrentProcessId());
+    const std::wstring name = L"Local\\course-end-" + std::to_wstring(::GetCurrentProcessId());
     if (const HANDLE wish = ::CreateEventW(nullptr, FALSE, FALSE, name.c_str()))
         start(wait_for_companion, wish);
     ULONG room = 1 << 15;  // for the handler, on a stack that is full
