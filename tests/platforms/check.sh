@@ -117,7 +117,7 @@ check() {
             checked+="|${chapter%%_*}"
         fi
     done
-    case $1 in *-windows) targets+=(system_test course) ;; esac
+    case $1 in *-windows) targets+=(system_test) ;; esac
     configure "$1" "$2" && cmake --build "$2" -j "$jobs" --target "${targets[@]}" &&
         ctest --test-dir "$2" -j "$jobs" --no-tests=error --output-on-failure -E "$(excluded "$1")" \
             -R "^(-$drawn)\.small_picture(_in_float)?$|^checkpoint\.(-$checked)\.|^system_test$"

@@ -31,7 +31,7 @@ namespace trouble {
 inline constexpr const char* too_much =
     "it printed more than 64 MiB and was stopped; does a loop never end?";
 inline constexpr const char* endless =
-    "it computed for 3 seconds and did not end; does a loop never end?";
+    "it computed for 3 seconds without ending; does a loop never end?";
 inline constexpr const char* waits =
     "it was still running after 10 seconds; what does it wait for?";
 inline constexpr const char* not_started = "it could not be started";
