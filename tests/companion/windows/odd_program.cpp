@@ -20,7 +20,7 @@ int crash(const std::string& how) {
     if (how == "null") *static_cast<volatile int*>(nullptr) = 1;
     if (how == "stack") return depth(1);
     volatile int zero = 0;
-    if (how == "divide") return 1 / zero;
+    if (how == "divide") return 7 / zero;
     RaiseException(0xc000001d, EXCEPTION_NONCONTINUABLE, 0, nullptr);
     return 0;
 }
