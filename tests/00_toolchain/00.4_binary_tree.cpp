@@ -137,8 +137,8 @@ TEST_CASE("00.4 the nodes of small trees are counted", "[00.4]") {
     {
         INFO(
             "Hint: count every node, both inner nodes and leaves; an empty tree has none. If you "
-            "keep a list, loop with while (!to_do.empty()), because `for (... : to_do)` does not "
-            "see what is added");
+            "keep a list, loop with while (!to_do.empty()), because a vector must not grow inside "
+            "`for (... : to_do)`");
         CHECK(rt::count_nodes<WatchedNode>(nullptr) == 0);
         CHECK(rt::count_nodes(node().get()) == 1);
         CHECK(rt::count_nodes(node(node()).get()) == 2);

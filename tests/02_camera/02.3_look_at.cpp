@@ -384,7 +384,7 @@ TEST_CASE("02.3 a view without a direction and one without an up are refused", "
     CHECK(refusal(from, at, {Real(-0.0), 0, Real(-0.0)}) == "std::domain_error");
     for (const Real bad : {rt::infinity, -rt::infinity, nan})
         for (const Vec3 add : {Vec3{bad, 0, 0}, Vec3{0, bad, 0}, Vec3{0, 0, bad}}) {
-            INFO(checkpoint::text(bad) << " is one of the numbers of from, at or up");
+            INFO(checkpoint::text(bad) << " is a component of from, at or up");
             CHECK(refusal(from + add, at, up) == "std::domain_error");
             CHECK(refusal(from, at + add, up) == "std::domain_error");
             CHECK(refusal(from, at, up + add) == "std::domain_error");

@@ -248,9 +248,11 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
     tests /= rays;
     const char* hint = "look at what find_nearest tests";
     if (boxes == 0)
-        hint = "call search.meets(node.box): it counts, and knows the interval that boxes need";
+        hint =
+            "call search.meets(node.box): it counts the box tests, and gives hit_box the right "
+            "interval";
     else if (tests == 0)
-        hint = "call search.meets_shape(number): it counts";
+        hint = "call search.meets_shape(number): it counts the sphere tests";
     else if (boxes >= 1000)
         hint = "return at once if search.meets(node.box) is false";
     else if (tests > boxes / 2)

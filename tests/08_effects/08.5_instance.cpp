@@ -270,7 +270,7 @@ TEST_CASE("08.5 a ray that leaves the surface does not meet it again", "[08.5][h
         if (again++ == 0) first = text(instance.object_to_world) + "\n" + text(leaving);
     }
     INFO(again << " of " << all
-               << " rays that leave the surface outward meet it again, the first: " << first
+               << " rays that leave the surface outward meet it again. The first of them: " << first
                << "\nHint: point_error is instance_error(instance, point), with the point in the "
                   "world");
     CHECK(all > 5000);

@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// Exercise 04.6. The point where a ray that leaves a surface in this direction starts. It is moved
+// Exercise 04.6. The starting point of a ray that leaves a surface in this direction. It is moved
 // off the surface, along the normal, to the side that the direction points to. The distance is at
 // least point_error and less than four times as much.
 // Star: from there hit_sphere does not find the surface again, whatever its size and position, as
