@@ -24,9 +24,9 @@ void check_side(Vec3 normal, Vec3 to_viewer, int exponent, int other_exponent) {
                    << std::acos(std::clamp(product / exact_length(a).high / exact_length(b).high,
                                            -1.0, 1.0)) *
                           180 / 3.14159265358979
-                   << " degrees apart.\nHint: no angle is so near 90 degrees, and no vector is so "
-                      "short or long, that it counts as edge-on: scale the vectors by split_scale, "
-                      "and then let only the sign decide");
+                   << " degrees apart.\nHint: even an angle this close to 90 degrees is not "
+                      "edge-on, however short or long the vectors are: scale them with "
+                      "split_scale, and then let only the sign decide");
     const int computed = rt::facing(n, v), from_behind = rt::facing(-n, v);
     REQUIRE(computed == side);
     REQUIRE(from_behind == -side);

@@ -219,7 +219,8 @@ TEST_CASE("04.6 a ray into the sphere meets its far side", "[04.6][hard]") {
     CHECK(worst <= 1);
 }
 
-TEST_CASE("04.6 a ray starts inside a sphere of a few coordinate steps", "[04.6][hard]") {
+TEST_CASE("04.6 a ray starts inside a sphere whose radius is only 8 to 8000 coordinate steps",
+          "[04.6][hard]") {
     rt::Rng rng{46, 9};
     bool meets_far_side = true;
     for (int i = 0; i < 200'000 && meets_far_side; ++i) {

@@ -417,7 +417,7 @@ TEST_CASE("11.6 surfaces that reflect no light", "[11.6][hard]") {
     check_denoised(Scene{4, 3, {}}, {}, hint);
 }
 
-TEST_CASE("11.6 an albedo of more than 1 counts as it is", "[11.6][hard]") {
+TEST_CASE("11.6 an albedo of more than 1 is used as it is", "[11.6][hard]") {
     rt::Rng rng{116, 8};
     for (int i = 0; i < 5; ++i) {
         Scene scene = any_scene(rng, 6, 5);

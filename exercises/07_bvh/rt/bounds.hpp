@@ -8,8 +8,8 @@
 namespace rt {
 
 // Exercise 07.2. The box around a sphere, grown on all sides by hit_margin times the largest
-// coordinate in it, which is max_component(center) + radius. Then no rounding of the tests lets a
-// ray hit the sphere and miss the box. The radius is 0 or more.
+// coordinate in it, which is max_component(center) + radius. Then rounding in the tests never lets
+// a ray hit the sphere and miss the box. The radius is 0 or more.
 inline Box bounds_of(const Sphere& sphere) {
     return rt::todo("07.2", sphere);
 }

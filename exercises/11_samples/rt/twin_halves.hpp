@@ -28,7 +28,8 @@ inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread,
 }
 
 // The mean of both halves. Each half has the same weight, however many samples it took: the counts
-// follow what the halves have seen, so weights that follow the counts would bring back a bias.
+// depend on what the halves have seen, so weights that depend on the counts would bring the bias
+// back.
 // Star: it is finite if both means are.
 inline Real twin_mean(Halves<Real> mean) {
     return rt::todo("11.3", mean);
