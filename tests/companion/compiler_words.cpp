@@ -171,8 +171,9 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
     says_of("x * y;", "ignoring return value of function declared with 'nodiscard' attribute",
             "thrown away");
     says_of("return 0 < x < 1;",
-            "comparisons like 'X<=Y<=Z' do not have their mathematical meaning", "alone");
-    says_of("if (x = 1)", "suggest parentheses around assignment used as truth value", "compares");
+            "comparisons like 'X<=Y<=Z' do not have their mathematical meaning", "cannot chain");
+    says_of("if (x = 1)", "suggest parentheses around assignment used as truth value",
+            "to compare");
     says_of("file << 'P3\\n';", "multi-character character constant [-Wmultichar]",
             "double quotes");
     says_of("const char* s = 'P3';", "invalid conversion from 'int' to 'const char*'",

@@ -114,7 +114,7 @@ TEST_CASE("what is wrong with a mistake is said with file and line", "[mistakes]
     CHECK(error(with_heading(keys + words + "```diff rt/f.hpp\n-int f() {\n")) ==
           "01.1.md:10: expected the line '```', actual: the end of the file");
     CHECK(error(with_heading(keys + words + "```diff rt/f.hpp\nint f() {\n")) ==
-          "01.1.md:10: expected a line with ' ', '-' or '+' before it, actual: 'int f() {'");
+          "01.1.md:10: expected a line that begins with ' ', '-' or '+', actual: 'int f() {'");
     CHECK(error("# Mistakes of 01.1\n\n## 01.2_takes\n" + keys + words + edit) ==
           "01.1.md:3: expected a heading '## 01.1_name', actual: '## 01.2_takes'");
     CHECK(error("# Mistakes\n") ==

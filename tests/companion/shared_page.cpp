@@ -73,7 +73,7 @@ TEST_CASE("the page to share has the figures of a certificate that is passed", "
     CHECK_FALSE(holds(html, "stars of 01"));
     page.certificate->measurements[0].held = Held::fails;
     const std::string failed = shared_page_html(page);
-    CHECK(holds(failed, "The final test is not passed yet."));
+    CHECK(holds(failed, "The final test has not been passed yet."));
     CHECK_FALSE(holds(failed, "Grade"));
     CHECK_FALSE(holds(failed, "a machine"));
 }
