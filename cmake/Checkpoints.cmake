@@ -59,6 +59,7 @@ endfunction()
 function(course_as_answer target real place chapter id)
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:answer_${real}>)
   target_include_directories(${target} PRIVATE ${ARGN} ${CMAKE_SOURCE_DIR}/tests/${chapter}
+                                               ${CMAKE_SOURCE_DIR}/tests/support
                                                ${CMAKE_SOURCE_DIR}/tests/support/${course_system})
   target_link_libraries(${target} PRIVATE answer_${real}_flags ${course_libraries_of_answer_${id}})
   target_precompile_headers(${target} REUSE_FROM answer_${real})
