@@ -32,15 +32,15 @@ std::string gather(int width, int height, MPI_Comm ranks) {
     if (all.size() != expected)
         return picture + ": expected " + std::to_string(expected) + " pixels, actual " +
                std::to_string(all.size()) +
-               "\nHint: rank 0 gets the whole picture, and the others an empty vector";
+               "\nHint: rank 0 gets the whole picture, and the other ranks get an empty vector";
     for (std::size_t i = 0; i < all.size(); ++i) {
         const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
         if (all[i] == color_of(x, y)) continue;
         return picture + ", pixel (" + std::to_string(x) + ", " + std::to_string(y) +
                "): expected the color with red " + text(color_of(x, y).r) + " and green " +
                text(color_of(x, y).g) + ", actual " + text(all[i].r) + " and " + text(all[i].g) +
-               "\nHint: the k-th count is that of rank k's pixels, and the k-th displacement says "
-               "how many pixels are before them";
+               "\nHint: count k is the number of pixels that rank k sends, and displacement k is "
+               "the number of pixels before them in the picture";
     }
     return {};
 }
@@ -91,10 +91,10 @@ TEST_CASE("13.1 more pixels than an int can count", "[13.1][hard]") {
         is_watched = false;
         const auto expected = static_cast<std::int64_t>(mine.size_bytes());
         if (sent_bytes == expected) return std::string{};
-        return "of a picture of 131,072 x 131,072 pixels rank 1 sends its half: expected " +
+        return "rank 1 sends its half of a picture of 131,072 x 131,072 pixels: expected " +
                std::to_string(expected) + " bytes, actual " + std::to_string(sent_bytes) +
-               ", since the count is " + std::to_string(sent_count) +
-               "\nHint: MPI counts with int. What could you count instead of pixels, with a type "
+               ", because the count is " + std::to_string(sent_count) +
+               "\nHint: MPI's counts are int. What could you count instead of pixels, with a type "
                "of your own (MPI_Type_contiguous)?";
     });
 }

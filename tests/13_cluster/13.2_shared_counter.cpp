@@ -75,8 +75,8 @@ TEST_CASE("13.2 it starts at 0 and returns the number before", "[13.2]") {
                         const std::string differ =
                             differs("before " + std::to_string(n) + " is added", expected,
                                     counter.fetch_add(n),
-                                    "the number is at rank 0 alone, it starts at 0 before anybody "
-                                    "adds to it, and the result arrives when MPI_Win_flush ends");
+                                    "only rank 0 has the number, it is 0 before any rank adds to "
+                                    "it, and the result has arrived when MPI_Win_flush returns");
                         if (wrong.empty()) wrong = differ;
                         expected += n;
                     }
@@ -94,10 +94,10 @@ TEST_CASE("13.2 nobody counts before the number is 0", "[13.2]") {
         const int before = counter.fetch_add(1);
         MPI_Barrier(ranks);
         if (0 <= before && before < 3) return std::string{};
-        return "each of 3 ranks adds 1 at once: expected 0, 1 or 2, actual " +
+        return "3 ranks add 1 at the same time: expected 0, 1 or 2 as the number before, actual " +
                std::to_string(before) +
-               "\nHint: new memory holds anything. Rank 0 sets it to 0, and the others wait for "
-               "that (MPI_Barrier)";
+               "\nHint: new memory may contain any number. Rank 0 sets it to 0, and the other "
+               "ranks wait for that (MPI_Barrier)";
     });
 }
 
@@ -112,9 +112,9 @@ TEST_CASE("13.2 every tile is taken once", "[13.2]") {
         MPI_Reduce(taken.data(), all.data(), tiles, MPI_INT, MPI_SUM, 0, ranks);
         for (std::size_t tile = 0; tile < tiles && rt::rank_of(ranks) == 0; ++tile)
             if (const std::string wrong = differs(
-                    "how often tile " + std::to_string(tile) + " is taken, of 3000", 1, all[tile],
-                    "another rank must not come between reading and adding: one call does "
-                    "both");
+                    "how many times tile " + std::to_string(tile) + " of 3000 is taken", 1,
+                    all[tile],
+                    "no other rank may count between reading and adding: use one call for both");
                 !wrong.empty())
                 return wrong;
         return std::string{};
@@ -131,8 +131,8 @@ TEST_CASE("13.2 two counters at a time", "[13.2][hard]") {
             if (above <= last_up || above % 2 != 0 || above > 600 || below >= last_down ||
                 below % 3 != 0 || below < -900)
                 wrong =
-                    "3 ranks add 2 to a counter and -3 to another one. Expected multiples of 2 "
-                    "that grow, and of -3 that fall; actual " +
+                    "3 ranks add 2 to one counter and -3 to another: expected growing multiples of "
+                    "2 and falling multiples of 3, actual " +
                     std::to_string(above) + " and " + std::to_string(below) +
                     "\nHint: each counter needs a window of its own";
             last_up = above;

@@ -27,7 +27,7 @@ std::string receive(MPI_Comm ranks, int count, const std::function<int(int tile)
     for (int i = 0; i < count;) {
         if (MPI_Wtime() - begin > 2)
             return "expected " + std::to_string(count) + " tiles, actual " + std::to_string(i) +
-                   " within 2 s\nHint: receive_tile must find a message of any rank, with any tag";
+                   " within 2 s\nHint: receive_tile must find messages from any rank with any tag";
         const std::optional<ArrivedTile> arrived = rt::receive_tile(ranks);
         if (!arrived) {
             std::this_thread::sleep_for(milliseconds{1});
@@ -38,21 +38,24 @@ std::string receive(MPI_Comm ranks, int count, const std::function<int(int tile)
         const std::string name = "tile " + std::to_string(tile);
         if (tile < 1 || tile >= 100 || ++times[static_cast<std::size_t>(tile)] != 1)
             return "a tile has the number " + std::to_string(tile) +
-                   ", which was not sent, or has arrived before\nHint: the number is the tag";
+                   ", but no such tile was sent, or it has arrived before\nHint: the tag of a "
+                   "message is the number of its tile";
         if (from != sender_of(tile))
             return name + ": expected from rank " + std::to_string(sender_of(tile)) +
-                   ", actual from rank " + std::to_string(from) + "\nHint: see MPI_SOURCE";
+                   ", actual from rank " + std::to_string(from) +
+                   "\nHint: status.MPI_SOURCE is the sender";
         if (static_cast<int>(pixels.size()) != size_of(tile))
             return name + ": expected " + std::to_string(size_of(tile)) + " pixels, actual " +
-                   std::to_string(pixels.size()) + "\nHint: MPI_Get_count tells how many there are";
+                   std::to_string(pixels.size()) +
+                   "\nHint: MPI_Get_count tells you how many there are";
         const std::vector<Color> expected = tile_of(tile, size_of(tile));
         for (std::size_t k = 0; k < pixels.size(); ++k)
             if (!(pixels[k] == expected[k]))
                 return name + ", pixel " + std::to_string(k) + ": expected red " +
                        text(expected[k].r) + " and green " + text(expected[k].g) + ", actual " +
                        text(pixels[k].r) + " and " + text(pixels[k].g) +
-                       "\nHint: the message reads its pixels until it has been sent; so they must "
-                       "live as long as that, and may not move";
+                       "\nHint: MPI reads the pixels until the message has been sent; until then, "
+                       "they must neither be destroyed nor move";
     }
     return {};
 }
@@ -93,10 +96,10 @@ TEST_CASE("13.3 sending does not wait for rank 0", "[13.3]") {
             for (int tile = 1; tile <= 3; ++tile) sender.send(tile, tile_of(tile, large));
             if (MPI_Wtime() - begin > 0.15)
                 wrong =
-                    "rank 0 begins to receive after 0.3 s: expected that send returns before, "
+                    "rank 0 begins to receive after 0.3 s: expected that send returns before that, "
                     "actual after " +
                     std::to_string(MPI_Wtime() - begin) +
-                    " s\nHint: MPI_Send waits; MPI_Isend begins to send, and returns";
+                    " s\nHint: MPI_Send waits; MPI_Isend only begins to send, and returns";
             use_memory_again();
             sender.finish();
             return wrong;
@@ -142,12 +145,12 @@ TEST_CASE("13.3 finish waits until all is sent", "[13.3]") {
         std::string wrong;
         if (waited < 0.1)
             wrong =
-                "rank 0 begins to receive after 0.2 s: expected that finish waits for that, "
+                "rank 0 begins to receive after 0.2 s: expected that finish waits until then, "
                 "actual: it returned after " +
-                std::to_string(waited) + " s\nHint: MPI_Wait, for each message";
+                std::to_string(waited) + " s\nHint: call MPI_Wait for each message";
         else if (sender.kept() != 0)
-            wrong = "after finish: expected 0 messages that are kept, actual " +
-                    std::to_string(sender.kept());
+            wrong =
+                "after finish: expected 0 kept messages, actual " + std::to_string(sender.kept());
         use_memory_again();
         return wrong;
     });
@@ -158,7 +161,7 @@ TEST_CASE("13.3 receiving does not wait for a message", "[13.3]") {
         std::string wrong;
         TileSender sender{ranks};
         if (rt::rank_of(ranks) == 0 && rt::receive_tile(ranks))
-            wrong = "nobody has sent anything: expected no tile, actual a tile";
+            wrong = "no rank has sent anything: expected no tile, actual a tile";
         MPI_Barrier(ranks);
         if (rt::rank_of(ranks) == 0 && wrong.empty())
             wrong = receive(
@@ -192,9 +195,10 @@ TEST_CASE("13.3 messages that have been sent are forgotten", "[13.3][hard]") {
         }
         sender.finish();
         if (most < count / 2) return std::string{};
-        return "rank 0 has received 40 tiles, and 8 more are sent: expected that hardly more than "
-               "these 8 are kept, actual " +
+        return "rank 0 has received 40 tiles, and then 8 more are sent: expected that hardly more "
+               "than these 8 are kept, actual " +
                std::to_string(most) +
-               "\nHint: MPI_Test says whether a message has been sent; std::erase_if removes it";
+               "\nHint: MPI_Test tells you whether a message has been sent; std::erase_if can "
+               "then remove it";
     });
 }

@@ -74,7 +74,7 @@ TEST_CASE("13.4 a tile is read as it was written", "[13.4]") {
     for (const int count : {1, 7, 256, 4096}) {
         const std::vector<Color> pixels = some_pixels(1, count);
         rt::save_tile(folder.path(), count, pixels);
-        INFO("tile " << count << ", with as many pixels, in the file "
+        INFO("tile " << count << ", with the same number of pixels, in the file "
                      << rt::tile_file(folder.path(), count).filename());
         REQUIRE(fs::exists(rt::tile_file(folder.path(), count)));
         {
@@ -84,7 +84,7 @@ TEST_CASE("13.4 a tile is read as it was written", "[13.4]") {
         }
         const std::vector<Color> read = rt::load_tile(folder.path(), count);
         REQUIRE(read.size() == pixels.size());
-        INFO("Hint: a file of numbers is opened with std::ios::binary");
+        INFO("Hint: open the file with std::ios::binary");
         CHECK(std::equal(read.begin(), read.end(), pixels.begin()));
     }
 }
@@ -96,7 +96,7 @@ TEST_CASE("13.4 a new version takes the place of an older one", "[13.4]") {
         rt::save_tile(folder.path(), 5, pixels);
         INFO("version " << version);
         CHECK(rt::load_tile(folder.path(), 5) == pixels);
-        INFO("Hint: the file that was written first is renamed, and not copied");
+        INFO("Hint: rename the file that was written first; do not copy it");
         CHECK(folder.names() == std::vector<std::string>{"5.tile"});
     }
 }
@@ -105,7 +105,7 @@ TEST_CASE("13.4 tiles without a file are missing", "[13.4]") {
     const Folder folder;
     CHECK(rt::missing_tiles(folder.path(), 4) == std::vector{0, 1, 2, 3});
     for (const int tile : {0, 2, 3, 11}) rt::save_tile(folder.path(), tile, some_pixels(1, 4));
-    INFO("The tiles 0, 2, 3 and 11 are there");
+    INFO("The tiles 0, 2, 3 and 11 have files");
     CHECK(rt::missing_tiles(folder.path(), 5) == std::vector{1, 4});
     CHECK(rt::missing_tiles(folder.path(), 12) == std::vector{1, 4, 5, 6, 7, 8, 9, 10});
     CHECK(rt::missing_tiles(folder.path(), 1).empty());
@@ -121,15 +121,15 @@ TEST_CASE("13.4 a program that dies leaves a whole file or none", "[13.4]") {
         rt::save_tile(folder.path(), 1, older);
         const auto bytes =
             static_cast<rlim_t>(part * static_cast<double>(pixels.size() * sizeof(Color)));
-        INFO("the program is ended after " << bytes << " of " << pixels.size() * sizeof(Color)
-                                           << " bytes were written");
+        INFO("the program dies after writing " << bytes << " of " << pixels.size() * sizeof(Color)
+                                               << " bytes");
         REQUIRE(save_and_die(folder.path(), 0, pixels, bytes) == SIGXFSZ);
         {
-            INFO("Hint: write to another name first. Only when all is written, rename");
+            INFO("Hint: write to a file of another name first. Rename it only when it is whole");
             CHECK(rt::missing_tiles(folder.path(), 2) == std::vector{0});
         }
         REQUIRE(save_and_die(folder.path(), 1, pixels, bytes) == SIGXFSZ);
-        INFO("there was an older file");
+        INFO("an older file of the tile existed");
         CHECK(rt::load_tile(folder.path(), 1) == older);
         // What a dead program left does not stand in the way.
         rt::save_tile(folder.path(), 0, pixels);
@@ -168,8 +168,8 @@ TEST_CASE("13.4 a full disk is an error", "[13.4][hard]") {
                 INFO("room for " << room << " bytes of " << bytes);
                 {
                     INFO(
-                        "Hint: a stream is false once something could not be written. The last "
-                        "bytes are written by close()");
+                        "Hint: a stream is false as soon as something could not be written. The "
+                        "last bytes are written by close()");
                     CHECK(actual == "std::runtime_error");
                 }
                 {
@@ -180,7 +180,7 @@ TEST_CASE("13.4 a full disk is an error", "[13.4][hard]") {
             }
         }
     {
-        INFO("no such folder");
+        INFO("the folder does not exist");
         CHECK_THROWS_AS(rt::save_tile(folder.path() / "nowhere", 0, older), std::runtime_error);
     }
     INFO("a folder has the tile's name");

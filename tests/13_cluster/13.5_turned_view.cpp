@@ -32,8 +32,8 @@ TEST_CASE("13.5 a quarter of a turn", "[13.5]") {
     const Vec3 expected[] = {{3, 1, 0}, {1, 1, -2}, {-1, 1, 0}, {1, 1, 2}};
     for (int frame = 0; frame < 4; ++frame) {
         INFO("frame " << frame
-                      << " of 4: the camera is 2 to the right of the point that it looks "
-                         "at, and 1 above it");
+                      << " of 4: in the view, the camera is 2 to the right of the point "
+                         "that it looks at, and 1 above it");
         check_near(rt::turned_view(view, frame, 4).from, expected[frame], 3,
                    "seen from above, the camera goes counterclockwise: from +x to -z");
     }
@@ -58,15 +58,16 @@ TEST_CASE("13.5 height and distance stay", "[13.5]") {
         const int frames = 2 + i % 11, frame = 1 + i % (frames - 1);
         const Vec3 turned = rt::turned_view(view, frame, frames).from - view.at;
         INFO("frame " << frame << " of " << frames << ", up " << text(view.up));
-        check_near({dot(turned, axis), length(turned), 0}, {dot(away, axis), length(away), 0}, 40,
-                   "the height above `at`, measured along up, and the distance: up may have any "
-                   "length and direction");
+        check_near(
+            {dot(turned, axis), length(turned), 0}, {dot(away, axis), length(away), 0}, 40,
+            "x is the height above `at`, measured along up, and y is the distance. Up may have "
+            "any length and direction");
         // The angle between the parts across the axis.
         const Vec3 before = away - dot(away, axis) * axis,
                    after = turned - dot(turned, axis) * axis;
         const Real angle = 2 * rt::pi * static_cast<Real>(frame) / static_cast<Real>(frames);
         const Real cosine = dot(before, after) / dot(before, before);
-        HINT(std::cos(angle), cosine, "frame k of n has turned by k/n of 2 pi");
+        HINT(std::cos(angle), cosine, "in frame k of n, the camera has turned by k/n of 2 pi");
         CHECK(std::abs(cosine - std::cos(angle)) <= 1000 * rt::epsilon);
     }
 }
@@ -79,8 +80,8 @@ TEST_CASE("13.5 a whole turn is no turn", "[13.5][hard]") {
             const View turned = rt::turned_view(view, frame, 120);
             HINT(view.from, turned.from,
                  "frame " + std::to_string(frame) +
-                     " of 120 is the view itself, to the last bit: the "
-                     "film can be shown in a loop");
+                     " of 120 must be the view itself, to the last bit: the film is shown in a "
+                     "loop");
             REQUIRE(turned.from == view.from);
         }
         const View once = rt::turned_view(view, 7, 120);

@@ -249,8 +249,8 @@ inline void on_ranks(int count, const RankWork& work) {
     for (int rank = 0; rank < count && wrong.empty(); ++rank)
         if (!all[static_cast<std::size_t>(rank)])
             wrong = "Rank " + std::to_string(rank) + " of " + std::to_string(count) +
-                    " did not come to an end: it crashed, or it waits for another rank.\nHint: do "
-                    "all ranks make the same calls, and does each message have a receiver?";
+                    " did not finish: it crashed, or it is still waiting for another rank.\nHint: "
+                    "do all ranks make the same calls, and is each message received?";
     if (!wrong.empty()) FAIL(wrong);
     SUCCEED();
 }

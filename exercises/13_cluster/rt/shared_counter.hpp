@@ -4,20 +4,20 @@
 
 namespace rt {
 
-// Exercise 13.2. A window that holds a number in the memory of rank 0, open to all ranks. All of
-// them call it together. The number starts at 0, before any rank gets the window.
+// Exercise 13.2. Creates a window in the memory of rank 0 that holds a number and is open to all
+// ranks. All ranks call it together. The number is 0 before any rank gets the window.
 inline MPI_Win open_counter(MPI_Comm ranks) {
     return rt::todo("13.2", ranks);
 }
 
-// Exercise 13.2. Adds n to that number, and returns what it was before, in a single step. Any rank
-// may call it at any time, whatever the others are doing.
+// Exercise 13.2. Adds n to the number in the window, and returns the number before, in a single
+// step. Any rank may call it at any time, whatever the others are doing.
 inline int count_up(MPI_Win window, int n) {
     return rt::todo("13.2", window, n);
 }
 
-// The two together (given): it counts as a std::atomic<int> does, and so take_tile (06.3) can take
-// tiles from it. All ranks of the group make it together, and give it up together.
+// A counter made of both functions (given). It counts like a std::atomic<int>, so take_tile (06.3)
+// can take tiles from it. All ranks create it together, and destroy it together.
 class SharedCounter {
   public:
     explicit SharedCounter(MPI_Comm ranks) : window_{open_counter(ranks)} {}

@@ -9,11 +9,11 @@ namespace rt {
 
 // A tile that has arrived at rank 0.
 struct ArrivedTile {
-    int tile = 0, from = 0;  // its number, and the rank that drew it
+    int tile = 0, from = 0;  // the number of the tile, and the rank that drew it
     std::vector<Color> pixels;
 };
 
-// Sends tiles to rank 0 without waiting until they are there.
+// Sends tiles to rank 0 without waiting until they have arrived.
 class TileSender {
   public:
     explicit TileSender(MPI_Comm ranks) : ranks_{ranks} {}
@@ -21,14 +21,15 @@ class TileSender {
     TileSender& operator=(const TileSender&) = delete;
 
     // Exercise 13.3. Begins to send the pixels of the tile with this number to rank 0, with the
-    // number as the tag, and returns at once. Keep them in messages_, until they have been sent.
+    // number as the tag, and returns at once. Keeps the pixels in messages_ until they have been
+    // sent.
     // Star: forget the messages that have been sent.
     void send(int tile, std::vector<Color> pixels) { rt::todo("13.3", tile, pixels); }
 
-    // Exercise 13.3. Returns when all of them have been sent, and forgets them.
+    // Exercise 13.3. Waits until all messages have been sent, and then forgets them.
     void finish() { rt::todo("13.3"); }
 
-    // How many messages it keeps (given).
+    // The number of messages that it keeps (given).
     int kept() const { return static_cast<int>(messages_.size()); }
 
   private:
@@ -40,8 +41,8 @@ class TileSender {
     std::list<Message> messages_;  // in a list, each stays where it is
 };
 
-// Exercise 13.3. Rank 0 calls it: a tile that has arrived, whoever sent it. If there is none, it
-// does not wait.
+// Exercise 13.3. Rank 0 calls it. Returns a tile that has arrived, from any rank. If none has
+// arrived, it does not wait, but returns none.
 inline std::optional<ArrivedTile> receive_tile(MPI_Comm ranks) {
     return rt::todo("13.3", ranks);
 }

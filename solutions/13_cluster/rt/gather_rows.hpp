@@ -6,13 +6,13 @@
 
 namespace rt {
 
-// Collects a picture of this size, in pixels, at rank 0. All ranks call it, each with the pixels of
-// the rows that slice_rows gives it, row by row. Rank 0 gets the whole picture, and the others get
-// an empty vector. The picture may have any number of pixels, as long as its sides fit an int.
+// Collects a picture of width x height pixels at rank 0. All ranks call it, each with the pixels of
+// the rows that slice_rows gives it, row by row. Returns the whole picture on rank 0, and an empty
+// vector on the other ranks. The picture may have more pixels than an int can count.
 inline std::vector<Color> gather_rows(std::span<const Color> mine, int width, int height,
                                       MPI_Comm ranks) {
     const int count = rank_count(ranks), rank = rank_of(ranks);
-    // MPI counts with int. Rows fit into one where pixels may not.
+    // MPI's counts are int. The pixels may be too many for an int, but the rows are not.
     MPI_Datatype row{};
     MPI_Type_contiguous(width, mpi_color(), &row);
     MPI_Type_commit(&row);

@@ -9,9 +9,9 @@
 
 namespace rt {
 
-// Writes the pixels of a tile to its file. The file has its name only when it is whole, so whoever
-// ends the program at whatever moment leaves a whole file or none. Throws std::runtime_error if it
-// cannot be written; an older file is then unchanged, and nothing else is left behind.
+// Writes the pixels of a tile to tile_file(folder, tile). The file gets this name only when it is
+// whole: whenever the program ends, it leaves a whole file or none. Throws std::runtime_error if
+// the file cannot be written. An older file then stays as it was, and no other file is left behind.
 inline void save_tile(const std::filesystem::path& folder, int tile,
                       std::span<const Color> pixels) {
     const std::filesystem::path file = tile_file(folder, tile),
@@ -28,7 +28,7 @@ inline void save_tile(const std::filesystem::path& folder, int tile,
     }
 }
 
-// The pixels in the file of a tile, which exists.
+// Reads the pixels from the file of a tile. The file exists.
 inline std::vector<Color> load_tile(const std::filesystem::path& folder, int tile) {
     const std::filesystem::path file = tile_file(folder, tile);
     std::vector<Color> pixels(std::filesystem::file_size(file) / sizeof(Color));
@@ -38,7 +38,7 @@ inline std::vector<Color> load_tile(const std::filesystem::path& folder, int til
     return pixels;
 }
 
-// Of the tiles 0 ... count - 1, those that have no file in the folder, in their order.
+// Returns those of the tiles 0 ... count - 1 that have no file in the folder, in increasing order.
 inline std::vector<int> missing_tiles(const std::filesystem::path& folder, int count) {
     std::vector<int> missing;
     for (int tile = 0; tile < count; ++tile)

@@ -9,19 +9,20 @@ namespace rt {
 
 // A tile that has arrived at rank 0.
 struct ArrivedTile {
-    int tile = 0, from = 0;  // its number, and the rank that drew it
+    int tile = 0, from = 0;  // the number of the tile, and the rank that drew it
     std::vector<Color> pixels;
 };
 
-// Sends tiles to rank 0 without waiting until they are there.
+// Sends tiles to rank 0 without waiting until they have arrived.
 class TileSender {
   public:
     explicit TileSender(MPI_Comm ranks) : ranks_{ranks} {}
     TileSender(const TileSender&) = delete;
     TileSender& operator=(const TileSender&) = delete;
 
-    // Begins to send the pixels of the tile with this number, and returns at once. The message
-    // keeps them until it has been sent. Messages that have been sent are forgotten.
+    // Begins to send the pixels of the tile with this number to rank 0, with the number as the
+    // tag, and returns at once. Keeps the pixels in messages_ until they have been sent, and
+    // forgets the messages that have been sent.
     void send(int tile, std::vector<Color> pixels) {
         std::erase_if(messages_, [](Message& message) {
             int is_sent = 0;
@@ -34,13 +35,13 @@ class TileSender {
                   tile, ranks_, &message.request);
     }
 
-    // Returns when all of them have been sent.
+    // Waits until all messages have been sent, and then forgets them.
     void finish() {
         for (Message& message : messages_) MPI_Wait(&message.request, MPI_STATUS_IGNORE);
         messages_.clear();
     }
 
-    // How many messages it keeps (given).
+    // The number of messages that it keeps (given).
     int kept() const { return static_cast<int>(messages_.size()); }
 
   private:
@@ -52,7 +53,8 @@ class TileSender {
     std::list<Message> messages_;  // in a list, each stays where it is
 };
 
-// Rank 0 calls it: a tile that has arrived, whoever sent it. If there is none, it does not wait.
+// Rank 0 calls it. Returns a tile that has arrived, from any rank. If none has arrived, it does not
+// wait, but returns none.
 inline std::optional<ArrivedTile> receive_tile(MPI_Comm ranks) {
     int is_there = 0;
     MPI_Status status;
