@@ -6,6 +6,7 @@ namespace rt {
 
 // Exercise 13.2. Creates a window in the memory of rank 0 that holds a number and is open to all
 // ranks. All ranks call it together. The number is 0 before any rank gets the window.
+// Star: several windows at a time count separately.
 inline MPI_Win open_counter(MPI_Comm ranks) {
     return rt::todo("13.2", ranks);
 }

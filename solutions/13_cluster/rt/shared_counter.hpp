@@ -5,6 +5,7 @@ namespace rt {
 
 // Creates a window in the memory of rank 0 that holds a number and is open to all ranks. All ranks
 // call it together. The number is 0 before any rank gets the window.
+// Star: several windows at a time count separately.
 inline MPI_Win open_counter(MPI_Comm ranks) {
     const bool is_here = rank_of(ranks) == 0;
     int* number = nullptr;
