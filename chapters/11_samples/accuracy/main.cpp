@@ -31,7 +31,8 @@ constexpr int width = 192, height = 108, usual_depth = 32, truth_depth = 64;
 constexpr Tile whole{0, 0, width, height};
 
 // Lamps that are found by chance alone: they say that there are none to aim at.
-struct ChanceLights : SceneLights {
+template <class Lights>
+struct ChanceLights : Lights {
     static constexpr bool empty() { return true; }
 };
 
@@ -313,7 +314,7 @@ class Subject {
     using World = std::decay_t<decltype(scene_.world)>;
     SphereList list_{prepare_shapes(description_).still};
     SchlickMaterials schlick_ = with_schlick(scene_.materials);
-    ChanceLights chance_;
+    ChanceLights<std::decay_t<decltype(scene_.lights)>> chance_{scene_.lights};
     SkippingWorld<World> skipping_{scene_.world, Real(0.001)}, skipping_all_{scene_.world, 1};
     Truths truths_;
     std::vector<Measured> measured_;
