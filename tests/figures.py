@@ -7,7 +7,7 @@
 
 A figure has its key in a comment right before it, which never begins a line:
 
-    an error of <!--= 11/equal time/sobol/600 -->0.0091
+    an error of <!--= accuracy/equal time/sobol/600 -->0.0087
 
 A key is a chapter's number or `accuracy`, then a study, a variant, an x, a precision: as many of them as it takes
 to name one row of the table. Each may be short: words of it, or their beginnings, in order. Case and punctuation do

@@ -355,6 +355,12 @@ def far_sphere(left):
     return lambda: draw("03_sphere_solution", 1280, 720).part(left, 372, 160, 160).enlarged(2)
 
 
+def equal_time(*options):
+    """A part of the cover; docs/accuracy.md says how long it takes."""
+    return lambda: draw("08_effects_solution", 400, 225, "chapters/08_effects/scenes/cover.json",
+                        *options).part(84, 80, 130, 90).enlarged(3)
+
+
 def race(mistake=None):
     """Two runs of one program, which should be the same."""
     return lambda: difference(*(draw("08_effects_solution", 360, 240, "docs/hard-cases/far.json", "--spp", "64",
@@ -441,6 +447,8 @@ RECIPES = {
     "hard-srgb-stable": hard_case("far"),
     "hard-race-plain": race("06.4_shared_generator"),
     "hard-race-stable": race(),
+    "accuracy-jittered": equal_time("--spp", "16"),
+    "accuracy-together": equal_time("--spp", "28", "--batches", "--sampler", "sobol", "--filter", "tent"),
 }
 for scene in ("cover", "fog", "galaxy", "glass", "haze", "lens", "lights", "matte", "metal", "motion", "own", "planets",
               "textures"):
