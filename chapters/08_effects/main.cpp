@@ -74,11 +74,6 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneDescription scene = effects::open_scene(settings);
     check_together(settings);
     const bool refines = !settings.numbers.empty();
-    if (!scene.meshes.empty() &&
-        (by_sobol(settings) || by_tent(settings) || in_batches(settings) || refines))
-        throw app::UsageError(
-            "a scene with meshes is drawn with jittered samples, path by path: leave out "
-            "--sampler, --filter, --batches, --target-error and --time-budget");
     const auto explain = [&](const effects::Choice& choice) {
         if (settings.explain) settings.explain(effects::explanation(scene, settings.file, choice));
     };
