@@ -9,7 +9,7 @@ using rt::SharedCounter;
 namespace {
 
 // What MPI allows and seldom does, it does here every time: a result arrives no sooner than it
-// must, new memory holds garbage, and rank 0 is slow.
+// must, new memory holds garbage, rank 0 is slow, and so is whoever writes after reading.
 struct Late {
     MPI_Win window;
     void* result;
@@ -45,6 +45,17 @@ int MPI_Fetch_and_op(const void* operand, void* result, MPI_Datatype type, int r
                      MPI_Op operation, MPI_Win window) {
     late.push_back(std::make_unique<Late>(Late{window, result, 0}));
     return PMPI_Fetch_and_op(operand, &late.back()->value, type, rank, at, operation, window);
+}
+
+int MPI_Put(const void* from, int count, MPI_Datatype type, int rank, MPI_Aint at, int to_count,
+            MPI_Datatype to_type, MPI_Win window) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    return PMPI_Put(from, count, type, rank, at, to_count, to_type, window);
+}
+int MPI_Accumulate(const void* from, int count, MPI_Datatype type, int rank, MPI_Aint at,
+                   int to_count, MPI_Datatype to_type, MPI_Op operation, MPI_Win window) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    return PMPI_Accumulate(from, count, type, rank, at, to_count, to_type, operation, window);
 }
 
 int MPI_Win_flush(int rank, MPI_Win window) {
