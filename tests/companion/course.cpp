@@ -153,6 +153,9 @@ TEST_CASE("a chapter of rungs has minutes and a scene in place of exercises", "[
     CHECK(rungs->minutes > 0);
     CHECK(companion::find_chapter(here, "09", true).name == rungs->name);
     CHECK(companion::fs::exists(here.build / rungs->scene));
-    CHECK(companion::every_chapter(here).size() == companion::chapters(here).size() + 1);
+    std::size_t without = 0;  // exercises; or left out, because what they need is missing
+    for (const Chapter& chapter : companion::every_chapter(here))
+        without += chapter.name == rungs->name || chapter.is_left_out();
+    CHECK(companion::every_chapter(here).size() == companion::chapters(here).size() + without);
     for (const Chapter& chapter : companion::chapters(here)) CHECK(chapter.has_exercises());
 }
