@@ -48,6 +48,21 @@ EDITS = {
         ("return sum.mean(samples)", "return sum / static_cast<Real>(samples)")],
     "07_bvh/rt/build.hpp": [(
         "level < most_levels ? split(order, boxes) : split_in_half(order, boxes)", "split(order, boxes)")],
+    "13_cluster/rt/saved_tiles.hpp": [(
+        "    std::error_code error;\n"
+        "    if (out) std::filesystem::rename(unfinished, file, error);\n"
+        "    if (!out || error) {\n"
+        "        std::filesystem::remove(unfinished, error);\n"
+        "        throw std::runtime_error(file.string() + \" cannot be written; free some space there\");\n"
+        "    }\n", "    std::filesystem::rename(unfinished, file);\n")],
+    "13_cluster/rt/tile_messages.hpp": [(
+        "        std::erase_if(messages_, [](Message& message) {\n"
+        "            int is_sent = 0;\n"
+        "            MPI_Test(&message.request, &is_sent, MPI_STATUS_IGNORE);\n"
+        "            return is_sent != 0;\n"
+        "        });\n", "")],
+    "13_cluster/rt/turned_view.hpp": [
+        ("    if (frame % frames == 0) return view;\n", ""), ("Real>(frame % frames)", "Real>(frame)")],
 }
 
 SMALL = ["--quiet", "--width", "96", "--height", "54"]

@@ -303,8 +303,12 @@ def threads_scene(mistake=None):
     return lambda: draw("06_threads_solution", 480, 270, "--spp", "16", mistake=mistake).part(10, 10, 320, 180)
 
 
-def effects_scene(scene, mistake=None):
-    return lambda: draw("08_effects_solution", 320, 180, f"chapters/08_effects/scenes/{scene}.json", mistake=mistake)
+SMALL_LIGHTS = {"fog", "galaxy", "lights", "motion", "planets"}
+
+
+def effects_scene(scene, mistake=None, times=1):
+    return lambda: draw("08_effects_solution", times * 320, times * 180, f"chapters/08_effects/scenes/{scene}.json",
+                        mistake=mistake).shrunk(320)
 
 
 def hard_case(scene, mistake=None, real=""):
@@ -452,7 +456,8 @@ RECIPES = {
 }
 for scene in ("cover", "fog", "galaxy", "glass", "haze", "lens", "lights", "matte", "metal", "motion", "own", "planets",
               "textures"):
-    RECIPES["08-scene-" + scene] = effects_scene(scene)
+    # Small lights leave white dots in a small picture.
+    RECIPES["08-scene-" + scene] = effects_scene(scene, times=3 if scene in SMALL_LIGHTS else 1)
 for name, width, height, times, mistakes in (
         ("00_toolchain", 400, 225, 2, "00.2_across_is_down 00.2_whole_numbers 00.3_flips_twice 00.4_splits_off_one "
          "00.5_leads_into_the_old_chain"),

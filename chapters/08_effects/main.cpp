@@ -10,7 +10,6 @@
 #include <app/run.hpp>
 #include <rt/draw_by_tiles.hpp>
 #include <rt/false_colors.hpp>
-#include <rt/needed_effects.hpp>
 #include <thread>
 
 #include "open_scene.hpp"
@@ -53,8 +52,7 @@ effects::TileRenderer make_renderer(const SceneDescription& scene, const app::Se
     if (by_tent(settings)) return effects::make_tent(scene, width, height, quality, batches);
     if (by_sobol(settings)) return effects::make_sobol(scene, width, height, quality, batches);
     if (batches) return effects::make_batched(scene, width, height, quality);
-    if (!scene.meshes.empty()) return effects::make_meshed(scene, width, height, quality);
-    return effects::make_narrowest(needed_effects(scene), scene, width, height, quality);
+    return effects::make_path_by_path(scene, width, height, quality);
 }
 
 // The picture, tile by tile, each thread with a worker of its own.

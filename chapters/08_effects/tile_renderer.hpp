@@ -8,6 +8,7 @@
 #include <optional>
 #include <rt/effects.hpp>
 #include <rt/image.hpp>
+#include <rt/needed_effects.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/scene.hpp>
 #include <rt/tile.hpp>
@@ -63,6 +64,13 @@ TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
 // Chapter 12's: pixel by pixel, with meshes. Also what --show asks for.
 TileRenderer make_meshed(const rt::SceneDescription& scene, int width, int height,
                          const rt::Quality& quality);
+// What the scene needs of the two, each path to its end.
+inline TileRenderer make_path_by_path(const rt::SceneDescription& scene, int width, int height,
+                                      const rt::Quality& quality) {
+    return scene.meshes.empty()
+               ? make_narrowest(rt::needed_effects(scene), scene, width, height, quality)
+               : make_meshed(scene, width, height, quality);
+}
 app::Picture show_meshed(rt::SceneDescription scene, const app::Settings& settings,
                          app::Progress& progress);
 // The mesh in the bytes of an OBJ file. With smooth normals: true or false, or as the file has

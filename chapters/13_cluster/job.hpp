@@ -102,7 +102,13 @@ inline std::vector<NamedFile> files_of(const fs::path& scene) {
     return files;
 }
 
-// The scene of a job, read from its files alone.
+// Turns the scene's view to the frame that a job asks for.
+inline void turn_to_frame(rt::SceneDescription& scene, const Job& job) {
+    rt::View& view = scene.camera.view;
+    if (job.frames > 1) view = rt::turned_view(view, job.frame, job.frames);
+}
+
+// The scene of a job, on a rank that has nothing but the job's files.
 inline rt::SceneDescription scene_of(const Job& job) {
     rt::SceneDescription scene;
     if (job.files.empty()) {
@@ -118,8 +124,7 @@ inline rt::SceneDescription scene_of(const Job& job) {
         fs::remove_all(folder);
     }
     scene.settings = job.settings;
-    if (job.frames > 1)
-        scene.camera.view = rt::turned_view(scene.camera.view, job.frame, job.frames);
+    turn_to_frame(scene, job);
     return scene;
 }
 

@@ -68,8 +68,8 @@ fs::path folder_of_tiles(Job job) {
     return fs::path{"cluster-tiles"} / name;
 }
 
-app::Picture draw_alone(const Job& job, const app::Settings& settings, app::Progress& progress) {
-    const SceneDescription scene = scene_of(job);
+app::Picture draw_alone(const Job& job, const SceneDescription& scene,
+                        const app::Settings& settings, app::Progress& progress) {
     TileDrawer drawer{scene, settings.threads};
     const TileGrid grid = grid_of(job);
     Image image = Canvas<Color>{grid.width, grid.height};
@@ -85,7 +85,9 @@ app::Picture draw_alone(const Job& job, const app::Settings& settings, app::Prog
     return {std::move(image), rays};
 }
 
-app::Picture draw_in_group(Job job, const app::Settings& settings, app::Progress& progress) {
+app::Picture draw_in_group(Job job, const SceneDescription& scene, const app::Settings& settings,
+                           app::Progress& progress) {
+    if (!settings.file.empty()) job.files = files_of(settings.file);
     rehearse();
     if (is_given(settings, "resume")) {
         state.folder = folder_of_tiles(job);
@@ -106,7 +108,6 @@ app::Picture draw_in_group(Job job, const app::Settings& settings, app::Progress
             collector.add_old(tile);
 
     send(job);
-    const SceneDescription scene = scene_of(job);
     TileDrawer drawer{scene, settings.threads};
     const std::uint64_t rays = job.in_slices ? share_slices(job, drawer, &collector.image())
                                              : share_tiles(job, drawer, &collector);
@@ -122,13 +123,13 @@ app::Picture draw_in_group(Job job, const app::Settings& settings, app::Progress
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    const SceneDescription scene = effects::open_scene(settings);
+    SceneDescription scene = effects::open_scene(settings);
     if (!settings.show.empty()) return effects::show_scene(scene, settings, progress);
     Job job;
     job.settings = scene.settings;
-    if (!settings.file.empty()) job.files = files_of(settings.file);
     job.in_slices = settings.picked.front() == "slices";
     choose_frame(settings, job);
+    turn_to_frame(scene, job);
     if (is_given(settings, "threads")) job.threads = settings.threads;
     if (job.in_slices && (is_given(settings, "resume") || is_given(settings, "tint")))
         throw app::UsageError("--share slices has no tiles: leave out --resume and --tint");
@@ -137,9 +138,9 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
             if (is_given(settings, option))
                 throw app::UsageError("--" + std::string{option} +
                                       " needs ranks: start the program with mpirun -n 2");
-        return draw_alone(job, settings, progress);
+        return draw_alone(job, scene, settings, progress);
     }
-    return draw_in_group(job, settings, progress);
+    return draw_in_group(job, scene, settings, progress);
 }
 
 // What all ranks but rank 0 do. They say nothing unless they fail.

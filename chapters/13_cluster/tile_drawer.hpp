@@ -5,7 +5,6 @@
 #include <atomic>
 #include <rt/canvas.hpp>
 #include <rt/for_each_pixel.hpp>
-#include <rt/needed_effects.hpp>
 #include <rt/render_tiles.hpp>
 #include <thread>
 #include <vector>
@@ -49,9 +48,7 @@ class TileDrawer {
   private:
     static effects::TileRenderer make_renderer(const rt::SceneDescription& scene) {
         const auto& [width, height, samples, depth, seed] = scene.settings;
-        const rt::Quality quality{samples, depth, seed};
-        if (!scene.meshes.empty()) return effects::make_meshed(scene, width, height, quality);
-        return effects::make_narrowest(rt::needed_effects(scene), scene, width, height, quality);
+        return effects::make_path_by_path(scene, width, height, {samples, depth, seed});
     }
 
     std::uint64_t seed_;

@@ -9,7 +9,8 @@ using rt::SharedCounter;
 namespace {
 
 // What MPI allows and seldom does, it does here every time: a result arrives no sooner than it
-// must, new memory holds garbage, rank 0 is slow, and so is whoever writes after reading.
+// must, new memory holds garbage, rank 0 is slow, and so is a rank that reads the number and then
+// writes it.
 struct Late {
     MPI_Win window;
     void* result;

@@ -9,6 +9,7 @@
 #include <rt/todo.hpp>
 
 #include "checkpoint.hpp"
+#include "temporary_folder.hpp"
 
 using namespace checkpoint;
 using rt::Color;
@@ -16,29 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A new, empty folder, which is gone at the end.
-class Folder {
-  public:
-    Folder() {
-        std::string name = fs::temp_directory_path() / "tiles.XXXXXX";
-        path_ = ::mkdtemp(name.data());
-    }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    const fs::path& path() const { return path_; }
-    std::vector<std::string> names() const {
-        std::vector<std::string> all;
-        for (const auto& entry : fs::directory_iterator{path_})
-            all.push_back(entry.path().filename().string());
-        std::sort(all.begin(), all.end());
-        return all;
-    }
-
-  private:
-    fs::path path_;
-};
+std::vector<std::string> names_in(const TemporaryFolder& folder) {
+    std::vector<std::string> all;
+    for (const auto& entry : fs::directory_iterator{folder.path()})
+        all.push_back(entry.path().filename().string());
+    std::sort(all.begin(), all.end());
+    return all;
+}
 
 std::vector<Color> some_pixels(unsigned seed, int count) {
     rt::Rng random{seed, 13};
@@ -70,7 +55,7 @@ int save_and_die(const fs::path& folder, int tile, const std::vector<Color>& pix
 }  // namespace
 
 TEST_CASE("13.4 a tile is read as it was written", "[13.4]") {
-    const Folder folder;
+    const TemporaryFolder folder;
     for (const int count : {1, 7, 256, 4096}) {
         const std::vector<Color> pixels = some_pixels(1, count);
         rt::save_tile(folder.path(), count, pixels);
@@ -90,19 +75,19 @@ TEST_CASE("13.4 a tile is read as it was written", "[13.4]") {
 }
 
 TEST_CASE("13.4 a new version takes the place of an older one", "[13.4]") {
-    const Folder folder;
+    const TemporaryFolder folder;
     for (const unsigned version : {1, 2, 3}) {
         const std::vector<Color> pixels = some_pixels(version, static_cast<int>(100 / version));
         rt::save_tile(folder.path(), 5, pixels);
         INFO("version " << version);
         CHECK(rt::load_tile(folder.path(), 5) == pixels);
         INFO("Hint: rename the file that was written first; do not copy it");
-        CHECK(folder.names() == std::vector<std::string>{"5.tile"});
+        CHECK(names_in(folder) == std::vector<std::string>{"5.tile"});
     }
 }
 
 TEST_CASE("13.4 tiles without a file are missing", "[13.4]") {
-    const Folder folder;
+    const TemporaryFolder folder;
     CHECK(rt::missing_tiles(folder.path(), 4) == std::vector{0, 1, 2, 3});
     for (const int tile : {0, 2, 3, 11}) rt::save_tile(folder.path(), tile, some_pixels(1, 4));
     INFO("The tiles 0, 2, 3 and 11 have files");
@@ -115,7 +100,7 @@ TEST_CASE("13.4 tiles without a file are missing", "[13.4]") {
 TEST_CASE("13.4 a program that dies leaves a whole file or none", "[13.4]") {
     const std::vector<Color> pixels = some_pixels(1, 4096), older = some_pixels(2, 4096);
     for (const double part : {0.1, 0.5, 0.9}) {
-        const Folder folder;
+        const TemporaryFolder folder;
         // With a stub there is nothing to die in.
         CHECK(rt::missing_tiles(folder.path(), 2).size() == 2);
         rt::save_tile(folder.path(), 1, older);
@@ -139,7 +124,7 @@ TEST_CASE("13.4 a program that dies leaves a whole file or none", "[13.4]") {
 
 TEST_CASE("13.4 a full disk is an error", "[13.4][hard]") {
     const std::vector<Color> older = some_pixels(2, 100);
-    const Folder folder;
+    const TemporaryFolder folder;
     rt::save_tile(folder.path(), 1, older);
     // What a small tile writes may be refused only when the file is closed.
     for (const int count : {4096, 7})
@@ -174,7 +159,7 @@ TEST_CASE("13.4 a full disk is an error", "[13.4][hard]") {
                 }
                 {
                     INFO("Hint: remove the unfinished file");
-                    CHECK(folder.names() == std::vector<std::string>{"1.tile"});
+                    CHECK(names_in(folder) == std::vector<std::string>{"1.tile"});
                 }
                 CHECK(rt::load_tile(folder.path(), 1) == older);
             }
@@ -186,5 +171,5 @@ TEST_CASE("13.4 a full disk is an error", "[13.4][hard]") {
     INFO("a folder has the tile's name");
     fs::create_directories(rt::tile_file(folder.path(), 2) / "inner");
     CHECK_THROWS_AS(rt::save_tile(folder.path(), 2, older), std::runtime_error);
-    CHECK(folder.names() == std::vector<std::string>{"1.tile", "2.tile"});
+    CHECK(names_in(folder) == std::vector<std::string>{"1.tile", "2.tile"});
 }

@@ -91,7 +91,8 @@ inline void work_as_rank(const std::string& call, int count, const RankWork& wor
         }
         leave(ended(folder, call, rank), words);
     }
-    // Who is done waits for the others, so that a rank that hangs is found in its own test case.
+    // A rank that is done waits for the others, so that one that hangs is found in its own test
+    // case.
     MPI_Barrier(MPI_COMM_WORLD);
 }
 

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <rt/batch_renderer.hpp>
-#include <rt/needed_effects.hpp>
 
 #include "tile_renderer.hpp"
 
@@ -32,10 +31,7 @@ std::function<DrawTile()> make_workers(const SceneDescription& description, int 
 
 effects::TileRenderer effects::make_batched(const rt::SceneDescription& scene, int width,
                                             int height, const rt::Quality& quality) {
-    if (!scene.meshes.empty()) return make_meshed(scene, width, height, quality);
-    const rt::Effects needed = rt::needed_effects(scene);
-    if (!covers(rt::batch_effects, needed))
-        return make_narrowest(needed, scene, width, height, quality);
+    if (!rt::can_be_batched(scene)) return make_path_by_path(scene, width, height, quality);
     return {batched_choice(rt::batch_effects), batches::make_workers(scene, width, height, quality),
             rt::batch_tile_side(quality.samples_per_pixel)};
 }

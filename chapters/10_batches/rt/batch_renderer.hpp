@@ -4,6 +4,7 @@
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
 #include <rt/jittered_points.hpp>
+#include <rt/needed_effects.hpp>
 #include <rt/plain_batch.hpp>
 #include <rt/primary_packs.hpp>
 #include <rt/render_pixel.hpp>
@@ -17,6 +18,10 @@ namespace rt {
 // through chapter 08's code by itself, and that takes longer than to draw path by path.
 inline constexpr Effects batch_effects{
     .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
+
+inline bool can_be_batched(const SceneDescription& scene) {
+    return scene.meshes.empty() && covers(batch_effects, needed_effects(scene));
+}
 
 // The number of paths that make a bounce together. Their records should fit into the
 // processor's second-level cache.

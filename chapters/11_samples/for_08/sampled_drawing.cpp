@@ -43,10 +43,6 @@ constexpr auto makers =
 // Sobol's points in batches: draw(renderer, arguments...) for a renderer of one's own.
 using Batches = BatchRenderer<batch_effects, SobolPoints>;
 
-bool can_be_batched(const SceneDescription& scene) {
-    return scene.meshes.empty() && covers(batch_effects, needed_effects(scene));
-}
-
 template <class Draw>
 auto batch_workers(const SceneDescription& description, int width, int height,
                    const Quality& quality, const Draw& draw) {

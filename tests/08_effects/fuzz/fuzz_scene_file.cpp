@@ -2,29 +2,25 @@
 // keeps its promises and can be drawn, or one line that says what is wrong.
 #include <app/errors.hpp>
 #include <cstdint>
-#include <cstdlib>
 #include <rt/image_file.hpp>
 #include <rt/renderer.hpp>
 #include <scene_file.hpp>
 
+#include "../../support/fuzzing.hpp"
+
 namespace {
 
-void must(bool holds) {
-    if (!holds) std::abort();
-}
+using fuzzing::must, fuzzing::is_index_of;
 
 void check(const rt::SceneDescription& scene) {
-    const auto known = [](int index, const auto& table) {
-        return 0 <= index && static_cast<std::size_t>(index) < table.size();
-    };
     for (const rt::SphereDescription& sphere : scene.spheres) {
         must(is_finite(sphere.shape.center) && is_finite(sphere.velocity));
         must(sphere.shape.radius > 0 && sphere.shape.radius < rt::infinity);
-        must(known(sphere.material, scene.materials));
+        must(is_index_of(scene.materials, sphere.material));
     }
     for (const rt::MaterialDescription& material : scene.materials)
         if (const auto* const picture = std::get_if<rt::PictureMatte>(&material))
-            must(known(picture->image, scene.images));
+            must(is_index_of(scene.images, picture->image));
     must(is_finite(scene.sky.below) && is_finite(scene.sky.above));
     must(scene.settings.width >= 1 && scene.settings.height >= 1);
 }
@@ -34,11 +30,7 @@ void draw(const rt::SceneDescription& scene) {
     constexpr int side = 8;
     if (scene.spheres.size() > 50) return;
     const rt::Renderer<rt::every_effect> renderer{scene, side, side, {2, 4, scene.settings.seed}};
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
-            const rt::Color color = renderer(x, y);
-            must(is_finite(color) && color.r >= 0 && color.g >= 0 && color.b >= 0);
-        }
+    fuzzing::draw(renderer, side);
 }
 
 }  // namespace

@@ -2,31 +2,27 @@
 // and can be drawn, or one line that says what is wrong.
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <rt/canvas.hpp>
 #include <rt/make_mesh.hpp>
 #include <rt/mesh_scene.hpp>
 #include <rt/renderer.hpp>
 
+#include "../../support/fuzzing.hpp"
+
 namespace {
 
-void must(bool holds) {
-    if (!holds) std::abort();
-}
+using fuzzing::must, fuzzing::is_index_of;
 
 void check(const rt::Mesh& mesh) {
-    const auto known = [](int index, const auto& table) {
-        return 0 <= index && static_cast<std::size_t>(index) < table.size();
-    };
     for (const rt::Vec3& point : mesh.points) must(is_finite(point));
     for (const rt::Vec3& normal : mesh.normals) must(is_finite(normal));
     for (const rt::Vec2& place : mesh.places)
         must(std::isfinite(place.x) && std::isfinite(place.y));
     for (const auto& triangle : mesh.triangles)
         for (const rt::Corner& corner : triangle) {
-            must(known(corner.point, mesh.points));
-            must(corner.normal == -1 || known(corner.normal, mesh.normals));
-            must(corner.place == -1 || known(corner.place, mesh.places));
+            must(is_index_of(mesh.points, corner.point));
+            must(corner.normal == -1 || is_index_of(mesh.normals, corner.normal));
+            must(corner.place == -1 || is_index_of(mesh.places, corner.place));
         }
 }
 
@@ -41,11 +37,7 @@ void draw(const std::shared_ptr<const rt::Mesh>& mesh) {
     for (const int material : {0, 1})
         scene.meshes.push_back({mesh, rt::scaling({1, 1, 1}), material});
     const rt::Renderer<effects, rt::MeshScene<effects>> renderer{scene, side, side, {2, 4, 1}};
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
-            const rt::Color color = renderer(x, y);
-            must(is_finite(color) && color.r >= 0 && color.g >= 0 && color.b >= 0);
-        }
+    fuzzing::draw(renderer, side);
 }
 
 }  // namespace
