@@ -2,8 +2,8 @@
 // all the effects that it needs.
 //
 // To read in five minutes: final_scene() at the end of final_scene.cpp says what is in the picture,
-// the camera first; draw() below shares out the picture's tiles; of each pixel, Renderer in
-// rt/renderer.hpp averages the paths.
+// the camera first; draw() below gives each thread a worker, and draw_by_tiles() shares out the
+// picture's tiles; of each pixel, Renderer in rt/renderer.hpp averages the paths.
 
 #include <algorithm>
 #include <app/errors.hpp>

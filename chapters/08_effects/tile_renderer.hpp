@@ -1,5 +1,5 @@
 #pragma once
-// A way to draw a scene. This chapter has one; chapters 10, 11 and 12 add three more to this
+// A way to draw a scene. This chapter has one; chapters 10, 11 and 12 add four more to this
 // program, and a way to refine a picture. CMakeLists.txt names their sources.
 
 #include <app/run.hpp>
@@ -61,7 +61,7 @@ TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height
 TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
                        const rt::Quality& quality, bool in_batches);
 
-// Chapter 12's: pixel by pixel, with meshes. Also what --show asks for.
+// Chapter 12's: pixel by pixel, with meshes.
 TileRenderer make_meshed(const rt::SceneDescription& scene, int width, int height,
                          const rt::Quality& quality);
 // What the scene needs of the two, each path to its end.
@@ -71,6 +71,7 @@ inline TileRenderer make_path_by_path(const rt::SceneDescription& scene, int wid
                ? make_narrowest(rt::needed_effects(scene), scene, width, height, quality)
                : make_meshed(scene, width, height, quality);
 }
+// What --show asks for, with meshes.
 app::Picture show_meshed(rt::SceneDescription scene, const app::Settings& settings,
                          app::Progress& progress);
 // The mesh in the bytes of an OBJ file. With smooth normals: true or false, or as the file has

@@ -12,6 +12,7 @@
 #include <rt/renderer.hpp>
 #include <rt/show_description.hpp>
 #include <thread>
+#include <utility>
 
 #include "scene.hpp"
 #include "study.hpp"
@@ -27,14 +28,15 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     Scene made = make_scene(count, *settings.view);
     const int width = settings.width, height = settings.height;
     if (!settings.show.empty())
-        return show_ready(MeshScene<scene_effects>{made.description, width, height, made.meshes},
-                          settings, progress);
+        return show_ready(
+            MeshScene<scene_effects>{made.description, width, height, std::move(made.meshes)},
+            settings, progress);
     const Renderer<scene_effects, MeshScene<scene_effects>> renderer{
         made.description,
         width,
         height,
         {settings.spp, settings.depth, *settings.seed},
-        made.meshes};
+        std::move(made.meshes)};
     return draw_by_tiles({width, height, 16}, settings.threads, progress,
                          [&](const Tile& tile, int, Image& image, std::uint64_t& rays) {
                              return draw_pixels(tile, image,

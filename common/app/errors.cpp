@@ -40,7 +40,7 @@ const std::terminate_handler usual_end = std::get_terminate();
         } catch (...) {
         }
     usual_end();
-    crash();
+    std::abort();
 }
 
 }  // namespace

@@ -11,9 +11,6 @@ namespace app {
 // crash; a crash opens no window; and what is printed has the same bytes on all systems.
 void prepare_process();
 
-// Ends the program as a crash does, with an exit code that is none of ExitCode.
-[[noreturn]] void crash();
-
 // Ends the program as a signal does that it does not handle.
 void end_by(int signal);
 

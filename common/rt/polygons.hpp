@@ -16,7 +16,8 @@ struct Polygons {
 
 // The surface in the bytes of a Wavefront OBJ file. Numbers that count from the end, below 0,
 // become those from the start. Groups, materials, lines and curves are left out. Throws
-// std::invalid_argument, which says what is wrong, if a line cannot be read.
+// std::invalid_argument, which says what is wrong, if a line cannot be read, a polygon has fewer
+// than 3 corners or more than 255, or a number is too large.
 Polygons read_obj(const std::string& bytes);
 
 }  // namespace rt

@@ -78,8 +78,7 @@ SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool 
         if (!report.what.empty())
             said += start + red("sanitizer reports: ") + report.what + '\n' +
                     (report.where.empty() ? "" : "  at " + bold(report.where) + '\n') +
-                    "  The full report: " + log.lexically_relative(course.root).generic_string() +
-                    '\n';
+                    "  The full report: " + course.relative(log) + '\n';
         else
             said += start + "sanitizers report nothing; " +
                     (result.ok()          ? "all test cases pass"

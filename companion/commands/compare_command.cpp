@@ -25,8 +25,7 @@ int compare(const Course& course, const Given& given) try {
     app::make_folder(course.out());
     const fs::path path = course.out() / (chapter.name + "_compare.png");
     app::replace_file(path, rt::encode_png(comparison_sheet(picture.found)));
-    std::printf("Both pictures and their difference are in %s\n",
-                path.lexically_relative(course.root).generic_string().c_str());
+    std::printf("Both pictures and their difference are in %s\n", course.relative(path).c_str());
     return picture.is_right() ? app::done : app::could_not;
 } catch (const DrawingFailed& failed) {
     std::fprintf(stderr, "course: %s\n", failed.what());

@@ -34,10 +34,7 @@ int reset(const Course& course, const Given& given) {
         if (fs::exists(path)) {
             if (folder.empty()) folder = new_kept_folder(course, exercise.id);
             fs::copy_file(path, folder / path.filename());
-            std::printf("kept   %s\n", (folder / path.filename())
-                                           .lexically_relative(course.root)
-                                           .generic_string()
-                                           .c_str());
+            std::printf("kept   %s\n", course.relative(folder / path.filename()).c_str());
         }
         fs::create_directories(path.parent_path());
         app::replace_file(path, shipped_stub(course, file));

@@ -18,10 +18,6 @@
 namespace companion {
 namespace {
 
-std::string relative(const Course& course, const fs::path& path) {
-    return path.lexically_relative(course.root).generic_string();
-}
-
 // The tracer begins as the program of 00.1.
 void begin_tracer(const Course& course) {
     const fs::path file = tracer_file(course);
@@ -31,8 +27,8 @@ void begin_tracer(const Course& course) {
     const fs::path from = written ? first : course.root / "solutions/00_toolchain/first.cpp";
     app::make_folder(file.parent_path());
     fs::copy_file(from, file);
-    print("Your tracer begins as a copy of " + relative(course, from) + ": " +
-          relative(course, file) + "\n");
+    print("Your tracer begins as a copy of " + course.relative(from) + ": " +
+          course.relative(file) + "\n");
 }
 
 // Puts the program that a graft leads to in the tracer's place.
@@ -44,7 +40,7 @@ int begin_from(const Course& course, const std::string& name) {
     if (fs::exists(file)) {
         const fs::path kept = new_kept_folder(course, "tracer") / file.filename();
         fs::copy_file(file, kept);
-        print("kept   " + relative(course, kept) + '\n');
+        print("kept   " + course.relative(kept) + '\n');
     }
     app::make_folder(file.parent_path());
     app::replace_file(file, read_file(tracer_answer(course, chapter)));
@@ -52,7 +48,7 @@ int begin_from(const Course& course, const std::string& name) {
         for (const Chapter& earlier : grafts(course))
             if (earlier.name <= chapter.name) state.grafts.emplace(earlier.number(), 0);
     });
-    print("begun  " + relative(course, file) + ", from our answer to graft " + chapter.number() +
+    print("begun  " + course.relative(file) + ", from our answer to graft " + chapter.number() +
           '\n');
     return app::done;
 }
@@ -64,22 +60,22 @@ void draw(const Course& course, const Chapter& chapter) {
     const fs::path file = course.out() / "tracer.ppm";
     std::vector<std::string> words;
     if (graft.reads == Graft::Reads::scene)
-        words = {relative(course, tracer_scene(course)), relative(course, file)};
+        words = {course.relative(tracer_scene(course)), course.relative(file)};
     const Picture picture = draw_by_tracer(course, tracer_program(course), words, file).picture;
     const fs::path shown = course.out() / "tracer.png";
     app::replace_file(shown, rt::encode_png(mean_of({picture})));
-    print("Your picture: " + relative(course, shown) + '\n');
+    print("Your picture: " + course.relative(shown) + '\n');
     if (graft.reads != Graft::Reads::scene) return;
     // A tracer that follows no paths yet draws other light than the whole program.
     const std::string answer = graft.still ? "tracer." + chapter.number() : "09_own_solution";
     must_build(course, answer);
     const fs::path other = course.out() / "tracer_ours.ppm";
-    words.back() = relative(course, other);
+    words.back() = course.relative(other);
     const Picture ours = draw_by_tracer(course, course.program(answer), words, other).picture;
     if (ours.width != picture.width || ours.height != picture.height) return;
     const fs::path beside = course.out() / "tracer_beside_ours.png";
     app::replace_file(beside, rt::encode_png(side_by_side(mean_of({picture}), mean_of({ours}))));
-    print("Beside ours:  " + relative(course, beside) + '\n');
+    print("Beside ours:  " + course.relative(beside) + '\n');
 }
 
 // Draws the learner's scene in the false colors that a word of --show asks for.
@@ -94,9 +90,9 @@ int draw_false_colors(const Course& course, const std::string& word) {
     app::make_folder(course.out());
     const Drawn drawn = draw_by_tracer(
         course, tracer_program(course),
-        {relative(course, tracer_scene(course)), relative(course, file), "--show", word}, file);
+        {course.relative(tracer_scene(course)), course.relative(file), "--show", word}, file);
     app::replace_file(shown, rt::encode_png(mean_of({drawn.picture})));
-    print("Your picture: " + relative(course, shown) + '\n' + drawn.printed);
+    print("Your picture: " + course.relative(shown) + '\n' + drawn.printed);
     return app::done;
 }
 

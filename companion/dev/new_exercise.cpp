@@ -86,9 +86,8 @@ std::vector<fs::path> begin_exercise(const Course& course, const std::string& id
     for (const char* const kind : {"common", "chapters", "solutions"})
         for (const fs::path& file : source_files(course.root / kind))
             if (file.filename() == name + ".hpp")
-                throw app::UsageError(
-                    "--name: " + file.lexically_relative(course.root).generic_string() +
-                    " has this name; each header needs one of its own");
+                throw app::UsageError("--name: " + course.relative(file) +
+                                      " has this name; each header needs one of its own");
 
     std::string all = read_text(course.root / "companion/dev/exercise.txt");
     replace_all(all, "NN.k", id);

@@ -18,6 +18,10 @@ struct Course {
 
     fs::path program(const std::string& name) const;  // of the build
     fs::path out() const { return root / "out"; }
+    // A path from the root, with slashes on all systems.
+    std::string relative(const fs::path& path) const {
+        return path.lexically_relative(root).generic_string();
+    }
 };
 
 // The copy of the course that this program was built from.

@@ -75,8 +75,6 @@ Exercise find_exercise(const Course& course, const std::string& id) {
     const std::string wanted = (is_chapter ? id.size() : dot) == 1 ? '0' + id : id;
     const fs::path file = (course.root / id).lexically_normal().lexically_relative(course.root);
     std::string known;
-    for (const Chapter& chapter : every_chapter(course))
-        if (chapter.number() == wanted.substr(0, 2)) check_is_built(chapter);
     for (const Exercise& exercise : exercises(course)) {
         const auto& files = exercise.files;
         if (exercise.id == wanted || std::find(files.begin(), files.end(), file) != files.end())
@@ -84,6 +82,8 @@ Exercise find_exercise(const Course& course, const std::string& id) {
         if (exercise.chapter.number() == wanted.substr(0, 2))
             known += (known.empty() ? "" : ", ") + exercise.id;
     }
+    for (const Chapter& chapter : every_chapter(course))
+        if (chapter.number() == wanted.substr(0, 2)) check_is_built(chapter);
     if (is_chapter && wanted.size() == 2 && !known.empty())
         throw app::UsageError("'" + id + "' is a chapter; its exercises are " + known);
     throw app::UsageError("there is no exercise '" + id + "'; " +

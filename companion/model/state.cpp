@@ -84,7 +84,7 @@ void set_aside(const Course& course, const fs::path& file, const char* why) {
             std::fprintf(stderr,
                          "course: the saved progress cannot be read (%s); it is now in %s, and "
                          "./course check finds out again what is done\n",
-                         why, aside.lexically_relative(course.root).generic_string().c_str());
+                         why, course.relative(aside).c_str());
         return;
     }
 }

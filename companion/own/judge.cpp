@@ -137,15 +137,21 @@ void look_at_refusal(const Result& result, JudgedLine& line) {
     if (line.actual.back() == '\n') line.actual.pop_back();
 }
 
-void judge_broken(const Trial& trial) {
-    const std::string expected = "one line that says what is wrong, and an exit code other than 0";
-    for (const OwnScene& scene : broken_scenes())
-        trial.line({false, "broken: " + scene.name, "", expected, scene.suggestion},
+const char* const refusal = "one line that says what is wrong, and an exit code other than 0";
+
+void judge_refusals(const Trial& trial, const std::string& part,
+                    const std::vector<OwnScene>& scenes) {
+    for (const OwnScene& scene : scenes)
+        trial.line({false, part + ": " + scene.name, "", refusal, scene.suggestion},
                    [&](JudgedLine& line) {
-                       look_at_refusal(trial.own.draw(scene.text, {}).result, line);
+                       look_at_refusal(trial.own.draw(scene.text, {}, scene.mesh).result, line);
                    });
+}
+
+void judge_broken(const Trial& trial) {
+    judge_refusals(trial, "broken", broken_scenes());
     for (const BrokenCall& call : broken_calls())
-        trial.line({false, "broken: " + call.name, "", expected, ""},
+        trial.line({false, "broken: " + call.name, "", refusal, ""},
                    [&](JudgedLine& line) { look_at_refusal(trial.own.call(call.words), line); });
 }
 
@@ -171,16 +177,6 @@ void judge_edges(const Trial& trial) {
                });
 }
 
-void judge_broken_meshes(const Trial& trial) {
-    for (const OwnScene& scene : broken_meshes())
-        trial.line(
-            {false, "rung 10: " + scene.name, "",
-             "one line that says what is wrong, and an exit code other than 0", scene.suggestion},
-            [&](JudgedLine& line) {
-                look_at_refusal(trial.own.draw(scene.text, {}, scene.mesh).result, line);
-            });
-}
-
 void judge_part(const Trial& trial, const std::string& part) {
     for (const Rung& rung : own_rungs(trial.request.seed)) {
         if (part != "rung" + std::to_string(rung.number)) continue;
@@ -190,7 +186,7 @@ void judge_part(const Trial& trial, const std::string& part) {
         if (rung.number == 9) judge_tree(trial);
         if (rung.number == 10) {
             judge_edges(trial);
-            judge_broken_meshes(trial);
+            judge_refusals(trial, "rung 10", broken_meshes());
             judge_mesh_tree(trial);
         }
     }

@@ -25,7 +25,7 @@ struct JudgedLine {
 struct JudgeRequest {
     fs::path folder, reference;  // the learner's folder, and the course's own program
     std::uint64_t seed = 1;      // of the scenes
-    std::string part{};          // only this part; empty: everything
+    std::string part{};          // only this part; empty: all that are not optional
     int cores = 2;               // physical ones
     double patience = 60;        // seconds for one picture
     int crowd = 10'000;          // spheres in the scenes on which all cores are measured

@@ -3,13 +3,13 @@
 #include <companion/own/scenes.hpp>
 #include <companion/own/trial.hpp>
 #include <cstdio>
+#include <functional>
 #include <study/median.hpp>
 
 namespace companion {
 namespace {
 
-double time_of(const Timed& timed, const std::string& scene, Clock clock,
-               const std::string& mesh = {}) {
+double time_of(const Timed& timed, const std::string& scene, Clock clock, const std::string& mesh) {
     const Result result = timed.program.draw(scene, timed.options, mesh).result;
     if (!result.ok()) throw app::Failure("own: " + how_it_ended(result));
     return clock == Clock::wall ? result.seconds : result.cpu_seconds;
@@ -18,6 +18,36 @@ double time_of(const Timed& timed, const std::string& scene, Clock clock,
 std::string times_as_fast(const Turns& turns) {
     return number(turns.ratio) + " times as fast (" + number(turns.first, "%.2f s") + ", " +
            number(turns.second, "%.2f s") + ")";
+}
+
+using SceneOfWidth = std::function<OwnScene(int width)>;
+
+SceneOfWidth crowds(std::uint64_t seed, int spheres) {
+    return [=](int width) { return OwnScene{"", crowd(seed, width, width * 9 / 16, spheres), ""}; };
+}
+
+// A scene that takes longer than the wanted seconds, by its width.
+OwnScene wide_enough(const Timed& timed, Clock clock, double wanted, int width,
+                     const SceneOfWidth& scene_of) {
+    for (;; width = width * 3 / 2) {
+        OwnScene scene = scene_of(width);
+        if (width >= 2048 || time_of(timed, scene.text, clock, scene.mesh) > wanted) return scene;
+    }
+}
+
+void look_at_list(const Trial& trial, const OwnScene& scene, JudgedLine& line) {
+    line.passed = trial.own.picture(scene.text, {}, scene.mesh).bytes ==
+                  trial.own.picture(scene.text, {"--list"}, scene.mesh).bytes;
+    line.actual = line.passed ? "the same bytes" : "different bytes";
+}
+
+void look_at_tree(const Trial& trial, double wanted, int width, const SceneOfWidth& scene_of,
+                  JudgedLine& line) {
+    const Timed list{trial.own, {"--list", "--threads", "1"}}, tree{trial.own, {"--threads", "1"}};
+    const OwnScene scene = wide_enough(list, Clock::processor, wanted, width, scene_of);
+    const Turns turns = in_turns(list, tree, scene.text, Clock::processor, 3, scene.mesh);
+    line.passed = turns.ratio >= trial.request.tree_gain;
+    line.actual = times_as_fast(turns);
 }
 
 }  // namespace
@@ -41,10 +71,7 @@ Turns in_turns(const Timed& first, const Timed& second, const std::string& scene
 
 std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, double wanted,
                         int spheres) {
-    for (int width = 16;; width = width * 3 / 2) {
-        const std::string scene = crowd(seed, width, width * 9 / 16, spheres);
-        if (width >= 2048 || time_of(timed, scene, clock) > wanted) return scene;
-    }
+    return wide_enough(timed, clock, wanted, 16, crowds(seed, spheres)).text;
 }
 
 void judge_cores(const Trial& trial) {
@@ -104,10 +131,7 @@ void judge_tree(const Trial& trial) {
          "A box that is too small loses spheres; of equally near spheres, the last one in the "
          "file counts."},
         [&](JudgedLine& line) {
-            const std::string scene = crowd_with_twins(trial.request.seed, 64, 36);
-            line.passed =
-                trial.own.picture(scene, {}).bytes == trial.own.picture(scene, {"--list"}).bytes;
-            line.actual = line.passed ? "the same bytes" : "different bytes";
+            look_at_list(trial, {"", crowd_with_twins(trial.request.seed, 64, 36), ""}, line);
         });
     trial.line(
         {false, "rung 9: the tree against --list", "",
@@ -116,41 +140,27 @@ void judge_tree(const Trial& trial) {
          "Do you skip everything in a box if the ray misses the box or has already hit something "
          "nearer than the box? std::fmin and std::fmax are slow; std::min and std::max are not."},
         [&](JudgedLine& line) {
-            const Timed list{trial.own, {"--list", "--threads", "1"}},
-                tree{trial.own, {"--threads", "1"}};
-            const std::string scene = long_enough(list, trial.request.seed, Clock::processor, 1.5);
-            const Turns turns = in_turns(list, tree, scene, Clock::processor, 3);
-            line.passed = turns.ratio >= trial.request.tree_gain;
-            line.actual = times_as_fast(turns);
+            look_at_tree(trial, 1.5, 16, crowds(trial.request.seed, 10'000), line);
         });
 }
 
 void judge_mesh_tree(const Trial& trial) {
-    trial.line({false, "rung 10: --list draws the same bytes", "", "the same bytes",
-                "The box of a triangle holds its three corners, and what rounding adds."},
-               [&](JudgedLine& line) {
-                   const OwnScene scene = fine_mesh(trial.request.seed, 48);
-                   line.passed = trial.own.picture(scene.text, {}, scene.mesh).bytes ==
-                                 trial.own.picture(scene.text, {"--list"}, scene.mesh).bytes;
-                   line.actual = line.passed ? "the same bytes" : "different bytes";
-               });
-    if (trial.request.tree_gain <= 0) return;
     trial.line(
-        {false, "rung 10: the tree against --list", "",
-         "at least " + number(trial.request.tree_gain, "%.0f") +
-             " times as fast, in processor time, for 10,000 triangles",
-         "Are the triangles of a mesh in the tree, as the spheres are?"},
-        [&](JudgedLine& line) {
-            const Timed list{trial.own, {"--list", "--threads", "1"}},
-                tree{trial.own, {"--threads", "1"}};
-            int width = 48;  // until reading the file does not count
-            OwnScene scene = fine_mesh(trial.request.seed, width);
-            while (width < 2048 && time_of(list, scene.text, Clock::processor, scene.mesh) < 1)
-                scene = fine_mesh(trial.request.seed, width = width * 3 / 2);
-            const Turns turns = in_turns(list, tree, scene.text, Clock::processor, 3, scene.mesh);
-            line.passed = turns.ratio >= trial.request.tree_gain;
-            line.actual = times_as_fast(turns);
-        });
+        {false, "rung 10: --list draws the same bytes", "", "the same bytes",
+         "The box of a triangle holds its three corners, and what rounding adds."},
+        [&](JudgedLine& line) { look_at_list(trial, fine_mesh(trial.request.seed, 48), line); });
+    if (trial.request.tree_gain <= 0) return;
+    trial.line({false, "rung 10: the tree against --list", "",
+                "at least " + number(trial.request.tree_gain, "%.0f") +
+                    " times as fast, in processor time, for 10,000 triangles",
+                "Are the triangles of a mesh in the tree, as the spheres are?"},
+               [&](JudgedLine& line) {
+                   // After a second, reading the file does not count.
+                   const auto scene_of = [&](int width) {
+                       return fine_mesh(trial.request.seed, width);
+                   };
+                   look_at_tree(trial, 1, 48, scene_of, line);
+               });
 }
 
 void judge_list(const Trial& trial) {

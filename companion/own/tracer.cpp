@@ -22,8 +22,7 @@ std::vector<std::string> compiler_words(const Course& course, const Chapter& las
     const std::string compiler = fs::path{cached(course, "CMAKE_CXX_COMPILER")}.filename().string();
     std::vector<std::string> words{compiler.empty() ? "c++" : compiler, "-std=c++20", "-O3",
                                    "-pthread", "-Wall"};
-    words.push_back("-I" +
-                    (course.build / "yours").lexically_relative(course.root).generic_string());
+    words.push_back("-I" + course.relative(course.build / "yours"));
     for (const Chapter& chapter : grafts(course))
         if (chapter.name <= last.name) words.push_back("-Ichapters/" + chapter.name);
     words.insert(words.end(), {"-Icommon", "exercises/tracer/tracer.cpp"});
@@ -56,8 +55,7 @@ std::vector<Chapter> grafts(const Course& course) {
 
 std::vector<std::string> tracer_command(const Course& course, const Chapter& last) {
     std::vector<std::string> words = compiler_words(course, last);
-    words.insert(words.end(),
-                 {"-o", tracer_program(course).lexically_relative(course.root).generic_string()});
+    words.insert(words.end(), {"-o", course.relative(tracer_program(course))});
     return words;
 }
 
@@ -66,7 +64,7 @@ void compile_tracer(const Course& course, const Chapter& last) {
                                        .folder = course.root,
                                        .most_cpu = most_compiling,
                                        .most_memory = memory_of_compiler()});
-    const fs::path file = tracer_file(course).lexically_relative(course.root).generic_string();
+    const fs::path file = course.relative(tracer_file(course));
     if (result.ok()) {
         if (const std::string warning =
                 first_warning(course, printable(result.output, most_words), {file});

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <companion/system/process.hpp>
+#include <csignal>
 #include <sstream>
 
 namespace companion {
@@ -8,6 +9,26 @@ std::size_t memory_of_compiler() {
     constexpr std::size_t gigabyte = std::size_t{1} << 30;
     const std::size_t all = memory_of_machine();
     return all == 0 ? 4 * gigabyte : std::clamp(all / 2, gigabyte, 4 * gigabyte);
+}
+
+Crash crash_of(int signal) {
+    switch (signal) {
+        case 0:
+            return Crash::none;
+        case SIGSEGV:
+#ifdef SIGBUS
+        case SIGBUS:
+#endif
+            return Crash::memory;
+        case SIGFPE:
+            return Crash::division;
+        case SIGABRT:
+            return Crash::aborted;
+        case SIGILL:
+            return Crash::invalid_code;
+        default:
+            return Crash::other;
+    }
 }
 
 std::string how_it_ended(const Result& result) {

@@ -31,7 +31,4 @@ void end_when_stuck(const volatile std::sig_atomic_t& step, int seconds, const c
 // Calls this function when the program ends by exit(), except in a process that it forked.
 void at_exit(void (*call)());
 
-// Ends the program, without what it does at exit.
-[[noreturn]] void end_at_once(int code);
-
 }  // namespace checkpoint

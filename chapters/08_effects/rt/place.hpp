@@ -39,7 +39,8 @@ struct Place {
         return collision ? fog.density(incoming, direction)
                          : scatter_density(materials, *hit, direction);
     }
-    // Star: the same, and the density of rough metal. It has no upper limit, so it takes weights.
+    // Star: the same, and the density of rough metal, but not in a scene with meshes. It has no
+    // upper limit, so it takes weights.
     Real shared_density(Vec3 direction) const {
         return collision ? fog.density(incoming, direction)
                          : scatter_density(materials, incoming, *hit, direction);

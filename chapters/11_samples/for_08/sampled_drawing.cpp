@@ -7,10 +7,10 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <rt/batch_workers.hpp>
 #include <rt/choose_renderer.hpp>
 #include <rt/draw_passes.hpp>
 #include <rt/false_colors.hpp>
-#include <rt/needed_effects.hpp>
 #include <rt/tent_filter.hpp>
 #include <span>
 #include <utility>
@@ -40,21 +40,7 @@ DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
 constexpr auto makers =
     ::effects::for_few_effects([]<Effects effects> { return &make_draw_pass<effects>; });
 
-// Sobol's points in batches: draw(renderer, arguments...) for a renderer of one's own.
 using Batches = BatchRenderer<batch_effects, SobolPoints>;
-
-template <class Draw>
-auto batch_workers(const SceneDescription& description, int width, int height,
-                   const Quality& quality, const Draw& draw) {
-    const auto scene =
-        std::make_shared<const ReadyScene<batch_effects>>(description, width, height);
-    return [scene, quality, draw] {
-        return [scene, draw, renderer = std::make_shared<Batches>(*scene, quality)](
-                   const Tile& tile, const auto& pass, Image& image, std::uint64_t& rays) {
-            return draw(*renderer, tile, pass, image, rays);
-        };
-    };
-}
 
 // Tiles filtered by a tent. The larger they are, the fewer pixels are sampled for two of them.
 constexpr int tent_tile_side = 64;
@@ -104,11 +90,12 @@ PassRenderer make_sobol_batches(const SceneDescription& scene, int width, int he
                                 const Quality& quality) {
     const int count = quality.samples_per_pixel;
     return {effects::batched_choice(batch_effects),
-            batch_workers(scene, width, height, quality,
-                          [count](Batches& renderer, const Tile& tile, const Pass& pass,
-                                  Image& image, std::uint64_t& rays) {
-                              renderer.draw({sobol_samples(pass, count)}, tile, image, rays);
-                          }),
+            batch_workers<SobolPoints>(
+                scene, width, height, quality,
+                [count](Batches& renderer, const Tile& tile, const Pass& pass, Image& image,
+                        std::uint64_t& rays) {
+                    renderer.draw({sobol_samples(pass, count)}, tile, image, rays);
+                }),
             batch_tile_side(count)};
 }
 
@@ -206,13 +193,14 @@ TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
     using namespace samples;
     if (in_batches && can_be_batched(scene))
         return {batched_choice(batch_effects),
-                batch_workers(scene, width, height, quality,
-                              [count = quality.samples_per_pixel](
-                                  Batches& renderer, const Tile& tile, std::uint64_t seed,
-                                  Image& image, std::uint64_t& rays) {
-                                  draw_with_tent(renderer, {seed, count}, tile, image, rays);
-                                  return pixel_count(tile);
-                              }),
+                batch_workers<SobolPoints>(
+                    scene, width, height, quality,
+                    [count = quality.samples_per_pixel](Batches& renderer, const Tile& tile,
+                                                        std::uint64_t seed, Image& image,
+                                                        std::uint64_t& rays) {
+                        draw_with_tent(renderer, {seed, count}, tile, image, rays);
+                        return pixel_count(tile);
+                    }),
                 tent_tile_side};
     const auto [choice, make] = chosen(scene, tent_makers, &make_meshed_tent);
     const DrawTile draw = make(scene, width, height, quality);

@@ -6,15 +6,14 @@
 #include <rt/mesh_scene.hpp>
 #include <rt/tent_filter.hpp>
 
-#include "sampled_meshes.hpp"
+#include "../../11_samples/for_08/sampled_meshes.hpp"
 
 namespace {
 using MeshRenderer = rt::Renderer<rt::every_effect, rt::MeshScene<rt::every_effect>>;
 }
 
-effects::DrawMeshedPass effects::make_meshed_passes(const rt::SceneDescription& scene, int width,
-                                                    int height, const rt::Quality& quality,
-                                                    bool sobol) {
+rt::DrawPass effects::make_meshed_passes(const rt::SceneDescription& scene, int width, int height,
+                                         const rt::Quality& quality, bool sobol) {
     return rt::kept_passes(std::make_shared<const MeshRenderer>(scene, width, height, quality),
                            quality.samples_per_pixel, sobol);
 }

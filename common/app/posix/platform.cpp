@@ -3,7 +3,6 @@
 
 #include <app/platform.hpp>
 #include <app/signals.hpp>
-#include <cstdlib>
 
 namespace app {
 
@@ -13,10 +12,6 @@ const std::initializer_list<int> ending_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT
 
 void prepare_process() {
     std::signal(SIGXFSZ, SIG_IGN);
-}
-
-void crash() {
-    std::abort();
 }
 
 void end_by(int signal) {

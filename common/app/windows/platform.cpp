@@ -74,11 +74,6 @@ void prepare_process() {
     ::SetConsoleMode(out, mode | ENABLE_PROCESSED_OUTPUT | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
 }
 
-void crash() {
-    end_aborted(SIGABRT);
-    std::abort();
-}
-
 void end_by(int signal) {
     std::_Exit(128 + signal);  // raise() would end it with 3
 }

@@ -10,6 +10,7 @@
 #endif
 
 #include <algorithm>
+#include <app/platform.hpp>
 #include <app/signals.hpp>
 #include <atomic>
 #include <cerrno>
@@ -317,7 +318,7 @@ void make_pipe(Descriptor& from, Descriptor& into) {
 
 Result run_process(const Run& run) {
     Descriptor from, into, events_from, events_into, nowhere, mine, keepers;
-    const bool is_shown = run.output == Output::printable && ::isatty(STDOUT_FILENO);
+    const bool is_shown = run.output == Output::printable && app::is_terminal(stdout);
     if (is_shown || (run.output != Output::shown && run.output != Output::printable))
         make_pipe(from, into);
     if (run.has_events) make_pipe(events_from, events_into);
@@ -365,24 +366,6 @@ std::size_t memory_of_machine() {
     const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
     if (pages <= 0 || page <= 0) return 0;
     return static_cast<std::size_t>(pages) * static_cast<std::size_t>(page);
-}
-
-Crash crash_of(int signal) {
-    switch (signal) {
-        case 0:
-            return Crash::none;
-        case SIGSEGV:
-        case SIGBUS:
-            return Crash::memory;
-        case SIGFPE:
-            return Crash::division;
-        case SIGABRT:
-            return Crash::aborted;
-        case SIGILL:
-            return Crash::invalid_code;
-        default:
-            return Crash::other;
-    }
 }
 
 std::string name_of_signal(int signal) {

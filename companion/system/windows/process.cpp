@@ -478,23 +478,6 @@ std::size_t memory_of_machine() {
     return ::GlobalMemoryStatusEx(&memory) ? static_cast<std::size_t>(memory.ullTotalPhys) : 0;
 }
 
-Crash crash_of(int signal) {
-    switch (signal) {
-        case 0:
-            return Crash::none;
-        case SIGSEGV:
-            return Crash::memory;
-        case SIGFPE:
-            return Crash::division;
-        case SIGABRT:
-            return Crash::aborted;
-        case SIGILL:
-            return Crash::invalid_code;
-        default:
-            return Crash::other;
-    }
-}
-
 std::string name_of_signal(int signal) {
     switch (signal) {
         case SIGSEGV:

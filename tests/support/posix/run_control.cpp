@@ -141,8 +141,4 @@ void at_exit(void (*call)()) {
     });
 }
 
-void end_at_once(int code) {
-    ::_exit(code);
-}
-
 }  // namespace checkpoint

@@ -166,8 +166,4 @@ void at_exit(void (*call)()) {
     std::atexit(call);
 }
 
-void end_at_once(int code) {
-    std::_Exit(code);
-}
-
 }  // namespace checkpoint
