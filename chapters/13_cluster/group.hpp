@@ -1,6 +1,8 @@
 #pragma once
 // The group of ranks: how a run joins it, whether all ranks are alike, and what rank 0 says to all.
 
+#include <stdlib.h>
+
 #include <algorithm>
 #include <app/errors.hpp>
 #include <array>
@@ -22,10 +24,20 @@ inline bool has_group() {
     return is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK") || is_set("PMI_RANK");
 }
 
+// Open MPI 4 has several kinds of windows. On more than one machine, those by RDMA fail over TCP
+// ("invalid window", its issue 11466), and those by UCX end late. These two work everywhere; if
+// OMPI_MCA_osc is set, it stays.
+inline void choose_kind_of_window() {
+#if defined(OMPI_MAJOR_VERSION) && OMPI_MAJOR_VERSION < 5
+    ::setenv("OMPI_MCA_osc", "sm,pt2pt", 0);
+#endif
+}
+
 // A run's time in the group. Only the thread that makes it calls MPI.
 class Membership {
   public:
     Membership(int& argc, char**& argv) {
+        choose_kind_of_window();
         int provided = 0;
         MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
     }

@@ -12,8 +12,8 @@
 #include <optional>
 #include <rt/gather_rows.hpp>
 #include <rt/saved_tiles.hpp>
-#include <rt/shared_counter.hpp>
 #include <rt/slice_rows.hpp>
+#include <rt/tile_counter.hpp>
 #include <rt/tile_messages.hpp>
 #include <string>
 #include <thread>
@@ -103,7 +103,7 @@ void work_and_serve(const Work& work, const Serve& serve) {
 inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* collector) {
     const TileGrid grid = grid_of(job);
     const int count = static_cast<int>(job.tiles.size());
-    SharedCounter next{MPI_COMM_WORLD};
+    TileCounter next{MPI_COMM_WORLD};
     TileSender sender{MPI_COMM_WORLD};
     std::uint64_t rays = 0;
     std::int64_t sent = 0;
@@ -159,7 +159,7 @@ inline std::uint64_t share_slices(const Job& job, TileDrawer& drawer, Image* ima
 // Calls each exercise once, on this rank alone: one that is still to be written is said before the
 // others begin.
 inline void rehearse() {
-    SharedCounter next{MPI_COMM_SELF};
+    TileCounter next{MPI_COMM_SELF};
     TileSender sender{MPI_COMM_SELF};
     sender.send(take_tile(next, 1).value_or(0), {Color{}});
     while (!receive_tile(MPI_COMM_SELF)) {

@@ -1,10 +1,10 @@
 #include <rt/render_tiles.hpp>
-#include <rt/shared_counter.hpp>
+#include <rt/tile_counter.hpp>
 
 #include "on_ranks.hpp"
 
 using namespace checkpoint;
-using rt::SharedCounter;
+using rt::TileCounter;
 
 namespace {
 
@@ -78,7 +78,7 @@ int MPI_Win_flush_local(int rank, MPI_Win window) {
 TEST_CASE("13.2 it starts at 0 and returns the number before", "[13.2]") {
     for (const int count : {1, 2, 4})
         on_ranks(count, [](MPI_Comm ranks) {
-            SharedCounter counter{ranks};
+            TileCounter counter{ranks};
             std::string wrong;
             // In turns.
             for (int rank = 0, expected = 0; rank < rt::rank_count(ranks); ++rank) {
@@ -102,7 +102,7 @@ TEST_CASE("13.2 it starts at 0 and returns the number before", "[13.2]") {
 
 TEST_CASE("13.2 nobody counts before the number is 0", "[13.2]") {
     on_ranks(3, [](MPI_Comm ranks) {
-        SharedCounter counter{ranks};
+        TileCounter counter{ranks};
         const int before = counter.fetch_add(1);
         MPI_Barrier(ranks);
         if (0 <= before && before < 3) return std::string{};
@@ -116,7 +116,7 @@ TEST_CASE("13.2 nobody counts before the number is 0", "[13.2]") {
 TEST_CASE("13.2 every tile is taken once", "[13.2]") {
     on_ranks(4, [](MPI_Comm ranks) {
         constexpr int tiles = 3000;
-        SharedCounter counter{ranks};
+        TileCounter counter{ranks};
         std::vector<int> taken(tiles), all(tiles);
         MPI_Barrier(ranks);
         while (const std::optional<int> tile = rt::take_tile(counter, tiles))
@@ -135,7 +135,7 @@ TEST_CASE("13.2 every tile is taken once", "[13.2]") {
 
 TEST_CASE("13.2 two counters at a time", "[13.2][hard]") {
     on_ranks(3, [](MPI_Comm ranks) {
-        SharedCounter up{ranks}, down{ranks};
+        TileCounter up{ranks}, down{ranks};
         int last_up = -1, last_down = 1;
         std::string wrong;
         for (int i = 0; i < 100 && wrong.empty(); ++i) {

@@ -12,10 +12,11 @@
 #include <rt/gather_rows.hpp>
 #include <rt/render_tiles.hpp>
 #include <rt/rng.hpp>
-#include <rt/shared_counter.hpp>
+#include <rt/tile_counter.hpp>
 #include <rt/tile_messages.hpp>
 #include <thread>
 
+#include "group.hpp"
 #include "simulate.hpp"
 
 namespace {
@@ -32,7 +33,7 @@ void sleep(double seconds) {
 // Seconds for a step, while all ranks count at once: what rank 0's counter takes for each.
 double take_cost() {
     constexpr int steps = 2000;
-    SharedCounter counter{all};
+    TileCounter counter{all};
     MPI_Barrier(all);
     const double begin = MPI_Wtime();
     for (int i = 0; i < steps; ++i) counter.fetch_add(1);
@@ -69,7 +70,7 @@ double message_cost(int side) {
 
 // The time of real ranks that sleep instead of drawing.
 double real_seconds(const std::vector<double>& tiles, int side) {
-    SharedCounter next{all};
+    TileCounter next{all};
     TileSender sender{all};
     const int count = static_cast<int>(tiles.size());
     int mine = 0;
@@ -96,7 +97,7 @@ double real_seconds(const std::vector<double>& tiles, int side) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    MPI_Init(&argc, &argv);
+    const cluster::Membership membership{argc, argv};
     const bool tells = rank_of(all) == 0;
     const double take = take_cost();
     if (tells) std::printf("a step of the counter: %.2f us\n", 1e6 * take);
@@ -118,5 +119,4 @@ int main(int argc, char** argv) {
                     rank_count(all), real, simulated.seconds,
                     100 * simulated.efficiency * simulated.seconds / real,
                     100 * simulated.efficiency);
-    MPI_Finalize();
 }

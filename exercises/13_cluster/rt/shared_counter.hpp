@@ -17,22 +17,4 @@ inline int count_up(MPI_Win window, int n) {
     return rt::todo("13.2", window, n);
 }
 
-// A counter made of both functions (given). It counts like a std::atomic<int>, so take_tile (06.3)
-// can take tiles from it. All ranks create it together, and destroy it together.
-class SharedCounter {
-  public:
-    explicit SharedCounter(MPI_Comm ranks) : window_{open_counter(ranks)} {}
-    ~SharedCounter() {
-        MPI_Win_unlock_all(window_);
-        MPI_Win_free(&window_);
-    }
-    SharedCounter(const SharedCounter&) = delete;
-    SharedCounter& operator=(const SharedCounter&) = delete;
-
-    int fetch_add(int n) { return count_up(window_, n); }
-
-  private:
-    MPI_Win window_;
-};
-
 }  // namespace rt

@@ -1,15 +1,16 @@
 #pragma once
-#include "../types.hpp"
+#include <rt/ranks.hpp>
+
+namespace answer {
+
+MPI_Win open_counter(MPI_Comm ranks);
+int count_up(MPI_Win window, int n);
+
+}  // namespace answer
 
 namespace rt {
 
-class SharedCounter {
-  public:
-    explicit SharedCounter(MPI_Comm ranks) : own_{answer::make_counter(ranks)} {}
-    int fetch_add(int n) { return own_->fetch_add(n); }
-
-  private:
-    std::unique_ptr<answer::Counter> own_;
-};
+using answer::count_up;
+using answer::open_counter;
 
 }  // namespace rt
