@@ -1,7 +1,9 @@
 #pragma once
 // The group of ranks: how a run joins it, whether all ranks are alike, and what rank 0 says to all.
 
+#include <fcntl.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <app/errors.hpp>
@@ -45,6 +47,24 @@ class Membership {
     Membership(const Membership&) = delete;
     Membership& operator=(const Membership&) = delete;
 };
+
+// Whether mpirun, which passes on what this rank writes to stderr, writes it to a terminal. (On its
+// own machine, it is the rank's parent.)
+inline bool mpirun_has_terminal() {
+    const std::string errors = "/proc/" + std::to_string(::getppid()) + "/fd/2";
+    const int file = ::open(errors.c_str(), O_WRONLY | O_NOCTTY | O_NONBLOCK);
+    const bool is_terminal = ::isatty(file) != 0;
+    if (file >= 0) ::close(file);
+    return is_terminal;
+}
+
+// The largest number that a message can have as its tag: 32,767 or more.
+inline int largest_tag() {
+    int* largest = nullptr;
+    int is_known = 0;
+    MPI_Comm_get_attr(MPI_COMM_WORLD, MPI_TAG_UB, &largest, &is_known);
+    return is_known ? *largest : 32'767;
+}
 
 // A number that differs for different bytes, but for one pair in 2^64.
 inline std::uint64_t hash_of(const std::string& bytes) {

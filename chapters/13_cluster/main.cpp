@@ -94,6 +94,11 @@ app::Picture draw_in_group(Job job, const SceneDescription& scene, const app::Se
         app::make_folder(state.folder);
     }
     const int count = tile_count(grid_of(job));
+    if (!job.in_slices && count - 1 > largest_tag())
+        throw app::UsageError("--tile: tiles of " + std::to_string(job.tile_side) +
+                              " pixels are too many: " + std::to_string(count) +
+                              ", and MPI numbers messages only up to " +
+                              std::to_string(largest_tag()) + "; choose larger ones");
     if (state.folder.empty())
         for (int tile = 0; tile < count; ++tile) job.tiles.push_back(tile);
     else
@@ -200,7 +205,9 @@ int main(int argc, char** argv) {
     });
     if (!is_alike) return result;
     if (rank_of(MPI_COMM_WORLD) > 0) return help_rank_0();
-    const int code = app::run(argc, argv, program());
+    app::Program first = program();
+    first.has_terminal = mpirun_has_terminal();
+    const int code = app::run(argc, argv, first);
     if (!state.job_is_sent) {
         Job none;
         none.is_none = true;

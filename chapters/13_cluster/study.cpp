@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <rt/rng.hpp>
+#include <rt/slice_rows.hpp>
 #include <string>
 #include <study/double_double.hpp>
 #include <thread>
@@ -168,6 +169,20 @@ double efficiency_in_groups(const std::vector<double>& rays, int side, int machi
     return drawing / (machines * longest);
 }
 
+// Slices of the rows for each machine (13.1), if nothing else costs time: all wait for the slowest.
+double efficiency_of_slices(const std::vector<double>& rays, int machines) {
+    double all = 0, slowest = 0;
+    for (int machine = 0; machine < machines; ++machine) {
+        const rt::Rows slice = rt::slice_rows(rows, machines, machine);
+        double own = 0;
+        for (int i = slice.begin * columns; i < slice.end * columns; ++i)
+            own += rays[static_cast<std::size_t>(i)];
+        all += own;
+        slowest = std::max(slowest, own);
+    }
+    return all / (machines * slowest);
+}
+
 void study_machines(study::Report& report) {
     const std::vector<double> rays = rays_of_blocks();
     const auto add = [&](const char* name, const std::string& variant, int side,
@@ -178,12 +193,27 @@ void study_machines(study::Report& report) {
                         100 * simulate(tiles, side * side, machines, costs).efficiency,
                         "efficiency / %"});
     };
+    for (const int machines : {1, 2, 4, 8})
+        report.add({"slices", "slices", static_cast<double>(machines), "machines",
+                    100 * efficiency_of_slices(rays, machines), "efficiency / %"});
+    for (const int machines : {1, 2, 4, 8})
+        report.add({"slices", "tiles of 64", static_cast<double>(machines), "machines",
+                    100 * simulate(tile_seconds(rays, 64, seconds_per_ray), 64 * 64, machines,
+                                   over_a_network)
+                              .efficiency,
+                    "efficiency / %"});
     for (const int side : {8, 16, 64, 256})
         add("machines", "tiles of " + std::to_string(side), side, over_a_network);
     add("machines", "tiles of 16, no collector", 16, without_a_collector);
     for (const int machines : {100, 1000, 10'000})
         report.add({"machines", "tiles of 16, in 100 groups", static_cast<double>(machines),
                     "machines", 100 * efficiency_in_groups(rays, 16, machines, 100),
+                    "efficiency / %"});
+    for (const int machines : {100, 1000, 10'000})
+        report.add({"machines", "tiles of 16, work stealing", static_cast<double>(machines),
+                    "machines",
+                    100 * simulate_stealing(tile_seconds(rays, 16, seconds_per_ray), machines,
+                                            2 * over_a_network.take),
                     "efficiency / %"});
     for (const int side : {8, 16, 64, 256})
         add("messages through memory", "tiles of " + std::to_string(side), side, within_a_machine);

@@ -195,7 +195,7 @@ int draw_picture(const Program& program, const Request& request) {
     const auto start = std::chrono::steady_clock::now();
     Picture picture;
     {
-        Progress progress{!request.quiet && is_terminal(stderr)};
+        Progress progress{!request.quiet && (program.has_terminal || is_terminal(stderr))};
         picture = program.render(settings, progress);
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

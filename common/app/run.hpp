@@ -116,6 +116,8 @@ struct Program {
     bool explains = false;
     // Whether render() checks for an Interruption; if not, Ctrl-C ends the program at once.
     bool can_be_stopped = false;
+    // Whether stderr ends at a terminal although it is a pipe, as it may under mpirun.
+    bool has_terminal = false;
 };
 
 // Runs the program as main() should. Every error is one line on stderr.

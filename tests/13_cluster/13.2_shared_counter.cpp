@@ -9,19 +9,23 @@ using rt::TileCounter;
 namespace {
 
 // What MPI allows and seldom does, it does here every time: a result arrives no sooner than it
-// must, new memory holds garbage, rank 0 is slow, and so is a rank that reads the number and then
-// writes it.
+// must, new memory holds garbage, no memory is nowhere, rank 0 is slow, and so is a rank that reads
+// the number and then writes it.
 struct Late {
     MPI_Win window;
+    int rank;
     void* result;
     int value;
 };
 std::vector<std::unique_ptr<Late>> late;
 
-void deliver(MPI_Win window) {
-    for (const auto& one : late)
-        if (one->window == window) *static_cast<int*>(one->result) = one->value;
-    std::erase_if(late, [&](const auto& one) { return one->window == window; });
+constexpr int every_rank = -1;
+void deliver(MPI_Win window, int rank) {
+    std::erase_if(late, [&](const auto& one) {
+        const bool is_here = one->window == window && (one->rank == rank || rank == every_rank);
+        if (is_here) *static_cast<int*>(one->result) = one->value;
+        return is_here;
+    });
 }
 
 std::string differs(const std::string& what, int expected, int actual, const std::string& hint) {
@@ -37,6 +41,7 @@ int MPI_Win_allocate(MPI_Aint size, int unit, MPI_Info info, MPI_Comm ranks, voi
     const int result = PMPI_Win_allocate(size, unit, info, ranks, base, window);
     auto* const bytes = *static_cast<unsigned char**>(base);
     for (MPI_Aint i = 0; i < size; ++i) bytes[i] = 90;
+    if (size == 0) *static_cast<void**>(base) = nullptr;
     PMPI_Barrier(ranks);
     if (size > 0) std::this_thread::sleep_for(std::chrono::milliseconds{50});
     return result;
@@ -44,7 +49,7 @@ int MPI_Win_allocate(MPI_Aint size, int unit, MPI_Info info, MPI_Comm ranks, voi
 
 int MPI_Fetch_and_op(const void* operand, void* result, MPI_Datatype type, int rank, MPI_Aint at,
                      MPI_Op operation, MPI_Win window) {
-    late.push_back(std::make_unique<Late>(Late{window, result, 0}));
+    late.push_back(std::make_unique<Late>(Late{window, rank, result, 0}));
     return PMPI_Fetch_and_op(operand, &late.back()->value, type, rank, at, operation, window);
 }
 
@@ -61,17 +66,17 @@ int MPI_Accumulate(const void* from, int count, MPI_Datatype type, int rank, MPI
 
 int MPI_Win_flush(int rank, MPI_Win window) {
     const int done = PMPI_Win_flush(rank, window);
-    deliver(window);
+    deliver(window, rank);
     return done;
 }
 int MPI_Win_flush_all(MPI_Win window) {
     const int done = PMPI_Win_flush_all(window);
-    deliver(window);
+    deliver(window, every_rank);
     return done;
 }
 int MPI_Win_flush_local(int rank, MPI_Win window) {
     const int done = PMPI_Win_flush_local(rank, window);
-    deliver(window);
+    deliver(window, rank);
     return done;
 }
 
@@ -96,6 +101,33 @@ TEST_CASE("13.2 it starts at 0 and returns the number before", "[13.2]") {
                     expected += 111;
                 MPI_Barrier(ranks);
             }
+            return wrong;
+        });
+}
+
+TEST_CASE("13.2 the number is in the memory of rank 0", "[13.2]") {
+    for (const int count : {1, 3})
+        on_ranks(count, [](MPI_Comm ranks) {
+            MPI_Win window = rt::open_counter(ranks);
+            MPI_Aint* size = nullptr;
+            int* number = nullptr;
+            int is_known = 0;
+            std::string wrong;
+            MPI_Win_get_attr(window, MPI_WIN_SIZE, &size, &is_known);
+            if (rt::rank_of(ranks) == 0 && *size < MPI_Aint{sizeof(int)})
+                return "its part of the window: expected " + std::to_string(sizeof(int)) +
+                       " bytes, actual " + std::to_string(*size) +
+                       "\nHint: rank 0 asks MPI_Win_allocate for the memory of an int";
+            rt::count_up(window, 5);
+            MPI_Barrier(ranks);
+            MPI_Win_get_attr(window, MPI_WIN_BASE, &number, &is_known);
+            MPI_Win_sync(window);
+            if (rt::rank_of(ranks) == 0)
+                wrong = differs("each rank has added 5: the number in its memory",
+                                5 * rt::rank_count(ranks), *number,
+                                "MPI_Fetch_and_op adds to place 0 in the memory of rank 0");
+            MPI_Win_unlock_all(window);
+            MPI_Win_free(&window);
             return wrong;
         });
 }

@@ -1,9 +1,9 @@
 #!/bin/sh
-# ranks.sh MPIEXEC PROGRAM EFFECTS SCENES [OTHER]: any number of ranks and threads draw the file that chapter 08's
-# program EFFECTS draws, byte for byte. What is wrong is said in one line by one rank. OTHER is PROGRAM as another
-# build: ranks that run different builds are refused.
+# ranks.sh MPIEXEC PROGRAM EFFECTS SCENES FEW_TAGS [OTHER]: any number of ranks and threads draw the file that chapter
+# 08's program EFFECTS draws, byte for byte. What is wrong is said in one line by one rank. With FEW_TAGS, MPI has few
+# tags. OTHER is PROGRAM as another build: ranks that run different builds are refused.
 set -u
-mpiexec=$1 program=$2 effects=$3 scenes=$4
+mpiexec=$1 program=$2 effects=$3 scenes=$4 few_tags=$5
 # shellcheck source=tests/app/group.sh
 . "$(dirname "$0")/group.sh"
 cd "$place" || exit 1
@@ -38,14 +38,30 @@ cmp -s right.ppm read.ppm || complain "a scene that is sent: another picture"
 ranks 3 1 --bogus; code=$?; expect 2 bogus
 ranks 3 1 nowhere.json; code=$?; expect 2 'does not exist'
 ranks 3 1 --width 9 --height 9 --out nowhere/image.png; code=$?; expect 1 'does not exist'
+with_few_tags() {
+    timeout 60 "$mpiexec" -x LD_PRELOAD="$few_tags" -n 2 "$program" --quiet --spp 1 --tile 4 --out few.ppm "$@" \
+        >"$place/stdout" 2>"$place/stderr"
+}
+with_few_tags --width 64 --height 36; code=$?; expect 2 'too many: 144, .* only up to 99;'
+with_few_tags --width 64 --height 36 --share slices || complain "slices need no tags: exit code $?"
+with_few_tags --width 40 --height 40 || complain "as many tiles as tags: exit code $?"
 ranks 2 1 --frame 3 --frames 2; code=$?; expect 2 'go together'
 ranks 2 1 --resume --share slices; code=$?; expect 2 'leave out --resume'
 timeout 60 "$mpiexec" -n 1 "$program" --quiet --spp 2 : -n 1 "$program" --quiet --spp 3 >"$place/stdout" 2>"$place/stderr"
 code=$?; expect 1 'rank 1 on .* other options'
-if [ $# -gt 4 ]; then
-    timeout 60 "$mpiexec" -n 2 "$program" --quiet : -n 1 "$5" --quiet >"$place/stdout" 2>"$place/stderr"
+if [ $# -gt 5 ]; then
+    timeout 60 "$mpiexec" -n 2 "$program" --quiet : -n 1 "$6" --quiet >"$place/stdout" 2>"$place/stderr"
     code=$?; expect 1 'rank 2 on .* another program'
 fi
+
+# Under mpirun, stderr is a pipe. The bar is drawn if mpirun has a terminal, and only then.
+bar() { script -qec "$mpiexec -n 2 $program --threads 1 --width 64 --height 36 --spp 1 --out bar.ppm $1" bar.txt; }
+bar '' >"$place/stdout" 2>"$place/stderr"
+grep -q '[[]#*[.]*[]]' "$place/stdout" || complain "mpirun has a terminal: no progress bar"
+bar '2>errors.txt' >"$place/stdout" 2>"$place/stderr"
+if grep -q '[[]#' "$place/stdout" errors.txt; then complain "mpirun's stderr is a file: a progress bar"; fi
+bar --quiet >"$place/stdout" 2>"$place/stderr"
+if grep -q '[[]#' "$place/stdout"; then complain "--quiet: a progress bar"; fi
 
 # No room for finished tiles: a clear error, and what is finished stays. Only root may mount a disk.
 mkdir cluster-tiles

@@ -437,7 +437,7 @@ def name_mutants(source, mutants):
             change = re.search(r"/\* (.*?) \*/", mutant.text).group(1)
         else:
             change = f"{original} -> {one_line(mutant.text)}"
-        key = f"{mutant.function}  |  {change}"
+        key = f"{mutant.function or 'members'}  |  {change}"
         seen[key] += 1
         mutant.key = key if seen[key] == 1 else f"{key}  #{seen[key]}"
 

@@ -1,0 +1,61 @@
+// All ranks write one picture into one file (MPI-IO): each has only its own tiles, and so a picture
+// may be larger than any rank's memory. The file is the one that rank 0 would write.
+//
+//     mpirun -n 4 build/bin/cluster_one_file WIDTH HEIGHT SAMPLES FILE.ppm
+
+#include <cstdio>
+#include <cstdlib>
+#include <rt/image_file.hpp>
+#include <rt/ranks.hpp>
+
+#include "final_scene.hpp"
+#include "group.hpp"
+#include "tile_drawer.hpp"
+
+namespace {
+
+using namespace rt;
+
+// The bytes of a tile's colors in a .ppm file, without the file's header.
+std::string bytes_of(const Tile& tile, const std::vector<Color>& colors) {
+    Image image = Canvas<Color>{tile.right - tile.left, tile.bottom - tile.top};
+    std::copy(colors.begin(), colors.end(), &image.at(0, 0));
+    return encode_ppm(image).substr(encode_ppm(image).size() - 3 * colors.size());
+}
+
+void write_at(MPI_File file, std::int64_t place, const char* bytes, int count) {
+    MPI_File_write_at(file, place, bytes, count, MPI_BYTE, MPI_STATUS_IGNORE);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const cluster::Membership membership{argc, argv};
+    if (argc != 5) return app::bad_input;
+    SceneDescription scene = effects::final_scene();
+    scene.settings.width = std::atoi(argv[1]);
+    scene.settings.height = std::atoi(argv[2]);
+    scene.settings.samples_per_pixel = std::atoi(argv[3]);
+    const TileGrid grid{scene.settings.width, scene.settings.height, 8};
+    const std::string header =
+        "P6\n" + std::to_string(grid.width) + ' ' + std::to_string(grid.height) + "\n255\n";
+
+    MPI_File file{};
+    MPI_File_open(MPI_COMM_WORLD, argv[4], MPI_MODE_CREATE | MPI_MODE_WRONLY, MPI_INFO_NULL, &file);
+    MPI_File_set_errhandler(file, MPI_ERRORS_ARE_FATAL);
+    const int rank = rank_of(MPI_COMM_WORLD), count = rank_count(MPI_COMM_WORLD);
+    if (rank == 0) write_at(file, 0, header.data(), static_cast<int>(header.size()));
+    cluster::TileDrawer drawer{scene, 1};
+    std::uint64_t rays = 0;
+    for (int index = rank; index < tile_count(grid); index += count) {
+        const Tile tile = tile_at(grid, index);
+        const std::string bytes = bytes_of(tile, drawer.draw(tile, rays));
+        const int row_bytes = 3 * (tile.right - tile.left);
+        for (int y = tile.top; y < tile.bottom; ++y)
+            write_at(file,
+                     static_cast<std::int64_t>(header.size()) +
+                         3 * (std::int64_t{y} * grid.width + tile.left),
+                     &bytes[static_cast<std::size_t>((y - tile.top) * row_bytes)], row_bytes);
+    }
+    MPI_File_close(&file);
+}
