@@ -194,27 +194,28 @@ void study_machines(study::Report& report) {
                         "efficiency / %"});
     };
     for (const int machines : {1, 2, 4, 8})
-        report.add({"slices", "slices", static_cast<double>(machines), "machines",
+        report.add({"sharing", "slices", static_cast<double>(machines), "machines",
                     100 * efficiency_of_slices(rays, machines), "efficiency / %"});
     for (const int machines : {1, 2, 4, 8})
-        report.add({"slices", "tiles of 64", static_cast<double>(machines), "machines",
+        report.add({"sharing", "tiles of 64", static_cast<double>(machines), "machines",
                     100 * simulate(tile_seconds(rays, 64, seconds_per_ray), 64 * 64, machines,
                                    over_a_network)
                               .efficiency,
                     "efficiency / %"});
     for (const int side : {8, 16, 64, 256})
         add("machines", "tiles of " + std::to_string(side), side, over_a_network);
-    add("machines", "tiles of 16, no collector", 16, without_a_collector);
+    add("no rank 0 for all", "tiles of 16, no collector", 16, without_a_collector);
     for (const int machines : {100, 1000, 10'000})
-        report.add({"machines", "tiles of 16, in 100 groups", static_cast<double>(machines),
-                    "machines", 100 * efficiency_in_groups(rays, 16, machines, 100),
-                    "efficiency / %"});
-    for (const int machines : {100, 1000, 10'000})
-        report.add({"machines", "tiles of 16, work stealing", static_cast<double>(machines),
-                    "machines",
-                    100 * simulate_stealing(tile_seconds(rays, 16, seconds_per_ray), machines,
-                                            2 * over_a_network.take),
-                    "efficiency / %"});
+        report.add({"no rank 0 for all", "tiles of 16, in 100 groups",
+                    static_cast<double>(machines), "machines",
+                    100 * efficiency_in_groups(rays, 16, machines, 100), "efficiency / %"});
+    for (const int side : {8, 16})
+        for (const int machines : {100, 1000, 10'000})
+            report.add({"no rank 0 for all", "tiles of " + std::to_string(side) + ", work stealing",
+                        static_cast<double>(machines), "machines",
+                        100 * simulate_stealing(tile_seconds(rays, side, seconds_per_ray), machines,
+                                                2 * over_a_network.take),
+                        "efficiency / %"});
     for (const int side : {8, 16, 64, 256})
         add("messages through memory", "tiles of " + std::to_string(side), side, within_a_machine);
     for (const int side : {8, 16, 64, 256}) {
