@@ -55,13 +55,18 @@ if [ $# -gt 5 ]; then
 fi
 
 # Under mpirun, stderr is a pipe. The bar is drawn if mpirun has a terminal, and only then.
-bar() { script -qec "$mpiexec -n 2 $program --threads 1 --width 64 --height 36 --spp 1 --out bar.ppm $1" bar.txt; }
-bar '' >"$place/stdout" 2>"$place/stderr"
-grep -q '[[]#*[.]*[]]' "$place/stdout" || complain "mpirun has a terminal: no progress bar"
-bar '2>errors.txt' >"$place/stdout" 2>"$place/stderr"
-if grep -q '[[]#' "$place/stdout" errors.txt; then complain "mpirun's stderr is a file: a progress bar"; fi
-bar --quiet >"$place/stdout" 2>"$place/stderr"
-if grep -q '[[]#' "$place/stdout"; then complain "--quiet: a progress bar"; fi
+bar() {
+    script -qec "$mpiexec -n 2 $program --threads 1 --width 64 --height 36 --spp 1 --out bar.ppm $1" bar.txt \
+        >"$place/stdout" 2>"$place/stderr"
+}
+if command -v script >/dev/null; then
+    bar ''
+    grep -q '[[]#' "$place/stdout" || complain "mpirun has a terminal: no progress bar"
+    bar '2>errors.txt'
+    if grep -q '[[]#' "$place/stdout" errors.txt; then complain "mpirun's stderr is a file: a progress bar"; fi
+    bar --quiet
+    if grep -q '[[]#' "$place/stdout"; then complain "--quiet: a progress bar"; fi
+fi
 
 # No room for finished tiles: a clear error, and what is finished stays. Only root may mount a disk.
 mkdir cluster-tiles
