@@ -38,6 +38,10 @@ function control(chapter, figure, { name, label, kind = 'range', options, ...res
     if (kind === 'choice')
         return `<label>${text} <select ${shared} autocomplete="off">${options.map((option, i) =>
             `<option value="${i}"${i === rest.value ? ' selected' : ''}>${escape(option)}</option>`).join('')}</select></label>`;
+    if (kind === 'turns')
+        return `<div class="turns" role="group" aria-label="${text}"><span>${text}</span><input type="number" hidden ${shared} ` +
+            `value="${rest.value}" autocomplete="off">${[...options.entries(), ['', 'Back']].map(([value, option]) =>
+                `<button type="button" data-turns="${name}" value="${value}">${escape(option)}</button>`).join('')}</div>`;
     const data = ['unit', 'play', 'log'].filter(key => rest[key] !== undefined)
         .map(key => ` data-${key}="${escape(String(rest[key]))}"`).join('');
     const slider = `<label>${text} <span class="value">${escape(numbers.named(Number(rest.value), rest))}</span><input type="range" ${shared} min="${rest.min}" ` +

@@ -565,6 +565,28 @@ async function tryBadCode() {
     await close(page);
 }
 
+// The counter of two threads: what was counted between another's read and its write is lost.
+async function tryTurns() {
+    const page = await opened('06-threads.html');
+    const figure = await runs(page, '06.counter');
+    const press = async (...names) => {
+        for (const name of names) await figure.getByRole('button', { name }).click();
+        await settled(figure);
+        return figure.locator('.said').textContent();
+    };
+    assert.equal(await press('Thread 0', 'Thread 1', 'Thread 0', 'Thread 0', 'Thread 1', 'Thread 1'),
+                 'Thread 1 writes 1. The counter was 1: counts lost: 1.');
+    assert.equal(await press('Back', 'Back', 'Back', 'Back', 'Back'), 'Thread 0 reads 0.');
+    const box = await figure.locator('canvas').boundingBox();
+    await page.mouse.click(box.x + 0.9 * box.width, box.y + 40);
+    await settled(figure);
+    assert.equal(await figure.locator('.said').textContent(), 'Thread 1 reads 0.', 'a thread takes a step where it is clicked');
+    await figure.locator('select').selectOption('1');
+    assert.equal(await press('Thread 0'), 'Thread 0 takes tile 2 and leaves 3, in one step.');
+    assert.equal(await press('Reset'), 'Both threads are about to take their first tile.');
+    await close(page);
+}
+
 // A finger that swipes over a figure scrolls the page, and one that taps focuses.
 async function tryTouch() {
     const page = await opened('08-effects.html', { viewport: { width: 390, height: 800 }, hasTouch: true });
@@ -708,6 +730,7 @@ const behaviors = {
         'code that loops or traps is survived': tryBadCode,
         'fingers scroll and tap': tryTouch,
         'workers share a picture': tryWorkers,
+        'threads take turns': tryTurns,
     }),
     'a saved text is shown again': tryServe,
     'the search finds words and leads to them': () => trySearch(root),

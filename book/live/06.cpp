@@ -1,5 +1,7 @@
 // The live figures of chapter 06.
 #include <array>
+#include <bit>
+#include <rt/render_tiles.hpp>
 
 #include "controls.hpp"
 #include "live.hpp"
@@ -261,6 +263,245 @@ void draw(const StreamsControls& c, Drawing& out) {
 
 void drag(StreamsControls& c, const Drag& to) {
     c.run = std::round(c.run + 12 * to.moved().x / to.width);
+}
+
+// ---- Two threads and a counter ----
+
+namespace {
+
+constexpr int tiles = 6;
+constexpr std::array<Ink, 2> thread_inks{blue, orange};
+
+enum class Did { nothing, read, add, write, take };
+
+struct Step {
+    int thread;
+    Did did = Did::nothing;  // nothing if the thread had ended
+    int value = 0;           // that it read, computed or wrote, or the tile that it took
+    int lost = 0;            // counts that its write undid
+};
+
+// What two threads do that take tiles until none is left, in a given order of their steps.
+struct Run {
+    struct Thread {
+        int done = 0;  // instructions of the three, since it began to take this tile
+        int mine = 0, sum = 0;
+        bool has_ended = false;
+    };
+    std::array<Thread, 2> threads{};
+    std::atomic<int> next = 0;
+    std::array<std::array<int, 2>, tiles> rendered{};  // how often each thread rendered each tile
+    std::vector<Step> steps;
+    int lost = 0;
+
+    void read_add_or_write(int number) {
+        Thread& thread = threads[static_cast<std::size_t>(number)];
+        Step step{number};
+        if (thread.done == 3) thread.done = 0;
+        if (thread.done == 0) {
+            step.did = Did::read, step.value = thread.mine = next;
+        } else if (thread.done == 1) {
+            step.did = Did::add, step.value = thread.sum = thread.mine + 1;
+        } else {
+            step.did = Did::write, step.value = thread.sum;
+            step.lost = next - thread.mine;
+            lost += step.lost;
+            next = thread.sum;
+            render(number, thread.mine);
+        }
+        ++thread.done;
+        steps.push_back(step);
+    }
+    void take(int number) {
+        const std::optional<int> tile = rt::take_tile(next, tiles);
+        Thread& thread = threads[static_cast<std::size_t>(number)];
+        thread.mine = tile.value_or(next - 1);
+        thread.done = 1;
+        steps.push_back({number, Did::take, thread.mine});
+        render(number, tile.value_or(tiles));
+    }
+    void render(int number, int tile) {
+        const auto thread = static_cast<std::size_t>(number);
+        if (tile >= tiles)
+            threads[thread].has_ended = true;
+        else
+            ++rendered[static_cast<std::size_t>(tile)][thread];
+    }
+};
+
+void run_turns(const CounterControls& c, Run& run) {
+    const auto turns = static_cast<std::uint64_t>(std::max(1.0, c.turns));
+    for (int bit = std::bit_width(turns) - 2; bit >= 0; --bit) {
+        const int thread = static_cast<int>(turns >> bit & 1);
+        if (run.threads[static_cast<std::size_t>(thread)].has_ended)
+            run.steps.push_back({thread});
+        else if (c.how == 0)
+            run.read_add_or_write(thread);
+        else
+            run.take(thread);
+    }
+}
+
+struct CounterLayout {
+    double side;  // the width of a thread's box
+    std::array<Point, 2> corner;
+    Point counter;  // its middle
+    double row, bottom;
+};
+
+CounterLayout counter_layout(double width, bool is_atomic) {
+    const double side = 0.37 * width, row = 30, top = 26,
+                 bottom = top + (is_atomic ? 1 : 3) * row + 12;
+    return {
+        side, {{{1, top}, {width - side - 1, top}}}, {width / 2, (top + bottom) / 2}, row, bottom};
+}
+
+void draw_thread(Drawing& out, const CounterLayout& layout, const Run& run, int number,
+                 bool is_atomic) {
+    const auto& thread = run.threads[static_cast<std::size_t>(number)];
+    const Point corner = layout.corner[static_cast<std::size_t>(number)],
+                opposite{corner.x + layout.side, layout.bottom};
+    const Ink color = thread_inks[static_cast<std::size_t>(number)];
+    out.box(corner, opposite, thin(color, thread.has_ended ? 0.05 : 0.12));
+    out.frame(corner, opposite, {thread.has_ended ? faint : color, 1.5});
+    out.bold = true;
+    out.text({(corner.x + opposite.x) / 2, 12},
+             thread.has_ended ? "Thread {} has ended" : "Thread {}", color, Align::middle, number);
+    out.bold = false;
+    constexpr std::array words{"read next", "add 1", "write next"};
+    const int instructions = is_atomic ? 1 : 3, to_do = is_atomic ? 0 : thread.done % 3;
+    for (int i = 0; i < instructions; ++i) {
+        const double y = corner.y + 6 + layout.row * (i + 0.5);
+        const bool is_next = !thread.has_ended && i == to_do;
+        if (is_next)
+            out.polygon({{corner.x + 6, y - 5}, {corner.x + 14, y}, {corner.x + 6, y + 5}}, color);
+        out.text({corner.x + 20, y},
+                 is_atomic ? "fetch_add(1)" : words[static_cast<std::size_t>(i)],
+                 is_next ? ink : muted, Align::left);
+        if (i < thread.done)
+            out.text({opposite.x - 10, y}, "{}", ink, Align::right,
+                     i == 0 ? thread.mine : thread.sum);
+    }
+    if (!run.steps.empty() && run.steps.back().thread == number &&
+        run.steps.back().did != Did::nothing && run.steps.back().did != Did::add) {
+        const bool reads = run.steps.back().did == Did::read;
+        const double way = number == 0 ? 1 : -1;
+        const Point outer{number == 0 ? opposite.x + 4 : corner.x - 4, layout.counter.y},
+            inner{layout.counter.x - way * 30, layout.counter.y};
+        if (run.steps.back().did != Did::write) out.arrow(inner, outer, {color, 2.5});
+        if (!reads) out.arrow(outer, inner, {color, 2.5});
+    }
+}
+
+// The latest steps, in a row for each thread.
+double draw_steps(Drawing& out, const Run& run, double top) {
+    const double wide = 27, high = 22, left = 62;
+    const auto room = static_cast<std::size_t>((out.width - left) / wide);
+    const std::size_t first = run.steps.size() > room ? run.steps.size() - room : 0;
+    for (const int thread : {0, 1}) {
+        const double y = top + (high + 4) * (thread + 0.5);
+        out.text({1, y}, "Thread {}", thread_inks[static_cast<std::size_t>(thread)], Align::left,
+                 thread);
+        out.line({left, y}, {out.width, y}, {faint, 1});
+    }
+    out.text_size = 12;
+    for (std::size_t i = first; i < run.steps.size(); ++i) {
+        const Step& step = run.steps[i];
+        if (step.did == Did::nothing) continue;
+        const Ink color = thread_inks[static_cast<std::size_t>(step.thread)];
+        const Point corner{left + wide * static_cast<double>(i - first) + 1,
+                           top + (high + 4) * step.thread + 2},
+            opposite = corner + Point{wide - 2, high};
+        out.box(corner, opposite, paper);
+        out.box(corner, opposite, thin(color, 0.15));
+        out.frame(corner, opposite, {step.lost > 0 ? pink : color, step.lost > 0 ? 3.0 : 1.2});
+        out.text(0.5 * (corner + opposite),
+                 step.did == Did::read    ? "r {}"
+                 : step.did == Did::add   ? "+1"
+                 : step.did == Did::write ? "w {}"
+                                          : "{}",
+                 ink, Align::middle, step.value);
+    }
+    out.text_size = 13;
+    return top + 2 * (high + 4);
+}
+
+double draw_tiles(Drawing& out, const Run& run, double top) {
+    const double left = 62, side = std::min(58.0, (out.width - left) / tiles), high = 38;
+    out.text({1, top + high / 2}, "Tiles", muted, Align::left);
+    for (int tile = 0; tile < tiles; ++tile) {
+        const auto& by = run.rendered[static_cast<std::size_t>(tile)];
+        const Point corner{left + side * tile + 2, top}, opposite = corner + Point{side - 4, high};
+        const int times = by[0] + by[1];
+        for (const int thread : {0, 1}) {
+            if (by[static_cast<std::size_t>(thread)] == 0) continue;
+            const double from = thread == 1 && by[0] > 0 ? 0.5 : 0,
+                         to = thread == 0 && by[1] > 0 ? 0.5 : 1;
+            out.box(corner + Point{from * (side - 4), 0}, {corner.x + to * (side - 4), opposite.y},
+                    thin(thread_inks[static_cast<std::size_t>(thread)], 0.35));
+        }
+        out.frame(corner, opposite,
+                  {times > 1    ? pink
+                   : times == 1 ? ink
+                                : faint,
+                   times > 1 ? 3.0 : 1.2});
+        out.text(corner + Point{(side - 4) / 2, high / 2}, times > 1 ? "{}: {}×" : "{}",
+                 times > 0 ? ink : muted, Align::middle, tile, times);
+    }
+    return top + high;
+}
+
+}  // namespace
+
+void draw(const CounterControls& c, Drawing& out) {
+    Run run;
+    run_turns(c, run);
+    const bool is_atomic = c.how > 0;
+    const CounterLayout layout = counter_layout(out.width, is_atomic);
+    for (const int thread : {0, 1}) draw_thread(out, layout, run, thread, is_atomic);
+    const Point middle = layout.counter;
+    out.box(middle - Point{24, 15}, middle + Point{24, 15}, panel);
+    out.frame(middle - Point{24, 15}, middle + Point{24, 15}, {ink, 1.5});
+    out.text({middle.x, 12}, "next", ink);
+    out.text_size = 16, out.bold = true;
+    out.text(middle, "{}", ink, Align::middle, run.next.load());
+    out.text_size = 13, out.bold = false;
+    const double below = draw_steps(out, run, layout.bottom + 14);
+    out.height = draw_tiles(out, run, below + 12) + 4;
+    out.handle_everywhere();
+
+    int twice = 0, none = 0;
+    for (const auto& by : run.rendered) {
+        twice += by[0] + by[1] > 1;
+        none += by[0] + by[1] == 0;
+    }
+    if (run.steps.empty()) {
+        out.say("Both threads are about to take their first tile.");
+    } else if (run.threads[0].has_ended && run.threads[1].has_ended) {
+        out.say(twice > 0 ? "Both have ended. Counts lost: {}; tiles rendered more than once: {}."
+                          : "Both have ended. Counts lost: {}. Each tile was rendered once.",
+                run.lost, twice);
+    } else if (const Step& step = run.steps.back(); step.lost > 0) {
+        out.say("Thread {} writes {}. The counter was {}: counts lost: {}.", step.thread,
+                step.value, step.value - 1 + step.lost, step.lost);
+    } else if (run.threads[static_cast<std::size_t>(step.thread)].has_ended) {
+        out.say("Thread {} ends, because no tile is left for it.", step.thread);
+    } else if (step.did == Did::read) {
+        out.say("Thread {} reads {}.", step.thread, step.value);
+    } else if (step.did == Did::add) {
+        out.say("Thread {} computes {}. The counter still holds {}.", step.thread, step.value,
+                run.next.load());
+    } else if (step.did == Did::write) {
+        out.say("Thread {} writes {}, and renders tile {}.", step.thread, step.value,
+                step.value - 1);
+    } else {
+        out.say("Thread {} takes tile {} and leaves {}, in one step.", step.thread, step.value,
+                step.value + 1);
+    }
+}
+
+void drag(CounterControls& c, const Drag& to) {
+    if (c.turns < 0x1p52) c.turns = 2 * c.turns + (to.down.x > to.width / 2 ? 1 : 0);
 }
 
 }  // namespace live

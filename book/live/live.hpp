@@ -7,7 +7,9 @@
 //    controls. A control has a name, a label and a value. A slider has min, max and step, and may
 //    have a unit, "log": true (the figure gets the exponent of ten) and "play": steps per second (a
 //    button moves it on). A control of "kind": "choice" has "options" instead; the figure gets the
-//    number of the chosen one. The build makes a struct of the controls: live::PencilControls.
+//    number of the chosen one. A control of "kind": "turns" has two "options", each a button that
+//    adds a turn, and the value 1; the figure gets a number whose binary digits after the first 1
+//    are the turns. The build makes a struct of the controls: live::PencilControls.
 // 2. Draw it in 03.cpp, in the namespace live: void draw(const PencilControls&, Drawing&). Lengths
 //    are pixels of the page, y downward; the drawing is out.width wide, and draw() says how high.
 //    Colors have names, so that they fit a dark page. All mathematics of rays comes from <rt/...>.

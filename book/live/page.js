@@ -95,6 +95,7 @@
             this.form.addEventListener('submit', event => event.preventDefault());
             this.form.addEventListener('reset', () => setTimeout(() => this.changed()));
             for (const button of this.form.querySelectorAll('[data-plays]')) this.play(button);
+            for (const button of this.form.querySelectorAll('[data-turns]')) this.turn(button);
             this.dragging();
             new ResizeObserver(() => this.request({})).observe(this.stage);
         }
@@ -105,7 +106,7 @@
             return this.inputs.map(input => +input.value);
         }
         get ranges() {
-            return this.inputs.map(input => input.type === 'range' ? [+input.min, +input.max] : [0, 1e9]);
+            return this.inputs.map(input => input.type === 'range' ? [+input.min, +input.max] : [0, 2 ** 53]);
         }
         setValues(values) {
             this.inputs.forEach((input, i) => { input.value = values[i]; });
@@ -151,6 +152,16 @@
             });
             this.form.addEventListener('reset', stop);
             this.canvas.addEventListener('pointerdown', stop);
+        }
+
+        // Adds a turn to the end of a list of them, or takes the last one off: see live.hpp.
+        turn(button) {
+            const input = this.inputs.find(one => one.dataset.control === button.dataset.turns);
+            button.addEventListener('click', () => {
+                if (button.value === '') input.value = Math.max(1, Math.floor(input.value / 2));
+                else if (input.value < 2 ** 52) input.value = 2 * input.value + +button.value;
+                this.changed();
+            });
         }
 
         // ---- The workers ----
@@ -319,16 +330,18 @@
                     const [across, along] = at.map((place, i) => Math.abs(place - drag.down[i]));
                     drag.moved ||= Math.max(across, along) > 8;
                     drag.begun ||= across > 8 && across > 2 * along;
-                    if (drag.begun) this.request({ values: drag.values, drag: { down: drag.down, at } });
+                    if (!drag.begun) return;
+                    drag.asked = true;
+                    this.request({ values: drag.values, drag: { down: drag.down, at } });
                 }
             });
             for (const end of ['pointerup', 'pointercancel'])
                 canvas.addEventListener(end, event => {
                     if (drag?.pointer !== event.pointerId) return;
-                    const { begun, moved, values, down } = drag;
+                    const { begun, moved, asked, values, down } = drag;
                     drag = undefined;
                     this.element.classList.remove('grabbed');
-                    if (end === 'pointerup' && !begun && !moved) this.request({ values, drag: { down, at: down } });
+                    if (end === 'pointerup' && !asked && !moved) this.request({ values, drag: { down, at: down } });
                     if (end === 'pointercancel' && begun) {
                         this.setValues(values);
                         this.request({});
