@@ -628,6 +628,8 @@ function tryLiveFigureCount() {
         const count = figures.filter(figure => figure.startsWith(`0${chapter}.`)).length;
         check(count >= 2, `chapter 0${chapter} has ${count} live figures, fewer than 2`);
     }
+    for (const chapter of ['00', '10', '11'])
+        check(figures.some(figure => figure.startsWith(chapter)), `chapter ${chapter} has no live figure`);
     if (!hasLiveFigures) console.log('skipped: live figures, which need Emscripten');
 }
 

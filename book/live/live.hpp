@@ -183,7 +183,7 @@ class Drawing {
     template <class... Numbers>
     void text(Point at, std::string_view words, Ink color, Align align, Numbers... numbers) {
         begin(Op::text, color,
-              {at.x, at.y, static_cast<double>(align), text_size, bold ? 1.0 : 0.0,
+              {at.x, at.y, static_cast<double>(align), text_size, code ? 2.0 : bold ? 1.0 : 0.0,
                on_picture ? 1.0 : 0.0, keep(words), static_cast<double>(numbers)...});
     }
     void text(Point at, std::string_view words, Ink color = live::ink,
@@ -192,6 +192,7 @@ class Drawing {
     }
     double text_size = 13;
     bool bold = false;
+    bool code = false;        // letters of one width, as in a program
     bool on_picture = false;  // white with a dark rim
 
     // A disk that can be dragged. With grip, a ring shows it.

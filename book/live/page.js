@@ -35,7 +35,7 @@
             pen.stroke(round(x, y, radius));
         },
         function text(pen, [x, y, align, size, bold, onPicture, number, ...values], { words }) {
-            pen.font = `${bold ? 600 : 400} ${size}px ${family}`;
+            pen.font = `${bold === 1 ? 600 : 400} ${size}px ${bold === 2 ? 'ui-monospace, monospace' : family}`;
             pen.textAlign = ['left', 'center', 'right'][align];
             pen.textBaseline = 'middle';
             pen.setLineDash([]);

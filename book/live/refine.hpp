@@ -96,7 +96,7 @@ inline void Drawing::refine(Point corner, Point opposite, int columns, int rows,
 
 inline void Drawing::start(double page_width, double ratio) {
     width = page_width, pixel_ratio = ratio;
-    text_size = 13, bold = on_picture = false;
+    text_size = 13, bold = code = on_picture = false;
     list_.clear(), words_.clear(), pictures_.clear();
     count_ = 0;
     refinement_.reset();
