@@ -9,8 +9,8 @@ mistake_tool. Most pictures take less than a minute; those of chapters 08 and 11
 
 Each picture is a line of RECIPES below: a program and its options, sometimes of a program with a known mistake, and
 what is done with the pixels. What is not made here is made by the commands in OTHERS. The texts' figures,
-docs/images/*.svg, are written by hand. Pictures of mistakes and scenes have 256 colors at most; a chapter's own picture
-has all of them, since a test compares it with what the program draws.
+docs/images/*.svg, are written by hand, but for a few stills of live figures. Pictures of mistakes and scenes have 256
+colors at most; a chapter's own picture has all of them, since a test compares it with what the program draws.
 """
 
 import pathlib
@@ -27,6 +27,7 @@ PAGE = 800  # pixels: the width of a page's text. A picture in a table has half 
 
 OTHERS = {
     r"docs/plots/.*\.svg": "./course study --docs",
+    r"docs/images/(00-memory|10-packs|11-points)\.svg": "node book/live/still.mjs FIGURE",
     r"docs/images/.*\.svg": "written by hand",
     r"docs/images/00-first-\d\.png": "python3 tests/00_toolchain/first_steps.py . --draw",
     r"chapters/08_effects/scenes/planet\.png": "python3 chapters/08_effects/scenes/planet.py",

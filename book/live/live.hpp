@@ -24,6 +24,9 @@
 // Figures are built in double. Code that needs float goes in 03.float.cpp, which is compiled with
 // Real = float and the namespace rt named rt_float: see there.
 //
+// node book/live/still.mjs 03.pencil > docs/images/03-pencil.svg makes the still picture, if there is
+// none.
+//
 // node book/live/try.mjs 03.pencil shoot.png [--dark] [--width 390] [name=value ...] compiles,
 // draws and photographs one figure.
 
