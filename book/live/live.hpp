@@ -24,8 +24,8 @@
 // Figures are built in double. Code that needs float goes in 03.float.cpp, which is compiled with
 // Real = float and the namespace rt named rt_float: see there.
 //
-// node book/live/still.mjs 03.pencil > docs/images/03-pencil.svg makes the still picture, if there is
-// none.
+// node book/live/still.mjs 03.pencil > docs/images/03-pencil.svg makes the still picture, if there
+// is none.
 //
 // node book/live/try.mjs 03.pencil shoot.png [--dark] [--width 390] [name=value ...] compiles,
 // draws and photographs one figure.
@@ -186,7 +186,10 @@ class Drawing {
     template <class... Numbers>
     void text(Point at, std::string_view words, Ink color, Align align, Numbers... numbers) {
         begin(Op::text, color,
-              {at.x, at.y, static_cast<double>(align), text_size, code ? 2.0 : bold ? 1.0 : 0.0,
+              {at.x, at.y, static_cast<double>(align), text_size,
+               code   ? 2.0
+               : bold ? 1.0
+                      : 0.0,
                on_picture ? 1.0 : 0.0, keep(words), static_cast<double>(numbers)...});
     }
     void text(Point at, std::string_view words, Ink color = live::ink,
