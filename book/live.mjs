@@ -21,7 +21,7 @@ export const described = new Map(readdirSync(here).filter(name => /^\d\d\.json$/
     .map(name => [name.slice(0, 2), JSON.parse(readFileSync(join(here, name), 'utf8'))]));
 
 // A script or a style sheet as the pages get it.
-export const withoutComments = text => text.replace(/^\s*\/\/.*\n|\/\*[^]*?\*\/\n?/gm, '').replace(/^\s+/gm, '');
+export const withoutComments = text => text.replace(/^\s*\/\/.*\n| {2}\/\/ .*|\/\*[^]*?\*\/\n?/gm, '').replace(/^\s+/gm, '');
 
 // How figures write numbers.
 export const numbers = runInNewContext(`${readFileSync(join(here, 'numbers.js'), 'utf8')}; liveNumbers`);
