@@ -30,15 +30,6 @@ double cross_z(rt::Vec3 a, rt::Vec3 b) {
     return rt::cross(a, b).z;
 }
 
-// The handle that is nearest to where the pointer went down.
-template <std::size_t Count>
-std::size_t nearest_of(const std::array<Point, Count>& places, Point down) {
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < Count; ++i)
-        if (distance(places[i], down) < distance(places[nearest], down)) nearest = i;
-    return nearest;
-}
-
 // ---- Dot and cross product ----
 
 Frame products_frame(double width) {

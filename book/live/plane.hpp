@@ -1,7 +1,9 @@
 #pragma once
 // What figures of a plane have in common: its points in space, a grid, vectors with names, angles.
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <rt/vec3.hpp>
 #include <string_view>
 #include <vector>
@@ -37,6 +39,15 @@ inline void draw_vector(Drawing& out, Point from, Point to, std::string_view nam
     out.bold = true;
     if (length > 0) out.text(to + (22 / length) * (to - from), name, color);
     out.bold = false;
+}
+
+// The handle that is nearest to where the pointer went down.
+template <std::size_t Count>
+std::size_t nearest_of(const std::array<Point, Count>& places, Point down) {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < Count; ++i)
+        if (distance(places[i], down) < distance(places[nearest], down)) nearest = i;
+    return nearest;
 }
 
 // Part of a circle around a point of the page, from one angle to another, in radians,

@@ -1,0 +1,331 @@
+// The live figures of chapter 12.
+#include <array>
+#include <rt/hit_triangle.hpp>
+#include <rt/mesh_materials.hpp>
+#include <string_view>
+
+#include "12.float.hpp"
+#include "controls.hpp"
+#include "live.hpp"
+#include "plane.hpp"
+#include "space.hpp"
+
+namespace live {
+namespace {
+
+// ---- A ray meets a triangle ----
+
+struct TriangleLayout {
+    Frame face;    // the triangle from the front
+    Point middle;  // of the view from the side
+    double scale;
+    Point list;
+    double height;
+};
+
+TriangleLayout triangle_layout(double width) {
+    const bool narrow = width < 520;
+    const double scale = (narrow ? 1 : 0.56) * width / 6.6, face_height = 5.4 * scale;
+    const Frame face{{3.3 * scale, face_height / 2}, {2, 1.5}, scale};
+    if (narrow)
+        return {face,
+                {0.5 * width, face_height + 0.24 * width},
+                width / 8.6,
+                {12, face_height + 0.5 * width},
+                face_height + 0.5 * width + 118};
+    return {face,
+            {0.79 * width, 0.14 * width},
+            width / 21,
+            {0.6 * width, 0.31 * width},
+            std::max(face_height, 0.31 * width + 118)};
+}
+
+rt::Triangle triangle_of(const TriangleControls& c) {
+    return {{0, 0, 0}, {4, 0, 0}, {c.cx, c.cy, 0}};
+}
+
+rt::Ray ray_to(const TriangleControls& c) {
+    const double tilt = rt::radians(c.tilt);
+    const bool along = std::abs(c.tilt) == 90;  // exactly, whatever cos says
+    const rt::Vec3 d{std::sin(tilt), 0, along ? 0 : -std::cos(tilt)};
+    return {rt::Vec3{c.x, c.y, 0} - c.start * d, d};
+}
+
+// A weight that should be 0 and is not, because it was rounded.
+double weight(double w) {
+    return std::abs(w) < 1e-12 ? 0 : w;
+}
+
+// The triangle and the ray, from the side.
+void draw_side(const rt::Triangle& triangle, const rt::Ray& ray, double t, bool is_hit,
+               const TriangleLayout& layout, Drawing& out) {
+    const Space space{layout.middle, {2, 1.3, 1.4}, 52, 24, layout.scale};
+    const auto corners = space.corners({triangle.a, triangle.b, triangle.c, triangle.a});
+    const rt::Vec3 end = ray.at(t);
+    const Point from = space.to_page(ray.origin), at = space.to_page(end),
+                beyond = space.to_page(ray.origin + std::max(t + 1.5, 1.5) * ray.direction);
+    const bool from_front = ray.direction.z <= 0;
+    const auto draw_triangle = [&] {
+        out.polygon(corners, thin(sky, 0.35));
+        out.path(corners, {ink, 1.5});
+    };
+    // What the triangle hides is drawn before it.
+    if (from_front && t >= 0) {
+        out.arrow(at, beyond, {thin(muted, 0.8), 1.5});
+        draw_triangle();
+        out.line(from, at, {accent, 3});
+    } else {
+        out.line(from, space.to_page(end), {thin(muted, 0.8), 1.5, 4});
+        out.arrow(from, beyond, {accent, 3});
+        draw_triangle();
+    }
+    out.dot(at, is_hit ? accent : muted, 4);
+    out.dot(from, ink, 3);
+    out.text(from + Point{0, -14}, "o", ink);
+    out.text(0.5 * (from + at) + Point{6, -14}, "t", accent);
+}
+
+}  // namespace
+
+void draw(const TriangleControls& c, Drawing& out) {
+    const TriangleLayout layout = triangle_layout(out.width);
+    out.height = layout.height;
+    const rt::Triangle triangle = triangle_of(c);
+    const rt::Ray ray = ray_to(c);
+    const rt::Vec3 point{c.x, c.y, 0};
+    const auto hit = rt::hit_triangle(triangle, ray, {0, rt::infinity});
+    // Of a hit, by hit_triangle; beside the triangle, by a function that knows the point.
+    const rt::Vec2 weights = hit ? rt::Vec2{hit->u, hit->v} : rt::weights_at(triangle, point);
+    const double u = weight(weights.x), v = weight(weights.y), w = weight(1 - u - v);
+    const double det =
+        rt::dot(triangle.b - triangle.a, rt::cross(ray.direction, triangle.c - triangle.a));
+
+    // From the front: the three smaller triangles, each in the color of the corner across from it.
+    const std::array corners{layout.face.to_page(in_plane(triangle.a)),
+                             layout.face.to_page(in_plane(triangle.b)),
+                             layout.face.to_page(in_plane(triangle.c))};
+    const Point p = layout.face.to_page({c.x, c.y});
+    const std::array inks{orange, blue, green};
+    const std::array shares{w, u, v};
+    const std::array<std::string_view, 3> names{"a", "b", "c"};
+    const Point center = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point next = corners[(i + 1) % 3], last = corners[(i + 2) % 3];
+        out.polygon({p, next, last}, thin(inks[i], shares[i] < 0 ? 0.08 : 0.28));
+        // The side across from this corner, on and on: there its weight is 0.
+        const double length = distance(next, last);
+        if (length == 0) continue;
+        const Point along = (2 * out.width / length) * (last - next);
+        out.line(next - along, last + along, {thin(inks[i], 0.35), 1, 5});
+    }
+    out.box({layout.face.at.x + 3.3 * layout.face.scale, 0}, {out.width, out.height}, paper);
+    out.box({0, 2 * layout.face.at.y}, {out.width, out.height}, paper);
+    for (std::size_t i = 0; i < 3; ++i) {
+        out.line(p, corners[i], {thin(ink, 0.5), 1.2, shares[i] < 0 ? 4.0 : 0.0});
+        out.line(corners[i], corners[(i + 1) % 3], {ink, 2});
+    }
+    out.text_size = 14;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point away = corners[i] - center;
+        const double length = std::hypot(away.x, away.y);
+        out.bold = true;
+        out.text(corners[i] + (length > 0 ? 20 / length : 0) * away, names[i], inks[i]);
+        out.bold = false;
+        const Point inside = (1.0 / 3) * (p + corners[(i + 1) % 3] + corners[(i + 2) % 3]);
+        if (shares[i] > 0.08) out.text(inside, "{.2}", inks[i], Align::middle, shares[i]);
+    }
+    out.handle(corners[2]);
+    out.handle(p);
+    out.bold = true;
+    out.text(p + Point{14, -14}, "P", ink);
+    out.bold = false;
+
+    draw_side(triangle, ray, c.start, hit.has_value(), layout, out);
+
+    // The tests, up to the one that fails.
+    struct Test {
+        std::string_view words;
+        double number;
+        bool passes;
+    };
+    const std::array tests{
+        Test{"determinant {.2}: not 0", det, det != 0}, Test{"u = {.3}: at least 0", u, u >= 0},
+        Test{"v = {.3}: at least 0", v, v >= 0}, Test{"u + v = {.3}: at most 1", u + v, w >= 0},
+        Test{"t = {.3}: ahead", c.start, c.start >= 0}};
+    out.text_size = 13;
+    std::size_t failing = 0;
+    while (failing < tests.size() && tests[failing].passes) ++failing;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        const Point at = layout.list + Point{0, 12 + 21 * static_cast<double>(i)};
+        const bool reached = i <= failing;
+        out.text(at,
+                 i < failing ? "✓"
+                 : reached   ? "✗"
+                             : "·",
+                 i < failing ? green : orange, Align::left);
+        if (reached)
+            out.text(at + Point{20, 0}, tests[i].words, ink, Align::left, tests[i].number);
+        else
+            out.text(at + Point{20, 0}, "not asked", muted, Align::left);
+    }
+    if (hit)
+        out.say(
+            "A hit at t = {.2}, with u = {.2} and v = {.2}. The weights of a, b and c are {.2}, "
+            "{.2} and {.2}.",
+            hit->t, u, v, w, u, v);
+    else if (failing == tests.size())
+        out.say(
+            "P is on the very edge. hit_triangle leaves this ray to a triangle on the other side "
+            "of it.");
+    else if (failing == 0)
+        out.say("No hit: the ray runs along the triangle, and the determinant is 0.");
+    else if (failing == 4)
+        out.say("No hit: P is in the triangle, but behind the start of the ray.");
+    else
+        out.say(
+            "No hit: P is outside. The weights of a, b and c are {.2}, {.2} and {.2}, and one that "
+            "is negative tells beyond which side.",
+            w, u, v);
+}
+
+void drag(TriangleControls& c, const Drag& to) {
+    const Frame face = triangle_layout(to.width).face;
+    const std::array places{face.to_page({c.x, c.y}), face.to_page({c.cx, c.cy})};
+    const std::size_t moved = nearest_of(places, to.down);
+    const Point now = face.to_plane(places[moved] + to.moved());
+    const Point rounded{std::round(20 * now.x) / 20, std::round(20 * now.y) / 20};
+    (moved == 0 ? c.x : c.cx) = rounded.x;
+    (moved == 0 ? c.y : c.cy) = rounded.y;
+}
+
+// ---- The edge that two triangles share ----
+
+namespace {
+
+struct EdgeLayout {
+    Frame face;
+    std::array<Point, 2> panels;  // their upper left corners
+    double side, height;
+};
+
+EdgeLayout edge_layout(double width) {
+    constexpr double title = 22, counts = 50;
+    if (width < 520) {
+        const double scale = width / 7.4, side = (width - 12) / 2, top = 5 * scale + title;
+        return {{{width / 2, 2.5 * scale}, {2.5, 2}, scale},
+                {Point{0, top}, Point{side + 12, top}},
+                side,
+                top + side + counts};
+    }
+    const double scale = 0.36 * width / 6, side = 0.285 * width;
+    return {{{0.18 * width, title + side / 2}, {2.5, 2}, scale},
+            {Point{0.4 * width, title}, Point{0.71 * width, title}},
+            side,
+            title + side + counts};
+}
+
+double in_float(double x) {
+    return static_cast<double>(static_cast<float>(x));
+}
+Triple in_float(rt::Vec3 p) {
+    return {in_float(p.x), in_float(p.y), in_float(p.z)};
+}
+
+// The corners a, b, c, d of the triangles a b c and d c b, and the eye.
+struct Pair {
+    std::array<rt::Vec3, 4> corners;
+    rt::Vec3 eye;
+};
+
+Pair pair_of(const EdgeControls& c) {
+    if (c.corners == 2) return {{{{0, 0, 0}, {4, 0, 1}, {1, 4, -1}, {5, 4, 0}}}, {2, 2, 5}};
+    return {{{{0.1, 0.2, 0.3}, {3.7, 0.9, -0.7}, {1.3, 3.1, 0.45}, {4.9, 3.8, 0.2}}},
+            {2.3, 1.7, 5.3}};
+}
+
+// Where a point is seen in the plane z = 0, from the eye.
+Point seen_from(rt::Vec3 eye, rt::Vec3 p) {
+    return in_plane(eye + eye.z / (eye.z - p.z) * (p - eye));
+}
+
+constexpr int cells = 40;
+
+}  // namespace
+
+void draw(const EdgeControls& c, Drawing& out) {
+    const EdgeLayout layout = edge_layout(out.width);
+    out.height = layout.height;
+    const Pair pair = pair_of(c);
+    const auto& [a, b, corner_c, d] = pair.corners;
+    const double width = std::pow(10, c.closer);
+    const std::array<rt::Color, 4> colors{rt::from_hex(0xd8321e), rt::from_hex(0x7fa8d8),
+                                          rt::from_hex(0xa9c97f), rt::from_hex(0xf7d038)};
+
+    // The triangles, as the eye sees them.
+    const auto page = [&](rt::Vec3 p) { return layout.face.to_page(seen_from(pair.eye, p)); };
+    out.polygon({page(a), page(b), page(corner_c)}, thin(shown(colors[1]), 0.55));
+    out.polygon({page(d), page(corner_c), page(b)}, thin(shown(colors[2]), 0.55));
+    out.path({page(b), page(a), page(corner_c), page(d), page(b)}, {ink, 1.5});
+    out.line(page(b), page(corner_c), {ink, 2.5});
+    const rt::Vec3 middle = b + c.place * (corner_c - b);
+    const double half = std::max(3.0, 0.5 * width * layout.face.scale);
+    const Point at = page(middle);
+    out.frame(at - Point{half, half}, at + Point{half, half}, {accent, 1.5});
+    out.handle(at);
+
+    // Rays through the cells of a square around that point, in the plane of constant z.
+    std::array<std::array<Triple, 3>, 2> triangles;
+    const Triple fa = in_float(a), fb = in_float(b), fc = in_float(corner_c), fd = in_float(d);
+    if (c.corners == 0)
+        triangles = {{{fb, fc, fa}, {fc, fb, fd}}};
+    else
+        triangles = {{{fa, fb, fc}, {fd, fc, fb}}};
+    std::array<Bytes*, 2> pictures{&out.picture(cells, cells), &out.picture(cells, cells)};
+    std::array<std::array<int, 4>, 2> counts{};
+    for (int row = 0; row < cells; ++row)
+        for (int column = 0; column < cells; ++column) {
+            const rt::Vec3 offset{width * ((column + 0.5) / cells - 0.5),
+                                  width * (0.5 - (row + 0.5) / cells), 0};
+            const EdgeHits hits =
+                hits_in_float(triangles, in_float(pair.eye), in_float(middle + offset - pair.eye));
+            const std::array both{hits.plain, hits.exercise};
+            for (std::size_t i = 0; i < 2; ++i) {
+                pictures[i]->set(column, row, colors[both[i]]);
+                ++counts[i][both[i]];
+            }
+        }
+
+    const std::array<std::string_view, 2> titles{
+        out.is_narrow() ? "plain test" : "plain test, in float",
+        out.is_narrow() ? "hit_triangle" : "hit_triangle, in float"};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Point corner = layout.panels[i], opposite = corner + Point{layout.side, layout.side};
+        out.show(*pictures[i], corner, opposite, false);
+        out.frame(corner, opposite, {accent, 1.5});
+        const double x = 0.5 * (corner.x + opposite.x);
+        out.bold = true;
+        out.text({x, corner.y - 12}, titles[i], ink);
+        out.bold = false;
+        out.text({x, opposite.y + 16}, "no hit: {}", counts[i][0] ? orange : muted, Align::middle,
+                 double(counts[i][0]));
+        out.text({x, opposite.y + 36}, "two hits: {}", counts[i][3] ? orange : muted, Align::middle,
+                 double(counts[i][3]));
+    }
+    out.say(
+        "{} rays toward a square {e} wide. The plain test finds no hit for {} of them, and two for "
+        "{}; hit_triangle finds no hit for {}, and two for {}.",
+        double(cells * cells), width, double(counts[0][0]), double(counts[0][3]),
+        double(counts[1][0]), double(counts[1][3]));
+}
+
+void drag(EdgeControls& c, const Drag& to) {
+    const EdgeLayout layout = edge_layout(to.width);
+    const Pair pair = pair_of(c);
+    const rt::Vec3 b = pair.corners[1], end = pair.corners[2];
+    const auto page = [&](rt::Vec3 p) { return layout.face.to_page(seen_from(pair.eye, p)); };
+    // Up or down by as much as the pointer.
+    const double length = page(end).y - page(b).y;
+    c.place += to.moved().y / length;
+}
+
+}  // namespace live
