@@ -1,8 +1,12 @@
 // The live figures of chapter 12.
 #include <array>
+#include <optional>
 #include <rt/hit_triangle.hpp>
+#include <rt/lambert.hpp>
 #include <rt/mesh_materials.hpp>
+#include <rt/metal.hpp>
 #include <string_view>
+#include <vector>
 
 #include "12.float.hpp"
 #include "controls.hpp"
@@ -162,7 +166,10 @@ void draw(const TriangleControls& c, Drawing& out) {
                  i < failing ? "✓"
                  : reached   ? "✗"
                              : "·",
-                 i < failing ? green : orange, Align::left);
+                 i < failing ? green
+                 : reached   ? orange
+                             : muted,
+                 Align::left);
         if (reached)
             out.text(at + Point{20, 0}, tests[i].words, ink, Align::left, tests[i].number);
         else
@@ -238,7 +245,7 @@ struct Pair {
 };
 
 Pair pair_of(const EdgeControls& c) {
-    if (c.corners == 2) return {{{{0, 0, 0}, {4, 0, 1}, {1, 4, -1}, {5, 4, 0}}}, {2, 2, 5}};
+    if (c.corners == 2) return {{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}}}, {1, 1, 4}};
     return {{{{0.1, 0.2, 0.3}, {3.7, 0.9, -0.7}, {1.3, 3.1, 0.45}, {4.9, 3.8, 0.2}}},
             {2.3, 1.7, 5.3}};
 }
@@ -312,8 +319,8 @@ void draw(const EdgeControls& c, Drawing& out) {
                  double(counts[i][3]));
     }
     out.say(
-        "{} rays toward a square {e} wide. The plain test finds no hit for {} of them, and two for "
-        "{}; hit_triangle finds no hit for {}, and two for {}.",
+        "Of {} rays toward a square {e} wide, the plain test lets {} through, and with {} it hits "
+        "both triangles. With hit_triangle it is {} and {}.",
         double(cells * cells), width, double(counts[0][0]), double(counts[0][3]),
         double(counts[1][0]), double(counts[1][3]));
 }
@@ -326,6 +333,213 @@ void drag(EdgeControls& c, const Drag& to) {
     // Up or down by as much as the pointer.
     const double length = page(end).y - page(b).y;
     c.place += to.moved().y / length;
+}
+
+// ---- Smooth normals of a coarse shape ----
+
+namespace {
+
+struct DomeLayout {
+    Frame frame;
+    Point bars;  // the upper left corner of the first one
+    double bar, height;
+};
+
+DomeLayout dome_layout(double width) {
+    const bool narrow = width < 520;
+    const double scale = (narrow ? 0.25 : 0.22) * width, bottom = 2.15 * scale;
+    return {{{width / 2, bottom}, {0, -0.1}, scale},
+            {width / 2 - scale, bottom + 34},
+            20,
+            bottom + (narrow ? 132 : 112)};
+}
+
+// Half a tube, seen from its end: flat sides between points of a circle of radius 1. Each side is
+// two triangles, from z = -1 to z = 1; what is drawn is the plane z = 0.
+class Dome {
+  public:
+    explicit Dome(int sides) : sides_{sides} {
+        for (int i = 0; i < sides; ++i) {
+            const auto low = [](rt::Vec3 p) { return p - rt::Vec3{0, 0, 1}; };
+            const auto high = [](rt::Vec3 p) { return p + rt::Vec3{0, 0, 1}; };
+            const rt::Vec3 p = rim(i), q = rim(i + 1);
+            add({low(p), high(p), high(q)}, {p, p, q});
+            add({low(p), high(q), low(q)}, {p, q, q});
+        }
+    }
+    int sides() const { return sides_; }
+    // A point where two sides meet; on the circle, so that it is the normal there, too.
+    rt::Vec3 rim(int i) const {
+        const double angle = rt::pi * (1 - static_cast<double>(i) / sides_);
+        return {std::cos(angle), std::sin(angle), 0};
+    }
+
+    struct Meeting {
+        rt::Vec3 point, flat, smooth;
+    };
+    std::optional<Meeting> hit(const rt::Ray& ray) const {
+        std::optional<rt::TriangleHit> nearest;
+        std::size_t which = 0;
+        for (std::size_t i = 0; i < triangles_.size(); ++i)
+            if (const auto t =
+                    rt::hit_triangle(triangles_[i], ray, {0, nearest ? nearest->t : rt::infinity}))
+                nearest = t, which = i;
+        if (!nearest) return {};
+        const auto& [a, b, c] = triangles_[which];
+        const rt::Vec3 flat = rt::normalize(rt::cross(b - a, c - a));  // outward
+        return Meeting{ray.at(nearest->t), flat,
+                       rt::smooth_normal(normals_[which], nearest->u, nearest->v, flat)};
+    }
+
+  private:
+    void add(rt::Triangle triangle, const std::array<rt::Vec3, 3>& normals) {
+        triangles_.push_back(triangle);
+        normals_.push_back(normals);
+    }
+
+    int sides_;
+    std::vector<rt::Triangle> triangles_;
+    std::vector<std::array<rt::Vec3, 3>> normals_;
+};
+
+// A ray of the sunlight, which passes the middle of the circle at this distance.
+struct Sun {
+    static constexpr double reach = 1.6;  // how far from the middle the drawn rays start
+
+    rt::Vec3 to_sun, across;
+
+    explicit Sun(double degrees) {
+        const double angle = rt::radians(degrees);
+        to_sun = {std::cos(angle), std::sin(angle), 0};
+        across = {-to_sun.y, to_sun.x, 0};
+    }
+    rt::Ray ray(double beside) const { return {reach * to_sun + beside * across, -to_sun}; }
+};
+
+// Where a mirror sends the light, by the choice of the reader.
+rt::Vec3 mirrored(double way, rt::Vec3 incoming, const Dome::Meeting& at) {
+    const auto metal = [&](rt::Vec3 normal) {
+        return rt::metal_direction(incoming, normal, 0, {});
+    };
+    if (way == 0) return metal(at.flat);
+    if (way == 1) return metal(at.smooth);
+    if (way == 2) return rt::keep_side(metal(at.smooth), at.smooth, at.flat);
+    const rt::Vec3 bent = rt::bent_normal(at.smooth, at.flat, incoming);
+    return rt::keep_side(metal(bent), bent, at.flat);
+}
+
+}  // namespace
+
+void draw(const NormalsControls& c, Drawing& out) {
+    const DomeLayout layout = dome_layout(out.width);
+    out.height = layout.height;
+    const Dome dome{static_cast<int>(c.sides)};
+    const Sun sun{c.sun};
+    const auto page = [&](rt::Vec3 p) { return layout.frame.to_page(in_plane(p)); };
+
+    // The mesh, and the surface that is meant.
+    std::vector<Point> rim, circle;
+    for (int i = 0; i <= dome.sides(); ++i) rim.push_back(page(dome.rim(i)));
+    for (int i = 0; i <= 60; ++i)
+        circle.push_back(page({std::cos(rt::pi * i / 60), std::sin(rt::pi * i / 60), 0}));
+    out.polygon(rim, thin(sky, 0.22));
+    out.path(circle, {thin(blue, 0.7), 1.2, 5});
+    out.path(rim, {ink, 2.5});
+    for (const Point p : rim) out.disc(p, 3, ink);
+
+    // Where sunlight goes from points all over the surface.
+    constexpr int points = 54;
+    int lit = 0, wrong = 0;
+    for (int i = 0; i < points; ++i) {
+        const double along = dome.sides() * (i + 0.5) / points;
+        const int side = static_cast<int>(along);
+        const rt::Vec3 p = dome.rim(side), point = p + (along - side) * (dome.rim(side + 1) - p);
+        const rt::Ray ray = sun.ray(rt::dot(point, sun.across));
+        const auto at = dome.hit(ray);
+        if (!at || rt::length(at->point - point) > 1e-6) continue;  // in the shade
+        const rt::Vec3 away = mirrored(c.way, ray.direction, *at);
+        const bool is_wrong = !(rt::dot(away, at->flat) > 0);
+        ++lit, wrong += is_wrong;
+        out.line(page(point + 0.25 * sun.to_sun), page(point), {thin(amber, 0.6), 1});
+        out.line(page(point), page(point + 0.45 * away),
+                 {thin(is_wrong ? orange : green, is_wrong ? 0.9 : 0.55), is_wrong ? 1.8 : 1.2});
+    }
+
+    // One ray, with its normals.
+    const rt::Ray ray = sun.ray(c.beside);
+    const auto at = dome.hit(ray);
+    const bool is_bent = c.way == 3;
+    if (at) {
+        const rt::Vec3 away = mirrored(c.way, ray.direction, *at), start = at->point;
+        out.line(page(ray.origin), page(start), {amber, 3});
+        out.arrow(page(start), page(start + 0.6 * at->flat), {muted, 2.5});
+        out.arrow(page(start), page(start + 0.6 * at->smooth), {blue, 2.5});
+        if (is_bent)
+            out.arrow(page(start),
+                      page(start + 0.6 * rt::bent_normal(at->smooth, at->flat, ray.direction)),
+                      {pink, 2.5});
+        out.arrow(page(start), page(start + 0.8 * away),
+                  {rt::dot(away, at->flat) > 0 ? green : orange, 3.5});
+        out.dot(page(start), ink, 4);
+    } else {
+        out.line(page(ray.origin), page(ray.at(2 * Sun::reach)), {amber, 3});
+    }
+    out.handle(page(ray.origin));
+
+    struct Name {
+        std::string_view words;
+        Ink color;
+    };
+    const std::array names{Name{"light", amber},          Name{"flat normal", muted},
+                           Name{"smooth normal", blue},   Name{"mirrored", green},
+                           Name{"into the mesh", orange}, Name{"bent normal", pink}};
+    const std::size_t in_row = out.is_narrow() ? 3 : 6;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (is_bent || names[i].words != "bent normal")
+            out.text(
+                {out.width * (static_cast<double>(i % in_row) + 0.5) / static_cast<double>(in_row),
+                 layout.bars.y + 66 + 20 * static_cast<double>(i / in_row)},
+                names[i].words, names[i].color);
+
+    // The same shape of matte material, seen from above.
+    constexpr int columns = 160;
+    const double width = 2 * layout.frame.scale;
+    for (const bool is_smooth : {false, true}) {
+        Bytes& bar = out.picture(columns, 1);
+        for (int i = 0; i < columns; ++i) {
+            const double x = 2 * (i + 0.5) / columns - 1;
+            const auto seen = dome.hit({{x, 3, 0}, {0, -1, 0}});
+            const double light =
+                seen ? rt::lambert(is_smooth ? seen->smooth : seen->flat, sun.to_sun) : 0;
+            bar.set(i, 0, rt::mix({0.02, 0.025, 0.04}, {1, 0.8, 0.5}, light));
+        }
+        const Point corner = layout.bars + Point{0, is_smooth ? layout.bar + 4 : 0};
+        out.show(bar, corner, corner + Point{width, layout.bar}, false);
+        out.text(corner + Point{-8, layout.bar / 2}, is_smooth ? "smooth" : "flat", ink,
+                 Align::right);
+    }
+    out.text(layout.bars + Point{width / 2, -12}, "seen from above, if the material is matte",
+             muted);
+
+    if (wrong)
+        out.say(
+            "From {} of {} points in the light, the mirror direction leads through the flat side, "
+            "into the mesh.",
+            double(wrong), double(lit));
+    else
+        out.say("From all {} points in the light, the mirror direction leads away from the mesh.",
+                double(lit));
+}
+
+void drag(NormalsControls& c, const Drag& to) {
+    const DomeLayout layout = dome_layout(to.width);
+    const Point from = in_plane(Sun{c.sun}.ray(c.beside).origin);
+    const Point now = layout.frame.to_plane(layout.frame.to_page(from) + to.moved());
+    // The ray goes on as far beside the middle as before.
+    const double beside =
+        std::asin(std::clamp(c.beside / std::hypot(Sun::reach, c.beside), -1.0, 1.0));
+    const double degrees = in_degrees(std::atan2(now.y, now.x) - beside);
+    c.sun = degrees < -90 ? 180 : degrees;
 }
 
 }  // namespace live
