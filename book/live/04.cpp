@@ -4,8 +4,10 @@
 #include <rt/make_camera.hpp>
 #include <rt/render_pixel.hpp>
 
+#include "04.float.hpp"
 #include "controls.hpp"
 #include "live.hpp"
+#include "plane.hpp"
 #include "scene.hpp"
 #include "space.hpp"
 
@@ -309,6 +311,95 @@ void draw(const DirectionsControls& c, Drawing& out) {
 void drag(DirectionsControls& c, const Drag& to) {
     c.turn -= 240 * to.moved().x / to.width;
     c.up += 200 * to.moved().y / to.width;
+}
+
+// ---- Leaving a surface ----
+
+namespace {
+
+struct LeaveLayout {
+    double left, right, surface, height;  // where the surface is, from above
+};
+
+LeaveLayout leave_layout(double width) {
+    const double height = width < 520 ? 0.95 * width : 0.5 * width;
+    return {8, width - 8, 0.55 * height, height};
+}
+
+constexpr double arrow_length = 56;
+
+}  // namespace
+
+void draw(const LeaveControls& c, Drawing& out) {
+    const LeaveLayout layout = leave_layout(out.width);
+    out.height = layout.height;
+    constexpr int count = 61;
+    const double radius = std::pow(10, c.radius), far = radius * std::pow(10, c.far);
+    std::vector<Departure> all;
+    double bound = 0, reach = 0;  // the largest of their error bounds, and of all heights
+    int wrong = 0;
+    for (int i = 0; i < count; ++i) {
+        // A thousandth of a degree apart: each is rounded in its own way.
+        all.push_back(depart_in_float(radius, far, rt::radians(c.place + 0.001 * (i - count / 2)),
+                                      rt::radians(c.angle), static_cast<int>(c.way)));
+        bound = std::max(bound, all.back().error);
+        reach = std::max(
+            {reach, all.back().error, std::abs(all.back().height), std::abs(all.back().start)});
+        wrong += !all.back().is_right;
+    }
+
+    const double scale = 0.29 * layout.height / reach;
+    const auto at = [&](int i, double height) {
+        return Point{layout.left + (layout.right - layout.left) * (i + 0.5) / count,
+                     layout.surface - scale * height};
+    };
+    // The sphere, whose surface is straight from so near, and the band of the error.
+    out.box({0, layout.surface}, {out.width, out.height}, thin(sky, 0.25));
+    out.box({0, layout.surface - scale * bound}, {out.width, layout.surface + scale * bound},
+            thin(amber, 0.22));
+    out.line({0, layout.surface}, {out.width, layout.surface}, {ink, 2});
+    for (int i = 0; i < count; ++i) {
+        const Departure& one = all[static_cast<std::size_t>(i)];
+        const Ink color = one.is_right ? green : orange;
+        if (c.way > 0) out.line(at(i, one.height), at(i, one.start), {thin(color, 0.5), 1});
+        out.disc(at(i, one.height), 2, ink);
+        out.disc(at(i, one.start), 3.5, color);
+    }
+
+    // One ray, with its direction.
+    const Departure& middle = all[count / 2];
+    const Point start = at(count / 2, middle.start);
+    const double angle = rt::radians(c.angle);
+    const Point tip = start + arrow_length * Point{std::sin(angle), -std::cos(angle)};
+    out.arrow(start, tip, {accent, 3});
+    out.line(start, start - Point{0, 50}, {muted, 1.5, 4});
+    out.text(start - Point{0, 60}, "n", muted);
+    out.handle(tip);
+
+    if (out.is_narrow()) out.text_size = 11.5;
+    out.text({10, layout.surface - scale * bound - 12}, "error bound: {e}", amber, Align::left,
+             bound);
+    out.text({10, out.height - 14}, "the sphere", ink, Align::left);
+    out.text({out.width - 10, 14}, "starts of rays, up to {e} away", ink, Align::right, reach);
+    const bool outward = c.angle < 90;
+    out.text({out.width - 10, out.height - 34},
+             outward ? "leaves the sphere" : "meets the far side", green, Align::right);
+    out.text({out.width - 10, out.height - 14},
+             outward ? "meets the sphere again" : "does not meet the far side", orange,
+             Align::right);
+
+    if (outward)
+        out.say("{} of {} rays meet the sphere that they leave.", double(wrong), double(count));
+    else
+        out.say("{} of {} rays into the sphere do not meet its far side.", double(wrong),
+                double(count));
+}
+
+void drag(LeaveControls& c, const Drag& to) {
+    // From wherever the arrow starts: only what has been moved counts.
+    const double before = rt::radians(c.angle);
+    const Point tip = arrow_length * Point{std::sin(before), -std::cos(before)} + to.moved();
+    c.angle = in_degrees(std::abs(std::atan2(tip.x, -tip.y)));
 }
 
 // ---- The chapter's scene ----
