@@ -615,6 +615,33 @@ async function tryTouch() {
     await close(page);
 }
 
+// What figures in float say about the hard cases, by the plain way and by the solution's.
+async function tryHardCases() {
+    for (const [name, live, ...cases] of [
+        ['04-normals_aa.html', '04.leave', [{ way: 0 }, /^([4-9]|\d\d) of 61 rays meet/], [{ way: 1, angle: 88, far: 4 }, /^0 of 61 rays meet/],
+         [{ way: 2, radius: 5 }, /^0 of 61 rays meet/], [{ angle: 120 }, /^0 of 61 rays into/]],
+        ['12-triangles.html', '12.normals', [{ way: 0 }, /^From all/], [{ way: 1 }, /^From [1-9]\d? of/], [{ way: 2 }, /^From all/], [{ way: 3 }, /^From all/]],
+        ['12-triangles.html', '12.edge', [{ closer: -6 }, /plain test lets [1-9]\d* through, and with 0 it .* is 0 and 0\.$/],
+         [{ corners: 1 }, /lets 0 through, and with [1-9]\d* it .* is 0 and 0\.$/],
+         [{ corners: 2, closer: -2 }, /lets 0 through, and with 40 it .* is 0 and 0\.$/]],
+        ['12-triangles.html', '12.triangle', [{ x: 4, y: 2 }, /weights of a, b and c are −0\.44, 0\.81 and 0\.62/],
+         [{ tilt: 90, x: 1, y: 1 }, /determinant is 0/], [{ tilt: 0, start: -1 }, /^No hit: .* behind/], [{ start: 2 }, /^A hit at t = 2\.00/]],
+    ]) {
+        const page = await opened(name);
+        await page.evaluate(() => { for (const fold of document.querySelectorAll('details')) fold.open = true; });
+        const figure = await runs(page, live);
+        for (const [values, says] of cases) {
+            for (const [control, value] of Object.entries(values)) await figure.locator(`[data-control=${control}]`).evaluate((input, value) => {
+                input.value = value;
+                input.dispatchEvent(new Event('input', { bubbles: true }));
+            }, value);
+            await settled(figure);
+            assert.match(await figure.locator('.said').textContent(), says, `${live} with ${JSON.stringify(values)}`);
+        }
+        await close(page);
+    }
+}
+
 async function tryOneLiveFigure(from) {
     const page = await opened('03-sphere.html', {}, from);
     await page.locator('figure.live').first().scrollIntoViewIfNeeded();
@@ -733,6 +760,7 @@ const behaviors = {
         'fingers scroll and tap': tryTouch,
         'workers share a picture': tryWorkers,
         'threads take turns': tryTurns,
+        'what is hard in float is seen': tryHardCases,
     }),
     'a saved text is shown again': tryServe,
     'the search finds words and leads to them': () => trySearch(root),

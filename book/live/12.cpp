@@ -218,7 +218,7 @@ struct EdgeLayout {
 EdgeLayout edge_layout(double width) {
     constexpr double title = 22, counts = 50;
     if (width < 520) {
-        const double scale = width / 7.4, side = (width - 12) / 2, top = 5 * scale + title;
+        const double scale = width / 7.4, side = (width - 12) / 2, top = 5 * scale + 20 + title;
         return {{{width / 2, 2.5 * scale}, {2.5, 2}, scale},
                 {Point{0, top}, Point{side + 12, top}},
                 side,
@@ -279,6 +279,8 @@ void draw(const EdgeControls& c, Drawing& out) {
     const Point at = page(middle);
     out.frame(at - Point{half, half}, at + Point{half, half}, {accent, 1.5});
     out.handle(at);
+    out.text({layout.face.at.x, layout.panels[0].y + (out.is_narrow() ? -46 : layout.side + 26)},
+             "the square is {e} wide", ink, Align::middle, width);
 
     // Rays through the cells of a square around that point, in the plane of constant z.
     std::array<std::array<Triple, 3>, 2> triangles;
