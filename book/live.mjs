@@ -92,7 +92,8 @@ export function folders(chapter, chapters, first) {
 
 // The wide trees, from chapter 07 on, are twice as fast with SIMD, and give the same bits.
 const flags = ['-std=c++20', '-O2', '-msimd128', '-ffp-contract=off', '-Wall', '-Wextra', '-include', join(here, 'missing.hpp')];
-const linked = ['-sSTANDALONE_WASM', '--no-entry', '-sALLOW_MEMORY_GROWTH=1'];
+// Linked for size, which pages count: the loops that take time have been compiled before, and stay as fast.
+const linked = ['-Oz', '-sMALLOC=emmalloc', '-sSTANDALONE_WASM', '--no-entry', '-sALLOW_MEMORY_GROWTH=1'];
 
 // The sources that a person wrote for a chapter's figures. The second, if there is one, is compiled in float.
 export const written = chapter =>
@@ -136,7 +137,7 @@ async function compile(chapter, chapters, first, cache) {
             return to;
         }));
         const to = join(folder, 'module.wasm');
-        await run(emcc, ['-O2', ...linked, ...compiled, '-o', to]);
+        await run(emcc, [...linked, ...compiled, '-o', to]);
         keep(kept, readFileSync(to));
         return kept;
     } catch (error) {

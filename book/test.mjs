@@ -615,11 +615,13 @@ async function tryTouch() {
     await close(page);
 }
 
-// What figures in float say about the hard cases, by the plain way and by the solution's.
-async function tryHardCases() {
+// What figures say about the cases that their texts ask about, by the wrong way, the plain way and the solution's.
+async function tryAnswers() {
     for (const [name, live, ...cases] of [
         ['04-normals_aa.html', '04.leave', [{ way: 0 }, /^([4-9]|\d\d) of 61 rays meet/], [{ way: 1, angle: 88, far: 4 }, /^0 of 61 rays meet/],
          [{ way: 2, radius: 5 }, /^0 of 61 rays meet/], [{ angle: 120 }, /^0 of 61 rays into/]],
+        ['08-effects.html', '08.instance', [{ stretch: 2 }, /at t = 2\.39 in the world, and at t = 2\.39 in/], [{ way: 1 }, /at t = 2\.39 in the world, and at t = 1\.35 in/],
+         [{ y: 2.2 }, /misses/]],
         ['12-triangles.html', '12.normals', [{ way: 0 }, /^From all/], [{ way: 1 }, /^From [1-9]\d? of/], [{ way: 2 }, /^From all/], [{ way: 3 }, /^From all/]],
         ['12-triangles.html', '12.edge', [{ closer: -6 }, /plain test lets [1-9]\d* through, and with 0 it .* is 0 and 0\.$/],
          [{ corners: 1 }, /lets 0 through, and with [1-9]\d* it .* is 0 and 0\.$/],
@@ -760,7 +762,7 @@ const behaviors = {
         'fingers scroll and tap': tryTouch,
         'workers share a picture': tryWorkers,
         'threads take turns': tryTurns,
-        'what is hard in float is seen': tryHardCases,
+        'figures answer what their texts ask': tryAnswers,
     }),
     'a saved text is shown again': tryServe,
     'the search finds words and leads to them': () => trySearch(root),

@@ -1,5 +1,6 @@
 // The live figures of chapter 08.
 #include <array>
+#include <rt/instance.hpp>
 #include <rt/lit_path.hpp>
 #include <rt/ready_scene.hpp>
 #include <rt/sample_rng.hpp>
@@ -9,6 +10,7 @@
 #include "final_scene.cpp"
 #include "live.hpp"
 #include "placing.cpp"
+#include "plane.hpp"
 
 namespace live {
 namespace {
@@ -220,6 +222,119 @@ void draw(const LampsControls& c, Drawing& out) {
 
 void drag(LampsControls& c, const Drag& to) {
     c.turn -= 90 * to.moved().x / to.width;
+}
+
+// ---- An instance, in the world and in its own space ----
+
+namespace {
+
+struct InstanceLayout {
+    Frame world, object;
+    double panel, height;  // of each of the two panels
+};
+
+InstanceLayout instance_layout(double width) {
+    const bool narrow = width < 520;
+    const double panel = narrow ? width : width / 2 - 8, scale = panel / 7.6, high = 4.9 * scale;
+    const Frame world{{panel / 2, high / 2 + 12}, {-0.4, 0}, scale};
+    return {world,
+            {world.at + (narrow ? Point{0, high + 24} : Point{panel + 16, 0}), {-1.4, 0}, scale},
+            panel,
+            high};
+}
+
+rt::Instance instance_of(const InstanceControls& c) {
+    const double turn = rt::radians(c.turn), x = std::cos(turn), y = std::sin(turn);
+    return rt::make_instance(
+        rt::from_columns({c.stretch * x, c.stretch * y, 0}, {-y, x, 0}, {0, 0, 1}, {0.8, 0.2, 0}),
+        0);
+}
+
+rt::Ray ray_of(const InstanceControls& c) {
+    return {{c.x, c.y, 0}, {c.dx, c.dy, 0}};
+}
+
+// The part of the ray that its panel shows, with a mark at each whole t, the ellipse that the
+// matrix makes of the unit circle, and what is met at t.
+void draw_space(Drawing& out, const Frame& at, const InstanceLayout& layout, const rt::Mat4& m,
+                const rt::Ray& ray, std::optional<double> t, rt::Vec3 normal) {
+    const auto page = [&](rt::Vec3 p) { return at.to_page(in_plane(p)); };
+    const auto is_in = [&](Point p) {
+        return std::abs(p.x - at.at.x) < layout.panel / 2 - 6 &&
+               std::abs(p.y - at.at.y) < layout.height / 2 - 6;
+    };
+    std::vector<Point> rim, seen;
+    for (int i = 0; i <= 90; ++i) {
+        const double angle = rt::radians(4 * i);
+        rim.push_back(page(rt::transform_point(m, {std::cos(angle), std::sin(angle), 0})));
+    }
+    out.polygon(rim, thin(sky, 0.3));
+    out.path(rim, {sky, 2});
+    for (double along = 0; along < 16; along += 0.02)
+        if (const Point p = page(ray.at(along)); is_in(p)) seen.push_back(p);
+    out.path(seen, {thin(accent, 0.7), 1.5});
+    if (is_in(page(ray.origin))) out.arrow(page(ray.origin), page(ray.at(1)), {accent, 3.5});
+    for (int whole = 1; whole < 16; ++whole)
+        if (const Point p = page(ray.at(whole)); is_in(p)) {
+            out.disc(p, 2.5, ink);
+            out.text(p + Point{0, 13}, "{}", muted, Align::middle, double(whole));
+        }
+    if (t) {
+        const Point hit = page(ray.at(*t));
+        out.arrow(hit, page(ray.at(*t) + 0.8 * normal), {blue, 2.5});
+        out.dot(hit, green, 5);
+    }
+}
+
+}  // namespace
+
+void draw(const InstanceControls& c, Drawing& out) {
+    const InstanceLayout layout = instance_layout(out.width);
+    out.height = layout.object.at.y + layout.height / 2 + 12;
+    const rt::Instance instance = instance_of(c);
+    const rt::Ray ray = ray_of(c);
+    rt::Ray there = rt::object_ray(instance, ray);
+    if (c.way == 1) there.direction = rt::normalize(there.direction);
+
+    const auto t = rt::hit_instance(instance, ray, {0, rt::infinity});
+    const auto t_there = rt::hit_sphere(rt::unit_sphere, there, {0, rt::infinity});
+    draw_space(out, layout.world, layout, instance.object_to_world, ray, t,
+               t ? surface_hit(instance, ray, *t).normal : rt::Vec3{});
+    draw_space(out, layout.object, layout, {}, there, t_there,
+               t_there ? there.at(*t_there) : rt::Vec3{});
+    if (c.way == 1 && t_there) {
+        const Point wrong = layout.world.to_page(in_plane(ray.at(*t_there)));
+        out.dot(wrong, orange, 5);
+        out.text(wrong - Point{0, 16}, "t = {.2}", orange, Align::middle, *t_there);
+    }
+    out.handle(layout.world.to_page({c.x, c.y}));
+    out.handle(layout.world.to_page({c.x + c.dx, c.y + c.dy}));
+
+    for (const auto& [frame, name] :
+         {std::pair{layout.world, "the world"}, std::pair{layout.object, "the object’s space"}}) {
+        const Point half{layout.panel / 2, layout.height / 2};
+        out.frame(frame.at - half, frame.at + half, {faint, 1});
+        out.bold = true;
+        out.text(frame.at - half + Point{10, 16}, name, ink, Align::left);
+        out.bold = false;
+    }
+    if (!t)
+        out.say("The ray misses the sphere in its own space, and so it misses the ellipsoid.");
+    else
+        out.say(
+            "The hit is at t = {.2} in the world, and at t = {.2} in the object’s space, where the "
+            "direction is {.2} long.",
+            *t, *t_there, rt::length(there.direction));
+}
+
+void drag(InstanceControls& c, const Drag& to) {
+    const Frame at = instance_layout(to.width).world;
+    const Point start{c.x, c.y}, tip = start + Point{c.dx, c.dy};
+    const Point moved = (1 / at.scale) * Point{to.moved().x, -to.moved().y};
+    if (distance(at.to_page(start), to.down) < distance(at.to_page(tip), to.down))
+        c.x += moved.x, c.y += moved.y;
+    else
+        c.dx += moved.x, c.dy += moved.y;
 }
 
 }  // namespace live
