@@ -381,7 +381,7 @@ void draw(const LeaveControls& c, Drawing& out) {
              bound);
     out.text({10, out.height - 14}, "the sphere", ink, Align::left);
     out.text({out.width - 10, 14}, "starts of rays, up to {e} away", ink, Align::right, reach);
-    const bool outward = c.angle < 90;
+    const bool outward = c.angle <= 90;
     out.text({out.width - 10, out.height - 34},
              outward ? "leaves the sphere" : "meets the far side", green, Align::right);
     out.text({out.width - 10, out.height - 14},

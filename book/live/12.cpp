@@ -141,7 +141,7 @@ void draw(const TriangleControls& c, Drawing& out) {
     out.handle(corners[2]);
     out.handle(p);
     out.bold = true;
-    out.text(p + Point{14, -14}, "P", ink);
+    out.text(p + Point{18, 12}, "P", ink);
     out.bold = false;
 
     draw_side(triangle, ray, c.start, hit.has_value(), layout, out);

@@ -33,7 +33,7 @@ for (const name of ['04.scene', '05.scene']) {
 
     const folder = mkdtempSync(join(tmpdir(), 'live-'));
     try {
-        const { generated, include } = sources(chapter, chapters);
+        const { generated, float, include } = sources(chapter, chapters);
         for (const [file, text] of Object.entries(generated)) writeFileSync(join(folder, file), text);
         writeFileSync(join(folder, 'main.cpp'), `#include "module.cpp"
 #include <cstdio>
@@ -45,8 +45,10 @@ int main() {
 }
 `);
         const program = join(folder, 'figure');
-        execFileSync(compiler, ['-std=c++20', '-O0', '-ffp-contract=off', '-I', here, '-I', folder, ...include,
-                                join(folder, 'main.cpp'), '-o', program]);
+        const options = ['-std=c++20', '-O0', '-ffp-contract=off', '-I', here, '-I', folder, ...include];
+        const object = join(folder, 'float.o');
+        if (float) execFileSync(compiler, [...options, '-DRT_REAL=float', '-Drt=rt_float', '-c', float, '-o', object]);
+        execFileSync(compiler, [...options, join(folder, 'main.cpp'), ...(float ? [object] : []), '-o', program]);
         assert.equal(Number(execFileSync(program, { encoding: 'utf8' })), mean, `${name}: native and in the page`);
     } finally {
         rmSync(folder, { recursive: true });
