@@ -30,12 +30,11 @@ double height_above(const rt::Sphere& sphere, rt::Vec3 p) {
 
 Departure depart_in_float(double radius, double far, double place, double angle, int way) {
     const rt::Sphere sphere{{real(0.48 * far), real(0.6 * far), real(-0.64 * far)}, real(radius)};
-    // From an eye three radii away.
+    // From an eye three radii above the surface.
     const rt::Vec3 toward_eye{real(0.36), real(0.48), real(0.8)}, right{real(0.8), real(-0.6), 0},
         eye = sphere.center + 4 * sphere.radius * toward_eye;
     const rt::Vec3 aim = sphere.center + sphere.radius * (real(std::cos(place)) * toward_eye +
                                                           real(std::sin(place)) * right);
-    // A little nearer to the middle of the sphere than the edge that the eye sees.
     const rt::Ray seen{eye, aim - eye};
     const auto t = rt::hit_sphere(sphere, seen, {0, rt::infinity});
     if (!t) return {};

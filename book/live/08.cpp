@@ -251,7 +251,8 @@ rt::Instance instance_of(const InstanceControls& c) {
 }
 
 rt::Ray ray_of(const InstanceControls& c) {
-    return {{c.x, c.y, 0}, {c.dx, c.dy, 0}};
+    const bool has_direction = c.dx != 0 || c.dy != 0;  // else the shortest that there is
+    return {{c.x, c.y, 0}, {has_direction ? c.dx : 0.05, c.dy, 0}};
 }
 
 // The part of the ray that its panel shows, with a mark at each whole t, the ellipse that the
@@ -318,7 +319,7 @@ void draw(const InstanceControls& c, Drawing& out) {
         out.text(frame.at - half + Point{10, 16}, name, ink, Align::left);
         out.bold = false;
     }
-    if (!t)
+    if (!t || !t_there)
         out.say("The ray misses the sphere in its own space, and so it misses the ellipsoid.");
     else
         out.say(

@@ -180,10 +180,16 @@ void draw(const TriangleControls& c, Drawing& out) {
             "A hit at t = {.2}, with u = {.2} and v = {.2}. The weights of a, b and c are {.2}, "
             "{.2} and {.2}.",
             hit->t, u, v, w, u, v);
+    else if (failing == tests.size() && u > 0 && v > 0 && w > 0)
+        out.say(
+            "No hit: the ray starts on the triangle itself, and rounding has put its start "
+            "behind.");
     else if (failing == tests.size())
         out.say(
-            "P is on the very edge. hit_triangle leaves this ray to a triangle on the other side "
-            "of it.");
+            "No hit: P is on the very edge, and hit_triangle leaves this ray to a triangle on the "
+            "other side of it.");
+    else if (failing == 0 && c.cy == 0)
+        out.say("No hit: the triangle has no area, and the determinant is 0.");
     else if (failing == 0)
         out.say("No hit: the ray runs along the triangle, and the determinant is 0.");
     else if (failing == 4)
