@@ -33,7 +33,8 @@ struct ImageMatte {
 inline Color checker_color(const CheckeredMatte& checker, Vec3 point) {
     // 0 or 1. Beyond 2^53 cubes (2^24 in float) every number is even.
     const auto parity = [&](Real x) {
-        return std::abs(std::fmod(std::floor(x / checker.size + Real(0.5)), Real(2)));
+        const Real n = std::floor(x / checker.size + Real(0.5));
+        return n - 2 * std::floor(n / 2);
     };
     const Real sum = parity(point.x) + parity(point.y) + parity(point.z);
     return sum == 1 || sum == 3 ? checker.odd : checker.even;
