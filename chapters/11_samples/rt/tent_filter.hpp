@@ -1,10 +1,9 @@
 #pragma once
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <rt/canvas.hpp>
-#include <rt/color_sum.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
 #include <rt/sobol_points.hpp>
@@ -32,7 +31,8 @@ struct KeptSamples {
 class TentSums {
   public:
     explicit TentSums(const Tile& tile)
-        : tile_{tile}, sums_{tile.right - tile.left, tile.bottom - tile.top} {}
+        : tile_{tile},
+          sums_{tile.right - tile.left + 2 * border, tile.bottom - tile.top + 2 * border} {}
 
     // The pixels that are sampled: also those just outside of the tile. Their samples are those
     // that the next tile takes, and they are added in the picture's order: what a pixel becomes
@@ -43,30 +43,33 @@ class TentSums {
 
     // A sample at this offset in pixel (x, y).
     void add(int x, int y, Vec2 offset, const Color& light) {
-        for (int down = around(offset.y), j = down; j <= down + 1; ++j)
-            for (int right = around(offset.x), i = right; i <= right + 1; ++i) {
-                const int column = x + i - tile_.left, row = y + j - tile_.top;
-                if (column < 0 || row < 0 || column >= sums_.width() || row >= sums_.height())
-                    continue;
+        const std::array<Real, 4> sample{light.r, light.g, light.b, 1};
+        const int right = around(offset.x), down = around(offset.y);
+        for (int j = down; j <= down + 1; ++j)
+            for (int i = right; i <= right + 1; ++i) {
                 const Real share = weight(offset.x, i) * weight(offset.y, j);
-                Sum& sum = sums_.at(column, row);
-                sum.light.add(share * light);
-                sum.weight += static_cast<double>(share);
+                Sum& sum = at(x + i, y + j);
+                for (std::size_t k = 0; k < sum.size(); ++k)
+                    sum[k] += static_cast<double>(share * sample[k]);
             }
     }
 
-    void write(Image& image) const {
+    void write(Image& image) {
         for_each_pixel(tile_, [&](int x, int y) {
-            const Sum& sum = sums_.at(x - tile_.left, y - tile_.top);
-            image.at(x, y) = sum.light.mean(1) / static_cast<Real>(sum.weight);
+            const auto [r, g, b, weight] = at(x, y);
+            image.at(x, y) =
+                Color{static_cast<Real>(r), static_cast<Real>(g), static_cast<Real>(b)} /
+                static_cast<Real>(weight);
         });
     }
 
   private:
-    struct Sum {
-        ColorSum light;
-        double weight = 0;
-    };
+    // Red, green and blue, and the weights, added in double for the reason of ColorSum.
+    using Sum = std::array<double, 4>;
+    // The samples' pixels reach as far beyond the tile: so that they need no test, there is room.
+    static constexpr int border = 2;
+
+    Sum& at(int x, int y) { return sums_.at(x - tile_.left + border, y - tile_.top + border); }
     static int around(Real offset) { return offset < Real(0.5) ? -1 : 0; }
     static Real weight(Real offset, int pixel) {
         return 1 - std::abs(offset - Real(0.5) - static_cast<Real>(pixel));
