@@ -73,21 +73,25 @@ class BatchRenderer {
     template <class Keep>
     void each(const Points& points, const Tile& tile, std::uint64_t& rays, const Keep& keep) {
         cells_ = points.cells();
-        for_each_pixel(tile, [&](int x, int y) {
-            points.each(x, y, [&](const SamplePoint& point, const typename Points::Random& random) {
-                const std::size_t number = batch_.randoms.size();
-                points_[number] = point;
-                batch_.randoms.push_back(random);
-                PathRecord& path = batch_.paths[number];
-                path.sample = static_cast<std::int32_t>(number);
-                path.throughput = {1, 1, 1};
-                if (number + 1 == batch_.light.size()) trace(rays, keep);
-            });
-        });
+        const auto add = [&](const auto&... of_random) -> Start {
+            if (batch_.randoms.size() == batch_.light.size()) trace(rays, keep);
+            const std::size_t number = batch_.randoms.size();
+            PathRecord& path = batch_.paths[number];
+            path.sample = static_cast<std::int32_t>(number);
+            path.throughput = {1, 1, 1};
+            return {points_[number], batch_.randoms.emplace_back(of_random...)};
+        };
+        for_each_pixel(tile, [&](int x, int y) { points.each(x, y, add); });
         trace(rays, keep);
     }
 
   private:
+    // Of a sample: both are written in place, since a copy would wait for them.
+    struct Start {
+        SamplePoint& point;
+        typename Points::Random& random;
+    };
+
     // jittered_offset of 04.5: within a cell, or anywhere in the pixel if the cell has no end.
     Pack jittered(Pack first, Pack place, Pack end) const {
         const Pack within = min((first + place) / static_cast<Real>(cells_), end);
@@ -95,7 +99,7 @@ class BatchRenderer {
     }
 
     // Gives some paths their first rays.
-    void start(std::size_t from, std::size_t size) {
+    RT_INLINES_ALL void start(std::size_t from, std::size_t size) {
         const auto [column, row, first_x, first_y, x, y, end_x, end_y] =
             load_eight([&](std::size_t i) { return &points_[from + i]; });
         const PixelPack pixel{

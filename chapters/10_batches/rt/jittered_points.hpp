@@ -28,16 +28,16 @@ class JitteredPoints {
     int count() const { return samples_.count; }
     int cells() const { return cells_; }  // in each row of a pixel
 
-    // Calls add(point, random) for each sample of a pixel, in their order.
+    // Calls add() for each sample of a pixel, in their order, with what its Random is made of. It
+    // returns the places for the sample's point and its random numbers.
     template <class Add>
     void each(int x, int y, const Add& add) const {
         const std::uint64_t seed = samples_.seed;
         Rng places = pixel_rng(seed, x, y);
         int sample = 0;
         const auto add_next = [&](Vec2 first, Vec2 end) {
-            add(SamplePoint{static_cast<Real>(x), static_cast<Real>(y), first, random_place(places),
-                            end},
-                sample_rng(seed, x, y, sample++));
+            add(sample_rng(seed, x, y, sample++)).point = {
+                static_cast<Real>(x), static_cast<Real>(y), first, random_place(places), end};
         };
         for (int down = 0; down < cells_; ++down)
             for (int right = 0; right < cells_; ++right)

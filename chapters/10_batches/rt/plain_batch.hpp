@@ -88,7 +88,7 @@ class PlainBatch {
     }
 
     template <class Material>
-    void scatter_some(const PathPack& pack) {
+    RT_INLINES_ALL void scatter_some(const PathPack& pack) {
         const Arrivals at = arrive(paths.data(), surfaces_.all.data(), pack);
         const auto random = [&](std::size_t i) -> Random& {
             return randoms[static_cast<std::size_t>(paths[pack[i]].sample)];

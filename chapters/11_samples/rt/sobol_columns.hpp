@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <rt/sobol.hpp>
 
 namespace rt {
 
@@ -53,5 +54,40 @@ inline std::uint32_t sobol_coordinate(std::uint32_t dimension, std::uint32_t ind
         sum ^= columns[static_cast<std::size_t>(std::countr_zero(index))];
     return sum;
 }
+
+// All coordinates of a point.
+using SobolCoordinates = std::array<std::uint32_t, sobol_dimensions>;
+
+// The points, from a table. The point of a sum of different powers of two is the exclusive or of
+// their points, so it is enough to have those of each of the index's bytes.
+class SobolTable {
+  public:
+    static const SobolTable& get() {
+        static const SobolTable table;
+        return table;
+    }
+
+    SobolCoordinates operator[](std::uint32_t index) const {
+        SobolCoordinates point = bytes_[0][index & 255];
+        for (std::size_t byte = 1; (index >>= 8) != 0; ++byte)
+            for (std::size_t k = 0; k < sobol_dimensions; ++k)
+                point[k] ^= bytes_[byte][index & 255][k];
+        return point;
+    }
+
+  private:
+    SobolTable() {
+        for (std::uint32_t byte = 0; byte < bytes_.size(); ++byte)
+            for (std::uint32_t i = 0; i < bytes_[byte].size(); ++i) {
+                const std::uint32_t index = i << 8 * byte;
+                const FixedPoint2 first = sobol_point(index);
+                SobolCoordinates& point = bytes_[byte][i] = {first.x, first.y};
+                for (std::uint32_t k = 2; k < sobol_dimensions; ++k)
+                    point[k] = sobol_coordinate(k, index);
+            }
+    }
+
+    std::array<std::array<SobolCoordinates, 256>, 4> bytes_;
+};
 
 }  // namespace rt

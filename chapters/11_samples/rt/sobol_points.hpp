@@ -14,14 +14,14 @@ struct SobolPoints {
 
     template <class Add>
     void each(int x, int y, const Add& add) const {
-        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(samples.count); ++i) {
-            SobolRandom random{samples.seed, x, y, samples.first + i};
-            const Vec2 place = random_place(random);
-            add(
-                SamplePoint{
-                    static_cast<Real>(x), static_cast<Real>(y), {}, place, {infinity, infinity}},
-                random);
-        }
+        samples.each(x, y, [&](const auto&... parts) {
+            auto [point, random] = add(parts...);
+            point = {static_cast<Real>(x),
+                     static_cast<Real>(y),
+                     {},
+                     random_place(random),
+                     {infinity, infinity}};
+        });
     }
 };
 

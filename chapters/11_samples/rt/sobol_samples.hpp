@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <rt/color_sum.hpp>
@@ -21,28 +22,44 @@ namespace rt {
 // Burley, "Practical hash-based Owen scrambling", JCGT 2020.
 class SobolRandom {
   public:
-    SobolRandom(std::uint64_t seed, int x, int y, std::uint32_t sample) : sample_{sample} {
-        const auto pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
-        pixel_ = mix_bits(mix_bits(seed) ^ pixel);
+    // The scrambling of one pixel's numbers.
+    struct Pixel {
+        std::uint64_t key;
+        SobolCoordinates seeds{};
+
+        Pixel(std::uint64_t seed, int x, int y) {
+            const auto pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
+            key = mix_bits(mix_bits(seed) ^ pixel);
+            for (std::uint32_t number = 0; number < sobol_dimensions; ++number)
+                seeds[number] = high_half(mix_bits(key + number));
+        }
+    };
+
+    // A sample of this pixel, and its point of the sequence.
+    SobolRandom(const Pixel& pixel, std::uint32_t sample, const SobolCoordinates& point)
+        : pixel_{pixel.key}, sample_{sample} {
+        // The processor scrambles all eight at once: that takes less time than one after the other
+        // for those that a path draws.
+#pragma omp simd
+        for (std::size_t i = 0; i < sobol_dimensions; ++i)
+            first_[i] = fraction(owen_scrambled(point[i], pixel.seeds[i]));
     }
+    SobolRandom(std::uint64_t seed, int x, int y, std::uint32_t sample)
+        : SobolRandom{Pixel{seed, x, y}, sample, SobolTable::get()[sample]} {}
 
     // A number in [0, 1), like Rng::uniform.
     Real uniform() {
         const std::uint32_t number = number_++;
-        const std::uint64_t scramble = mix_bits(pixel_ + number);
-        if (number >= sobol_dimensions) return fraction(high_half(mix_bits(scramble + sample_)));
-        return fraction(owen_scrambled(coordinate(number), high_half(scramble)));
+        if (number < sobol_dimensions) return first_[number];
+        return fraction(high_half(mix_bits(mix_bits(pixel_ + number) + sample_)));
     }
 
     // A number in [low, high).
-    Real uniform(Real low, Real high) { return low + (high - low) * uniform(); }
+    Real uniform(Real low, Real high) {
+        return low + (high - low) * uniform();
+    }
 
   private:
-    std::uint32_t coordinate(std::uint32_t number) const {
-        if (number >= 2) return sobol_coordinate(number, sample_);
-        const FixedPoint2 point = sobol_point(sample_);
-        return number == 0 ? point.x : point.y;
-    }
     static std::uint32_t high_half(std::uint64_t bits) {
         return static_cast<std::uint32_t>(bits >> 32);
     }
@@ -54,6 +71,7 @@ class SobolRandom {
             return static_cast<Real>(bits) / 4294967296;
     }
 
+    std::array<Real, sobol_dimensions> first_{};
     std::uint64_t pixel_ = 0;
     std::uint32_t sample_ = 0, number_ = 0;
 };
@@ -65,15 +83,23 @@ struct SobolSamples {
     int count = 1;
     std::uint32_t first = 0;
 
+    // Calls visit(parts...) for each sample of a pixel, with the parts of its SobolRandom.
+    template <class Visit>
+    void each(int column, int row, const Visit& visit) const {
+        const SobolRandom::Pixel pixel{seed, column, row};
+        const SobolTable& points = SobolTable::get();
+        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i)
+            visit(pixel, first + i, points[first + i]);
+    }
     // Calls keep(offset, light) for each sample: where it is in the pixel, and path(ray, random).
     template <class AnyCamera, class Path, class Keep>
     void each(const AnyCamera& camera, int column, int row, const Path& path,
               const Keep& keep) const {
-        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
-            SobolRandom random{seed, column, row, first + i};
+        each(column, row, [&](const auto&... parts) {
+            SobolRandom random{parts...};
             const Vec2 offset = random_place(random);
             keep(offset, path(make_ray(camera, column, row, offset, random), random));
-        }
+        });
     }
     template <class AnyCamera, class Path>
     Color average(const AnyCamera& camera, int column, int row, const Path& path) const {
