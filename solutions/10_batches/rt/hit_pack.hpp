@@ -14,10 +14,11 @@ inline PackMask hit_pack(const Sphere& sphere, PackInteger number, RayPack& rays
     const Real r_squared = sphere.radius * sphere.radius;
     const Vec3Pack moment{f.y * d.z - f.z * d.y, f.z * d.x - f.x * d.z, f.x * d.y - f.y * d.x};
     const Pack quarter = a * r_squared - dot(moment, moment);
-    const PackMask meets = (a > 0) & (quarter >= 0);
+    const Pack b = 2 * dot(f, d), c = dot(f, f) - r_squared;
+    // A ray that starts outside and runs away from the center has the sphere behind it.
+    const PackMask meets = (a > 0) & (quarter >= 0) & ~((b > 0) & (c > 0));
     if (bits_of(meets) == 0) return meets;  // usually no ray comes near
 
-    const Pack b = 2 * dot(f, d), c = dot(f, f) - r_squared;
     const Pack q = -(b + copysign(sqrt(4 * quarter), b)) / 2;
     const PackMask at_origin = q == 0;  // both solutions are 0
     const Pack one = at_origin ? Pack{} : c / q, other = at_origin ? Pack{} : q / a;
