@@ -133,8 +133,8 @@ const Meaning meanings[]{
      "a function-definition is not allowed here",
      "The braces do not match: each { needs its own }. Count them from here upward."},
     {"expected .;.|expected .,. or .;.",
-     "A semicolon is missing at the end of this line or of the line before. Or does it stand after "
-     "a //, which begins a comment?"},
+     "A semicolon is missing at the end of this line or of the line before. Or is it after a "
+     "//, which begins a comment?"},
     {"incompatible vector types in conditional|vector operands to the vector conditional|"
      "inferred scalar type|vector condition type",
      "Both values in `mask ? a : b` must be packs of the same type. `pack_of(x)` holds x in every "

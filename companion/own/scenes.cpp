@@ -458,8 +458,8 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
              "two matte sheets", [](Any& any) { return sheets(any).text(); },
              "Does the normal point to the side that the ray came from?"),
          scene("triangles without area", without_area,
-               "0 / 0 is not a number, and each comparison with it is false. Is the condition "
-               "written so that such a triangle is missed?")});
+               "0 / 0 is not a number, and every comparison with it is false. Does your "
+               "condition then report a miss, as it should?")});
     Any any{seed, ++number};
     rungs.back().scenes.push_back(matte_mesh(any));
     rungs.back().scenes.push_back(glass_mesh(any));

@@ -76,7 +76,8 @@ const char* suggestion(const Meeting& exact, Interval within, const Hit& t) {
     if (exact.is_at(computed / exact.length, exact.low) ||
         exact.is_at(computed / exact.length, exact.high) ||
         exact.is_at(computed / exact.length / exact.length, exact.low))
-        return "t is measured in lengths of the direction, whose square is a = dot(d, d)";
+        return "t is measured in lengths of the direction; the square of this length is "
+               "a = dot(d, d)";
     return "f is the ray's origin minus the sphere's center; roots_from_discriminant takes a, 2 b, "
            "c, and 4 times your quarter of the discriminant";
 }

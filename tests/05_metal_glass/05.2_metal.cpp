@@ -287,7 +287,7 @@ TEST_CASE("05.2 metal attenuates light by its albedo", "[05.2]") {
     CHECK(bounce->direction.y < 0);
 }
 
-TEST_CASE("05.2 no direction points below the surface even by rounding", "[05.2][hard]") {
+TEST_CASE("05.2 no direction points below the surface even after rounding", "[05.2][hard]") {
     rt::Rng rng{52, 6};
     for (int i = 0; i < 10000; ++i) {
         const Vec3 normal = random_unit(rng);
@@ -331,7 +331,7 @@ TEST_CASE("05.2 no direction points below the surface even by rounding", "[05.2]
     }
 }
 
-TEST_CASE("05.2 light along the surface leaves above it with any fuzz", "[05.2][hard]") {
+TEST_CASE("05.2 light along the surface is reflected above it for any fuzz", "[05.2][hard]") {
     rt::Rng rng{52, 13};
     for (int i = 0; i < 6000; ++i) {
         const Vec3 normal = random_unit(rng);

@@ -136,7 +136,7 @@ TEST_CASE("07.1 flat boxes and corners count", "[07.1][hard]") {
 TEST_CASE("07.1 empty boxes and empty intervals are never hit", "[07.1][hard]") {
     for (const Vec3 d : {Vec3{1, 1, 1}, Vec3{-1, 1, 0}, Vec3{0, -Real(0), 1}})
         check(Box{}, {0, 0, 0}, d, ahead, false,
-              "the empty box reaches from infinity to -infinity: it is left before it is entered");
+              "the empty box extends from infinity to -infinity: it is left before it is entered");
     check(unit, {Real(0.5), Real(0.5), Real(0.5)}, {1, 2, 4}, {1, 0}, false,
           "no t lies between 1 and 0");
 }

@@ -27,7 +27,7 @@ TEST_CASE("07.2 the box around a sphere", "[07.2]") {
     const Real near = rt::hit_margin * 16;
     const auto check = [&](Real value, Real expected) {
         HINT(expected, value,
-             "the box reaches from center minus radius to center plus radius, and on each side a "
+             "the box extends from center minus radius to center plus radius, and on each side a "
              "margin farther");
         CHECK(std::abs(value - expected) <= near);
     };
@@ -39,7 +39,7 @@ TEST_CASE("07.2 the box around a sphere", "[07.2]") {
     check(box.high.z, 1);
 }
 
-TEST_CASE("07.2 the margin is as wide as the proof asks", "[07.2]") {
+TEST_CASE("07.2 the margin is as wide as the proof requires", "[07.2]") {
     rt::Rng rng{72, 1};
     for (int i = 0; i < 3000; ++i) {
         const Real size = any_size(rng, -15, 15);
@@ -120,7 +120,7 @@ TEST_CASE("07.2 the union of boxes of all sizes is exact", "[07.2][hard]") {
 TEST_CASE("07.2 the empty box adds nothing", "[07.2][hard]") {
     const Box a{{-5, -6, -7}, {-2, -3, -4}};
     const char* const hint =
-        "the empty box reaches from infinity to -infinity; it needs no special case";
+        "the empty box extends from infinity to -infinity; it needs no special case";
     check_join({}, a, a, hint);
     check_join(a, {}, a, hint);
     check_join({}, {}, {}, hint);

@@ -396,12 +396,12 @@ TEST_CASE("07.3 bad splits do not make the tree deep", "[07.3][hard]") {
     const int levels = levels_of(*root), largest = largest_leaf(*root);
     {
         INFO(
-            "the split takes off one sphere at a time; your largest leaf has "
+            "the split separates only one sphere at a time; your largest leaf has "
             << largest << " spheres, expected " << rt::leaf_size << " at most.\nHint: at level "
             << "most_levels and deeper call split_in_half, and go on while it returns more than 0");
         CHECK(largest <= rt::leaf_size);
     }
-    INFO("the split takes off one sphere at a time; your tree has "
+    INFO("the split separates only one sphere at a time; your tree has "
          << levels << " levels.\nHint: at level most_levels and deeper call split_in_half instead");
     CHECK(levels >= rt::most_levels);
     // 64 are taken off, and halves of the other 1936 have 4 or fewer after 9 levels.

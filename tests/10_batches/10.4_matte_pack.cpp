@@ -118,7 +118,7 @@ TEST_CASE("10.4 values in unused lanes do no harm", "[10.4][hard]") {
                     active |= rt::PackBits{1} << i;
             }
         }
-        check_pack(lots, active, "only lanes whose bit of `active` is set need a result");
+        check_pack(lots, active, "only lanes whose bit in `active` is set need a result");
     }
 }
 

@@ -200,8 +200,8 @@ TEST_CASE("11.4 the flips of the first bits are random and independent", "[11.4]
                 different += static_cast<int>(flips[k][i] ^ flips[j][i]);
             INFO(text(prefixes[k])
                  << " and " << text(prefixes[j]) << ", with " << seeds
-                 << " random seeds: expected one of them alone to be flipped about half of the "
-                    "time, but with yours that happens "
+                 << " random seeds: expected exactly one of them to be flipped about half of the "
+                    "time, but with your code that happens "
                  << different << " times");
             INFO(
                 "Hint: one flip determines the other. It is not enough to flip the same bits of "
@@ -311,8 +311,8 @@ TEST_CASE("11.4 no flip of the first seven bits determines another", "[11.4][har
             if (std::abs(correlation) < 0.25) continue;
             INFO(text(prefixes[k])
                  << " and " << text(prefixes[j]) << ", with " << seeds
-                 << " random seeds: expected one of them alone to be flipped about half of the "
-                    "time, but with yours that happens "
+                 << " random seeds: expected exactly one of them to be flipped about half of the "
+                    "time, but with your code that happens "
                  << different << " times");
             INFO(
                 "Hint: one flip often determines the other. If you use the steps of the comment, "
@@ -373,8 +373,8 @@ TEST_CASE("11.4 each flip depends on each bit before it", "[11.4][hard]") {
             }
             if (is_one_half(changed, trials)) continue;
             INFO("bit " << bit << " of two fractions that differ in bit " << before
-                        << " (0 is the first one): expected one of them alone to be flipped about "
-                           "half of the time, but with yours that happens "
+                        << " (0 is the first one): expected exactly one of them to be flipped "
+                           "about half of the time, but with your code that happens "
                         << changed << " times of " << trials);
             INFO(
                 "Hint: a flip depends on all bits before it. One multiplication by an even number "

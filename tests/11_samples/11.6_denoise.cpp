@@ -53,8 +53,7 @@ Color floored(const Color& albedo, Real darkest) {
 }
 
 const char* const weight_hint =
-    "the weight is exp(-d / 2), where d is the sum of the squares of three distances, each divided "
-    "by its width: "
+    "the weight is exp(-d / 2), where d is the sum of (distance / width)^2 for three distances: "
     "across and down, the albedo with its three channels, the normal with x, y and z";
 
 void check_weight(int across, int down, const Features& a, const Features& b,

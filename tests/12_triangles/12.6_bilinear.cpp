@@ -50,7 +50,7 @@ TEST_CASE("12.6 in the middle of a pixel the color is that of the pixel", "[12.6
         for (int x = 0; x < 8; ++x)
             check_color(
                 image, middle(image, x, y), {static_cast<Real>(x), static_cast<Real>(y), 1},
-                "pixel x reaches from x / width to (x + 1) / width, and its middle is half a pixel "
+                "pixel x extends from x / width to (x + 1) / width, and its middle is half a pixel "
                 "farther on; y counts upward in texture coordinates, but downward in an image");
 }
 

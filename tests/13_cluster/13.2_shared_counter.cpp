@@ -132,7 +132,7 @@ TEST_CASE("13.2 the number is in the memory of rank 0", "[13.2]") {
         });
 }
 
-TEST_CASE("13.2 nobody counts before the number is 0", "[13.2]") {
+TEST_CASE("13.2 no rank counts before the number is 0", "[13.2]") {
     on_ranks(3, [](MPI_Comm ranks) {
         TileCounter counter{ranks};
         const int before = counter.fetch_add(1);
@@ -175,8 +175,8 @@ TEST_CASE("13.2 two counters at a time", "[13.2][hard]") {
             if (above <= last_up || above % 2 != 0 || above > 600 || below >= last_down ||
                 below % 3 != 0 || below < -900)
                 wrong =
-                    "3 ranks add 2 to one counter and -3 to another: expected growing multiples of "
-                    "2 and falling multiples of 3, actual " +
+                    "3 ranks add 2 to one counter and -3 to another: expected increasing multiples "
+                    "of 2 and decreasing multiples of 3, actual " +
                     std::to_string(above) + " and " + std::to_string(below) +
                     "\nHint: each counter needs a window of its own";
             last_up = above;

@@ -10,7 +10,7 @@ namespace rt {
 // Exercise 00.3. A picture as a value. The object itself has three members: two numbers and the
 // address of its pixels, which are on the heap, row by row from the top. A canvas owns its pixels:
 // it alone allocates and releases them, and a copy has pixels of its own. Pixel is any type that
-// has a default value and can be copied without an exception.
+// has a default value and can be copied without throwing an exception.
 template <class Pixel>
 class Canvas {
   public:

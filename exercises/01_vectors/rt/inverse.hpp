@@ -26,8 +26,8 @@ inline Mat4 inverse(const Mat4& m) {
 
 // A point of the world in the object's own coordinates, given the map that places the object in the
 // world.
-// Star: throws std::domain_error if that map is singular. If its inverse contains an
-// infinite number, the coordinate that this number belongs to is infinite or NaN.
+// Star: throws std::domain_error if that map is singular. If a number in its
+// inverse is infinite, the coordinate that is computed from this number is infinite or NaN.
 inline Vec3 to_object(const Mat4& object_to_world, Vec3 world_point) {
     return rt::todo("01.7", object_to_world, world_point);
 }

@@ -19,8 +19,9 @@ inline std::optional<Roots> roots_from_discriminant(Real a, Real b, Real c, Real
 }
 
 // Exercise 03.1. The real solutions of a t^2 + b t + c = 0.
-// Star: each is within 4 units in the last place. b^2, 4 a c and their difference do not overflow,
-// and b^2 and 4 a c, unless they are 0, are at least 10^-275 (float: 10^-23).
+// Star: each is within 4 units in the last place. You may assume that b^2, 4 a c and their
+// difference do not overflow, and that b^2 and 4 a c are each either 0 or at least 10^-275 in size
+// (float: 10^-23).
 // rt::difference_of_products(p, q, r, s), given in rt/real.hpp, is p q - r s without cancellation.
 inline std::optional<Roots> solve_quadratic(Real a, Real b, Real c) {
     return rt::todo("03.1", a, b, c);

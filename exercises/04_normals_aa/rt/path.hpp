@@ -12,7 +12,7 @@ namespace rt {
 
 // Exercise 04.7. The light that comes back along a ray. Its path is followed from bounce to bounce
 // until it meets the sky, is absorbed, or is ended by `ending`, which is called after bounce
-// number `depth`, 1 or more, and after every later one. Every hit counts, at any t from 0 to
+// number `depth` (at least 1) and after every later bounce. Every hit counts, at any t from 0 to
 // infinity, and so does all light, however dim. leave_surface is the one from 04.6. The function
 // is written over types; the text says what each of them can do.
 template <class AnyRay, class World, class Materials, class Sky, class Ending, class Random>

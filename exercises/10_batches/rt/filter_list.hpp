@@ -9,7 +9,7 @@ namespace rt {
 // Exercise 10.1. Copies the paths of a list whose mask has this bit, 0 to 7, to `to` in the same
 // order, and returns how many there are. masks[i] belongs to list[i]; its other bits do not matter.
 // `to` has room for as many paths as the list has, and does not overlap it.
-// Star: a path is any number of 32 bits; the list may be empty, or hold more than a hundred
+// Star: a path is any 32-bit number; the list may be empty, or hold more than a hundred
 // thousand paths. In `to`, the contents behind the copies do not matter; nothing outside `to` may
 // change.
 inline std::size_t filter_list(PathList list, const std::uint8_t* masks, unsigned bit,

@@ -15,8 +15,8 @@ inline Box bounds_of(const SceneTriangle& triangle) {
     return rt::todo("12.2", triangle);
 }
 
-// Exercise 12.2. The t within the interval at which a ray meets the triangle, or none. The tree
-// calls this function.
+// Exercise 12.2. The t at which a ray meets the triangle, if that t is within the interval, or else
+// none. The tree calls this function.
 inline std::optional<Real> hit_shape(const SceneTriangle& triangle, const Ray& ray,
                                      Interval within) {
     return rt::todo("12.2", triangle, ray, within);

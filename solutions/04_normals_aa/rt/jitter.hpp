@@ -9,7 +9,7 @@ namespace rt {
 
 // The pixel is cut into n x n cells; cell 0 is the top left one, cell n the first of the second
 // row. `place` is a sample point within this cell, 0 <= x, y < 1. Returns the offset of that point
-// within the pixel. Cell k of a row reaches from k / n, which belongs to it, to (k + 1) / n, which
+// within the pixel. Cell k of a row extends from k / n, which belongs to it, to (k + 1) / n, which
 // does not, even after rounding.
 inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
     const auto within = [n](int k, Real x) {
