@@ -78,7 +78,8 @@ const char* suggestion(const Meeting& exact, Interval within, const Hit& t) {
         exact.is_at(computed / exact.length / exact.length, exact.low))
         return "t is measured in lengths of the direction; the square of this length is "
                "a = dot(d, d)";
-    return "f is the ray's origin minus the sphere's center; solve_quadratic takes a, 2 b and c, and "
+    return "f is the ray's origin minus the sphere's center; solve_quadratic takes a, 2 b and c, "
+           "and "
            "roots_from_discriminant also 4 times a quarter of the discriminant";
 }
 
