@@ -12,30 +12,29 @@ inline Real surface_area(const Box& box) {
 }
 
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
-    const auto box = [&](int sphere) { return boxes[static_cast<std::size_t>(sphere)]; };
+    const int n = static_cast<int>(order.size());
     const auto sort_along = [&](int axis) {
         std::sort(order.begin(), order.end(), [&](int a, int b) {
-            return along(box(a).center(), axis) < along(box(b).center(), axis);
+            return along(boxes[a].center(), axis) < along(boxes[b].center(), axis);
         });
     };
-    const std::size_t count = order.size();
+    std::vector<Real> areas(n);
     Box whole;
-    for (const int sphere : order) whole = join(whole, box(sphere));
-    Real best_cost = static_cast<Real>(count) * surface_area(whole);
-    std::size_t best_left = 0;
-    int best_axis = 0;
-    std::vector<Real> right_area(count);
+    for (const int number : order) whole = join(whole, boxes[number]);
+    Real best_cost = static_cast<Real>(n) * surface_area(whole);
+    int best_left = 0, best_axis = 0;
     for (int axis = 0; axis < 3; ++axis) {
         sort_along(axis);
-        Box left, right;
-        for (std::size_t i = count - 1; i > 0; --i) {
-            right = join(right, box(order[i]));
-            right_area[i] = surface_area(right);
+        Box right;
+        for (int k = n - 1; k >= 1; --k) {
+            right = join(right, boxes[order[k]]);
+            areas[k] = surface_area(right);
         }
-        for (std::size_t k = 1; k < count; ++k) {
-            left = join(left, box(order[k - 1]));
+        Box left;
+        for (int k = 1; k < n; ++k) {
+            left = join(left, boxes[order[k - 1]]);
             const Real cost = surface_area(whole) + static_cast<Real>(k) * surface_area(left) +
-                              static_cast<Real>(count - k) * right_area[k];
+                              static_cast<Real>(n - k) * areas[k];
             if (cost < best_cost) {
                 best_cost = cost;
                 best_left = k;
@@ -44,7 +43,7 @@ inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
         }
     }
     sort_along(best_axis);
-    return static_cast<int>(best_left);
+    return best_left;
 }
 
 }  // namespace rt
