@@ -22,7 +22,7 @@ Color direct_light(AnyRay ray, const World& world, const Lights& lights,
 }
 
 // Exercise 08.4. The light that comes back along a ray: your loop of 04.7, in a scene that may have
-// lights and fog, with the four changes of the text. Draw random numbers in this order: next_place,
+// lights and fog. Fill both gaps, as the text says. Draw random numbers in this order: next_place,
 // scatter, the ending (if it is called), direct_light. Without lights and fog the result is that of
 // path_radiance, to the last bit.
 // Star: multiply a light that the path meets after a sample by its weight, shared_weight(density of
@@ -33,7 +33,25 @@ template <class AnyRay, class World, class Materials, class Sky, class Lights, c
 Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materials, const Sky& sky,
                         const Lights& lights, const Medium& fog, const Ending& ending, int depth,
                         Random& random) {
-    return rt::todo("08.4", ray, world, materials, sky, lights, fog, ending, depth, random);
+    // Delete this line when you have filled the gaps.
+    rt::todo("08.4", ray, world, materials, sky, lights, fog, ending, depth, random);
+    Color throughput{1, 1, 1}, light;  // `light` is what has been collected so far
+    for (int bounces = 1;; ++bounces) {
+        const auto place = next_place(ray, world, materials, fog, random);
+        if (place.is_sky()) return light + throughput * sky(ray.direction);
+        // Gap 1: the path may have met a light.
+
+        const std::optional<Scatter> bounce = place.scatter(random);
+        if (!bounce) return light;
+        throughput *= bounce->attenuation;
+        const PathEnd end = bounces < depth ? PathEnd::none : ending(throughput, random);
+        // Gap 2: direct light. Copy the throughput before the ending changes it.
+
+        if (end == PathEnd::in_black) return light;
+        ray.origin = place.origin(bounce->direction);
+        ray.direction = bounce->direction;
+        if (end == PathEnd::in_sky) return light + throughput * sky(ray.direction);
+    }
 }
 
 }  // namespace rt
