@@ -22,7 +22,7 @@ namespace {
 // The model, in minutes.
 constexpr double words_a_minute = 130, a_formula = 0.5, a_figure = 0.5;
 constexpr double a_stub = 3, a_compiler = 10, a_failed_check = 5;
-constexpr double an_invented_line = 1.5, a_copied_line = 0.6, a_line_again = 1;
+constexpr double an_invented_line = 1.5, a_copied_line = 0.6, a_line_again = 1, a_design = 15;
 constexpr int lines_a_failed_check = 10, rungs_of_the_core = 6;
 
 // Formulas on lines of their own, or within a line where they say that things are equal or how they
@@ -133,7 +133,8 @@ double written_minutes(const Course& course, const Step& step) {
             lines_to_write(read_file(course.root / stub), read_file(core_answer(course, stub)));
     // 00.1 is copied from its text, and has no stub.
     if (step.id() == "00.1") return a_compiler + failed_checks(lines) + lines * a_copied_line;
-    return a_stub + failed_checks(lines) + lines * an_invented_line;
+    const double design = step.id() == "05.6" ? a_design : 0;  // only rules, and no formula
+    return a_stub + design + failed_checks(lines) + lines * an_invented_line;
 }
 
 // The chapter of rungs: its text, the task, and the whole program once more.
