@@ -21,7 +21,7 @@ Color direct_light(AnyRay ray, const World& world, const Lights& lights,
     return rt::todo("08.4", ray, world, lights, place, goes_on, random);
 }
 
-// Exercise 08.4. The light that comes back along a ray: your loop of 04.7, in a scene that may have
+// Exercise 08.4. The light that comes back along a ray: the loop of 04.7, in a scene that may have
 // lights and fog. Fill both gaps, as the text says. Draw random numbers in this order: next_place,
 // scatter, the ending (if it is called), direct_light. Without lights and fog the result is that of
 // path_radiance, to the last bit.
