@@ -50,6 +50,9 @@ endfunction()
 # link/TARGET.txt, for those who compile it again with other headers: the companion and mistake_tool, which take
 # the rest from compile_commands.json.
 function(course_linked_with target)
+  if(TARGET course_exact_math)
+    list(APPEND ARGN $<TARGET_OBJECTS:course_exact_math>)
+  endif()
   list(JOIN ARGN "\n" words)
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/link/${target}.txt CONTENT "${words}\n")
 endfunction()

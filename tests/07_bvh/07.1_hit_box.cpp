@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <rt/hit_box.hpp>
 
 #include "scenes.hpp"
@@ -8,6 +9,8 @@ using rt::infinity;
 using rt::SlabRay;
 
 namespace {
+
+using Whole = std::int64_t;
 
 const Box unit{{0, 0, 0}, {1, 1, 1}};
 constexpr Interval ahead{0, infinity};
@@ -165,53 +168,53 @@ TEST_CASE("07.1 the margin makes the box larger", "[07.1][hard]") {
 // at all scales, with a different one for each axis.
 TEST_CASE("07.1 small whole numbers of all kinds give the exact result", "[07.1][hard]") {
     rt::Rng rng{71, 1};
-    const auto whole = [&](long low, long high) {
-        return low + static_cast<long>(rng() % static_cast<unsigned long>(high - low + 1));
+    const auto whole = [&](Whole low, Whole high) {
+        return low + static_cast<Whole>(rng() % static_cast<std::uint64_t>(high - low + 1));
     };
-    const long always = 1L << 60;  // stands for infinity
+    const Whole always = Whole{1} << 60;  // stands for infinity
     const int count = 30000;
     int right = 0;
     for (int i = 0; i < count; ++i) {
         const int t_power = static_cast<int>(whole(-60, 60)) * (i % 2);
         const bool same_scale = i % 4 < 2;
         const int power = static_cast<int>(whole(-30, 30)) * (i % 2);
-        const long margin = same_scale ? std::max(0L, whole(-4, 4)) : 0;
-        const long size = 1L << whole(2, for_this_precision(16, 38));
-        const long far = 1L << whole(2, for_this_precision(16, 38));
-        const long t = whole(-far / 4, far);  // of a point near the box
-        const auto near_t = [&] {             // in quarters
-            const long kind = whole(0, 5);
+        const Whole margin = same_scale ? std::max(Whole{0}, whole(-4, 4)) : 0;
+        const Whole size = Whole{1} << whole(2, for_this_precision(16, 38));
+        const Whole far = Whole{1} << whole(2, for_this_precision(16, 38));
+        const Whole t = whole(-far / 4, far);  // of a point near the box
+        const auto near_t = [&] {              // in quarters
+            const Whole kind = whole(0, 5);
             return kind == 0   ? always * (whole(0, 1) * 2 - 1)
                    : kind == 1 ? 0
                                : 4 * t + whole(-8, 8);
         };
-        const auto end_of = [&](long quarters) {
+        const auto end_of = [&](Whole quarters) {
             if (std::abs(quarters) == always) return quarters < 0 ? -infinity : infinity;
             return std::ldexp(static_cast<Real>(quarters), t_power - 2);
         };
         const bool empty = i % 32 == 0;
         const int axis = static_cast<int>(whole(0, 2));  // the direction is not 0 along this one
         bool expected = !empty, zero = false;
-        long first = -always, last = always;  // quarters of t
+        Whole first = -always, last = always;  // quarters of t
         Real origin[3], direction[3], low[3], high[3];
         for (int k = 0; k < 3; ++k) {
-            const long l = whole(-size, size), h = l + whole(0, 2) * whole(0, size / 2);
-            const long kind = whole(0, 3), near = whole(-2, 2);
-            const long place = kind == 0   ? l - margin + near
-                               : kind == 1 ? h + margin + near
-                                           : whole(l, std::max(l, h));
-            const long way = whole(0, 1) * 2 - 1;
-            const long d = k != axis && whole(0, 2) == 0 ? 0 : way * (1L << whole(0, 2));
-            const long o = place - t * d;
+            const Whole l = whole(-size, size), h = l + whole(0, 2) * whole(0, size / 2);
+            const Whole kind = whole(0, 3), near = whole(-2, 2);
+            const Whole place = kind == 0   ? l - margin + near
+                                : kind == 1 ? h + margin + near
+                                            : whole(l, std::max(l, h));
+            const Whole way = whole(0, 1) * 2 - 1;
+            const Whole d = k != axis && whole(0, 2) == 0 ? 0 : way * (Whole{1} << whole(0, 2));
+            const Whole o = place - t * d;
             if (d == 0) {
                 expected = expected && l - margin <= o && o <= h + margin;
             } else {
-                const long a = 4 * (l - margin - o) / d, b = 4 * (h + margin - o) / d;
+                const Whole a = 4 * (l - margin - o) / d, b = 4 * (h + margin - o) / d;
                 first = std::max(first, std::min(a, b));
                 last = std::min(last, std::max(a, b));
             }
             const int own = same_scale ? power : static_cast<int>(whole(-30, 30));
-            const auto scaled = [&](long x) { return std::ldexp(static_cast<Real>(x), own); };
+            const auto scaled = [&](Whole x) { return std::ldexp(static_cast<Real>(x), own); };
             origin[k] = scaled(o);
             low[k] = scaled(l);
             high[k] = scaled(h);
@@ -219,7 +222,7 @@ TEST_CASE("07.1 small whole numbers of all kinds give the exact result", "[07.1]
             if (d == 0 && i % 3 == 0) direction[k] = -Real(0);
             zero = zero || d == 0;
         }
-        const long min = near_t(), max = near_t();
+        const Whole min = near_t(), max = near_t();
         expected = expected && std::max(first, min) <= std::min(last, max);
         const auto vec = [](const Real(&v)[3]) { return Vec3{v[0], v[1], v[2]}; };
         const Box box = empty ? Box{} : Box{vec(low), vec(high)};

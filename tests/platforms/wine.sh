@@ -10,7 +10,7 @@ if [ "$1" = --boot ]; then
     exec "$wine" wineboot --init
 fi
 # A checkpoint finds the answer by PATH; see course_with_answers in cmake/Checkpoints.cmake.
-WINEPATH=${COURSE_ANSWER:+Z:$COURSE_ANSWER}
+WINEPATH="${COURSE_ANSWER:+Z:$COURSE_ANSWER};${WINEPATH:-}"
 for library in libstdc++-6.dll libwinpthread-1.dll; do
     file=$(x86_64-w64-mingw32-g++-posix -print-file-name=$library)
     WINEPATH="$WINEPATH;Z:$(realpath "$(dirname "$file")")"
