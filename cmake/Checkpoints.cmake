@@ -30,6 +30,12 @@ set(course_answer_linker ${course_fast_linker})
 if(RT_HAS_NO_UNDEFINED AND NOT RT_SANITIZE)
   list(APPEND course_answer_linker -Wl,--no-undefined)
 endif()
+# An answer takes memory as its checkpoint does: see tests/support/windows/answer_memory.cpp.
+set(course_answer_memory "")
+if(WIN32)
+  set(course_answer_memory -Wl,--wrap=_Znwy)
+  list(APPEND course_answer_linker ${course_answer_memory})
+endif()
 # The folder that the environment names comes before the one that is written into the program.
 check_linker_flag(CXX -Wl,--enable-new-dtags RT_HAS_NEW_DTAGS)
 set(course_check_linker "")

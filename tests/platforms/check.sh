@@ -62,6 +62,7 @@ missing() {
     *-windows)
         command -v x86_64-w64-mingw32-g++-posix >/dev/null || echo "needs g++-mingw-w64-x86-64-posix"
         [ -x /usr/lib/wine/wine64 ] || command -v wine >/dev/null || echo "needs wine64"
+        command -v ld.lld >/dev/null || echo "needs lld: the usual linker takes a hundred times as long"
         return ;;
     esac
     command -v "$compiler" >/dev/null || echo "needs $compiler"

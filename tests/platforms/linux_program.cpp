@@ -1,5 +1,6 @@
-// NAME.exe WORDS...: under wine, stands in for a program of Windows such as cmake. It runs the program NAME of Linux
-// through linux_program.sh, prints what that printed, and ends with its exit code.
+// NAME.exe WORDS...: under wine, stands in for a program of Windows such as cmake. It runs the
+// program NAME of Linux through linux_program.sh, prints what that printed, and ends with its exit
+// code.
 #include <windows.h>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 // The entry point of every program of test cases, and the reporter that the companion reads. With
 // `-r events` every event is a line of JSON, written whole and at once: a crash leaves only whole
-// lines behind. Catch2 3 brings its own main().
+// lines behind.
 //
 // For the companion they go to the descriptor 3, each after a secret word, which COURSE_EVENTS
 // holds: so the tested code cannot write events of its own.
@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <string>
 #if __has_include(<catch2/catch_test_macros.hpp>)
+#include <catch2/catch_session.hpp>
 #include <catch2/catch_test_case_info.hpp>
 #include <catch2/interfaces/catch_interfaces_capture.hpp>
 #include <catch2/interfaces/catch_interfaces_registry_hub.hpp>
@@ -15,7 +16,7 @@
 #include <catch2/reporters/catch_reporter_registrars.hpp>
 #include <catch2/reporters/catch_reporter_streaming_base.hpp>
 #else
-#define CATCH_CONFIG_MAIN
+#define CATCH_CONFIG_RUNNER
 #define CATCH_CONFIG_NO_POSIX_SIGNALS  // ours know more
 #endif
 #include <nlohmann/json.hpp>
@@ -33,7 +34,7 @@ namespace {
 const char* forbidden_memory = "";
 
 #ifndef RT_SANITIZED  // sanitizers tell more about a crash
-#ifdef CATCH_CONFIG_MAIN
+#ifdef CATCH_CONFIG_RUNNER
 constexpr bool catch_tells_signals = false;
 #else
 constexpr bool catch_tells_signals = true;
@@ -96,7 +97,7 @@ json failure(const Catch::AssertionStats& stats) {
     return event;
 }
 
-#ifdef CATCH_CONFIG_MAIN
+#ifdef CATCH_CONFIG_RUNNER
 class EventReporter : public Catch::StreamingReporterBase<EventReporter> {
   public:
     explicit EventReporter(const Catch::ReporterConfig& config) : StreamingReporterBase{config} {
@@ -167,7 +168,7 @@ class EventReporter : public Catch::StreamingReporterBase {
         const bool hard = test.tagsAsString().find("[hard]") != std::string::npos;
         return {{"name", test.name}, {"hard", hard}};
     }
-#ifndef CATCH_CONFIG_MAIN
+#ifndef CATCH_CONFIG_RUNNER
     static bool is_hidden(const Catch::TestCaseHandle& test) {
         return test.getTestCaseInfo().isHidden();
     }
@@ -213,3 +214,7 @@ class EventReporter : public Catch::StreamingReporterBase {
 }  // namespace
 
 CATCH_REGISTER_REPORTER("events", EventReporter)
+
+int main(int argc, char** argv) {
+    return checkpoint::end_program(Catch::Session{}.run(argc, argv));
+}

@@ -31,4 +31,7 @@ void end_when_stuck(const volatile std::sig_atomic_t& step, int seconds, const c
 // Calls this function when the program ends by exit(), except in a process that it forked.
 void at_exit(void (*call)());
 
+// What main() does last: ends the program with this exit code, or returns it.
+int end_program(int code);
+
 }  // namespace checkpoint

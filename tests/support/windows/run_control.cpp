@@ -3,10 +3,16 @@
 #include <io.h>
 #include <windows.h>
 
+#include <psapi.h>
+
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iostream>
+#include <new>
 #include <string>
 
 namespace checkpoint {
@@ -18,6 +24,20 @@ const bool is_taken = [] {
     ::GetEnvironmentVariableA(name, word, sizeof word);
     ::SetEnvironmentVariableA(name, nullptr);
     ::_putenv_s(name, "");
+    return true;
+}();
+
+// Hands the program's operator new to the answer: see answer_memory.cpp.
+const bool has_shared_memory = [] {
+    HMODULE modules[256];
+    DWORD bytes = 0;
+    if (!::EnumProcessModules(::GetCurrentProcess(), modules, sizeof modules, &bytes)) return false;
+    for (DWORD i = 0; i < std::min<DWORD>(bytes, sizeof modules) / sizeof(HMODULE); ++i)
+        if (const auto address = ::GetProcAddress(modules[i], "course_take_memory")) {
+            auto& take = *reinterpret_cast<void* (**)(std::size_t)>(
+                reinterpret_cast<std::uintptr_t>(address));
+            take = [](std::size_t size) { return ::operator new(size); };
+        }
     return true;
 }();
 
@@ -164,6 +184,14 @@ void end_when_stuck(const volatile std::sig_atomic_t& step, int seconds, const c
 
 void at_exit(void (*call)()) {
     std::atexit(call);
+}
+
+// Without the libraries' last words: that of OpenMP may wait for a thread that has ended already.
+int end_program(int code) {
+    std::cout << std::flush;
+    std::fflush(nullptr);
+    ::TerminateProcess(::GetCurrentProcess(), static_cast<UINT>(code));
+    return code;
 }
 
 }  // namespace checkpoint
