@@ -80,7 +80,7 @@ function(course_as_answer target real place chapter id)
     # Where this is a DLL:
     PREFIX lib RUNTIME_OUTPUT_DIRECTORY ${course_answers}/${place} ARCHIVE_OUTPUT_DIRECTORY ${course_answers}/${place})
   course_linked_with(${target} -shared ${course_answer_linker}
-                     $<FILTER:$<TARGET_OBJECTS:answer_${real}>,EXCLUDE,[.][gp]ch$>
+                     "$<JOIN:$<FILTER:$<TARGET_OBJECTS:answer_${real}>,EXCLUDE,[.][gp]ch$>,\n>"
                      ${course_libraries_of_answer_${id}})
 endfunction()
 

@@ -39,6 +39,7 @@ class CommandLine {
   public:
     explicit CommandLine(const Course& course) {
         parser_.set_help_flag();  // the script's, or that of the program that `run` runs
+        parser_.allow_windows_style_options(false);  // "/c/own" names a folder, on Windows too
         CLI::App* command = nullptr;
         for (const Declared& one : declared)
             if (one.run)

@@ -78,11 +78,48 @@ class Learner(unittest.TestCase):
     def test_6_crashes(self):
         self.crash("    Real* volatile p = nullptr;\n    *p = a;", "null pointer")
         self.crash("    volatile int zero = 0;\n    if (7 / zero) return {};", "divided an integer by 0")
-        self.crash("    if (auto r = roots_from_discriminant(a + 1, b, c, discriminant)) return r;", "stack overflowed")
+        self.crash("    volatile bool again = true;\n    if (again) return roots_from_discriminant(a + 1, b, c, discriminant);",
+                   "stack overflowed")
         self.crash("    std::optional<Roots> none;\n    return *none;", "aborted")
 
     def test_7_endless(self):
         self.crash("    for (volatile int i = 0;;) i = i + 1;", "without finishing")
+
+    def test_8_watch(self):
+        watch = subprocess.Popen([WINE, BUILD / "bin/course.exe", "watch", "03"], stdin=subprocess.PIPE,
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=ROOT)
+        os.set_blocking(watch.stdout.fileno(), False)
+        said = ""
+
+        def wait_for(words):
+            nonlocal said
+            end = time.monotonic() + 120
+            while words not in said:
+                self.assertLess(time.monotonic(), end, f"expected '{words}', actual:\n{said}")
+                said += (watch.stdout.read() or b"").decode()
+                time.sleep(0.1)
+            said = ""
+
+        wait_for("save a file to check it")
+        STUB.write_text(ANSWER.replace("discriminant >= 0", "discriminant > 0"))
+        wait_for("failing")
+        STUB.write_text(ANSWER)
+        wait_for("done")
+        watch.kill()
+        watch.wait()
+        watch.stdout.close()
+        watch.stdin.close()
+
+    def test_9_own_judge(self):
+        own = BUILD / "own"
+        shutil.rmtree(own, ignore_errors=True)
+        shutil.copytree(BUILD / "own_start", own)
+        for file in (ROOT / "solutions/09_own").iterdir():
+            shutil.copy(file, own)
+        for part in ("1", "2", "3", "6", "8"):
+            self.assertIn("Next:", self.course("own", "judge", f"{own}", "--rung", part, "--seed", "1", code=0))
+        for part in ("hard", "broken", "list"):
+            self.course("own", "judge", f"{own}", "--part", part, "--seed", "1", code=0)
 
 
 if __name__ == "__main__":

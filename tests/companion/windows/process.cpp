@@ -1,6 +1,9 @@
+#include <windows.h>
+
 #include <atomic>
 #include <chrono>
 #include <companion/system/file_lock.hpp>
+#include <companion/system/keyboard.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/scratch_folder.hpp>
 #include <thread>
@@ -165,4 +168,23 @@ TEST_CASE("a lock is held by one at a time", "[process]") {
     }
     other.join();
     CHECK(has_both);
+}
+
+TEST_CASE("keys come through a pipe, until its other end is closed", "[process]") {
+    const HANDLE before = ::GetStdHandle(STD_INPUT_HANDLE);
+    HANDLE from = nullptr, into = nullptr;
+    REQUIRE(::CreatePipe(&from, &into, nullptr, 0));
+    ::SetStdHandle(STD_INPUT_HANDLE, from);
+    companion::Keyboard keyboard{true};
+    CHECK_FALSE(keyboard.key(50));
+    DWORD count = 0;
+    REQUIRE(::WriteFile(into, "hq", 2, &count, nullptr));
+    CHECK(keyboard.key(1000) == 'h');
+    CHECK(keyboard.key(1000) == 'q');
+    CHECK_FALSE(keyboard.at_end());
+    ::CloseHandle(into);
+    CHECK_FALSE(keyboard.key(50));
+    CHECK(keyboard.at_end());
+    ::SetStdHandle(STD_INPUT_HANDLE, before);
+    ::CloseHandle(from);
 }
