@@ -6,8 +6,8 @@ shift 2
 for word; do
     shift
     case $word in
-    [Zz]:[/\\]*) word=$(printf %s "${word#?:}" | tr '\\' /) ;;
-    /* | -I/*) word=$(printf %s "$word" | tr '\\' /) ;;
+    [Zz]:[/\\]*) word=$(printf %s "${word#?:}" | tr '\134' /) ;;
+    /* | -I/*) word=$(printf %s "$word" | tr '\134' /) ;;
     esac
     set -- "$@" "$word"
 done
