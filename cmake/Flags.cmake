@@ -24,7 +24,7 @@ if(WIN32)
     target_compile_options(course_flags INTERFACE -Wa,-muse-unaligned-vector-move)
   endif()
   # MinGW's own std::fma and std::sqrt round twice.
-  add_library(course_exact_math OBJECT ${CMAKE_SOURCE_DIR}/common/rt/windows/exact_math.cpp)
+  add_library(course_exact_math OBJECT ${CMAKE_SOURCE_DIR}/common/app/windows/exact_math.cpp)
   target_include_directories(course_exact_math PRIVATE ${CMAKE_SOURCE_DIR}/common)
   target_compile_options(course_exact_math PRIVATE -O2 -ffp-contract=off -fno-builtin)
   target_link_libraries(course_flags INTERFACE $<TARGET_OBJECTS:course_exact_math>)

@@ -2,13 +2,13 @@
 #include <app/files.hpp>
 #include <app/interrupt.hpp>
 #include <app/platform.hpp>
+#include <app/windows/exact_math.hpp>
 #include <bit>
 #include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <limits>
 #include <rt/rng.hpp>
-#include <rt/windows/exact_math.hpp>
 #include <system_error>
 #include <thread>
 
@@ -126,9 +126,9 @@ TEST_CASE("a product and a sum are rounded once, with an instruction for it or w
         const double x = number(i % 3, i % 3 == 1 ? 0 : -520),
                      y = number(i % 3, i % 3 == 1 ? 0 : -520);
         const double z = i % 5 == 0 ? -x * y : number(i % 3, i % 3 == 1 ? 0 : -1050);
-        wrong += differ(std::fma(x, y, z), rt::fma_of_integers(x, y, z));
+        wrong += differ(std::fma(x, y, z), app::fma_of_integers(x, y, z));
         const auto a = static_cast<float>(x), b = static_cast<float>(y), c = static_cast<float>(z);
-        wrong_in_float += differ(std::fma(a, b, c), rt::fma_of_doubles(a, b, c));
+        wrong_in_float += differ(std::fma(a, b, c), app::fma_of_doubles(a, b, c));
     }
     CHECK(wrong == 0);
     CHECK(wrong_in_float == 0);

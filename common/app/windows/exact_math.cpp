@@ -3,12 +3,12 @@
 // optimize.
 #include <emmintrin.h>
 
+#include <app/windows/exact_math.hpp>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <rt/windows/exact_math.hpp>
 
-namespace rt {
+namespace app {
 namespace {
 
 __extension__ using Wide = __int128;
@@ -86,7 +86,7 @@ float fma_of_doubles(float x, float y, float z) {
     return static_cast<float>(std::bit_cast<double>(bits));
 }
 
-}  // namespace rt
+}  // namespace app
 
 namespace {
 
@@ -107,11 +107,11 @@ bool has_instruction() {
 extern "C" {
 
 double fma(double x, double y, double z) {
-    return has_instruction() ? fma_of_processor(x, y, z) : rt::fma_of_integers(x, y, z);
+    return has_instruction() ? fma_of_processor(x, y, z) : app::fma_of_integers(x, y, z);
 }
 
 float fmaf(float x, float y, float z) {
-    return has_instruction() ? fma_of_processor(x, y, z) : rt::fma_of_doubles(x, y, z);
+    return has_instruction() ? fma_of_processor(x, y, z) : app::fma_of_doubles(x, y, z);
 }
 
 double sqrt(double x) {
