@@ -110,6 +110,8 @@ check() {
     local targets=() drawn='' checked='' chapter
     for chapter in solutions/*; do
         chapter=${chapter#solutions/}
+        # MPI is this system's alone; the tracer has a program for each chapter, which graft_mistakes tries.
+        case $1:$chapter in *-aarch64:13_* | *-windows:13_* | *:tracer) continue ;; esac
         if echo "$chapter" | grep -qE -- "$pictures"; then
             targets+=("${chapter}_solution")
             [ "$chapter" = 09_own ] || targets+=("${chapter}_solution_float")
