@@ -3,9 +3,12 @@
 #include <numeric>
 #include <rt/build.hpp>
 #include <rt/find_nearest.hpp>
+#include <rt/hit_box.hpp>
 #include <rt/rng.hpp>
 #include <rt/search.hpp>
+#include <rt/slab_ray.hpp>
 #include <rt/split_by_area.hpp>
+#include <string>
 
 #include "controls.hpp"
 #include "live.hpp"
@@ -515,6 +518,199 @@ void drag(SplitControls& c, const Drag& to) {
     else
         c.plane += (c.axis > 0 ? -to.moved().y : to.moved().x) / at.scale;
     c.plane = std::clamp(c.plane, layout.low, layout.high);
+}
+
+// ---- The slab test ----
+
+namespace {
+
+struct SlabLayout {
+    Frame plane;
+    double top, left, right;                                 // of the rows with the bars
+    static constexpr double row = 44, first = -1, last = 4;  // the number line's ends
+
+    double page_x(double t) const { return left + (right - left) * (t - first) / (last - first); }
+};
+
+SlabLayout slab_layout(double width) {
+    const double scale = width / 9.4, height = 4.2 * scale;
+    return {{{width / 2, height / 2}, {2, 1.4}, scale}, height + 8, 10, width - 10};
+}
+
+// The t within an interval at which a ray is in a box, according to hit_box: it is asked about
+// parts of the interval, and halving them finds where its answer changes. It is not asked about
+// infinity, where a ray beside a slab and parallel to it has both its entry and its exit.
+rt::Interval when_inside(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within) {
+    constexpr double far = 1000;
+    const double start = std::max(within.min, -far), end = std::min(within.max, far);
+    const auto met_up_to = [&](double t) { return rt::hit_box(box, ray, {start, t}); };
+    const auto met_from = [&](double t) { return rt::hit_box(box, ray, {t, end}); };
+    const auto change = [](double met, double missed, const auto& meets) {
+        for (int i = 0; i < 100; ++i) {
+            const double middle = (met + missed) / 2;
+            (meets(middle) ? met : missed) = middle;
+        }
+        return met;
+    };
+    if (!met_up_to(end)) return {rt::infinity, -rt::infinity};
+    return {met_up_to(start) ? within.min : change(end, start, met_up_to),
+            met_from(end) ? within.max : change(start, end, met_from)};
+}
+
+// A bar on the number line, with a point where it goes on beyond the line's end.
+void draw_bar(Drawing& out, const SlabLayout& layout, double y, rt::Interval t, Ink color) {
+    if (t.is_empty()) return;
+    const double from = std::clamp(t.min, layout.first, layout.last),
+                 to = std::clamp(t.max, layout.first, layout.last);
+    const Point low{layout.page_x(from), y - 6}, high{layout.page_x(to), y + 6};
+    out.box(low, high, thin(color, 0.75));
+    out.frame(low, high, {color, 1.5});
+    for (const double side : {-1.0, 1.0})
+        if (side < 0 ? t.min < layout.first : t.max > layout.last) {
+            const Point end{side < 0 ? layout.left : layout.right, y};
+            out.polygon({end + Point{8 * side, 0}, end + Point{0, 9}, end - Point{0, 9}}, color);
+        }
+}
+
+}  // namespace
+
+void draw(const SlabControls& c, Drawing& out) {
+    const SlabLayout layout = slab_layout(out.width);
+    const Frame& at = layout.plane;
+    const double bottom = layout.top + 3 * layout.row;
+    out.height = bottom + 22;
+    const rt::Box box{{1, 1, -1}, {3, 2, 1}};
+    const rt::Vec3 origin{c.ox, c.oy, 0}, direction{c.px - c.ox, c.py - c.oy, 0};
+    // Without a margin, so that the numbers are those of the box itself.
+    const rt::SlabRay ray{origin, {1 / direction.x, 1 / direction.y, 1 / direction.z}};
+    const rt::Ray line{origin, direction};
+    const double length = rt::length(direction);
+    const Point o = at.to_page(in_plane(origin)), p = at.to_page({c.px, c.py});
+    const auto in_view = [&](Point q) {
+        return q.x > 0 && q.x < out.width && q.y > 0 && q.y < layout.top - 8;
+    };
+
+    struct Slab {
+        rt::Box box;
+        Ink color;
+        bool is_parallel, on_plane;
+        rt::Interval t = {};
+    };
+    constexpr double all = rt::infinity;
+    std::array slabs{Slab{{{1, -all, -all}, {3, all, all}},
+                          blue,
+                          direction.x == 0,
+                          c.ox == box.low.x || c.ox == box.high.x},
+                     Slab{{{-all, 1, -all}, {all, 2, all}},
+                          orange,
+                          direction.y == 0,
+                          c.oy == box.low.y || c.oy == box.high.y}};
+    for (Slab& slab : slabs) slab.t = when_inside(slab.box, ray, {-all, all});
+    const auto& [x, y] = slabs;
+    const rt::Interval both = when_inside(box, ray, {0, all});
+    const bool hit = length > 0 && rt::hit_box(box, ray, {0, all});
+
+    // The slabs, the box where they cross, and the ray.
+    const Point low = at.to_page(in_plane(box.low)), high = at.to_page(in_plane(box.high));
+    const double floor = layout.top - 8;
+    out.box({low.x, 0}, {high.x, floor}, thin(blue, 0.13));
+    out.box({0, high.y}, {out.width, low.y}, thin(orange, 0.13));
+    for (const double side : {low.x, high.x}) out.line({side, 0}, {side, floor}, {blue, 1.5});
+    for (const double side : {low.y, high.y}) out.line({0, side}, {out.width, side}, {orange, 1.5});
+    draw_box(out, at, box, {hit ? green : muted, 3}, hit ? 0.2 : 0.1);
+    out.text({(low.x + high.x) / 2, 12}, "slab of x", blue);
+    out.text({8, high.y + 12}, "slab of y", orange, Align::left);
+    Point o_name = o - Point{18, 0}, p_name = p + Point{18, 0};
+    if (length > 0) {
+        const auto place = [&](double t) { return at.to_page(in_plane(line.at(t))); };
+        double end = 1;
+        while (in_view(place(end + 0.1 / length))) end += 0.1 / length;
+        double before = 0;
+        while (in_view(place(before - 0.1 / length))) before -= 0.1 / length;
+        out.line(place(before), o, {muted, 1.5, 4});
+        out.arrow(o, place(end), {accent, 2.5});
+        if (hit) out.line(place(both.min), place(both.max), {green, 6});
+        // The t of x on one side of the ray, those of y on the other.
+        const Point along = (1 / distance(o, p)) * (p - o), aside{along.y, -along.x};
+        p_name = p - 24 * along + 10 * aside;
+        o_name = o - 20 * along + 10 * aside;
+        const double away = 17 + 8 * std::abs(aside.x);  // words are wide
+        for (const Slab& slab : slabs)
+            for (const double t : {slab.t.min, slab.t.max}) {
+                if (!(std::abs(t) < all) || !in_view(place(t))) continue;
+                const Ink color = thin(slab.color, t < 0 ? 0.6 : 1);
+                const Point outward = (t == slab.t.min ? -9 : 9) * along;
+                out.dot(place(t), color, 4.5);
+                out.text(place(t) + outward + (&slab == &x ? away : -away) * aside, "{.2}", color,
+                         Align::middle, t);
+            }
+    }
+    out.handle(o);
+    out.handle(p);
+    out.bold = true;
+    out.text(o_name, "O", ink);
+    out.text(p_name, "P", ink);
+    out.bold = false;
+
+    // The number line.
+    for (int t = static_cast<int>(layout.first); t <= layout.last; ++t) {
+        out.line({layout.page_x(t), layout.top}, {layout.page_x(t), bottom},
+                 {t == 0 ? muted : faint, t == 0 ? 1.5 : 1});
+        out.text({layout.page_x(t), bottom + 11}, t == 0 ? "t = 0" : "{}", muted, Align::middle, t);
+    }
+    if (length == 0) {
+        out.say("P is at O: the ray has no direction.");
+        return;
+    }
+    const double latest = std::max({0.0, x.t.min, y.t.min}),
+                 earliest = std::min({all, x.t.max, y.t.max});
+    for (const double t : {latest, earliest})
+        if (t >= layout.first && t <= layout.last)
+            out.line({layout.page_x(t), layout.top}, {layout.page_x(t), bottom},
+                     {hit ? green : pink, 1.5, 4});
+    const auto draw_row = [&](int number, std::string_view some, std::string_view none,
+                              rt::Interval t, Ink color) {
+        const Point words{layout.left, layout.top + 11 + number * layout.row};
+        draw_bar(out, layout, words.y + 18, t, color);
+        out.text(words, t.is_empty() ? none : some, color, Align::left, t.min, t.max);
+    };
+    out.bold = true;
+    draw_row(0, "in x from {.2} to {.2}", "in x at no t", x.t, x.color);
+    draw_row(1, "in y from {.2} to {.2}", "in y at no t", y.t, y.color);
+    draw_row(2, "in the box from {.2} to {.2}", "in the box at no t ≥ 0", both,
+             hit ? green : muted);
+    out.bold = false;
+
+    // What a parallel slab does, then the answer.
+    const Slab& slab = x.is_parallel ? x : y;
+    const bool never = slab.t.is_empty();
+    std::string said;
+    if (slab.is_parallel && slab.on_plane)
+        said = never ? "The ray is in a plane: 0 · ∞ is NaN, and the slab is lost. "
+                     : "The ray is in a plane: 0 · ∞ is NaN, and this plane does not count. ";
+    else if (slab.is_parallel)
+        said = never ? "The ray is beside a slab: its entry and exit are the same infinity. "
+                     : "The ray is parallel to a slab, in it: entry −∞, exit ∞. ";
+    if (!hit && never)
+        out.say(said + "A miss.");
+    else if (hit && latest == 0)
+        out.say(said + "A hit: O is in the box, and the earliest exit is {.2}.", earliest);
+    else if (!hit && earliest < 0 && std::max(x.t.min, y.t.min) <= earliest)
+        out.say(said + "A miss: the box is behind O, and the earliest exit is {.2}.", earliest);
+    else
+        out.say(said + (hit ? "A hit" : "A miss") +
+                    ": the latest entry is {.2}, the earliest exit {.2}.",
+                latest, earliest);
+}
+
+void drag(SlabControls& c, const Drag& to) {
+    const Frame at = slab_layout(to.width).plane;
+    const std::array places{at.to_page({c.ox, c.oy}), at.to_page({c.px, c.py})};
+    const std::size_t moved = nearest_of(places, to.down);
+    const Point now = at.to_plane(places[moved] + to.moved());
+    // In steps, so that rays along an axis and on a plane are easy to find.
+    (moved == 0 ? c.ox : c.px) = std::round(10 * now.x) / 10;
+    (moved == 0 ? c.oy : c.py) = std::round(10 * now.y) / 10;
 }
 
 }  // namespace live
