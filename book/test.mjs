@@ -620,7 +620,7 @@ async function tryAnswers() {
     for (const [name, live, ...cases] of [
         ['04-normals_aa.html', '04.leave', [{ way: 0 }, /^([4-9]|\d\d) of 61 rays meet/], [{ way: 1, angle: 88, far: 4 }, /^0 of 61 rays meet/],
          [{ way: 2, radius: 5 }, /^0 of 61 rays meet/], [{ angle: 120 }, /^0 of 61 rays into/]],
-        ['07-bvh.html', '07.slab', [{ py: 3 }, /^A miss: the latest entry is 0\.50, the earliest exit 0\.67\.$/],
+        ['07-bvh.html', '07.slab', [{ px: 1, py: 3 }, /^A miss: the latest entry is 1\.00, the earliest exit 0\.67\.$/],
          [{ ox: 4, px: 5, oy: 2.5 }, /^A miss: the box is behind O, .* −1\.00\.$/],
          [{ ox: 2, px: 2, oy: 0, py: 1 }, /entry −∞, exit ∞\. A hit: the latest entry is 1\.00, the earliest exit 2\.00\.$/],
          [{ ox: 0.4, px: 0.4 }, /the same infinity\. A miss\.$/], [{ ox: 3, px: 3 }, /is NaN, and this plane does not count\. A hit/]],

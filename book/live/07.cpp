@@ -618,7 +618,7 @@ void draw(const SlabControls& c, Drawing& out) {
     for (const double side : {low.x, high.x}) out.line({side, 0}, {side, floor}, {blue, 1.5});
     for (const double side : {low.y, high.y}) out.line({0, side}, {out.width, side}, {orange, 1.5});
     draw_box(out, at, box, {hit ? green : muted, 3}, hit ? 0.2 : 0.1);
-    out.text({(low.x + high.x) / 2, 12}, "slab of x", blue);
+    out.text({high.x + 8, 12}, "slab of x", blue, Align::left);
     out.text({8, high.y + 12}, "slab of y", orange, Align::left);
     Point o_name = o - Point{18, 0}, p_name = p + Point{18, 0};
     if (length > 0) {
@@ -689,8 +689,9 @@ void draw(const SlabControls& c, Drawing& out) {
         said = never ? "The ray is in a plane: 0 · ∞ is NaN, and the slab is lost. "
                      : "The ray is in a plane: 0 · ∞ is NaN, and this plane does not count. ";
     else if (slab.is_parallel)
-        said = never ? "The ray is beside a slab: its entry and exit are the same infinity. "
-                     : "The ray is parallel to a slab, in it: entry −∞, exit ∞. ";
+        said = slab.box.contains(origin)
+                   ? "The ray is parallel to a slab, in it: entry −∞, exit ∞. "
+                   : "The ray is beside a slab: its entry and exit are the same infinity. ";
     if (!hit && never)
         out.say(said + "A miss.");
     else if (hit && latest == 0)
