@@ -44,8 +44,9 @@ Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materia
         const std::optional<Scatter> bounce = place.scatter(random);
         if (!bounce) return light;
         throughput *= bounce->attenuation;
+        // Gap 2 begins here: copy the throughput before the ending changes it.
         const PathEnd end = bounces < depth ? PathEnd::none : ending(throughput, random);
-        // Gap 2: direct light. Copy the throughput before the ending changes it.
+        // Gap 2: direct light.
 
         if (end == PathEnd::in_black) return light;
         ray.origin = place.origin(bounce->direction);
