@@ -58,6 +58,12 @@ int own_judge(const Course& course, const Given& given) {
             bold("You are the author of a ray tracer.") +
             (lines.passed < lines.lines ? " Rungs 1 to 6 are its core; the rest are stars." : "") +
             " ./course certify\n");
+    if (part.empty() && !core)
+        print(
+            "Rungs 1 to 6 are the core, and the rest are stars. One rung at a time is less to "
+            "read: "
+            "./course own judge " +
+            folder + " --rung 1\n");
     if (lines.passed < lines.lines) return part.empty() && core ? app::done : app::could_not;
     if (const auto rung = given.number("--rung"); rung > 0)
         print("Next: ./course own judge " + folder +
