@@ -7,6 +7,7 @@
 
 #include "controls.hpp"
 #include "live.hpp"
+#include "plane.hpp"
 
 namespace live {
 namespace {
@@ -204,12 +205,7 @@ void drag(PointsControls& c, const Drag& to) {
         handles[2 * square] = layout.at(square, 0, c.left);
         handles[2 * square + 1] = layout.at(square, 1, c.right);
     }
-    const auto nearest = std::min_element(handles.begin(), handles.end(),
-                                          [&](Point a, Point b) {
-                                              return distance(a, to.down) < distance(b, to.down);
-                                          }) -
-                         handles.begin();
-    (nearest % 2 == 0 ? c.left : c.right) -= to.moved().y / layout.side;
+    (nearest_of(handles, to.down) % 2 == 0 ? c.left : c.right) -= to.moved().y / layout.side;
 }
 
 }  // namespace live

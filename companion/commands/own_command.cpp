@@ -60,8 +60,8 @@ int own_judge(const Course& course, const Given& given) {
             " ./course certify\n");
     if (part.empty() && !core)
         print(
-            "Rungs 1 to 6 are the core, the rest are stars. To judge one rung: ./course own "
-            "judge " +
+            "Rungs 1 to 6 are the core, the rest are stars. To judge one rung:\n"
+            "./course own judge " +
             folder + " --rung 1\n");
     if (lines.passed < lines.lines) return part.empty() && core ? app::done : app::could_not;
     if (const auto rung = given.number("--rung"); rung > 0)

@@ -398,8 +398,8 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
     };
     add("a sky", {scene("a sky and nothing else", sky_only,
                         "Is the direction normalized before its y mixes the two colors? Is the "
-                        "first row of the file the top row? Are the bytes sRGB, not linear? Is it "
-                        "seen by the scene's camera, through random points of each pixel?")});
+                        "first row of the file the top row? Are the bytes sRGB, not linear? Is the "
+                        "sky seen through the scene's camera and random points of each pixel?")});
     add("a camera, and spheres in black",
         {scene("black balls before the sky", silhouettes,
                "Is the field of view the vertical one? Do u, v and w make a right-handed basis, "

@@ -20,7 +20,8 @@ using namespace rt;
 std::string bytes_of(const Tile& tile, const std::vector<Color>& colors) {
     Image image = Canvas<Color>{tile.right - tile.left, tile.bottom - tile.top};
     std::copy(colors.begin(), colors.end(), &image.at(0, 0));
-    return encode_ppm(image).substr(encode_ppm(image).size() - 3 * colors.size());
+    const std::string file = encode_ppm(image);
+    return file.substr(file.size() - 3 * colors.size());
 }
 
 void write_at(MPI_File file, std::int64_t place, const char* bytes, int count) {
@@ -41,8 +42,9 @@ int main(int argc, char** argv) {
         "P6\n" + std::to_string(grid.width) + ' ' + std::to_string(grid.height) + "\n255\n";
 
     MPI_File file{};
+    MPI_File_set_errhandler(MPI_FILE_NULL, MPI_ERRORS_ARE_FATAL);  // for all files to come
     MPI_File_open(MPI_COMM_WORLD, argv[4], MPI_MODE_CREATE | MPI_MODE_WRONLY, MPI_INFO_NULL, &file);
-    MPI_File_set_errhandler(file, MPI_ERRORS_ARE_FATAL);
+    MPI_File_set_size(file, 0);  // nothing of an older file stays
     const int rank = rank_of(MPI_COMM_WORLD), count = rank_count(MPI_COMM_WORLD);
     if (rank == 0) write_at(file, 0, header.data(), static_cast<int>(header.size()));
     cluster::TileDrawer drawer{scene, 1};
