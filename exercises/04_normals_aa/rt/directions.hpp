@@ -14,7 +14,7 @@ namespace rt {
 // Star: the length is within 2 epsilon of 1, even at the corners of the square.
 
 // Every direction is equally likely.
-// Star: near the poles the distance from the axis is small, but it keeps all its digits. Source:
+// Star: near the poles, the distance from the axis is small but must keep all its digits. Source:
 // Archimedes, "On the sphere and cylinder": slices of equal thickness have equal surface.
 inline Vec3 uniform_direction(Vec2 place) {
     return rt::todo("04.3", place);

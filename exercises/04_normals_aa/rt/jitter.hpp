@@ -20,7 +20,7 @@ inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
 // Exercise 04.5. The average color of a pixel over this many samples, 1 or more, in any order.
 // sample(offset) is called with a random offset in each cell of the finest n x n grid that has no
 // more cells than there are samples. For each sample that remains, it is called with a random
-// offset anywhere in the pixel. Each offset is made from a random place of its own.
+// offset anywhere in the pixel. Each offset is made from a random sample point of its own.
 // Star: in float, too, the average of a million samples is accurate. ColorSum, from
 // rt/color_sum.hpp, adds them up in double.
 template <class Random, class Sample>

@@ -5,9 +5,9 @@
 
 namespace rt {
 
-// Exercise 04.2. The fraction of a distant light that falls on a surface: the cosine of the angle
-// between the surface's normal and the direction to the light, however small, and 0 where the
-// surface faces away. Both vectors must have length 1.
+// Exercise 04.2. The fraction of the light from a distant lamp that a surface gets: the cosine of
+// the angle between the surface's normal and the direction to the light, however small, and 0 where
+// the surface faces away. Both vectors must have length 1.
 // Source: Lambert, "Photometria", 1760.
 inline Real lambert(Vec3 normal, Vec3 to_light) {
     return rt::todo("04.2", normal, to_light);
