@@ -8,7 +8,7 @@
 
 namespace rt {
 
-// Exercise 06.3. The number of tiles that cover the picture: it fits into an int, and is 0 if the
+// Exercise 06.3. The number of tiles that cover the picture. It fits into an int, and is 0 if the
 // width or the height is 0.
 inline int tile_count(const TileGrid& grid) {
     return rt::todo("06.3", grid);

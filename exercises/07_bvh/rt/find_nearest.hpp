@@ -15,10 +15,10 @@ void try_shape(int number, AnySearch& search) {
 }
 
 // Exercise 07.4. Tests every shape below a node that may give a nearer hit than the nearest so far.
-// If the ray does not meet a box, by search.meets(box), skip everything in it. Test each box once,
-// even the box of a leaf, before anything below it, and the right child's box only after everything
-// below the left child. A leaf holds the shapes search.order[i] for the `count` indices i = first,
-// first + 1, ...
+// If search.meets(box) says that the ray does not meet a box, skip everything in it. Test each box
+// once, even the box of a leaf, before anything below it, and the right child's box only after
+// everything below the left child. A leaf holds the shapes search.order[i] for the `count` indices
+// i = first, first + 1, ...
 // Star: trees have up to most_levels + 20 levels, and many threads search them at the same time.
 template <class AnySearch>
 void find_nearest(const TreeNode& node, AnySearch& search) {

@@ -17,9 +17,10 @@ inline Real surface_area(const Box& box) {
 // and the rest, and returns k, or 0 if no split is cheaper than a leaf. Candidates are all splits
 // of the spheres sorted by the centers of their boxes along x, along y and along z; the text gives
 // the cost of a split and of a leaf. `order` has at least one number; ignore all other boxes.
-// Star: equal centers may come in any order, as long as the order that you leave is the one whose
-// cost was the least. The time grows as count log(count). If area(A) is 0, nothing is cheaper than
-// a leaf. Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
+// Star: equal centers may come in any order, but the final order must be the one whose cost you
+// found to be the least. The time grows as n log(n) for n numbers. If area(A) is 0, nothing is
+// cheaper than a leaf. Source: MacDonald and Booth, "Heuristics for ray tracing using space
+// subdivision", 1990.
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     rt::todo("07.5", order, boxes);  // delete this line when you have filled the gaps
     const int n = static_cast<int>(order.size());
