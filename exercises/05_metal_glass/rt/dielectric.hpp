@@ -25,7 +25,8 @@ struct SchlickDielectric {
 // because the random choice already weights both. `incoming` has length 1; reflectance is one of
 // the functions of exercise 05.4, or any other. One random number decides; if the reflectance is 0,
 // none is drawn. The index may be below 1, like that of a bubble.
-// Star: reflected light stays on its side of the surface, even if it grazes: use above_horizon().
+// Star: reflected light stays on its side of the surface, even if it grazes the surface: use
+// above_horizon().
 template <class Reflectance, class Random>
 Scatter scatter_at_glass(Real index, Reflectance reflectance, Vec3 incoming, const Hit& hit,
                          Random& random) {

@@ -12,12 +12,13 @@ namespace rt {
 // A metal: from a mirror (fuzz 0) to a rough, dull shine (fuzz 1).
 struct Metal {
     Color albedo;   // the fraction of light that comes back, each channel in [0, 1]
-    Real fuzz = 0;  // how far reflected light strays, in [0, 1]
+    Real fuzz = 0;  // how far reflected light strays from the mirror direction, in [0, 1]
 };
 
-// Exercise 05.2, the second part. Where metal sends light that arrives along `incoming`, of length
-// 1, on the side of `normal`: the mirror direction plus `fuzz` times the uniform direction for
-// `place`, a sample point of the unit square, folded above the surface. The result has length 1.
+// Exercise 05.2, the second part. Where metal sends light that arrives along `incoming` (of length
+// 1) on the side to which `normal` points: the mirror direction plus `fuzz` times the uniform
+// direction for `place`, a sample point of the unit square, folded above the surface. The result
+// has length 1.
 inline Vec3 metal_direction(Vec3 incoming, Vec3 normal, Real fuzz, Vec2 place) {
     return rt::todo("05.2", incoming, normal, fuzz, place);
 }
