@@ -32,10 +32,11 @@ inline Real light_density(const Sphere& light, Vec3 from) {
 // fraction of a turn around the center, counted from any direction. None if the point is not
 // outside the light.
 // Star: the point may also be inside or on the surface; then all directions must be equally likely.
-// None where the density is 0. The length is 1 within 5 epsilon. The distance leads to the surface
-// within rounding_bound(60) * (d + r), where d is the distance of the center and r the radius; for
-// x = 0 it is d - r within rounding_bound(30) of itself. Source: Wang, "Physically correct direct
-// lighting for distribution ray tracing", Graphics Gems III, 1992.
+// None where the density is 0. The direction's length is accurate to 5 epsilon. The point at the
+// returned distance lies within rounding_bound(60) * (d + r) of the surface, where d is the
+// distance of the center and r the radius. For x = 0 the distance is d - r, with a relative error
+// of at most rounding_bound(30). Source: Wang, "Physically correct direct lighting for distribution
+// ray tracing", Graphics Gems III, 1992.
 inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, Vec2 place) {
     return rt::todo("08.3", light, from, place);
 }
