@@ -26,7 +26,7 @@ std::optional<Scatter> scatter(const Lambertian& material, [[maybe_unused]] Vec3
     return rt::todo("04.4", material, incoming, hit, random);
 }
 
-// The materials of a scene, all of one type (given). scatter() is found by the material's type.
+// The materials of a scene, all of one type (given). The compiler finds scatter() by this type.
 template <class Material>
 struct MaterialList {
     std::vector<Material> materials;
