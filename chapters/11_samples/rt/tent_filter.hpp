@@ -1,11 +1,11 @@
 #pragma once
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <rt/canvas.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
+#include <rt/pack.hpp>
 #include <rt/sobol_points.hpp>
 #include <rt/tile.hpp>
 
@@ -43,15 +43,14 @@ class TentSums {
 
     // A sample at this offset in pixel (x, y).
     void add(int x, int y, Vec2 offset, const Color& light) {
-        const std::array<Real, 4> sample{light.r, light.g, light.b, 1};
-        const int right = around(offset.x), down = around(offset.y);
-        for (int j = down; j <= down + 1; ++j)
-            for (int i = right; i <= right + 1; ++i) {
-                const Real share = weight(offset.x, i) * weight(offset.y, j);
-                Sum& sum = at(x + i, y + j);
-                for (std::size_t k = 0; k < sum.size(); ++k)
-                    sum[k] += static_cast<double>(share * sample[k]);
-            }
+        const int left = around(offset.x), top = around(offset.y);
+        const Real right = offset.x - Real(0.5) - static_cast<Real>(left),
+                   bottom = offset.y - Real(0.5) - static_cast<Real>(top);
+        const Real rest = 1 - right;
+        const Eight row = Eight{rest, rest, rest, rest, right, right, right, right} *
+                          Eight{light.r, light.g, light.b, 1, light.r, light.g, light.b, 1};
+        add(at(x + left, y + top), (1 - bottom) * row);
+        add(at(x + left, y + top + 1), bottom * row);
     }
 
     void write(Image& image) {
@@ -66,13 +65,17 @@ class TentSums {
   private:
     // Red, green and blue, and the weights, added in double for the reason of ColorSum.
     using Sum = std::array<double, 4>;
+    using Eight = PackOf<Real, 8>;  // of two neighbors in a row
+    using Sums = PackOf<double, 8>;
     // The samples' pixels reach as far beyond the tile: so that they need no test, there is room.
     static constexpr int border = 2;
 
     Sum& at(int x, int y) { return sums_.at(x - tile_.left + border, y - tile_.top + border); }
     static int around(Real offset) { return offset < Real(0.5) ? -1 : 0; }
-    static Real weight(Real offset, int pixel) {
-        return 1 - std::abs(offset - Real(0.5) - static_cast<Real>(pixel));
+    // Adds to a pixel's sum and to that of its right neighbor.
+    static void add(Sum& sum, const Eight& terms) {
+        double* const numbers = sum.data();
+        store(load<Sums>(numbers) + __builtin_convertvector(terms, Sums), numbers);
     }
 
     Tile tile_;
