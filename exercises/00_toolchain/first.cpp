@@ -2,7 +2,7 @@
 // program here, in the five steps of docs/00-toolchain.md. Each step draws a picture.
 
 int main() {
-#if 0  // the compiler skips all up to #endif; the check reads it as: not begun
+#if 0  // the compiler skips the lines up to #endif; they tell the check that you have not begun
     rt::todo("00.1");
 #endif
 }

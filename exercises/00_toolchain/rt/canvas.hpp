@@ -29,7 +29,7 @@ class Canvas {
 
     // Exercise 00.3, the move constructor. Take over the other canvas's pixels without copying any,
     // and leave that canvas without pixels, 0 wide and 0 high.
-    // Star: when this works, write noexcept before the {; the text's star says why.
+    // Star: when this works, write noexcept before the {; the text explains why.
     Canvas(Canvas&& other) { rt::todo("00.3", other); }
 
     // Exercise 00.3, assignment. `other` is a value: the caller has already copied or moved into

@@ -12,7 +12,7 @@ inline Vec3 operator-(Vec3 v) {
     return {-v.x, -v.y, -v.z};
 }
 
-// First along a, then along b.
+// The vector that leads first along a, then along b.
 inline Vec3 operator+(Vec3 a, Vec3 b) {
     return rt::todo("01.1", a, b);
 }
