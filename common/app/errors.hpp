@@ -28,8 +28,9 @@ struct Failure : std::runtime_error {
 };
 
 // Runs a program's work, which returns its exit code. Turns an exception into one line on stderr
-// and the exit code that belongs to it; the same if the standard output does not accept what was
-// printed. Reaching a file size limit is an error like a full disk, and does not kill the program.
+// and the exit code that belongs to it. It does the same if the standard output does not accept
+// what was printed. A file that reaches its size limit is an error like a full disk, and does not
+// kill the program.
 int run_or_explain(const std::string& program, const std::function<int()>& work);
 
 }  // namespace app

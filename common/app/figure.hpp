@@ -83,8 +83,8 @@ class Figure {
     void line(rt::Vec2 a, rt::Vec2 b, rt::Color color, rt::Real thickness = 1, rt::Real share = 1);
     void dot(rt::Vec2 center, rt::Real radius, rt::Color color, rt::Real share = 1);
 
-    // A dot, a curve that starts toward `leave` and comes in from `arrive`, and the head of an
-    // arrow.
+    // An arrow: a dot at `from` and a curve to an arrowhead at `to`. The curve starts toward
+    // `leave` and comes in from `arrive`.
     void arrow(rt::Vec2 from, rt::Vec2 leave, rt::Vec2 arrive, rt::Vec2 to, rt::Color color,
                rt::Real thickness = rt::Real(1.6));
 

@@ -31,7 +31,7 @@ class Interruption {
     OnSignal on_signal_;
 };
 
-// Fills an image of which nothing is drawn yet with the dark checkerboard that marks missing parts.
+// Fills a new image with the dark checkerboard that marks what has not been drawn.
 void draw_unfinished(rt::Image& image);
 
 }  // namespace app

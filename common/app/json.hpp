@@ -2,8 +2,8 @@
 // Reading JSON files that people write: every error says where it is and what is allowed.
 //
 // nlohmann::json alone says at which byte it stopped, and which tokens it would have taken there.
-// It does not say which common slip that is (a comment, single quotes, one comma too many), keeps
-// the last of two values with the same key without a word, and goes as deep as a file does.
+// It does not name the common slip behind the error (a comment, single quotes, one comma too many).
+// Of two values with the same key, it silently keeps the last, and it sets no limit to nesting.
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
@@ -14,9 +14,10 @@ namespace app {
 inline constexpr std::size_t max_json_bytes = 4 << 20;
 inline constexpr int max_json_depth = 16;
 
-// The value that a text holds. Throws UsageError that begins with `file`, line and column if the
-// text is not JSON (RFC 8259, so neither comments nor NaN) or a number does not fit a double; with
-// `file` and the position if it is nested deeper than max_json_depth or an object has a key twice.
+// The value that a text holds. Throws UsageError if the text is not JSON (RFC 8259, so neither
+// comments nor NaN) or a number does not fit a double; the message begins with `file`, line and
+// column. Throws it, too, if values are nested deeper than max_json_depth or an object has a key
+// twice; that message begins with `file` and the position.
 nlohmann::json parse_json(const std::string& text, const std::string& file);
 
 // Where a value stands in a file, as people write it: spheres[3].material, materials["a b"].

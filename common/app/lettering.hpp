@@ -11,8 +11,8 @@
 namespace app {
 
 // The strokes of a letter. Each point is a digit, its column, and a letter, its row: capitals reach
-// from row a to row q, small letters from row f, some down to row u. A blank lifts the pen. There
-// are letters, digits, some signs, and * for the sign of a degree; anything else is a gap.
+// from row a to row q, and small letters from row f, some of them down to row u. A blank lifts the
+// pen. There are letters, digits, some signs, and * for the degree sign; anything else is a gap.
 inline std::string_view strokes(char letter) {
     constexpr std::string_view capitals[] = {"0q4a8q 1l7l",
                                              "0a0q5q7p8n8l7j5i0i 5i6h7f7d6b5a0a",
@@ -101,7 +101,8 @@ inline std::string_view strokes(char letter) {
     }
 }
 
-// A point of strokes(). A letter is 4 high, so a row or column is a quarter.
+// A point of strokes(). Capitals are 4 units high, so rows and columns are a quarter of a unit
+// apart.
 inline rt::Vec2 stroke_point(std::string_view strokes, std::size_t i) {
     return {static_cast<rt::Real>(strokes[i] - '0') / 4,
             static_cast<rt::Real>(strokes[i + 1] - 'a') / 4};
@@ -124,7 +125,7 @@ inline rt::Real width_of(std::string_view text) {
     return width;
 }
 
-// From the point of a line from a to b that is nearest to p, to p.
+// The vector to p from the nearest point of the line from a to b.
 inline rt::Vec2 from_segment(rt::Vec2 p, rt::Vec2 a, rt::Vec2 b) {
     const rt::Vec2 along{b.x - a.x, b.y - a.y}, to_p{p.x - a.x, p.y - a.y};
     const rt::Real squared = along.x * along.x + along.y * along.y;

@@ -7,35 +7,36 @@
 
 namespace app {
 
-// What every program of the course does first. A file that may not grow is then an error and no
-// crash; a crash opens no window; and what is printed has the same bytes on all systems.
+// What every program of the course does first. After that, a file that reaches its size limit is an
+// error and not a crash, a crash opens no window, and what is printed has the same bytes on all
+// systems.
 void prepare_process();
 
-// Ends the program as a signal does that it does not handle.
+// Ends the program as this signal would if it were not handled.
 void end_by(int signal);
 
 // What happens at a signal: SIG_DFL, SIG_IGN or a handler.
 using SignalHandler = void (*)(int);
 SignalHandler handler_of(int signal);
 
-// Opens a file whose bytes are to be read. Null if it cannot be; errno says why.
+// Opens a file whose bytes are to be read. Null if that fails; errno says why.
 std::FILE* open_for_reading(const std::filesystem::path& path);
 
-// Creates a file, or empties the one that exists unless `only_new`. Null if it cannot be; errno
-// says why. A pipe without a reader is an error.
+// Creates a file, or empties the one that exists unless `only_new`. Null if that fails; errno says
+// why. A pipe without a reader is an error.
 std::FILE* open_for_writing(const std::filesystem::path& path, bool only_new);
 
-// Gives a file another name, in place of the file that has it. Throws
+// Renames a file, which replaces the file that had the new name, if any. Throws
 // std::filesystem::filesystem_error.
 void rename_over(const std::filesystem::path& from, const std::filesystem::path& to);
 
 // Removes a file, if there is one. May be called in a signal handler.
 void remove_now(const std::filesystem::path::value_type* path);
 
-// Whether a file may be written, or files in a folder. If not, errno says why.
+// True if this file, or files in this folder, may be written. If not, errno says why.
 bool is_writable(const std::filesystem::path& path);
 
-// Whether a person sees what goes there.
+// True if a person sees what is written there.
 bool is_terminal(std::FILE* file);
 
 }  // namespace app

@@ -89,10 +89,10 @@ class Progress {
 struct Picture {
     rt::Image image;
     std::uint64_t rays = 0;
-    // More to print below the line about the image. Called only where something is printed.
+    // More lines to print below the one about the image. Called only if they are printed.
     std::function<std::string()> words = {};
-    // What stopped the work before all was done; unfinished pixels are as
-    // draw_unfinished paints them.
+    // What stopped the work early, if anything did. The unfinished pixels then show the
+    // checkerboard of draw_unfinished.
     std::optional<Stopped> stopped = {};
 };
 
@@ -123,7 +123,7 @@ struct Program {
 // Runs the program as main() should. Every error is one line on stderr.
 int run(int argc, const char* const* argv, const Program& program);
 
-// Writes measurements to folder/CHAPTER.csv, beside those that it holds of the other precision.
+// Writes measurements to folder/CHAPTER.csv, and keeps those of the other precision in that file.
 // Throws std::system_error on failure.
 void write_study(const study::Report& report, const std::filesystem::path& folder);
 
@@ -131,8 +131,8 @@ void write_study(const study::Report& report, const std::filesystem::path& folde
 // its default, as a JSON object of texts.
 std::string describe(const Program& program);
 
-// The same image drawn row by row: calls shade(x, y) for each pixel, and steps the progress. Pixels
-// is the type that holds the pixels, such as Canvas<Color>.
+// An image drawn row by row: calls shade(x, y) for each pixel, and steps the progress. Pixels is
+// the type that holds the pixels, such as Canvas<Color>.
 template <class Pixels = rt::Image, class Shade>
 rt::Image draw(const Settings& settings, Progress& progress, Shade shade) {
     progress.start(settings.height);

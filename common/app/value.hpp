@@ -15,11 +15,11 @@ struct Range {
     double low, high;
 };
 
-// A value of a JSON file and its position there. What asks for a value of another kind than it is
-// throws UsageError: the file, the position, what is allowed, and what the value is.
+// A value of a JSON file and its position there. A function that asks for another kind of value
+// throws UsageError, which names the file, the position, what is allowed, and what the value is.
 class Value {
   public:
-    // What parse_json makes of a text. `whole` is what messages call it: "the scene".
+    // The value in a text. Messages call it `whole`, such as "the scene".
     static Value parse(const std::string& text, const std::string& file,
                        const std::string& whole = "the top level");
 
@@ -59,8 +59,7 @@ class Value {
 // A number as a person writes it.
 std::string number_text(double number);
 
-// What to say after "is not known": the word that was probably meant, or `otherwise` and all of
-// them.
+// What to say after "is not known": the word that was probably meant, or `otherwise` and all words.
 std::string meant(const std::string& wrong, const std::vector<std::string>& words,
                   const std::string& otherwise);
 

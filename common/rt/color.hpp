@@ -8,8 +8,8 @@
 
 namespace rt {
 
-// Linear light in red, green and blue: twice the number is twice the light. 0 is black, 1 is what
-// an image file calls full; light itself has no upper limit.
+// Linear light in red, green and blue: twice the number is twice the light. 0 is black, and 1 is
+// the brightest that an image file can store; light itself has no upper limit.
 struct Color {
     Real r = 0, g = 0, b = 0;
 
@@ -46,7 +46,7 @@ inline bool is_finite(Color c) {
     return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
 }
 
-// From a to b as t goes from 0 to 1.
+// Linear interpolation: a at t = 0, b at t = 1.
 constexpr Color mix(Color a, Color b, Real t) {
     return (1 - t) * a + t * b;
 }
@@ -66,7 +66,8 @@ inline Real srgb_decode(Real stored) {
     return portable::pow((x + Real(0.055)) / Real(1.055), Real(2.4));
 }
 
-// The byte, 0 to 255, that stands for this much linear light in an image file. Clamped to [0, 1].
+// The byte, 0 to 255, that stands for this much linear light in an image file. Light outside of
+// [0, 1] is clamped.
 inline std::uint8_t to_byte(Real linear) {
     return static_cast<std::uint8_t>(std::lround(255 * srgb_encode(linear)));
 }

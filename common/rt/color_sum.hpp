@@ -3,9 +3,9 @@
 
 namespace rt {
 
-// Many colors added up, for their mean (given). It adds in double, whatever Real is: in float the
-// mean of a million equal colors would be off by about 1 %, since a sum that has grown so large
-// rounds off most digits of each color, and always in the same direction.
+// A sum of many colors, for their mean (given). It is kept in double, whatever Real is: in float,
+// the mean of a million equal colors would be off by about 1 %, because adding a color to so large
+// a sum rounds off most of the color's digits, always in the same direction.
 class ColorSum {
   public:
     void add(const Color& color) {

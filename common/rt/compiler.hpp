@@ -1,15 +1,15 @@
 #pragma once
-// Compiler-specific code is here, and what concerns the processor's wide registers in
-// <rt/vector_registers.hpp>: nowhere else.
+// All compiler-specific code is here, except for that of the processor's wide registers, which is
+// in <rt/vector_registers.hpp>.
 
 // The file and line of the caller, when used as default arguments. They stand in for
 // std::source_location, which clang 14 lacks; g++, clang++ and MSVC all have these two.
 #define RT_CALLER_FILE __builtin_FILE()
 #define RT_CALLER_LINE __builtin_LINE()
 
-// Makes the compiler believe that all of this value is read here, and that all of memory
-// may have changed. So it can neither leave out the work that led to the value nor do it
-// once for all repetitions.
+// Makes the compiler believe that all of this value is read here, and that all of memory may have
+// changed. So it can neither leave out the computation of the value nor compute it once for all
+// repetitions.
 #define RT_KEEP(value) asm volatile("" : : "r"(&(value)) : "memory")
 
 // For a function of a few loops over arrays. Compilers turn such loops into wide instructions where
@@ -20,6 +20,6 @@
 // stay in the processor's registers.
 #define RT_INLINED [[gnu::always_inline]] inline
 
-// For a function that is the whole of a hot loop: everything that it calls is inlined into it,
-// however many such loops the program has. So none of them runs slower than it would alone.
+// For a function that consists of a hot loop: everything that it calls is inlined into it, however
+// many such loops the program has, so that none of them runs slower than it would alone.
 #define RT_INLINES_ALL [[gnu::flatten]]

@@ -13,7 +13,7 @@ namespace rt {
 
 // Colors that stand for what a program computes (given).
 
-// What a pixel shows: nothing, a direction, which one of many things, or an amount.
+// What a pixel shows: nothing, a direction, the number of one of many things, or an amount.
 using Shown = std::variant<std::monostate, Vec3, int, Real>;
 
 // The words of --show, and what each stands for.
@@ -28,7 +28,8 @@ inline const std::map<std::string, std::string>& shown_words() {
     return all;
 }
 
-// Those that a program knows which makes rays, finds what they hit, or follows paths.
+// The words that a program accepts if it only makes rays, if it finds what they hit, and if it
+// follows paths.
 inline std::vector<std::string> shown_of_rays() {
     return {"direction"};
 }
@@ -46,10 +47,11 @@ inline Color direction_color(Vec3 d) {
     return Color{d.x + 1, d.y + 1, d.z + 1} / 2;
 }
 
-// One of many: neighboring numbers get hues far apart.
+// A color for one of many: neighboring numbers get hues that are far apart.
 inline Color number_color(int number) {
-    // Steps along the circle of hues that never come back to the same hue: sqrt(2) is irrational.
-    // Not the golden ratio, with which chapter 06 places its spheres: neighbors would look alike.
+    // Equal steps around the circle of hues never come back to the same hue, because sqrt(2) is
+    // irrational. The golden ratio would not do: chapter 06 places its spheres by it, so that
+    // neighboring spheres would look alike.
     const double hue = number * 1.4142135623730951;
     const auto channel = [&](double place) {
         const double turn = hue + place;
@@ -71,7 +73,7 @@ inline Color heat_color(Real x) {
     return mix(steps[step], steps[step + 1], place - static_cast<Real>(step));
 }
 
-// Where amounts lie: a twentieth of them are below low, and a twentieth above high.
+// How amounts are spread: a twentieth of them are below `low`, and a twentieth above `high`.
 struct AmountScale {
     Real low = 0, median = 0, high = 0;
 
@@ -126,7 +128,8 @@ inline FalseColors false_colors(int width, int height, const std::vector<Shown>&
         for (int x = 0; x < width; ++x) {
             const Shown& pixel = pixels[next++];
             const Color color = std::visit(ColorOf{scale}, pixel);
-            // Neither NaN nor infinity reaches an image. Any one color might be that of a normal.
+            // Neither NaN nor infinity reaches an image. Black and white dots stand for them, since
+            // any single color might be that of a normal.
             const Color dots = (x + y) % 2 == 0 ? Color{} : Color{1, 1, 1};
             made.image.at(x, y) = is_finite(color) ? color : dots;
             empty += std::holds_alternative<std::monostate>(pixel);

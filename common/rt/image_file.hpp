@@ -4,8 +4,8 @@
 
 namespace rt {
 
-// The bytes of an image file in sRGB, 8 bits per channel. Light above 1 is stored as full. Throws
-// std::logic_error when a color is not finite: that is always a bug.
+// The bytes of an image file in sRGB, 8 bits per channel. Light above 1 is stored as 1. Throws
+// std::logic_error if a color is not finite: that is always a bug.
 std::string encode_png(const Image& image);
 std::string encode_ppm(const Image& image);  // the binary form, P6
 

@@ -27,8 +27,8 @@ struct Mat4 {
     static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
 };
 
-// The map whose linear part has these columns: where it takes the x, y and z axes. It takes
-// (0, 0, 0) to the origin.
+// The map whose linear part has these columns: it takes the x, y and z axes to these vectors, and
+// the point (0, 0, 0) to `origin`.
 constexpr Mat4 from_columns(Vec3 x, Vec3 y, Vec3 z, Vec3 origin = {}) {
     return {{{{x.x, y.x, z.x, origin.x},
               {x.y, y.y, z.y, origin.y},

@@ -6,17 +6,18 @@
 
 namespace rt {
 
-// A corner of a triangle, by numbers of a mesh's lists. -1: it has none.
+// A corner of a triangle, as indices into a mesh's lists; -1 if it has no normal or no place.
 struct Corner {
     int point = 0;
     int normal = -1;
-    int place = -1;  // in a texture
+    int place = -1;  // texture coordinates
 
     friend constexpr bool operator==(const Corner&, const Corner&) = default;
 };
 
-// A surface of triangles (given). Points, normals and places stand once, however many triangles
-// share them. Seen from outside, the corners of a triangle go around counterclockwise.
+// A surface of triangles (given). Points, normals and texture coordinates are stored once, however
+// many triangles share them. Seen from outside, the corners of a triangle go around
+// counterclockwise.
 struct Mesh {
     std::vector<Vec3> points;
     std::vector<Vec3> normals;  // length 1, outward

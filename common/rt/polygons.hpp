@@ -5,8 +5,8 @@
 
 namespace rt {
 
-// A surface of polygons with any number of corners (given), as files of models have it. Nothing is
-// checked: a polygon may have too few corners, and a number may belong to nothing.
+// A surface of polygons with any number of corners (given), as files of models describe it. Nothing
+// has been checked: a polygon may have too few corners, and an index may be out of range.
 struct Polygons {
     std::vector<Vec3> points;
     std::vector<Vec3> normals;  // of any length
@@ -14,8 +14,8 @@ struct Polygons {
     std::vector<std::vector<Corner>> polygons;
 };
 
-// The surface in the bytes of a Wavefront OBJ file. Numbers that count from the end, below 0,
-// become those from the start. Groups, materials, lines and curves are left out. Throws
+// The surface in the bytes of a Wavefront OBJ file. Indices below 0, which count from the end,
+// become indices from the start. Groups, materials, lines and curves are ignored. Throws
 // std::invalid_argument, which says what is wrong, if a line cannot be read, a polygon has fewer
 // than 3 corners or more than 255, or a number is too large.
 Polygons read_obj(const std::string& bytes);

@@ -12,18 +12,20 @@
 // Sine, exponential and the other functions of <cmath> that libraries round differently.
 //
 // IEEE 754 fixes every bit of the result of +, -, *, /, std::sqrt and std::fma. It does not fix
-// those of std::sin or std::exp: each library returns one of the numbers next to the true one, and
-// may return another on another processor. A picture drawn with them depends on the library. The
-// functions here use only operations whose bits are fixed, so they return the same bits everywhere.
+// those of std::sin or std::exp: each library returns one of the numbers next to the true value,
+// and may return another one on another processor. So a picture that is drawn with them depends on
+// the library. The functions here use only operations whose bits are fixed, so they return the same
+// bits everywhere.
 //
 // They take and return what their namesakes in <cmath> do, infinity and NaN included. Results in
-// double are within 5 units in the last place, those in float are computed in double and then
+// double are within 5 units in the last place; results in float are computed in double and then
 // rounded. The exceptions:
 //
-// - sin, cos and tan of a number of 2^20 or more, or of -2^20 or less, are those of an angle near
-//   it: less than half a unit in the last place away, so that it would be rounded to this number.
+// - If x is 2^20 or more, or -2^20 or less, sin, cos and tan of x are those of an angle less than
+//   half
+// a unit in the last place away from x.
 // - pow takes x >= 0 only, and is within 5 + |y ln x| / 10 units: huge and tiny powers lose digits.
-// - The sign of a zero counts for atan2, atan, asin and cbrt alone: sin(-0) is 0.
+// - The sign of a zero counts only for atan2, atan, asin and cbrt: sin(-0) is 0.
 
 namespace rt::portable {
 
@@ -122,18 +124,18 @@ inline Sum logarithm(double x) {
     const auto m = std::bit_cast<double>(bits - (exponent << 52));
     const double k =
         static_cast<double>(static_cast<std::int64_t>(exponent)) - (is_subnormal ? 54 : 0);
-    // ln m = ln((1 + s) / (1 - s)). The remainder of the division says what s lost to rounding.
+    // ln m = ln((1 + s) / (1 - s)). The remainder of the division tells what rounding took from s.
     const double f = m - 1, divisor = f + 2, s = f / divisor, square = s * s;
     const double remainder = std::fma(-s, divisor, f) - s * (f - (divisor - 2));
     const double tail = 2 * remainder / divisor + s * square * polynomial(logarithm_series, square);
-    // k ln 2 + 2 s + tail, the largest first. With k = 0 there is nothing to add to.
+    // k ln 2 + 2 s + tail, the largest term first. If k = 0, that term is 0.
     const double large = k * ln_2.high, sum = large + 2 * s;
     const double rest = ((large - sum) + 2 * s) + (k * ln_2.low + tail);
     const double high = sum + rest;
     return {high, (sum - high) + rest};
 }
 
-// rt/sine_cosine.hpp is faster, for parts of a turn and for packs.
+// For packs, and for angles in turns, rt/sine_cosine.hpp is faster.
 struct SineCosine {
     double sine = 0, cosine = 0;
 };
@@ -141,8 +143,8 @@ struct SineCosine {
 inline SineCosine sine_cosine(double angle) {
     constexpr double most = 0x1p20;
     if (!(std::abs(angle) < most)) {
-        // The remainder is exact, and 2 pi is rounded by less than 2^-54 of itself. That many turns
-        // are as much as an angle that is off by less than 2^-54 of itself.
+        // std::fmod is exact, but 2 pi is rounded, by less than 2^-54 of its value. The effect is
+        // the same as if the angle were off by less than 2^-54 of its value.
         angle = std::fmod(angle, 2 * std::numbers::pi);
         if (std::isnan(angle)) return {angle, angle};
     }
@@ -189,7 +191,7 @@ inline double arctangent(double y, double x) {
     const double larger = std::max(across, up), smaller = std::min(across, up);
     // Both may be 0, or infinite.
     const double angle = arctangent(larger == 0 ? 0 : smaller == larger ? 1 : smaller / larger);
-    // Away from the x axis or the y axis, whichever is nearer.
+    // The angle is measured from the x axis or from the y axis, whichever is nearer.
     constexpr Sum quarter_turn{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
     const bool is_steep = up > across, is_left = std::signbit(x);
     const double quarters = is_steep ? 1 : is_left ? 2 : 0;

@@ -11,8 +11,8 @@ struct SineCosine {
     Number sine{}, cosine{};
 };
 
-// The Taylor series of sine and cosine of 2 pi x, in x: (2 pi)^n / n! with alternating signs. It
-// has enough terms that the error of leaving out the rest is less than a rounding for |x| <= 1/8.
+// The Taylor series of sine and cosine of 2 pi x, in x: (2 pi)^n / n! with alternating signs. For
+// |x| <= 1/8, the terms that are left out add up to less than a rounding.
 inline constexpr std::size_t sine_terms = std::numeric_limits<Real>::digits <= 24 ? 6 : 10;
 inline constexpr std::array sine_series{6.28318530717958647693,  -41.3417022403997602340,
                                         81.6052492760750542034,  -76.7058597530613858416,

@@ -23,7 +23,7 @@ constexpr std::int64_t pixel_count(const Tile& tile) {
 }
 
 // A picture, cut into square tiles from its top left pixel on. The tiles at the right and lower
-// edges hold what is left. A side of 0 pixels has no tiles.
+// edges may be smaller. If a side of the picture is 0, there are no tiles.
 struct TileGrid {
     int width = 0, height = 0;  // pixels
     int tile_size = 16;         // pixels, 1 or more

@@ -1,7 +1,7 @@
 #pragma once
-// The processor's wide registers, as far as it takes compiler-specific code. Instructions have the
-// names that g++ and clang++ give them: <immintrin.h>, which has the official ones, takes a quarter
-// of a second to read.
+// The compiler-specific code for the processor's wide registers. Instructions have the names that
+// g++ and clang++ give them, because reading <immintrin.h>, which has the official names, takes a
+// quarter of a second.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,8 +9,8 @@
 #include <rt/compiler.hpp>
 #include <type_traits>
 
-// Vectors that fill the widest register that this program is compiled for, the bytes of that
-// register, and a mask of such a vector (each lane -1 or 0) as bits.
+// Vectors that fill the widest register that this program is compiled for; the size of that
+// register in bytes; and a mask of such a vector, whose lanes are -1 or 0, as bits.
 #define RT_VECTOR_OF(bytes) __attribute__((vector_size(bytes)))
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #define RT_REGISTER_BYTES 64
@@ -20,8 +20,9 @@
 #define RT_REGISTER_BYTES 16
 #endif
 
-// RT_FUSED: a * b + c for a vector a and numbers b and c. If the processor has one instruction for
-// that, it is rounded once, and else twice: only for what no bit of a picture depends on.
+// RT_FUSED: a * b + c for a vector a and numbers b and c. It is rounded once if the processor has
+// one instruction for that, and otherwise twice, so use it only where no bit of a picture depends
+// on it.
 #ifdef __FMA__
 template <class Vector, class Number>
 RT_INLINED Vector rt_fused(Vector a, Number b, Number c) {
@@ -40,7 +41,7 @@ template <class Mask>
 inline unsigned rt_vector_bits(const Mask& mask) {
     constexpr std::size_t size = sizeof(Mask), count = size / sizeof(mask[0]);
     [[maybe_unused]] constexpr bool is_short = sizeof(mask[0]) == 4;
-    // Each instruction has a type that it takes, for the same bits.
+    // Each instruction takes the mask as a vector of a type of its own; the bits are the same.
 #ifdef __AVX512DQ__
     if constexpr (size == 64) {
         typedef int Short RT_VECTOR_OF(64);
@@ -102,7 +103,7 @@ RT_INLINED void rt_store_eight_ordered(std::uint32_t* to, const std::uint32_t* n
     const auto bytes = (rt_bytes)rt_eight_bytes(places);
 #if __has_builtin(__builtin_ia32_pmovzxbd256)
     all = __builtin_ia32_permvarsi256(all, __builtin_ia32_pmovzxbd256(bytes));
-#else  // clang++ has no name for this instruction, and finds it
+#else  // clang++ has no name for this instruction, but chooses it by itself
     const auto low = __builtin_shufflevector(bytes, bytes, 0, 1, 2, 3, 4, 5, 6, 7);
     all = __builtin_ia32_permvarsi256(all, __builtin_convertvector(low, Eight));
 #endif

@@ -20,7 +20,7 @@ struct HitRecord {
 class Material {
   public:
     virtual ~Material() = default;
-    // Whether light goes on, in what color and where.
+    // Whether light goes on, and if so, along which ray and with what attenuation.
     virtual bool scatter(const Ray& in, const HitRecord& hit, Vec& attenuation, Ray& out) const = 0;
 };
 

@@ -53,7 +53,7 @@ inline double random_double(double low, double high) {
     return low + (high - low) * random_double();
 }
 
-// A random direction: draws points in a cube until one lies in the sphere within.
+// A random direction: draws points in a cube until one lies in the sphere inside it.
 inline Vec random_unit() {
     for (;;) {
         const double x = random_double(-1, 1), y = random_double(-1, 1), z = random_double(-1, 1);

@@ -9,7 +9,8 @@ namespace study::classic {
 
 using Objects = std::vector<std::shared_ptr<Hittable>>;
 
-// Split at the middle of the longest axis; left is visited before right.
+// Half of the objects, sorted along the longest axis, go to each side; left is visited before
+// right.
 class Node : public Hittable {
   public:
     Node(Objects& objects, std::size_t first, std::size_t last) {

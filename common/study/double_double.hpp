@@ -1,6 +1,6 @@
 #pragma once
 // Numbers with twice the precision of double, for reference values that errors are measured
-// against. Slow and exact enough; never used to draw a picture.
+// against. They are slow, and no picture is drawn with them.
 
 #include <cmath>
 #include <type_traits>

@@ -21,7 +21,7 @@ inline double root_mean_square_error(std::span<const rt::Color> pixels,
     return std::sqrt(sum / (3 * static_cast<double>(pixels.size())));
 }
 
-// A row on that scale.
+// A row of a report, with an error on that scale.
 inline Row pixel_error(const std::string& variant, double x, const std::string& x_name,
                        double error) {
     return {.study = "Error in a pixel",

@@ -39,9 +39,9 @@ class Report {
     // time.
     const std::vector<Row>& rows() const;
 
-    // The name of the file that keeps it, CHAPTER.csv, and its contents: the rows of the other
-    // precision in an earlier one, so that running the double and the float program one after the
-    // other gives one file with both, and its own.
+    // The name of the report's file, CHAPTER.csv, and its contents: these rows, and those of the
+    // other precision in an earlier file. So running the double and the float program one after the
+    // other gives one file with both.
     std::string file() const { return chapter_ + ".csv"; }
     std::string csv(std::istream& earlier) const;
 

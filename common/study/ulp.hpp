@@ -5,8 +5,9 @@
 
 namespace study {
 
-// The distance between the numbers of type T next to x: one unit in the last place of x. For zero
-// and the smallest numbers it is the smallest number there is; for infinity, that of the largest.
+// One unit in the last place of x: the distance between the numbers of type T next to x. For zero
+// and the smallest numbers, it is the smallest number greater than 0; for infinity, it is the unit
+// of the largest finite number.
 template <class T>
 T ulp(T x) {
     constexpr T largest = std::numeric_limits<T>::max();
