@@ -25,7 +25,7 @@ inline void draw_arc(Figure& figure, Real from, Real to, Real base, Real height,
     const app::Box around{middle - a - thickness, height > 0 ? base - b - thickness : base,
                           2 * (a + thickness), b + thickness};
     const auto distance = [&](Vec2 p) {
-        // To first order: the ellipse's equation over its slope.
+        // The distance from the ellipse, to first order: its equation divided by the slope.
         const Real x = (p.x - middle) / a, y = (p.y - base) / b;
         const Real slope = rt::portable::hypot(x / a, y / b);
         return slope > 0 ? std::abs(x * x + y * y - 1) / (2 * slope) - thickness / 2 : infinity;

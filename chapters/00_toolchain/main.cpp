@@ -1,6 +1,6 @@
-// Chapter 00: the first picture. A gradient, and on it what a program is made of: code, static
-// data, heap and stack, with arrows for pointers; and what it costs to jump around in memory. The
-// real addresses and times of this machine are printed.
+// Chapter 00: the first picture. On a gradient it shows what a program's memory consists of (code,
+// static data, heap and stack, with arrows for pointers), and what it costs to jump around in
+// memory. The program prints the real addresses and times of this machine.
 
 #include <app/run.hpp>
 #include <rt/gradient.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// The panel of the memory: what lives on the stack, on the heap, beside them, and in the code.
+// The panel of the memory: what is on the stack, on the heap, in static memory and in the code.
 
 #include <rt/binary_tree.hpp>
 #include <rt/canvas.hpp>
@@ -50,7 +50,7 @@ inline void draw_tree(Figure& figure, const RangeNode* node, const app::Box& box
     figure.words_around(here, std::to_string(count), {Real(6.5), node->left ? ink : glass});
 }
 
-// The four parts of the memory, each with a field of its own.
+// The four parts of memory, each with its own area in the panel.
 struct Segments {
     app::Box stack, heap, fixed, code;
 };
@@ -77,7 +77,7 @@ inline Segments draw_segments(Figure& figure, const app::Box& panel) {
             segment(394, 62, "Code", "what the compiler made", rose)};
 }
 
-// The stack grows down and the heap grows up, as a rule: an arrow of each in the gap between them.
+// As a rule, the stack grows down and the heap grows up: draws an arrow for each between them.
 inline void draw_growth(Figure& figure, const app::Box& stack) {
     const Real gap = stack.bottom() + 2;
     const Real down = stack.left + 114, up = stack.left + 126;
@@ -134,7 +134,7 @@ inline app::Box draw_corners(Figure& figure, const app::Box& fixed, const Canvas
     return corners;
 }
 
-// Returns where the last one, gradient(), is drawn.
+// Draws the functions, and returns the box of the last one, gradient().
 inline app::Box draw_functions(Figure& figure, const app::Box& code) {
     app::Box last;
     Real x = code.left + 14;
@@ -166,7 +166,7 @@ inline Places draw_things(Figure& figure, const Segments& in, const Canvas<Color
             draw_functions(figure, in.code)};
 }
 
-// From the variables on the stack to what they point to.
+// The arrows from the variables on the stack to what they point to.
 inline void draw_pointers(Figure& figure, const app::Box& panel, const Places& at) {
     figure.arrow({at.canvas.right() - 11, at.canvas.center().y},
                  {at.canvas.right() - 11, at.canvas.bottom() + 40},

@@ -141,7 +141,8 @@ void measure_pixels(study::Report& report, const char* variant) {
         study::root_mean_square_error(dome_picture<map>(), dome_picture<rt::pixel_to_viewport>())));
 }
 
-// A camera with what the ray by steps needs: the viewport's corner and the way from pixel to pixel.
+// A camera with what is needed for rays by steps: the viewport's corner and the steps between
+// pixels.
 struct Steps {
     Vec3 corner, to_right, down;
 

@@ -30,8 +30,8 @@ inline std::optional<Real> textbook(const Sphere& sphere, const Ray& ray, Interv
     return nearest_within(Roots{(-b - root) / (2 * a), (-b + root) / (2 * a)}, within);
 }
 
-// The same a, b and c through the stable solver: exact for the numbers that it gets, but those are
-// rounded already.
+// The same a, b and c through the stable solver. It is accurate for the numbers that it gets, but
+// these are already rounded.
 inline std::optional<Real> stable_roots(const Sphere& sphere, const Ray& ray, Interval within) {
     const Vec3 f = ray.origin - sphere.center, d = ray.direction;
     const Real a = dot(d, d), b = 2 * dot(f, d), c = dot(f, f) - sphere.radius * sphere.radius;

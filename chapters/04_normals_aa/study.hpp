@@ -29,9 +29,9 @@ struct Placement {
     double error() const { return std::sqrt(sum / calls); }
 };
 
-// Times the placements in turns, and adds a row for each. They must come in threes: independent,
-// jittered and Sobol's samples, of the same number. A fourth row says which error the square-root
-// law expects of independent ones. The cost is the time of judge() divided by `parts(samples)`.
+// Times the placements in turns, and adds a row for each. They must come in threes: the same number
+// of independent, jittered and Sobol's samples. A fourth row says which error the square-root law
+// expects of independent samples. The cost is the time of judge() divided by `parts(samples)`.
 template <class Parts>
 void add_placements(study::Report& report, std::vector<Placement> placements,
                     const study::Row& names, const study::Turns& turns, Parts parts) {

@@ -36,7 +36,7 @@ struct Schedule {
             if (span.worker == worker) last = std::max(last, span.end);
         return last;
     }
-    // The share of all the workers' time in which there is nothing left to do for them.
+    // The share of all workers' time in which they wait because nothing is left to do.
     double waiting() const {
         double sum = 0;
         for (int worker = 0; worker < workers; ++worker) sum += end() - end_of(worker);

@@ -30,7 +30,7 @@ struct Trial {
 };
 
 // Times the trials in turn beside a plain loop, and adds a row for each: its time, and the
-// percentage of what the cores could have done in that time that was not done.
+// percentage of the cores' time that was lost, compared with the plain loop.
 void add_trials(study::Report& report, const char* study, const char* x_name,
                 const SmallRender& render, const std::vector<Trial>& trials) {
     const SceneShader shader{render.scene,
@@ -81,8 +81,8 @@ struct LockedRng {
     }
 };
 
-// Whose generator a sample draws from: how many pixels then differ from the picture that one worker
-// draws, and the time it takes.
+// Ways to give each sample its random numbers: for each way, the time it takes, and in how many
+// pixels the picture differs from the one that a single worker draws.
 void study_streams(study::Report& report, const Scene& scene) {
     const TileGrid grid{160, 90, 8};
     const SceneShader shader{scene, make_camera(scene_view(), grid.width, grid.height), 2, 12, 1};

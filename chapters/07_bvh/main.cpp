@@ -61,7 +61,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         const Search search = tree.search(ray, {});
         return static_cast<Real>(search.box_tests + search.shape_tests);
     };
-    // The list tests every sphere for every ray: no ray is needed to know that.
+    // The list tests every sphere for every ray, so this count needs no ray.
     const auto all = static_cast<Real>(scene.spheres.size());
     draw_map(0, "Linear list", [&](const Ray&) { return all; });
     draw_map(1, "Sorted tree", [&](const Ray& ray) { return tests_in(sorted, ray); });

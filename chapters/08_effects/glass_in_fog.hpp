@@ -66,11 +66,11 @@ struct Body {
     }
 };
 
-// True when two bodies share a point at the same time. They may touch: both are taken smaller,
-// together by a thousandth of the smaller one. Walks from the difference of the centers through the
-// set of all differences toward its point nearest to 0, until a plane turns out to separate that
-// set from 0. Source: Gilbert, "An iterative procedure for computing the minimum of a quadratic
-// form on a convex set", 1966.
+// True when two bodies share a point at the same time. They may touch: both are shrunk, together by
+// a thousandth of the smaller one. Walks from the difference of the centers through the set of all
+// differences toward its point nearest to 0, until a plane turns out to separate that set from 0.
+// Source: Gilbert, "An iterative procedure for computing the minimum of a quadratic form on a
+// convex set", 1966.
 inline bool meet(const Body& a, const Body& b) {
     const double slack = std::min(a.radius, b.radius) / 2000;
     const double share_a = 1 - slack / a.radius, share_b = 1 - slack / b.radius;

@@ -2,8 +2,8 @@
 // all the effects that it needs.
 //
 // To read in five minutes: final_scene() at the end of final_scene.cpp says what is in the picture,
-// the camera first; draw() below gives each thread a worker, and draw_by_tiles() shares out the
-// picture's tiles; of each pixel, Renderer in rt/renderer.hpp averages the paths.
+// the camera first. draw() below gives each thread a worker, and draw_by_tiles() shares out the
+// picture's tiles. Renderer in rt/renderer.hpp averages the paths of each pixel.
 
 #include <algorithm>
 #include <app/errors.hpp>
@@ -94,7 +94,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // What a scene file says; the final scene says the same.
+    // The defaults of a scene file, which are also those of the final scene.
     const RenderSettings usual;
     app::Settings defaults;
     defaults.width = usual.width;

@@ -10,7 +10,7 @@
 
 namespace placing {
 
-// A sphere in double, whatever the precision of the renderer: both are given the same scene.
+// A sphere in double, so that renderers in float and in double are given the same scene.
 struct Ball {
     double x = 0, y = 0, z = 0;
     double radius = 0;

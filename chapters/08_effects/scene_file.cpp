@@ -186,7 +186,7 @@ class Reader {
         }
     }
 
-    // The named one, or an error that lists the names that exist.
+    // The entry of this name, or an error that lists the names that exist.
     template <class Table>
     static auto& named(Table& table, const Value& name, const std::string& kind) {
         const std::string& wanted = name.text("the name of a " + kind);

@@ -16,7 +16,7 @@ using rt::Color;
 using rt::Real;
 using rt::Vec3;
 
-// Far enough for galaxies and atoms, and near enough that in float no square overflows.
+// Wide enough for galaxies and atoms, and narrow enough that in float no square overflows.
 inline constexpr Range coordinates{-1e9, 1e9}, lengths{1e-9, 1e9}, shares{0, 1}, light{0, 1e6};
 
 inline Real number(const Value& value, Range range) {

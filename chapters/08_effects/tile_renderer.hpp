@@ -23,12 +23,12 @@ struct Choice {
     bool in_batches = false;       // whether it follows many paths at a time
 };
 
-// Of renderers with these effects, the one with this index.
+// The choice of the renderer with this index, out of renderers with these effects.
 inline Choice choice_of(std::span<const rt::Effects> renderers, std::size_t index) {
     return {renderers[index], without(rt::every_effect, renderers[index]), renderers.size()};
 }
 
-// A renderer with these effects, in batches.
+// The choice of a renderer with these effects that works in batches.
 inline Choice batched_choice(const rt::Effects& effects) {
     return {effects, without(rt::every_effect, effects), 1, true};
 }
@@ -45,7 +45,7 @@ struct TileRenderer {
     int tile_side = 16;                     // in pixels
 };
 
-// Each makes a renderer ready for the scene, which must outlive it.
+// Each of these functions makes a renderer for the scene, which must outlive the renderer.
 
 // Pixel by pixel, each path to its end, by the narrowest renderer that has these effects.
 TileRenderer make_narrowest(const rt::Effects& needed, const rt::SceneDescription& scene, int width,
@@ -64,18 +64,18 @@ TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
 // Chapter 12's: pixel by pixel, with meshes.
 TileRenderer make_meshed(const rt::SceneDescription& scene, int width, int height,
                          const rt::Quality& quality);
-// What the scene needs of the two, each path to its end.
+// Whichever of the two the scene needs: both follow each path to its end.
 inline TileRenderer make_path_by_path(const rt::SceneDescription& scene, int width, int height,
                                       const rt::Quality& quality) {
     return scene.meshes.empty()
                ? make_narrowest(rt::needed_effects(scene), scene, width, height, quality)
                : make_meshed(scene, width, height, quality);
 }
-// What --show asks for, with meshes.
+// Draws what --show asks for, of a scene with meshes.
 app::Picture show_meshed(rt::SceneDescription scene, const app::Settings& settings,
                          app::Progress& progress);
-// The mesh in the bytes of an OBJ file. With smooth normals: true or false, or as the file has
-// them. Throws std::invalid_argument, which says what is wrong with the file.
+// The mesh in the bytes of an OBJ file, with smooth normals (true), without them (false), or as the
+// file has them (none). Throws std::invalid_argument, which says what is wrong with the file.
 rt::Mesh read_mesh(const std::string& bytes, std::optional<bool> smooth);
 
 // Chapter 11's way to refine a picture, up to the target error or the time budget that the settings

@@ -12,8 +12,8 @@ struct Width {
     std::function<std::uint64_t()> singly, in_batches;
 };
 
-// Registers at most 16 and 32 bytes wide, and as wide as the program is compiled for. If those
-// are narrower, so are these.
+// Registers of at most 16 bytes, of at most 32 bytes, and as wide as the program is compiled for.
+// The first two are never wider than the third.
 Width registers_of_16_bytes();
 Width registers_of_32_bytes();
 Width registers_of_this_program();

@@ -18,9 +18,10 @@ using namespace rt;
 
 // An estimate of the square error of `smooth`, the mean of the filtered halves, in one channel of a
 // pixel. The filter must be linear, as denoised() is: then that mean is the filtered picture. What
-// the filter changed is its own error, less the noise that it removed. The noise is half of the
-// halves' difference, and what is left of it half of the filtered halves' difference. Unbiased if
-// the halves err independently; of one pixel it says little, and may be negative.
+// the filter changes is the error that it leaves minus the noise before it. That noise is estimated
+// as half of the halves' difference, and what is left of it as half of the filtered halves'
+// difference. The estimate is unbiased if the halves err independently. For a single pixel it says
+// little, and it may be negative.
 inline Real filtered_square_error(Halves<Real> half, Halves<Real> filtered) {
     const Real change = twin_mean(filtered) - twin_mean(half);
     const Real noise = (half.first - half.second) / 2;
@@ -33,9 +34,9 @@ struct Denoised {
     Real error = infinity;  // root mean square over all channels, estimated
 };
 
-// Denoises with the usual widths, half of them, a quarter, and not at all, and takes for each pixel
-// what errs least according to the halves around it. The choice follows the estimate, so the error
-// is a bit larger than said.
+// Denoises with the usual widths, with half of them, with a quarter, and not at all. For each pixel
+// it takes the result whose error is smallest, as estimated from the halves around the pixel. Since
+// the choice follows the estimates, the true error is a bit larger than the estimated one.
 inline Denoised denoise_halves(const Halves<Image>& half, const Canvas<Features>& features) {
     const int width = features.width(), height = features.height();
     const Tile all{0, 0, width, height};

@@ -22,8 +22,8 @@ Color albedo_of(const Material& material, const Hit& hit) {
 }
 
 // The surface that the eye sees along a ray. Lamps and the sky, which shine by themselves, get the
-// albedo that would look the same in light of this strength: where one shares a pixel with a lit
-// surface, both parts are divided by much the same.
+// albedo that would look the same in light of this strength. If a lamp shares a pixel with a lit
+// surface, the light of both is then divided by similar albedos.
 template <Effects effects>
 Features features_along(const ReadyScene<effects>& scene, const Ray& ray, Real strength) {
     const auto hit = scene.world.hit(ray, Interval{0, infinity});

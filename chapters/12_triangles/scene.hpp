@@ -32,7 +32,8 @@ class Sea {
     Sea() {
         Rng random{12, 1};
         const auto lot = [&] { return static_cast<double>(random()) * 0x1p-32; };
-        // From the swell to ripples: each shorter than the one before, and around the wind.
+        // From the swell to ripples: each wave is shorter than the one before, and runs roughly
+        // with the wind.
         double length = 15;
         for (int i = 0; i < 44; ++i, length *= 0.885) {
             const double turn = 0.5 + 1.5 * (lot() - 0.5) * (i < 3 ? 0.4 : 1);

@@ -27,7 +27,7 @@ int own_threads() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// What rank 0 knows of the work: app::run calls render() without it.
+// What rank 0 knows of the work. It is global because app::run calls render() without it.
 struct {
     bool job_is_sent = false, is_shared = false;
     fs::path folder;  // of finished tiles; empty if none are kept

@@ -156,8 +156,8 @@ inline std::uint64_t share_slices(const Job& job, TileDrawer& drawer, Image* ima
     return all_rays;
 }
 
-// Calls each exercise once, on this rank alone: one that is still to be written is said before the
-// others begin.
+// Calls each exercise once, on this rank alone, so that one that is still to be written is reported
+// before the others begin.
 inline void rehearse() {
     TileCounter next{MPI_COMM_SELF};
     TileSender sender{MPI_COMM_SELF};

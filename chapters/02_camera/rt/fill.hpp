@@ -6,8 +6,8 @@
 namespace app {
 
 // Paints every pixel of a panel by the loop of exercise 02.5: shade(column, row) gives the color.
-// Steps the progress with each row. Only for programs, from chapter 02 on: if a library in common
-// used it, that library would bring a loop of its own.
+// Steps the progress with each row. Only programs use it, from chapter 02 on: if a library in
+// common used it, that library would bring a loop of its own.
 template <class Shade>
 void fill(Figure panel, const Shade& shade, Progress* progress = nullptr) {
     const rt::Tile pixels = panel.pixels();

@@ -11,9 +11,9 @@ inline void one_row_after_another(const rt::TileGrid& grid, int, const rt::TileW
     for (int y = 0; y < grid.height; ++y) work({0, y, grid.width, y + 1}, 0);
 }
 
-// What --show asks for (given), in false colors: compute(column, row) gives the rt::Shown of each
-// pixel. It fills the picture, whatever panels the chapter's own picture has. Like app::fill, only
-// for programs.
+// Draws what --show asks for, in false colors (given): compute(column, row) gives the rt::Shown of
+// each pixel. It fills the whole picture, whatever panels the chapter's own picture has. Like
+// app::fill, it is only for programs.
 template <class Compute>
 Picture show(const Settings& settings, Progress& progress, const Compute& compute,
              rt::Strategy strategy = one_row_after_another) {

@@ -11,7 +11,7 @@
 
 namespace rt {
 
-// A material as a scene file names it; what it does to light is the business of chapters 04 and 05.
+// A material as a scene file names it; chapters 04 and 05 say what it does to light.
 struct TextMaterial {
     enum Kind { matte, metal, glass } kind = matte;
     Color color{Real(0.5), Real(0.5), Real(0.5)};
@@ -20,7 +20,7 @@ struct TextMaterial {
 };
 
 // A scene as its file describes it (given): chapters/09_own/start/TASK.md says what each line
-// means, and what holds where a line is missing.
+// means, and what is used instead if a line is missing.
 struct SceneText {
     int width = 400, height = 225, samples = 16, depth = 50;
     View view{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, radians(40)};
@@ -30,7 +30,7 @@ struct SceneText {
     std::vector<TextMaterial> materials;  // SceneSphere::material is an index into these
 };
 
-// Throws std::invalid_argument with what would be right.
+// Throws std::invalid_argument, which says what would be right, unless the condition holds.
 inline void expect(bool holds, const std::string& what) {
     if (!holds) throw std::invalid_argument("expected " + what);
 }
@@ -100,8 +100,8 @@ inline void read_line(const std::string& line, SceneText& scene) {
     }
 }
 
-// The scene in a file. Throws std::invalid_argument if there is none, or if a line is wrong: then
-// the words begin with "file:line:".
+// The scene in a file. Throws std::invalid_argument if there is no such file or if a line is wrong;
+// in the second case, the message begins with "file:line:".
 inline SceneText read_scene(const std::string& path) {
     std::ifstream file{path};
     expect(file.is_open(), "a scene file, but cannot read '" + path + "'");

@@ -7,8 +7,8 @@
 
 namespace rt {
 
-// What one of the words of --show says of a ray (given): where it goes, or which sphere it hits
-// first, where, and with which normal.
+// What a word of --show tells about a ray (given): its direction, or which sphere it hits first, at
+// what distance, and with which normal.
 inline Shown shown_hit(const std::string& word, std::span<const SceneSphere> spheres,
                        const Ray& ray) {
     if (word == "direction") return ray.direction;
@@ -20,7 +20,7 @@ inline Shown shown_hit(const std::string& word, std::span<const SceneSphere> sph
     return (ray.at(nearest->t) - sphere.center) / sphere.radius;
 }
 
-// What --show asks for, of a tracer that follows no paths yet (given).
+// The picture that --show asks for, by a tracer that follows no paths yet (given).
 inline Image shown_hits(const TracerCall& call, const SceneText& scene, const Camera& camera) {
     expect(call.show != "bounces" && call.show != "samples",
            "direction, normal, distance or sphere: this tracer follows no paths yet");

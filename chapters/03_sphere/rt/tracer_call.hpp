@@ -17,8 +17,8 @@ struct TracerCall {
     std::string show;   // what to draw in false colors, or empty
 };
 
-// The words of the command line; words[0] is the program's name. Throws std::invalid_argument with
-// what would be right.
+// Reads the words of the command line; words[0] is the program's name. Throws
+// std::invalid_argument, which says what would be right.
 inline TracerCall read_call(int count, char** words) {
     TracerCall call;
     call.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

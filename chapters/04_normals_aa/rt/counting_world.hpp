@@ -6,8 +6,8 @@
 
 namespace rt {
 
-// A world that counts the rays traced through it (given). A world that nobody counts
-// costs nothing extra.
+// A world that counts the rays traced through it (given). Where no rays are counted, this costs
+// nothing.
 template <class World>
 struct CountingWorld {
     const World& world;

@@ -6,7 +6,8 @@ namespace rt {
 // What becomes of a path that has made all of its bounces.
 enum class PathEnd { in_sky, in_black, none };
 
-// As if nothing stood in the way after the last bounce. Too bright, mostly by a little.
+// Ends paths in the sky, as if nothing stood in the way after the last bounce. The picture becomes
+// too bright, mostly by a little.
 struct SkyEnding {
     template <class Random>
     PathEnd operator()(Color&, Random&) const {
@@ -14,7 +15,7 @@ struct SkyEnding {
     }
 };
 
-// As if no light came from there. Too dark.
+// Ends paths in black, as if no light came after the last bounce. The picture becomes too dark.
 struct BlackEnding {
     template <class Random>
     PathEnd operator()(Color&, Random&) const {

@@ -12,8 +12,9 @@ inline void number_materials(std::vector<SceneSphere>& spheres) {
     for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].material = static_cast<int>(i);
 }
 
-// What --show asks for (given), of a program that follows paths: path(ray, world, random) gives the
-// light of one. Where it asks for the sphere, each sphere has a material of its own.
+// Draws what --show asks for, in a program that follows paths (given): path(ray, world, random)
+// gives the light of one path. If it asks for the sphere, each sphere must have a material of its
+// own.
 template <class AnyCamera, class World, class Path>
 app::Picture show_world(const app::Settings& settings, app::Progress& progress,
                         const AnyCamera& camera, const World& world, const Path& path,

@@ -14,7 +14,7 @@ struct NumberedWorld {
     std::optional<Hit> hit(const Ray& ray, Interval within) const {
         std::optional<Hit> found = world.hit(ray, within);
         if (!found) return {};
-        // Whatever the world is, the point lies on the surface of the sphere that it found.
+        // Whatever type the world has, the point lies on the surface of the sphere that was hit.
         const auto distance = [&](const SceneSphere& sphere) {
             return std::abs(length(found->point - sphere.shape.center) - sphere.shape.radius);
         };
@@ -28,8 +28,8 @@ struct NumberedWorld {
     }
 };
 
-// What --show asks for, of a tracer that follows paths (given). The arguments are the call, the
-// scene and those of render_pixel.
+// The picture that --show asks for, by a tracer that follows paths (given). The arguments are the
+// call, the scene and those of render_pixel.
 template <class AnyCamera, class World, class Materials, class Sky>
 Image shown_image(const TracerCall& call, const SceneText& scene, const AnyCamera& camera,
                   const World& world, const Materials& materials, const Sky& sky,

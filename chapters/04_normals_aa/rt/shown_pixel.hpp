@@ -45,8 +45,8 @@ inline Real deviation_of(const std::vector<Real>& numbers) {
     return std::sqrt(squares / (count - 1));
 }
 
-// What one of the words of --show says of a pixel (given): path(ray, world, random) gives the light
-// of one path. Where it asks for the sphere, each sphere has a material of its own.
+// What a word of --show tells about a pixel (given): path(ray, world, random) gives the light of
+// one path. If it asks for the sphere, each sphere must have a material of its own.
 template <class AnyCamera, class World, class Path>
 Shown shown_pixel(const std::string& word, const AnyCamera& camera, const World& world,
                   const Path& path, int samples, std::uint64_t seed, int x, int y) {

@@ -12,7 +12,8 @@ struct UniformSky {
     constexpr Color operator()(Vec3) const { return color; }
 };
 
-// From one color straight below to another straight above (given). Directions have length 1.
+// A sky that changes from one color straight below to another straight above (given). Directions
+// have length 1.
 struct GradientSky {
     Color below, above;
 

@@ -4,8 +4,8 @@
 
 namespace rt {
 
-// True if the ray meets any shape below a node (given). A shadow ray asks no more than that: the
-// search ends at the first hit that it comes to, which need not be the nearest.
+// True if the ray meets any shape below a node (given). That is all that a shadow ray needs to
+// know, so the search ends at the first hit that it finds, which need not be the nearest.
 template <class AnySearch>
 bool meets_any(const TreeNode& node, AnySearch& search) {
     if (!search.meets(node.box)) return false;

@@ -41,9 +41,9 @@ struct FlatTreeOf {
         return search;
     }
 
-    // Visits first the child that the ray comes to first, judged by its direction alone: hits
-    // are found earlier, and more boxes lie behind them. Waiting children are kept on a stack of
-    // a fixed size.
+    // Of two children, visits the one first that the ray reaches first, judged by its direction
+    // alone. So hits are found earlier, and more boxes lie behind them. Waiting children are kept
+    // on a stack of a fixed size.
     template <class AnyRay>
     SearchOf<Shape, AnyRay> search_nearest_first(const AnyRay& ray, Interval within) const {
         SearchOf<Shape, AnyRay> search{shapes, order, ray, within};

@@ -66,7 +66,7 @@ RT_INLINED Pack min(Pack a, Pack b) {
     return b < a ? b : a;
 }
 
-// Numbers as whole numbers of the same size, and the sign's bit in each.
+// The bits of the numbers as integers of the same size, and the bit of the sign in each.
 template <AnyPack Pack>
 using Bits = PackOf<std::conditional_t<sizeof(NumberOf<Pack>) == 4, std::int32_t, std::int64_t>,
                     size_of<Pack>>;

@@ -25,7 +25,8 @@ std::vector<Box> bounds_of(const std::vector<Shape>& shapes) {
     return boxes;
 }
 
-// How many times the usual margin the boxes around a shape have. Long ellipsoids need more.
+// The margin of the boxes around a shape, in multiples of the usual margin. Long ellipsoids need
+// more than 1.
 template <class Shape>
 Real margin_factor(const Shape&) {
     return 1;
@@ -39,7 +40,7 @@ struct TreeOf {
     std::unique_ptr<TreeNode> root;  // null without shapes
     Real factor = 1;                 // the largest margin_factor: it applies to the ray, too
 
-    // The search of a ray through the tree.
+    // Searches the tree along a ray.
     template <class AnyRay>
     SearchOf<Shape, AnyRay> search(const AnyRay& ray, Interval within) const {
         auto search = search_before_start(ray, within);

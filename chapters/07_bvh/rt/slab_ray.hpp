@@ -6,10 +6,10 @@
 
 namespace rt {
 
-// How far off hit_sphere may see a sphere and a box test may see a box, relative to the coordinates
-// at hand. docs/07-bvh.md derives the number. If a box is grown by this times (its own largest
-// coordinate + the largest of the ray's origin), every ray that hits the sphere inside, according
-// to hit_sphere, also meets the box.
+// How far the rounding errors of hit_sphere and of a box test may seem to move a sphere and a box,
+// relative to the coordinates at hand. docs/07-bvh.md derives the number. If a box is grown by
+// hit_margin * (its own largest coordinate + the largest of the ray's origin), every ray that hits
+// the sphere inside, according to hit_sphere, also meets the box.
 inline constexpr Real hit_margin = 80 * epsilon;
 
 // A ray made ready for box tests (given): whatever they all need is computed once.
@@ -25,9 +25,9 @@ inline SlabRay slab_ray(const Ray& ray) {
     return {ray.origin, {1 / d.x, 1 / d.y, 1 / d.z}, hit_margin * max_component(ray.origin)};
 }
 
-// The interval in which boxes count for a search within `within`: 0 always belongs to it. For a
-// ray that starts on a sphere's surface, t is all rounding error, but its origin is surely within
-// the sphere's box.
+// The interval in which boxes count for a search within `within`. It always contains 0: for a ray
+// that starts on a sphere's surface, t is nothing but rounding error, but the ray's origin is
+// certainly within the sphere's box.
 constexpr Interval with_origin(Interval within) {
     return {std::min(Real(0), within.min), std::max(Real(0), within.max)};
 }

@@ -6,9 +6,9 @@
 
 namespace rt {
 
-// What a tree asks of a shape (given), here for a sphere of a scene. Trees and searches know
-// nothing else about shapes. Another type of shape, such as a triangle, needs these functions, too,
-// and surface_hit, which spheres have from sphere_list.hpp.
+// The functions that a tree needs of a shape (given), here of a sphere. Trees and searches know
+// nothing else about shapes. Any other type of shape, such as a triangle, needs these functions,
+// too, and also surface_hit, which for spheres is in sphere_list.hpp.
 
 // A box that contains the shape, with the margin that 07.2 adds.
 inline Box bounds_of(const SceneSphere& sphere) {

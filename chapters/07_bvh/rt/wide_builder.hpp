@@ -35,7 +35,7 @@ auto with_wide_leaves(const Split& split) {
     };
 }
 
-// Adds the wide leaf of a binary one.
+// Adds the wide leaf that holds the shapes of a binary leaf.
 template <class Shape, class Number>
 WideChild add_wide_leaf(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tree,
                         const TreeNode& leaf) {
@@ -49,7 +49,7 @@ WideChild add_wide_leaf(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tr
     return WideChild::leaf(static_cast<std::int32_t>(wide.leaves.size() - 1));
 }
 
-// Adds the wide node of a binary node, and all below it.
+// Adds the wide node that replaces a binary node, and everything below it.
 template <class Shape, class Number>
 WideChild add_wide_node(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tree,
                         const TreeNode& top) {
@@ -82,7 +82,7 @@ WideChild add_wide_node(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tr
     return WideChild::node(static_cast<std::int32_t>(place));
 }
 
-// The tree that build_node makes with this split, eight wide.
+// The tree with eight children per node, made from the binary tree of build_node with this split.
 template <class Number, class Shape, class Split>
 WideTreeOf<Shape, Number> make_wide_tree(const std::vector<Shape>& shapes, const Split& split) {
     std::vector<Box> boxes;

@@ -7,7 +7,7 @@ namespace rt {
 // leaves of the tree. Both share one number, so that a node fits into few cache lines.
 class WideChild {
   public:
-    // Not set to anything: the stacks of searches are arrays of children, and start empty.
+    // Left without a value, because a search's stack is an array of children that begins empty.
     WideChild() = default;
     static constexpr WideChild node(std::int32_t number) { return WideChild{number}; }
     static constexpr WideChild leaf(std::int32_t number) { return WideChild{~number}; }

@@ -11,8 +11,8 @@
 
 namespace rt {
 
-// A leaf with up to eight shapes (given): everything that a hit needs. This is the plain one, for
-// any type of shape. One for spheres comes below.
+// A leaf with up to eight shapes, and everything that a hit needs (given). This plain version is
+// for any type of shape; the version for spheres follows.
 template <class Shape>
 struct WideLeaf {
     Lanes<Shape> shapes{};
@@ -162,7 +162,8 @@ bool hit_leaf(const WideLeaf<Shape>& leaf, const Ray& ray, Real min, WideHit& be
     return changed;
 }
 
-// True if a shape of a leaf wins against the hit at `end`, other than that hit's own.
+// True if a shape of the leaf is hit before `end`, by the rules of hit_leaf. The shape that is hit
+// at `end` itself does not count.
 template <class Shape>
 RT_INLINED bool any_in_leaf(const WideLeaf<Shape>& leaf, const Ray& ray, Real min,
                             const WideHit& end) {

@@ -101,9 +101,8 @@ struct WideTreeOf {
     }
 
     // True if anything is hit within the interval, whatever it is: the search ends at the first hit
-    // that it comes to. If the ray meets the shape of this
-    // number at within.max, the question is whether it meets another one before, by the rules of
-    // hit().
+    // that it finds. If the ray meets the shape of this number at within.max, only other shapes
+    // count, and only if they come before it by the rules of hit().
     template <class AnyRay>
     bool occluded(const AnyRay& any_ray, Interval within, std::int32_t number = -1) const {
         if (nodes.empty()) return false;

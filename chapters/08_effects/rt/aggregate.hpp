@@ -6,14 +6,14 @@
 
 namespace rt {
 
-// Two worlds in one (given): a ray hits what it meets first in either of them. Such a world is
-// called an aggregate. Either may be an aggregate, too.
+// Two worlds in one (given): a ray hits whatever it meets first in either of them. Such a world is
+// called an aggregate. Each of the two may itself be an aggregate.
 template <class First, class Second>
 struct Aggregate {
     First first;
     Second second;
 
-    // Of equally near hits the second world's counts.
+    // If both hits are equally near, that of the second world counts.
     template <class AnyRay>
     std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
         std::optional<Hit> nearest = first.hit(ray, within);
@@ -30,10 +30,10 @@ struct Aggregate {
     }
 };
 
-// A part of a world that is not there.
+// Stands for a world that is absent.
 struct NoWorld {};
 
-// One world of both. What is not there is not in its type.
+// One world made of two. A world that is absent does not appear in its type.
 template <class First, class Second>
 Aggregate<First, Second> both(First first, Second second) {
     return {std::move(first), std::move(second)};

@@ -9,9 +9,9 @@
 
 namespace rt {
 
-// A picture, tile by tile, drawn by this many threads until a signal comes (given).
-// draw(tile, worker, image, rays) adds the rays that a tile took to `rays`, and returns how many of
-// its pixels are done.
+// Draws a picture tile by tile with this many threads, until it is finished or a signal comes
+// (given). draw(tile, worker, image, rays) adds the rays that a tile took to `rays`, and returns
+// how many of its pixels are done.
 template <class DrawTile>
 app::Picture draw_by_tiles(const TileGrid& grid, int threads, app::Progress& progress,
                            const DrawTile& draw) {
@@ -36,8 +36,8 @@ app::Picture draw_by_tiles(const TileGrid& grid, int threads, app::Progress& pro
     return picture;
 }
 
-// Draws a tile pixel by pixel until a signal comes (given): the colors are color(x, y). Returns how
-// many pixels are done.
+// Draws a tile pixel by pixel, until it is finished or a signal comes (given): color(x, y) gives
+// the colors. Returns how many pixels are done.
 template <class ColorOf>
 std::int64_t draw_pixels(const Tile& tile, Image& image, const ColorOf& color) {
     std::int64_t done = 0;

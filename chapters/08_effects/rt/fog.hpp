@@ -20,7 +20,8 @@ struct Fog {
     Sphere region;
     Real density = 0;       // how many droplets light meets per unit of length, 0 or more
     Color albedo{1, 1, 1};  // the share of light that a droplet scatters, each channel in [0, 1]
-    // The mean cosine of the turn, in (-1, 1); 0 scatters evenly: the asymmetry parameter, g.
+    // The asymmetry parameter g: the mean cosine of the angle by which light turns, in (-1, 1). 0
+    // scatters light evenly.
     Real asymmetry = 0;
 };
 
@@ -34,8 +35,8 @@ inline Real free_flight(Real density, Real number) {
 // before and after.
 // Source: Henyey and Greenstein, "Diffuse radiation in the galaxy", 1941.
 inline Real phase_density(Real asymmetry, Real cosine) {
-    // Favoring the way back is the same as favoring the way ahead with the sign of the cosine
-    // changed. Rounding may put a computed cosine a little above 1.
+    // A density that favors the way back is one that favors the way ahead, with the sign of the
+    // cosine changed. Rounding may put a computed cosine a little above 1.
     const Real g = std::abs(asymmetry);
     const Real away = std::max(Real(0), 1 - (asymmetry < 0 ? -cosine : cosine));
     // (1 - g)^2 + 2 g (1 - cosine): nothing cancels if g and the cosine are close to 1.

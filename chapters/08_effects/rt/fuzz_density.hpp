@@ -30,14 +30,15 @@ inline Real lobe_density(Vec3 mirrored, Real fuzz, Vec3 direction) {
     return (cosine * cosine + inside) / (2 * pi * fuzz * std::sqrt(inside));
 }
 
-// Metal smoother than this reflects into so narrow a cone that samples of lights mostly miss it.
-// Measured on balls with small lamps, they reduce the error of the displayed picture from here on.
+// Metal smoother than this reflects into so narrow a cone that samples of lights mostly miss it. In
+// measurements on balls with small lamps, samples reduced the error of the displayed picture only
+// from this fuzz on.
 inline constexpr Real least_sampled_fuzz = Real(0.2);
 
-// scatter_density, and for rough metal its density, too (given): that of the direction itself, and
-// that of the direction below the surface which is folded up to it. It is 0 for smoother metal,
-// where only the path itself finds lights, as in a mirror. `incoming` is the direction of the ray
-// that made the hit.
+// Like scatter_density, but for rough metal it gives the density, too (given): that of the
+// direction itself, plus that of the direction below the surface that is folded up to it. It is 0
+// for smoother metal, where only the path itself finds lights, as in a mirror. `incoming` is the
+// direction of the ray that made the hit.
 template <class Material>
 Real scatter_density(const Material& material, Vec3 /*incoming*/, const Hit& hit, Vec3 direction) {
     return scatter_density(material, hit, direction);

@@ -5,8 +5,8 @@
 
 namespace rt {
 
-// What a tree asks of an instance, beside bounds_of and surface_hit of 08.5 and margin_factor
-// (given).
+// A tree also needs this function of an instance, in addition to bounds_of and surface_hit of 08.5
+// and to margin_factor (given).
 inline std::optional<Real> hit_shape(const Instance& instance, const Ray& ray, Interval within) {
     return hit_instance(instance, ray, within);
 }

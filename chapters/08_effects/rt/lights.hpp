@@ -14,8 +14,8 @@
 
 namespace rt {
 
-// The shapes that lights may have. A chapter that adds one writes for it what 08.3 has for spheres,
-// light_density and sample_light, and hit_light.
+// The shapes that lights may have. A chapter that adds a shape also adds light_density and
+// sample_light, which spheres have from 08.3, and hit_light for it.
 using LightShape = std::variant<Sphere>;
 
 // Where a ray meets a light.
@@ -60,7 +60,7 @@ class SceneLights {
     bool empty() const { return lights_.empty(); }
     const std::vector<Light>& all() const { return lights_; }
 
-    // The light that was hit; null if it was not a light.
+    // The light that was hit; null if something else was hit.
     const Light* find(const Hit& hit) const {
         return hit.light < 0 ? nullptr : &lights_[static_cast<std::size_t>(hit.light)];
     }
@@ -90,14 +90,14 @@ class SceneLights {
     std::vector<Light> lights_;
 };
 
-// Where a ray to a light ends: there it meets the shape of this number in the tree, or none.
+// Where a ray to a light ends: at t it meets the shape of this number in the tree; -1 for none.
 struct LightEnd {
     Real t;
     int in_tree;
 };
 
-// The light itself is not in its own way. So the ray ends where it meets the light by the same
-// formula as any other shape, and not at a distance that was rounded in another way.
+// A light must not block its own light. So the ray ends where it meets the light by the same
+// formula as for any other shape, and not at a distance that was rounded differently.
 inline LightEnd light_end(const ChosenLight& chosen, const Ray& ray) {
     const Light& light = *chosen.light;
     const Interval way{0, chosen.sample.distance};
@@ -109,8 +109,8 @@ inline LightEnd light_end(const ChosenLight& chosen, const Ray& ray) {
     return {way.max, -1};
 }
 
-// True if nothing is between a ray's origin and the light along it. A world that can say whether
-// anything is in the way is asked no more than that; others are asked for the nearest hit.
+// True if nothing lies between a ray's origin and the light. A world that can tell whether anything
+// is in the way is asked only for that; any other world is asked for the nearest hit.
 template <class World, class AnyRay>
 bool sees_light(const World& world, const AnyRay& ray, const ChosenLight& chosen) {
     const Light& light = *chosen.light;

@@ -39,8 +39,8 @@ struct Place {
         return collision ? fog.density(incoming, direction)
                          : scatter_density(materials, *hit, direction);
     }
-    // Star: the same, and the density of rough metal, but not in a scene with meshes. It has no
-    // upper limit, so it takes weights.
+    // Star: the same, but including the density of rough metal, except in a scene with meshes. It
+    // has no upper limit, so it may be used only with weights.
     Real shared_density(Vec3 direction) const {
         return collision ? fog.density(incoming, direction)
                          : scatter_density(materials, incoming, *hit, direction);

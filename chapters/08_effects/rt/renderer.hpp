@@ -28,12 +28,13 @@ struct JitteredSamples {
     }
 };
 
-// Draws a scene with these effects, and no others (given). Scene is what it is made ready as.
+// Draws a scene with these effects, and no others (given). Scene is the type of the scene once it
+// is ready to be drawn.
 template <Effects effects, class Scene = ReadyScene<effects>>
 class Renderer {
   public:
-    // The effects must cover those of the scene, which must outlive the renderer. `more` is what
-    // Scene is made of besides.
+    // The effects must cover those of the scene, which must outlive the renderer. `more` holds
+    // further arguments for the constructor of Scene.
     template <class... More>
     Renderer(const SceneDescription& scene, int width, int height, const Quality& quality,
              More&&... more)

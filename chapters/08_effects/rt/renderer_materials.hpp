@@ -18,7 +18,7 @@ using AllMaterials =
     MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>;
 using ReadyMaterial = decltype(AllMaterials::materials)::value_type;
 
-// The effects whose materials are in no other renderers than those.
+// The effects whose materials only the renderers with every effect have.
 inline constexpr Effects rare_materials{.own = true};
 
 // The materials of a renderer with these effects.

@@ -11,11 +11,12 @@ namespace rt {
 using PixelShader =
     std::function<Color(int column, int row, std::uint64_t seed, std::uint64_t& rays)>;
 
-// The renderers that are compiled (given), each for one of these sets of effects: 9 of 2048
-// possible ones. A material or a lens that is compiled in but not used costs nothing that can be
+// The renderers that are compiled (given), each for one of these sets of effects: 9 of the 2048
+// possible sets. A material or a lens that is compiled in but not used costs nothing that can be
 // measured, so only one renderer does without them. Motion, lights, fog and haze do cost something,
-// and each has a renderer of its own; so has each pair that scenes often have. The last one has
-// everything, and it alone has the material of 05.6 and any effect that a later chapter adds.
+// so each of them has a renderer of its own, and so has each pair that scenes often have. The last
+// renderer has every effect. It alone has the material of 05.6 and the effects that later chapters
+// add.
 inline constexpr auto renderer_effects = [] {
     constexpr Effects materials{
         .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};

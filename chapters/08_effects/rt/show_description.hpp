@@ -8,7 +8,7 @@
 
 namespace rt {
 
-// What --show asks for, of a scene that is ready (given).
+// Draws what --show asks for, of a scene that is ready to be drawn (given).
 template <class Scene>
 app::Picture show_ready(const Scene& scene, const app::Settings& settings,
                         app::Progress& progress) {
@@ -19,16 +19,16 @@ app::Picture show_ready(const Scene& scene, const app::Settings& settings,
     return show_world(settings, progress, scene.camera, scene.world, path, render_tiles);
 }
 
-// Where --show asks for hits, they are those of a pinhole camera at the moment at which the shutter
-// opens (given).
+// Prepares the camera for --show (given): hits are those of a pinhole camera at the moment at which
+// the shutter opens.
 inline void hold_still(CameraDescription& camera, const std::string& show) {
     if (show == "bounces" || show == "samples") return;
     camera.lens = {};
     camera.shutter = 0;
 }
 
-// What --show asks for, of a scene (given), drawn by a renderer that has these effects. Settings
-// that a scene has, too, are those of the program.
+// Draws what --show asks for, of a scene (given), by a renderer that has these effects. The
+// settings of the program count, not those of the scene.
 template <Effects effects>
 app::Picture show_description(SceneDescription scene, const app::Settings& settings,
                               app::Progress& progress) {

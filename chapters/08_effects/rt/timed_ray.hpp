@@ -4,7 +4,7 @@
 namespace rt {
 
 // A ray with a time (given): 0 as the shutter opens, 1 as it closes. The path loop passes the time
-// on from bounce to bounce without knowing about it. What does not ask for the time takes it as a
+// on from bounce to bounce without knowing about it. Code that does not need the time uses it as a
 // plain ray.
 struct TimedRay {
     Vec3 origin, direction;

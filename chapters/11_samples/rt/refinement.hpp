@@ -19,7 +19,7 @@
 
 namespace rt {
 
-// A few samples of each pixel (given): pass number 0, 1, 2 ... of those that belong to a seed.
+// A few samples of each pixel (given): one of the passes 0, 1, 2 ... that belong to a seed.
 struct Pass {
     std::uint64_t seed = 1;
     int number = 0;
@@ -49,12 +49,12 @@ struct RefinementPlan {
 // found more noise. The picture depends on the plan's picture and seed and on the calls, never on
 // the number of threads.
 //
-// How samples are shared among the tiles is crossed, and keeps each tile unbiased. How many there
-// are is not: refine_to stops by the error that both halves show together. A picture whose error is
-// spread over many pixels is off by nothing that counts. But where nearly all of it is in samples
-// that are rare and very bright, refine_to stops early if none has come, and goes on if one has: it
-// loses up to half of their light. refine_with, to a number of passes that is fixed beforehand,
-// does not.
+// How samples are shared among the tiles is crossed: each half decides for the other, which keeps
+// each tile unbiased. How many samples there are in all is not crossed: refine_to stops by the
+// error that both halves show together. If the error is spread over many pixels, this does no harm.
+// But if nearly all of it is in samples that are rare and very bright, refine_to stops early if
+// none has come, and goes on if one has: it loses up to half of their light. refine_with does not,
+// because its number of passes is fixed beforehand.
 class Refinement {
   public:
     explicit Refinement(RefinementPlan plan)
@@ -97,8 +97,8 @@ class Refinement {
     }
 
     // Refines until this many passes of tiles are drawn, half of them in each half of the picture,
-    // within one for each tile. So that no half judges itself, each has an error of its own to aim
-    // at, which follows what the other half has seen.
+    // within one for each tile. So that no half judges itself, each half aims at an error of its
+    // own, which follows from what the other half has seen.
     void refine_with(std::int64_t passes) {
         const Halves<Real> aim{aim_of<&Halves<int>::first>(passes / 2),
                                aim_of<&Halves<int>::second>(passes - passes / 2)};

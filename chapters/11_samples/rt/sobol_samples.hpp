@@ -12,9 +12,9 @@ namespace rt {
 
 // The random numbers of one sample of a pixel (given), for use wherever an Rng is used. The first
 // eight are a point of Sobol's sequence in eight dimensions, each coordinate scrambled for itself
-// and for this pixel. So over the samples of the pixel, the places in the pixel, on the lens and in
-// time and the first bounces are spread evenly together, and not only each for itself. Later
-// numbers are independent: evenness is hardly worth anything there.
+// and for this pixel. So over the samples of the pixel, the positions in the pixel, on the lens and
+// in time, and the first bounces, are spread evenly together, and not only each for itself. Later
+// numbers are independent, because evenness gains hardly anything there.
 //
 // A single sample is as random as with an Rng, so its mean is right. The samples are not
 // independent of each other: samples 2 j and 2 j + 1 are in opposite halves in each of the eight
@@ -38,8 +38,8 @@ class SobolRandom {
     // A sample of this pixel, and its point of the sequence.
     SobolRandom(const Pixel& pixel, std::uint32_t sample, const SobolCoordinates& point)
         : pixel_{pixel.key}, sample_{sample} {
-        // The processor scrambles all eight at once: that takes less time than one after the other
-        // for those that a path draws.
+        // The processor scrambles all eight at once, which takes less time than scrambling one by
+        // one the numbers that a path draws.
 #pragma omp simd
         for (std::size_t i = 0; i < sobol_dimensions; ++i)
             first_[i] = fraction(owen_scrambled(point[i], pixel.seeds[i]));

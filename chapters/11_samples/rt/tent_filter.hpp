@@ -24,18 +24,18 @@ struct KeptSamples {
     }
 };
 
-// The samples of a tile, with a tent as the reconstruction filter (given). A sample counts for all
-// pixels whose middle is less than a pixel away, across and down: (1 - |x|) (1 - |y|) at the
-// distance x, y. So four pixels share it, with weights that add up to 1. A pixel is the mean of its
-// samples, weighted like that.
+// The samples of a tile, with a tent as the reconstruction filter (given). A sample counts for
+// every pixel whose middle is less than a pixel away, across and down: at the distance (x, y), its
+// weight is (1 - |x|) (1 - |y|). So four pixels share it, with weights that add up to 1. A pixel is
+// the mean of its samples with these weights.
 class TentSums {
   public:
     explicit TentSums(const Tile& tile)
         : tile_{tile},
           sums_{tile.right - tile.left + 2 * border, tile.bottom - tile.top + 2 * border} {}
 
-    // The pixels that are sampled: also those just outside of the tile. Their samples are those
-    // that the next tile takes, and they are added in the picture's order: what a pixel becomes
+    // The pixels that are sampled, including those just outside of the tile. Their samples are the
+    // same as in the next tile, and they are added in the picture's order, so that a pixel's color
     // does not depend on tiles and threads.
     Tile sampled() const {
         return {tile_.left - 1, tile_.top - 1, tile_.right + 1, tile_.bottom + 1};
@@ -67,7 +67,8 @@ class TentSums {
     using Sum = std::array<double, 4>;
     using Eight = PackOf<Real, 8>;  // of two neighbors in a row
     using Sums = PackOf<double, 8>;
-    // The samples' pixels reach as far beyond the tile: so that they need no test, there is room.
+    // Samples count for pixels up to this far beyond the tile. There is room for them, so no test
+    // is needed.
     static constexpr int border = 2;
 
     Sum& at(int x, int y) { return sums_.at(x - tile_.left + border, y - tile_.top + border); }

@@ -17,8 +17,8 @@ class TeapotBuilder {
   public:
     explicit TeapotBuilder(int n) : n_{n} {}
 
-    // A patch, mirrored or not, with y up. Of the patch's columns the first is at `from` around the
-    // pot, and the last at `to`.
+    // A patch, mirrored or not, with y up. The patch's first column is at `from` around the pot,
+    // and its last column at `to`.
     void add(const teapot::Patch& patch, Real mirror_x, Real mirror_z, Real from, Real to) {
         std::vector<Corner> corners;
         for (int row = 0; row <= n_; ++row)
@@ -58,8 +58,8 @@ class TeapotBuilder {
 
     Real share(int k) const { return static_cast<Real>(k) / static_cast<Real>(n_); }
 
-    // Points of the same coordinates are one: patches share their edges, and a quarter of the lid
-    // comes to a point.
+    // Points with the same coordinates become one: patches share their edges, and a quarter of the
+    // lid comes to a point.
     int number_of(Vec3 p) {
         const auto [found, is_new] =
             numbers_.insert({{p.x, p.y, p.z}, static_cast<int>(mesh.points.size())});
@@ -83,11 +83,10 @@ struct TeapotParts {
 inline constexpr TeapotParts whole_teapot, teapot_body{0, 3}, teapot_lid{3, 5};
 inline constexpr TeapotParts teapot_bottom{5, 6}, teapot_handle_and_spout{6, 10};
 
-// The teapot as a mesh with smooth normals and places (given): each patch is cut into n x n
-// squares, n at least 1, and each square into two triangles. y is up, the spout points along x, the
-// bottom is at y = 0, and the body's radius is 2. Where patches meet they share points. There are
-// gaps all the same, as Newell left them: below the lid, and where spout and handle run into the
-// body.
+// The teapot as a mesh with smooth normals and texture coordinates (given): each patch is cut into
+// n x n squares, n at least 1, and each square into two triangles. y is up, the spout points along
+// x, the bottom is at y = 0, and the body's radius is 2. Patches that meet share points. Even so
+// there are gaps, as Newell left them: below the lid, and where spout and handle run into the body.
 inline Mesh make_teapot(int n, const TeapotParts& parts = whole_teapot) {
     TeapotBuilder builder{n};
     for (std::size_t i = parts.first; i < parts.end; ++i) {

@@ -45,7 +45,7 @@ class MeshPlace {
             normals[k] = mesh_.normals[static_cast<std::size_t>(corners_[k].normal)];
         return smooth_normal(normals, weights_.x, weights_.y, flat);
     }
-    // The place in a texture.
+    // The texture coordinates.
     Vec2 place() const {
         const auto at = [&](std::size_t k) {
             return mesh_.places[static_cast<std::size_t>(corners_[k].place)];

@@ -9,7 +9,7 @@
 
 namespace rt {
 
-// The triangles of a scene (given): all of its meshes in one, each at its place and of its
+// The triangles of a scene (given): all of its meshes in one, each at its place and with its
 // material.
 struct SceneMeshes {
     Mesh mesh;

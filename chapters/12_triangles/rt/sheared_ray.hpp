@@ -5,9 +5,10 @@
 
 namespace rt {
 
-// A ray as an axis of its own (given). Space is moved so that the ray starts at (0, 0, 0), and then
-// sheared so that it runs along z. A point is seen at (x, y) beside the ray, and where t = z. Every
-// triangle with this corner sees it at the same place, to the last bit.
+// A ray as an axis (given). Space is moved so that the ray starts at (0, 0, 0), and then sheared so
+// that it runs along z. In the new coordinates, x and y tell how far a point is beside the ray, and
+// z is its t. All triangles that share a corner compute the same coordinates for it, to the last
+// bit.
 // Source: Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013.
 struct ShearedRay {
     Vec3 origin;

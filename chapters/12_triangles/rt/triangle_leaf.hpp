@@ -45,8 +45,8 @@ struct alignas(64) WideLeaf<SceneTriangle> {
 using TriangleLeaf = WideLeaf<SceneTriangle>;
 
 // A part of a leaf's triangles as seen from a ray (given), as ShearedRay::seen and area_before have
-// it. Rounded, a difference of products may be 0 where it should not be, but its sign is never
-// wrong: a triangle whose three areas do not all have one sign is missed.
+// it. Rounding may turn a difference of products into 0, but never gives it the wrong sign. So if
+// two areas have opposite signs, the ray misses the triangle.
 struct TrianglePart {
     std::array<Reals, 3> x, y;
 

@@ -25,7 +25,7 @@ inline int rank_count(MPI_Comm ranks) {
     return count;
 }
 
-// How MPI calls a Color: three Reals, one after the other. All counts are in colors, then.
+// MPI's type for a Color: three Reals, one after the other. With it, all counts are in colors.
 inline MPI_Datatype mpi_color() {
     static_assert(sizeof(Color) == 3 * sizeof(Real));
     static const MPI_Datatype type = [] {
