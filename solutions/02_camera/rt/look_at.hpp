@@ -13,7 +13,7 @@ namespace rt {
 // `up` is zero, or a number is not finite.
 inline Basis look_at(Vec3 from, Vec3 at, Vec3 up) {
     Vec3 back = from - at;
-    // If it is too long for Real: only its direction counts, and half of it fits.
+    // If the vector is too long for Real, half of it fits, and only its direction counts.
     if (!is_finite(back)) back = from / 2 - at / 2;
     if (back == Vec3{} || !is_finite(back))
         throw std::domain_error("look_at: the camera must look at a point other than its own");
