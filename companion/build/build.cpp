@@ -22,7 +22,7 @@ bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-// "\n  the } in line 7 ends a struct: it lacks its ;", where the error is that a struct's
+// "\n  the } in line 7 ends a struct: write }; there", where the error is that a struct's
 // end lacks it; empty otherwise. g++ shows what follows the struct.
 std::string missing_semicolon(const Course& course, const std::string& error) {
     std::smatch place;
@@ -52,7 +52,7 @@ std::string missing_semicolon(const Course& course, const std::string& error) {
                 const bool is_struct = std::regex_search(alone ? *std::next(line) : *line,
                                                          std::regex{"\\b(struct|class|enum)\\b"});
                 return is_struct ? "\n  the } in line " + std::to_string(lines.size()) +
-                                       " ends a struct: it lacks its ;"
+                                       " ends a struct: write }; there"
                                  : "";
             }
     }

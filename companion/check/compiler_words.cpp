@@ -96,8 +96,8 @@ const Meaning meanings[]{
      "comparisons: write "
      "`a < b && b < c`."},
     {"infinite recursion|all paths through this function will call itself",
-     "The function calls itself in every case, so it never ends. In one case, it must return "
-     "without calling itself."},
+     "The function calls itself in every case, so it never ends. There must be a case in which it "
+     "returns without calling itself."},
     {"for increment expression has no effect",
      "The last part of the loop's head changes nothing: `i + 1` only computes a value; `i++` and "
      "`i += 2` change i."},

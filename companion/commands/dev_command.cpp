@@ -10,7 +10,8 @@ namespace companion {
 
 int dev_new(const Course& course, const Given& given) {
     const std::string id = *given.named;
-    if (!given.has("--name")) throw app::UsageError("dev new: needs --name, that of its function");
+    if (!given.has("--name"))
+        throw app::UsageError("dev new: needs --name, the name of the exercise's function");
     for (const fs::path& file : begin_exercise(course, id, given.options.at("--name")))
         print(file.string() + '\n');
     print("What a person must write is marked " + std::string{unwritten} + ". ./course dev check " +

@@ -99,7 +99,7 @@ void compare_stub(const Course& course, const Exercise& exercise, Lines& wrong) 
         for (const std::string& signature : given)
             if (std::find(written.begin(), written.end(), signature) == written.end())
                 wrong.push_back(stub.string() + " has '" + signature + "', which " +
-                                solution.string() + " has not: both need the same");
+                                solution.string() + " has not: both need the same functions");
     }
 }
 
@@ -107,7 +107,7 @@ void look_into_texts(const Course& course, const Exercise& exercise, Lines& wron
     if (const std::size_t count = hints(course, exercise).size(); count != all_hints)
         wrong.push_back(exercise.chapter.hints.string() + " has " + std::to_string(count) +
                         " hints below '## " + exercise.id +
-                        "': three are needed, the idea, the formula, the shape of the code");
+                        "': three are needed: the idea, the formula, and the shape of the code");
     const std::string text = read_text(course.root / exercise.chapter.text);
     const std::regex heading{"(^|\n)### " + exercise.id + " ([^\n]*)"};
     std::smatch found;
@@ -145,7 +145,8 @@ void count_mistakes(const Course& course, const Exercise& exercise, Lines& wrong
         wrong.push_back(trouble);
     else if (const auto count = read_mistakes(course.root / file).size(); count < few_mistakes)
         wrong.push_back(file.string() + " has " + std::to_string(count) +
-                        " of the three known mistakes that an exercise has, or more");
+                        (count == 1 ? " known mistake" : " known mistakes") +
+                        "; an exercise needs three or more");
 }
 
 std::string quoted_cases(const std::vector<TestCase>& tests) {

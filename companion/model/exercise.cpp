@@ -108,8 +108,8 @@ std::string trouble_with_files(const Course& course, const Exercise& exercise) {
         if (why.empty()) continue;
         const bool in_the_way = fs::exists(fs::symlink_status(path));
         return file.string() + ' ' + why + "; " + (in_the_way ? "move it away, and " : "") +
-               "./course reset " + exercise.id + " restores the stub, git checkout -- " +
-               file.string() + " what you last committed";
+               "./course reset " + exercise.id + " restores the stub, and git checkout -- " +
+               file.string() + " restores what you last committed";
     }
     // Other files of the chapter may be included: a compiler would wait at a pipe.
     for (const fs::path& file : exercise.chapter_files)

@@ -147,7 +147,7 @@ void judge_tree(const Trial& trial) {
 void judge_mesh_tree(const Trial& trial) {
     trial.line(
         {false, "rung 10: --list draws the same bytes", "", "the same bytes",
-         "The box of a triangle holds its three corners, and what rounding adds."},
+         "The box of a triangle must hold its three corners, with a margin for rounding errors."},
         [&](JudgedLine& line) { look_at_list(trial, fine_mesh(trial.request.seed, 48), line); });
     if (trial.request.tree_gain <= 0) return;
     trial.line({false, "rung 10: the tree against --list", "",

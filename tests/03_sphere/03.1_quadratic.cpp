@@ -204,8 +204,9 @@ TEST_CASE("03.1 the small solution survives beside a large one", "[03.1][hard]")
     for (int i = 0; i < 300; ++i)
         check_solutions(any_number(rng, -1, 1), any_number(rng, most / 4, most / 2),
                         any_number(rng, -most / 4, 1),
-                        "-b and the root nearly cancel in one of the two solutions. Compute the "
-                        "other one, q, and get this one from the product of both: c / q");
+                        "-b and the root nearly cancel in one of the two solutions. Compute q, in "
+                        "which they add up: the other solution is q / a, and this one is c / q, "
+                        "because their product is c / a");
 }
 
 TEST_CASE("03.1 nearly equal solutions are told apart", "[03.1][hard]") {

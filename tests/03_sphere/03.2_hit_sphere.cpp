@@ -79,8 +79,7 @@ const char* suggestion(const Meeting& exact, Interval within, const Hit& t) {
         return "t is measured in lengths of the direction; the square of this length is "
                "a = dot(d, d)";
     return "f is the ray's origin minus the sphere's center; solve_quadratic takes a, 2 b and c, "
-           "and "
-           "roots_from_discriminant also 4 times a quarter of the discriminant";
+           "and roots_from_discriminant also takes 4 times your quarter of the discriminant";
 }
 
 // Checks only where both ends of the interval are clearly away from both solutions, in
@@ -288,8 +287,8 @@ TEST_CASE("03.2 a ray that starts on the surface", "[03.2][hard]") {
         const Real radius = any_size(rng, -1, 1);
         const Vec3 center{rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(-3, 3)};
         check_both({center, radius}, {center + radius * any_direction(rng), any_direction(rng)},
-                   "the start is rounded to the surface, so c consists of rounding errors: the t "
-                   "must be 0 within the bound");
+                   "the ray starts on the surface, up to rounding, so c is nothing but rounding "
+                   "error, and one t must be 0 within the bound");
     }
 }
 

@@ -11,7 +11,7 @@ void check_area_ratio(const Direction& direction, const Expected& expected, cons
                       const char* hint) {
     const double error_over_allowed = area_error(direction, expected, spot) / spot.allowed;
     if (!(error_over_allowed <= 1))
-        UNSCOPED_INFO("a small square of places around ("
+        UNSCOPED_INFO("a small square of sample points around ("
                       << text(spot.place.x) << ", " << text(spot.place.y)
                       << ") becomes a patch of the sphere: expected "
                       << text(static_cast<Real>(expected(spot.place))) << " times as large, actual "

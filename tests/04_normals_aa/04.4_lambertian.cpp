@@ -213,9 +213,10 @@ TEST_CASE("04.4 equal parts of the square become directions with the density cos
             [&](Vec2 p) { return 3.14159265358979323846 / Grid::dot(direction(p), pole); }, spot);
         if (!(error <= spot.allowed))
             UNSCOPED_INFO("normal "
-                          << text(pole) << ": a small square of places around (" << text(place.x)
-                          << ", " << text(place.y) << ") becomes a patch of the sphere, expected "
-                          << expected << " times as large, actual " << computed
+                          << text(pole) << ": a small square of sample points around ("
+                          << text(place.x) << ", " << text(place.y)
+                          << ") becomes a patch of the sphere: expected " << expected
+                          << " times as large, actual " << computed
                           << " times as large.\nHint: the density is cos / pi, like that of "
                              "cosine_direction (04.3)");
         REQUIRE(error <= spot.allowed);

@@ -174,8 +174,8 @@ Color radiance(const Story& story, rt::Rng& rng) {
             story.intervals.push_back(within);
             if (i > story.hits.size() + 50)
                 throw std::runtime_error(
-                    "the path does not end.\nHint: count the bounces, and do what the ending says "
-                    "after each of them");
+                    "the path does not end.\nHint: count the bounces; after bounce number `depth` "
+                    "and after every later bounce, do what the ending says");
             if (i >= story.hits.size()) return {};
             return story.hits[i];
         }
@@ -365,8 +365,8 @@ TEST_CASE("04.7 any path returns the light that its bounces determine", "[04.7]"
         {
             INFO(
                 "the number of rays that were followed: expected one more than the number of "
-                "bounces, unless the path ends before. Call the ending after bounce number `depth` "
-                "and after every later bounce");
+                "bounces, unless the path ends earlier. Call the ending after bounce number "
+                "`depth` and after every later bounce");
             REQUIRE(story.rays.size() == count + !has_ended);
         }
         {
@@ -480,8 +480,8 @@ TEST_CASE("04.7 the brightest channel says how likely a path goes on", "[04.7]")
             ++going;
             REQUIRE(is_near(c, before / bright));
         }
-        INFO("with the throughput "
-             << text(before) << ", of 10000 paths expected about 5000 to go on, actual " << going
+        INFO("paths with the throughput "
+             << text(before) << ": expected that about 5000 of 10000 go on, actual " << going
              << ".\nHint: the probability is the largest of all three channels");
         CHECK(std::abs(going - count / 2) <= 300);  // 6 standard errors
     }

@@ -260,7 +260,7 @@ TEST_CASE("05.2 white metal in a white furnace stays white", "[05.2]") {
             }
             INFO("fuzz "
                  << fuzz << " at " << angle
-                 << " degrees: expected that all light comes back, 1, actual " << light.mean()
+                 << " degrees: expected 1, because all light comes back, actual " << light.mean()
                  << ", with a standard error of " << light.standard_error()
                  << "\nHint: light whose direction points below the surface must not be lost");
             CHECK(std::abs(light.mean() - 1) <= 3 * light.standard_error() + rounding);

@@ -214,7 +214,7 @@ TEST_CASE("05.3 beyond the critical angle all light is reflected", "[05.3]") {
         CHECK(rt::refract(arriving_at_floor(critical - 0.1), floor_normal, real(eta)).has_value());
         CHECK(!rt::refract(arriving_at_floor(critical + 0.1), floor_normal, real(eta)).has_value());
         CHECK(!rt::refract(arriving_at_floor(89.9), floor_normal, real(eta)).has_value());
-        INFO("there is no total reflection into the denser side");
+        INFO("light that arrives at a denser material is never totally reflected");
         CHECK(rt::refract(arriving_at_floor(89.9), floor_normal, real(1 / eta)).has_value());
     }
 }

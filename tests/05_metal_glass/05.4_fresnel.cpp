@@ -156,7 +156,7 @@ TEST_CASE("05.4 reflectance and transmittance add up to 1", "[05.4]") {
         const Real computed = rt::fresnel_reflectance(cosine, eta);
         check_error(computed, Exact(1) - surface.transmittance(), allowed(surface), eta, cosine,
                     "light that is not reflected goes through: reflectance and transmittance, "
-                    "which the test computes from the amplitudes behind the surface, add up to 1");
+                    "which the test computes from the refracted light's amplitudes, add up to 1");
     });
 }
 
@@ -356,7 +356,7 @@ TEST_CASE("05.4 a cosine that rounding put above 1 counts as 1", "[05.4][hard]")
             const auto behind = rt::refracted_cosine(above, eta);
             INFO("eta " << text(eta) << ", cosine " << text(above));
             REQUIRE(behind.has_value());
-            check("the cosine behind", eta, above, *rt::refracted_cosine(1, eta), *behind);
+            check("refracted_cosine", eta, above, *rt::refracted_cosine(1, eta), *behind);
             check("exact", eta, above, rt::fresnel_reflectance(1, eta),
                   rt::fresnel_reflectance(above, eta));
             check("Schlick", eta, above, rt::schlick_reflectance(1, eta),

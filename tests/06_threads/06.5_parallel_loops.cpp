@@ -65,7 +65,7 @@ struct Done {
             return std::to_string(no_worker) +
                    " calls got the number of a worker that does not exist";
         if (overlaps > 0)
-            return std::to_string(overlaps) + " times two calls had the same worker at once";
+            return std::to_string(overlaps) + " times, two calls had the same worker at once";
         return "";
     }
 };

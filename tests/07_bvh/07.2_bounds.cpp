@@ -27,8 +27,8 @@ TEST_CASE("07.2 the box around a sphere", "[07.2]") {
     const Real near = rt::hit_margin * 16;
     const auto check = [&](Real value, Real expected) {
         HINT(expected, value,
-             "the box extends from center minus radius to center plus radius, and on each side a "
-             "margin farther");
+             "the box extends from center minus radius to center plus radius, with a margin added "
+             "on each side");
         CHECK(std::abs(value - expected) <= near);
     };
     check(box.low.x, -3);

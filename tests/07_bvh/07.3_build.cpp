@@ -124,16 +124,15 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
     if (std::string{expected} != actual) {
         INFO(where);
         INFO(
-            "Hint: for every part call split, or at level most_levels and deeper split_in_half, "
-            "and nothing else; only 0 makes a leaf. Both children are one level deeper");
+            "Hint: call split for each part, or split_in_half at level most_levels and deeper: "
+            "only a result of 0 makes a leaf. Both children are one level deeper");
         REQUIRE(std::string{actual} == expected);
     }
     if (left == 0) {
         INFO(where);
         INFO(
-            "Hint: a leaf's count is order.size(), its member first is the argument first of "
-            "build_node; the "
-            "right part begins where the left one ends, at first + left");
+            "Hint: a leaf's count is order.size(), and its member first is the argument first of "
+            "build_node. The right part begins where the left one ends, at first + left");
         REQUIRE(node.first == first);
         REQUIRE(node.count == static_cast<int>(order.size()));
         return;

@@ -58,8 +58,8 @@ LightSample sampled(const Sphere& light, Vec3 from, Vec2 place) {
 const char* hint_on_size(Real radius, Real distance) {
     const Real squared = distance * distance;
     if (squared == 0 || squared > std::numeric_limits<Real>::max())
-        return ".\nHint: at this size (d - r) (d + r) overflows or underflows: divide a factor by "
-               "d first, from inside by r";
+        return ".\nHint: at this size (d - r) (d + r) overflows or underflows: first divide a "
+               "factor by d, or by r if the point is inside";
     if (distance > 100 * radius)
         return ".\nHint: the sine of a small angle is sqrt(k (2 - k)); 1 - cos^2 has no digits "
                "left";

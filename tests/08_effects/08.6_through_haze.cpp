@@ -96,7 +96,7 @@ TEST_CASE("08.6 without the effect the color stays and the distance is not asked
                    "with NoHaze there is no haze: return the color itself");
         INFO(
             "Hint: call distance() only inside of the `if constexpr`: an effect that is absent "
-            "costs nothing");
+            "must cost nothing");
         CHECK(asked == 0);
     }
 }

@@ -72,7 +72,7 @@ void check_known(const RunningVariance& known, const Numbers& numbers, const cha
     const double unit = static_cast<double>(rt::epsilon) / 2 * largest;
     INFO(numbers.size() << " numbers " << text(numbers));
     {
-        INFO("Hint: the count begins with 0, and every number adds 1");
+        INFO("Hint: the count starts at 0, and every number adds 1");
         REQUIRE(known.count == static_cast<std::int64_t>(numbers.size()));
     }
     if (!(std::abs((mean - Exact(known.mean)).high) <= (count + 4) * unit)) {

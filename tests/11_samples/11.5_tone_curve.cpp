@@ -110,7 +110,7 @@ void check_curve(Real luminance, Real white, int roundings = 16) {
                            << "): expected " << checkpoint::text(static_cast<Real>(expected))
                            << ", but yours gives " << checkpoint::text(actual));
         const char* hint =
-            "L / (1 + L) and (1 + L / white^2) are the two factors; white must come out as 1";
+            "the two factors are L / (1 + L) and 1 + L / white^2; a luminance of `white` becomes 1";
         if (only_single_precision(wide(actual), expected))
             hint = single_precision_hint;
         else if (!std::isfinite(actual) || actual == 0 || luminance >= 1000000 ||

@@ -125,7 +125,7 @@ TEST_CASE("13.2 the number is in the memory of rank 0", "[13.2]") {
             if (rt::rank_of(ranks) == 0)
                 wrong = differs("each rank has added 5: the number in its memory",
                                 5 * rt::rank_count(ranks), *number,
-                                "MPI_Fetch_and_op adds to place 0 in the memory of rank 0");
+                                "MPI_Fetch_and_op adds to the number at displacement 0 of rank 0");
             MPI_Win_unlock_all(window);
             MPI_Win_free(&window);
             return wrong;

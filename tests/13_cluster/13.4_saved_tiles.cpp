@@ -81,7 +81,7 @@ TEST_CASE("13.4 a new version takes the place of an older one", "[13.4]") {
         rt::save_tile(folder.path(), 5, pixels);
         INFO("version " << version);
         CHECK(rt::load_tile(folder.path(), 5) == pixels);
-        INFO("Hint: rename the file that was written first; do not copy it");
+        INFO("Hint: rename the finished file; a copy would leave two files");
         CHECK(names_in(folder) == std::vector<std::string>{"5.tile"});
     }
 }

@@ -93,7 +93,7 @@ TEST_CASE("a struct that lacks its semicolon is named by the line of its brace",
                 ":5: error: expected initializer before 'operator'\n    8 | Vec op\n",
             mine);
     };
-    const std::string words = "the } in line 3 ends a struct: it lacks its ;";
+    const std::string words = "the } in line 3 ends a struct: write }; there";
     const auto has_words = [&](const std::string& text) {
         return text.find(words) != std::string::npos;
     };

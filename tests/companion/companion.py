@@ -640,7 +640,7 @@ class Companion(unittest.TestCase):
         self.write("one", "right\n")
         self.course("check", "01.1")
         words = ("exercises/01_tiny/rt/one.hpp is missing; ./course reset 01.1 restores the stub, "
-                 "git checkout -- exercises/01_tiny/rt/one.hpp what you last committed\n")
+                 "and git checkout -- exercises/01_tiny/rt/one.hpp restores what you last committed\n")
         self.stub("one").rename(self.root / "elsewhere.hpp")
         for said in (self.course("check", "01.1", code=1), self.course("check", code=1), self.course()):
             self.assertIn("\n" + words, said)
