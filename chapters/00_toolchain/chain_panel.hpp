@@ -42,7 +42,7 @@ inline void draw_chain(Figure& figure, const app::Box& box) {
     const Real left = box.left + 18, pitch = (box.width - 36) / 47, base = box.top + 152,
                lower = base + 30;
     const auto draw = [&](const std::vector<Link>& memory, Real line, Real sign) {
-        // The positions of the chain's links, as long as it stays in this memory.
+        // The positions of the chain's links, up to the first link that is not in this memory.
         std::vector<Real> places;
         const Link* link = memory.data();
         const std::less<const Link*> before;

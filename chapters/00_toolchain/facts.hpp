@@ -1,5 +1,5 @@
 #pragma once
-// The lines that show, with the values of this run, what the text explains.
+// The lines that show what the text explains, with the values of this run.
 
 #include <algorithm>
 #include <cstdio>
@@ -16,7 +16,7 @@ namespace toolchain {
 
 using namespace rt;
 
-// How many objects of this type exist?
+// A type that counts how many of its objects exist.
 struct Counted {
     inline static int alive = 0;
     Counted() { ++alive; }
@@ -38,7 +38,7 @@ inline std::string printed(const char* format, auto... values) {
     return text;
 }
 
-// About a reference, values that end with their block, a unique_ptr, and a tree.
+// Lines about a reference, values that end with their block, a unique_ptr, and a tree.
 inline std::string facts(std::unique_ptr<RangeNode> root, const Canvas<Color>& canvas) {
     std::string text;
     const Canvas<Real> light = lightness(canvas);

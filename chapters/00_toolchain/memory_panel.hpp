@@ -62,7 +62,7 @@ inline Segments draw_segments(Figure& figure, const app::Box& panel) {
         figure.box(b, color, Real(0.10), 4);
         figure.box({b.left, b.top, 3, b.height}, color, 1, 1);
         figure.words({b.left + 12, b.top + 9}, name, {8, color});
-        // Beside the name, where no arrow comes down; otherwise below it.
+        // Beside the name if no arrow comes down there, and otherwise below it.
         if (height < 100)
             figure.words({b.left + 12 + app::width_of(name, 8) + 12, b.top + 11}, what, {6, faint});
         else
@@ -87,7 +87,7 @@ inline void draw_growth(Figure& figure, const app::Box& stack) {
     figure.words({up + 8, gap + 8}, "Heap", {6, mint});
 }
 
-// The pixels themselves, small. Returns where they are drawn.
+// Draws the pixels themselves, small, and returns where they are.
 inline app::Box draw_pixels(Figure& figure, const app::Box& heap, const Canvas<Color>& canvas) {
     const app::Box pixels{heap.left + 14, heap.top + 34, 132, 132 * Real(9) / 16};
     figure.paint(

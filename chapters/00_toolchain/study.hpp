@@ -1,5 +1,5 @@
 #pragma once
-// What accuracy costs where numbers are added up; and what memory costs.
+// What accuracy costs when numbers are added up, and what memory costs.
 
 #include <functional>
 #include <rt/rng.hpp>

@@ -1,5 +1,6 @@
 #pragma once
-// The panels of what memory costs: the time of a step through it, and of making an object.
+// The panels that show what memory costs: the time of a step through it, and that of making an
+// object.
 
 #include <rt/portable.hpp>
 #include <string>
@@ -54,7 +55,7 @@ inline void draw_steps(Figure& figure, const app::Box& box, const std::vector<St
     curve(&Steps::scattered, rose);
     figure.words({plot.left + 12, plot.bottom() - 26}, "Gathered", {6, mint});
     const Vec2 middle = place(1 << 18, 1);
-    // Between two lines of the grid and two levels of the caches.
+    // The word stands between two lines of the grid and between two levels of the caches.
     figure.words({middle.x + 40, plot.top + plot.height * Real(0.61)}, "Scattered", {6, rose});
 }
 

@@ -88,7 +88,7 @@ inline Color turned_ball_color(Vec3 n, const Mat4& world_to_object, Vec3 light) 
     return tile * (Real(0.25) + Real(0.75) * std::max(Real(0), dot(n, light)));
 }
 
-// One ball with the sticks in it; (x, y) has the ball's middle at (0, 0).
+// A ball with its sticks; its middle is at (x, y) = (0, 0).
 struct Ball {
     std::vector<Stick> sticks;
     std::vector<Washer> washers;

@@ -73,7 +73,7 @@ inline Real elevation(Vec3 d) {
     return rt::portable::atan2(d.y, rt::portable::hypot(d.x, d.z));
 }
 
-// The tint of the quarter: north, east, south and west blend into each other.
+// The tint of a direction: those of north, east, south and west blend into each other.
 inline Color quarter(Vec3 d) {
     static const std::array tints{rt::from_hex(0x8ec9d6), rt::from_hex(0xf09a7c),
                                   rt::from_hex(0xfbd38a), rt::from_hex(0xb795d2)};
@@ -139,7 +139,7 @@ inline Real compass(Vec3 d, Real pixel_deg) {
 inline Color look(const Beam& beam) {
     const Vec3 d = beam.here.direction;
     const Real across = length(beam.right.direction - d), down = length(beam.below.direction - d);
-    // Not zero, even if a mistake in the camera makes it so.
+    // Not 0, not even if a mistake in the camera would make it so.
     const Real pixel_deg =
         std::max(std::numeric_limits<Real>::min(), std::sqrt(across * down) * 180 / rt::pi);
     const Color color = d.y < 0 ? ground(beam) : sky(beam, pixel_deg);

@@ -19,7 +19,7 @@ namespace {
 using rt::Color;
 using rt::Real;
 
-// The words stand in a soft shadow, which makes them readable on any background.
+// The words have a soft shadow, which makes them readable on any background.
 void write_caption(app::Figure& panel, std::string_view caption) {
     const Real height = static_cast<Real>(panel.rows()), unit = height / 90;
     const rt::Vec2 corner{3 * unit, height - 7 * unit};

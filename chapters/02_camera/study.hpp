@@ -56,7 +56,8 @@ inline Vec2 width_minus_one(const Camera& c, int column, int row, Vec2 offset) {
     const Real down = (static_cast<Real>(row) + offset.y) / static_cast<Real>(c.height - 1);
     return {(right - Real(0.5)) * c.viewport.width, (Real(0.5) - down) * c.viewport.height};
 }
-// Without the half: this looks symmetric, and is half a pixel off at both edges.
+// Without the half of a pixel's middle: this looks symmetric, but is half a pixel off at both
+// edges.
 inline Vec2 posts_of_a_fence(const Camera& c, int column, int row, Vec2 offset) {
     return width_minus_one(c, column, row, {offset.x - Real(0.5), offset.y - Real(0.5)});
 }
@@ -220,7 +221,7 @@ void measure_look_at(study::Report& report, const char* variant) {
     const auto random = [&] {
         return Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
     };
-    // The compiler must not know them beforehand.
+    // The compiler must not know these values in advance.
     Vec3 at{-1, Real(0.5), -2}, upwards{0, 1, 0};
     RT_KEEP(at);
     RT_KEEP(upwards);

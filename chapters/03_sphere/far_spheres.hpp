@@ -52,7 +52,7 @@ inline constexpr int exponents[] = {1, std::is_same_v<Real, float> ? 3 : 7,
                                     std::is_same_v<Real, float> ? 4 : 8,
                                     std::is_same_v<Real, float> ? 5 : 9};
 
-// Where they are: two columns of four under a line of words. All in pixels.
+// Where the small pictures are: in two columns of four, under a line of words. All in pixels.
 struct Panels {
     int gap, dot, top, side;  // a line of words is 7 dots high
 

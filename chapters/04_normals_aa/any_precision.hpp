@@ -131,7 +131,7 @@ class Picture {
     }
 
   private:
-    // path_radiance with the ending in the sky.
+    // Like path_radiance with SkyEnding.
     template <class Formula>
     Vector<N> radiance(Line<N> ray, int depth, const Formula& formula, SharedRandom& random) const {
         Vector<N> throughput{1, 1, 1};
@@ -150,7 +150,7 @@ class Picture {
         return throughput * sky(ray.direction);
     }
 
-    // surface_hit, cosine_direction and leave_surface.
+    // Like surface_hit, cosine_direction and leave_surface together.
     static Line<N> bounce(const Ball<N>& ball, const Line<N>& ray, N t, SharedRandom& random) {
         const N half_epsilon = std::numeric_limits<N>::epsilon() / 2;
         const Vector<N> outward = unit((ray.origin - ball.center) + t * ray.direction);

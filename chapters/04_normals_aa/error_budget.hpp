@@ -46,7 +46,7 @@ inline RoundingErrors rounding_errors(const View& view, int samples) {
     return {std::sqrt(sum.stable), std::sqrt(sum.textbook)};
 }
 
-// This light as an image file keeps it.
+// This light as an image file stores it.
 inline Color stored(Color c) {
     const auto channel = [](Real light) { return srgb_decode(Real(to_byte(light)) / 255); };
     return {channel(c.r), channel(c.g), channel(c.b)};

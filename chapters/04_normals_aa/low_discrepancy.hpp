@@ -25,9 +25,9 @@ constexpr std::uint32_t sobol_y(std::uint32_t index) {
     return y;
 }
 
-// Swaps the halves of [0, 1) or not, at random, then those of each half, and so on:
-// numbers that are spread evenly stay so. Source: Burley, "Practical hash-based Owen
-// scrambling", JCGT 9(4), 2020.
+// Swaps the two halves of [0, 1) or not, at random, then those of each half, and so on. Numbers
+// that are spread evenly stay so. Source: Burley, "Practical hash-based Owen scrambling", JCGT
+// 9(4), 2020.
 constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
     x = reverse_bits(x) + seed;
     x ^= x * 0x6c50b47cu;
@@ -58,7 +58,7 @@ class LowDiscrepancy {
                 ? owen_scramble(sobol_x(index_), static_cast<std::uint32_t>(scramble_))
                 : owen_scramble(sobol_y(index_), static_cast<std::uint32_t>(scramble_ >> 32));
         ++dimension_;
-        // As many bits as Real has, so that it never rounds up to 1.
+        // As many bits as Real has, so that the number is never rounded up to 1.
         constexpr int digits = std::numeric_limits<rt::Real>::digits;
         constexpr int spare = digits < 32 ? 32 - digits : 0;
         return static_cast<rt::Real>(bits >> spare) / static_cast<rt::Real>(1ull << (32 - spare));

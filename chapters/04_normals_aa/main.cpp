@@ -1,5 +1,5 @@
-// Chapter 04: one group of spheres in four ways: its normals as colors, lit by one distant light,
-// with one sample a pixel against many, and with the light followed from bounce to bounce.
+// Chapter 04: one group of spheres in four ways: its normals as colors; lit by one distant light;
+// with one sample per pixel against many; and with the light followed from bounce to bounce.
 
 #include <algorithm>
 #include <app/run.hpp>

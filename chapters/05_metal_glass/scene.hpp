@@ -43,7 +43,7 @@ inline bool even_tile(Real x, Real z) {
     return ((tile(x) + tile(z)) & 1) == 0;
 }
 
-// A matte floor of two colors. The path loop has never heard of it: all that a material needs is a
+// A matte floor of two colors. The path loop knows nothing about it: all that a material needs is a
 // type with a scatter() of its own.
 struct Tiles {
     Color even, odd;

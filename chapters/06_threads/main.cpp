@@ -23,7 +23,7 @@ using namespace threads;
 
 constexpr int tile_size = 16, shown_workers = 6, most_workers = 16;
 
-// By counting rays: the same on every machine.
+// The schedules if time is counted in rays: they are the same on every machine.
 Schedules count_rays(const RayCounts& rays, const TileGrid& grid) {
     Schedules all{slices_by_rays(rays, grid, shown_workers),
                   tiles_by_rays(rays, grid, shown_workers),
@@ -37,7 +37,7 @@ Schedules count_rays(const RayCounts& rays, const TileGrid& grid) {
     return all;
 }
 
-// By this machine's clock, with the number of workers that was asked for.
+// The schedules by this machine's clock, with the number of workers that was asked for.
 Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers) {
     Schedules all{by_seconds(render_slices, grid, workers, shader),
                   by_seconds(render_tiles, grid, workers, shader),

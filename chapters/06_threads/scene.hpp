@@ -70,7 +70,8 @@ inline View scene_view() {
     return {{Real(0.7), Real(1.75), Real(8.4)}, {0, Real(0.95), 0}, {0, 1, 0}, radians(31)};
 }
 
-// One pixel of the scene by the streams of exercise 06.4, and how many rays it took.
+// The color of one pixel of the scene, with the streams of exercise 06.4, and how many rays it
+// took.
 struct ScenePixel {
     Color color;
     std::uint64_t rays = 0;

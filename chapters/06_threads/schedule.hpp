@@ -73,8 +73,8 @@ class RayCounts {
     std::vector<std::uint64_t> sums_;
 };
 
-// The clock ticks once per ray: what would happen if every ray took the same time, with a core for
-// each worker. The same on every machine.
+// The schedule if the clock ticks once per ray: what would happen if every ray took the same time,
+// and each worker had a core. It is the same on every machine.
 inline Schedule slices_by_rays(const RayCounts& rays, const TileGrid& grid, int workers) {
     Schedule schedule{workers, {}};
     for (int worker = 0; worker < workers; ++worker) {
@@ -99,7 +99,7 @@ inline Schedule tiles_by_rays(const RayCounts& rays, const TileGrid& grid, int w
     return schedule;
 }
 
-// The clock of this machine: what really happens, in seconds.
+// The schedule by this machine's clock: what really happens, in seconds.
 template <class Shade>
 Schedule by_seconds(Strategy strategy, const TileGrid& grid, int workers, const Shade& shade) {
     using Clock = std::chrono::steady_clock;

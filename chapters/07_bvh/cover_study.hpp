@@ -23,7 +23,7 @@ namespace bvh {
 
 using namespace rt;
 
-// Schlick's reflectance, as the baseline has it.
+// With Schlick's reflectance, like the baseline.
 using CoverMaterials = MaterialSet<Lambertian, Metal, SchlickDielectric>;
 
 inline std::vector<SceneSphere> spheres_of(const study::Cover& cover) {

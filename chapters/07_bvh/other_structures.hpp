@@ -91,7 +91,7 @@ inline double tests_per_ray(const SphereTree& tree) {
     return sum / (60 * 42);
 }
 
-// Spheres spread evenly over a cube, which they fill to the same share whatever their number; the
+// Spheres spread evenly over a cube, of which they fill the same share whatever their number; the
 // rays of a picture of it, row by row; and random rays.
 struct Cloud {
     std::vector<SceneSphere> spheres;

@@ -37,7 +37,7 @@ inline Scene make_scene(int count, std::uint64_t seed) {
     for (const std::uint32_t color : palette)
         scene.materials.materials.push_back({from_hex(color)});
     Rng rng{seed, 7};
-    // The sum of three random numbers scatters around the middle.
+    // The sum of three random numbers: a spread around the middle.
     const auto scatter = [&](Real width) {
         Real sum = 0;
         for (int i = 0; i < 3; ++i) sum += rng.uniform(-1, 1);
@@ -52,7 +52,7 @@ inline Scene make_scene(int count, std::uint64_t seed) {
         const Vec3 center{distance * rt::portable::cos(turn) + scatter(wide),
                           scatter(Real(1.1) - Real(0.7) * way),
                           distance * rt::portable::sin(turn) + scatter(wide)};
-        // Few are large.
+        // Only a few are large.
         const Real size = rng.uniform();
         const Real radius =
             Real(0.014) + Real(0.035) * size * size + (i % 100 == 0 ? Real(0.16) * size : Real(0));

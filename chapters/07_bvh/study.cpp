@@ -151,7 +151,7 @@ void study_growth(study::Report& report) {
             cloud.rays);
         add("8-wide float boxes, random rays", "wide tests per ray",
             wide_tests_per_ray(tree, cloud.random_rays), tree, cloud.random_rays);
-        // Its tests are not counted: they are of one box or sphere, not of eight.
+        // The tests of this tree are not counted, because each tests one box or sphere, not eight.
         if (count <= 100'000)
             add("tree sorted", "", 0, trees.emplace_back(make_tree(cloud.spheres, split_in_half)),
                 cloud.rays);

@@ -40,8 +40,8 @@ inline Ray ray_through(const Camera& camera, int x, int y) {
     return primary_ray(camera, x, y, {Real(0.5), Real(0.5)});
 }
 
-// Boxes reach farther than their spheres, most of all on the left, where they are near. So they are
-// seen from a little farther away and to the left.
+// Boxes reach farther than their spheres, most of all on the left, where they are near the camera.
+// So the camera is a little farther away and to the left.
 inline View boxes_view() {
     View view = scene_view();
     view.at.x -= Real(0.6);
@@ -100,7 +100,7 @@ inline void draw_level(const Figure& figure, const app::Box& where, const Scene&
                 {letter_height, color});
 }
 
-// 1 test is 0, 10,000 tests are 1; each factor of ten is a quarter.
+// 1 test becomes 0 and 10,000 tests become 1; each factor of ten adds a quarter.
 inline Real heat(Real tests) {
     return rt::portable::log10(std::max(Real(1), tests)) / 4;
 }

@@ -72,8 +72,8 @@ void add_horizon(Composition& picture) {
     picture.add(sun, picture.material(Emitter{{6, Real(0.45), Real(0.08)}}));
 }
 
-// A ball of glass, as a drop that has just fallen, and droplets that it has splashed up, each
-// stretched along its way up and outward.
+// A ball of glass: a drop that has just fallen. Around it are the droplets that it has splashed up,
+// each stretched along its way up and outward.
 void add_drop(Composition& picture, int glass) {
     picture.add({0, 2.9, 0, 2.3}, glass);
     for (int i = 0; i < 18; ++i) {
@@ -86,7 +86,7 @@ void add_drop(Composition& picture, int glass) {
     }
 }
 
-// Leaves of water lilies that drift on the ripples, flat, each tilted a little by its wave.
+// Flat leaves of water lilies that drift on the ripples, each tilted a little by its wave.
 void add_lilies(Composition& picture) {
     const int leaf = picture.material(Lambertian{from_hex(0x8fce6a)});
     const int flower = picture.material(Lambertian{from_hex(0xffe3ea)});
@@ -102,7 +102,7 @@ void add_lilies(Composition& picture) {
         const double y = ripple(rt::portable::hypot(lily.x, lily.z)) + 0.34;
         picture.add_stretched({lily.x, y, lily.z, lily.radius}, {1, Real(0.09), 1},
                               {lily.tilt, 0.0, lily.tilt / 2}, leaf);
-        // Petals around the middle, each leaning outward: most of all those that face the sun.
+        // Petals around the middle, each leaning outward; those that face the sun lean most.
         for (int petal = 0; petal < 6 && lily.radius > 0.9; ++petal) {
             const double around = petal * std::numbers::pi / 3;
             const Vec3 outward{static_cast<Real>(rt::portable::cos(around)), 0,
@@ -139,7 +139,7 @@ void add_lake(Composition& picture, int glass) {
     }
 }
 
-// Few and not too small, so that each is found often enough.
+// Lanterns, few and not too small, so that paths find each of them often enough.
 void add_lanterns(Composition& picture) {
     const int flame = picture.material(Emitter{{Real(2.8), Real(0.50), Real(0.09)}});
     constexpr Ball lanterns[] = {{-6, 1.9, 4, 0.3},   {6.8, 2.1, 5, 0.3},   {-9, 2.8, -8, 0.34},

@@ -4,7 +4,7 @@
 namespace effects {
 
 // The picture at the end of the course: more than 10,000 spheres of matte, metal and glass, lit by
-// the last of the evening and by lamps, seen through a lens.
+// the last light of the evening and by lamps, seen through a lens.
 rt::SceneDescription final_scene();
 
 }  // namespace effects

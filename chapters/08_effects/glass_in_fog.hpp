@@ -1,6 +1,6 @@
 #pragma once
-// Fog lies between the spheres and not within glass: where a path meets glass from within, there
-// was no fog on the way. If something else stands in the glass, a path may meet that first, and
+// Fog lies between the spheres and not within glass: if a path meets glass from within, there was
+// no fog on the way. But if something else stands in the glass, a path may meet that first, and
 // would find fog in the glass. Such scenes are found here, so that they can be refused.
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Body {
     Point center;               // when it opens
     std::array<Point, 3> axes;  // where it takes the axes of the unit sphere, seen from its center
     double radius;              // of a ball around it
-    Point way;                  // what it moves by until the shutter closes
+    Point way;                  // how far it moves until the shutter closes
     bool is_ball = true;
 
     Body(const rt::SphereDescription& sphere, const std::vector<rt::Mat4>& maps, double shutter) {
@@ -49,7 +49,7 @@ struct Body {
         way = along({}, shutter, {moved.x, moved.y, moved.z});
     }
 
-    // Its farthest point in a direction, seen from its center.
+    // The body's farthest point in this direction, relative to its center.
     Point farthest(const Point& direction) const {
         const Point turned{dot(axes[0], direction), dot(axes[1], direction),
                            dot(axes[2], direction)};
@@ -59,7 +59,7 @@ struct Body {
         return point;
     }
 
-    // A ball around all positions that it takes.
+    // A ball around all positions of the body.
     placing::Ball around() const {
         const Point middle = along(center, 0.5, way);
         return {middle[0], middle[1], middle[2], radius + std::sqrt(dot(way, way)) / 2};
@@ -89,7 +89,7 @@ inline bool meet(const Body& a, const Body& b) {
     return false;  // they barely meet, if at all
 }
 
-// True for a ball that has a body within it all the time. Only balls are asked about.
+// True for a ball that has a body within it all the time. False if `outer` is not a ball.
 inline bool encloses(const Body& outer, const Body& inner) {
     if (!outer.is_ball) return false;
     const Point way = along(inner.way, -1, outer.way);

@@ -4,7 +4,7 @@
 
 namespace effects {
 
-// The scene that the person asked for, a file's or the final scene, with the settings from the
+// The scene that the user asked for, from a file or the final scene, with the settings of the
 // command line.
 rt::SceneDescription open_scene(const app::Settings& settings);
 

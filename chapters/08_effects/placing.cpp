@@ -20,7 +20,7 @@ std::int64_t cell_of(double coordinate, double cell) {
     return static_cast<std::int64_t>(std::floor(coordinate / cell));
 }
 
-// At a distance from the middle of the space, in a random direction.
+// A ball at this distance from the middle of the space, in a random direction.
 Ball around(const Ball& space, double distance, double radius, rt::Rng& random) {
     const double y = uniform(random, -1, 1), angle = uniform(random, 0, 2 * std::numbers::pi);
     const double flat = distance * std::sqrt((1 - y) * (1 + y));
@@ -28,7 +28,7 @@ Ball around(const Ball& space, double distance, double radius, rt::Rng& random) 
             space.z + flat * rt::portable::sin(angle), radius};
 }
 
-// Around 0, more often near it; never beyond 1.
+// A random number from -1 to 1, more often near 0.
 double around_zero(rt::Rng& random) {
     double sum = 0;
     for (int i = 0; i < 3; ++i) sum += uniform(random, -1, 1);

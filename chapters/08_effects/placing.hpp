@@ -34,7 +34,8 @@ inline double uniform(rt::Rng& random, double low, double high) {
     return low + (high - low) * uniform(random);
 }
 
-// Balls may touch: a thousandth of the smaller one's radius may be rounding.
+// True if two balls overlap. Touching is no overlap: a thousandth of the smaller radius may be
+// rounding.
 bool overlap(const Ball& a, const Ball& b);
 
 // Says whether a sphere keeps clear of those placed so far. It looks only at what is near, in grids
@@ -43,8 +44,8 @@ class Neighbors {
   public:
     void add(const Ball& ball);
     bool has_room_for(const Ball& ball);
-    // The first ball near this one, by number in the order of add(), that passes a test; -1 if none
-    // does. All that overlap it are near.
+    // The number, in the order of add(), of the first ball near this one that passes a test; -1 if
+    // none does. All balls that overlap this one are near it.
     int find_near(const Ball& ball, const std::function<bool(int)>& test);
     // Whether the searches so far have taken more steps than anybody will wait for.
     bool is_tired() const { return steps_ > 100'000'000; }
@@ -82,9 +83,9 @@ Rule in_ball(Ball space);
 // middle to the rim. Arms are as wide, and the middle is as thick, as `width` times the radius.
 Rule galaxy(Ball space, int arms, double turns, double width);
 
-// This many balls by a rule, the largest first. No ball overlaps another or one of `there`, to
-// which all of them are added. Their radii lie between low and high, most of them near low. Returns
-// fewer if there is no more room.
+// This many balls by a rule, the largest first. No ball overlaps another ball or one of `there`, to
+// which all new balls are added. Their radii lie between low and high, most of them near low.
+// Returns fewer balls if there is no more room.
 std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbors& there,
                           std::uint64_t seed);
 

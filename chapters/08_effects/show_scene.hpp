@@ -4,7 +4,7 @@
 
 namespace effects {
 
-// What --show asks for, drawn by the renderer that has every effect.
+// Draws what --show asks for, by the renderer that has every effect.
 app::Picture show_scene(const rt::SceneDescription& scene, app::Settings settings,
                         app::Progress& progress);
 

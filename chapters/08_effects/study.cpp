@@ -27,12 +27,12 @@ struct LightAbove {
     Real distance;  // of a light of radius 1
     Sphere light() const { return {{0, distance, 0}, 1}; }
 
-    // The path has to meet the light by itself.
+    // Follows a random path, which has to meet the light by itself.
     Real by_chance(Rng& random) const {
         const Vec3 direction = cosine_direction({0, 1, 0}, random_place(random));
         return meets(direction) ? 1 : 0;
     }
-    // A point anywhere on the light, also on its far side.
+    // Chooses a point anywhere on the light, even on its far side.
     Real by_area(Rng& random) const {
         const Vec3 normal = uniform_direction(random_place(random));
         const Vec3 apart = light().center + normal;
@@ -45,7 +45,7 @@ struct LightAbove {
         const auto sample = sample_light(light(), {0, 0, 0}, random_place(random));
         return sample->direction.y / (pi * sample->density);
     }
-    // The cone and the path, weighted.
+    // Samples the cone of the light and the path, with weights.
     Real by_both(Rng& random) const {
         const auto sample = sample_light(light(), {0, 0, 0}, random_place(random));
         const Real toward = sample->direction.y / pi;

@@ -24,7 +24,7 @@ inline std::string explanation(const rt::SceneDescription& scene, const std::str
            "\nleft out: " + names(choice.left_out) + '\n';
 }
 
-// What the person may have overlooked; "" if nothing.
+// What the user may have overlooked; "" if nothing.
 inline std::string note_on(const rt::SceneDescription& scene) {
     const auto moves = [](const rt::SphereDescription& sphere) {
         return sphere.velocity != rt::Vec3{};

@@ -36,7 +36,8 @@ inline View scene_view() {
 struct Shell {
     static constexpr double turns = 4.85, growth = 1.9, rim = 3.3, width = 0.31, start = 0.52;
 
-    // How far from the middle the tube's own middle is, this many turns from the mouth inward.
+    // The distance from the middle of the shell to that of the tube, this many turns inward from
+    // the mouth.
     static double distance(double inward) { return rim * rt::portable::pow(growth, -inward); }
     static double angle(double inward) { return 2 * std::numbers::pi * (start - inward); }
 };
@@ -121,7 +122,8 @@ class Beads {
     }
 };
 
-// This many spheres, with the floor and the ball in the middle. The fewer they are, the larger.
+// A scene of this many spheres, with the floor and the ball in the middle. The fewer the spheres,
+// the larger they are.
 inline SceneDescription make_scene(int count, const View& view) {
     Beads beads{view};
     const int loose = count / 50;

@@ -23,7 +23,7 @@ namespace {
 
 using namespace samples;
 
-// How long the picture is exposed, and the luminance that is white in it.
+// The exposure of the picture, in stops, and the luminance that becomes white in it.
 constexpr Real stops = Real(3.2), white = 24;
 
 // Some columns of the picture.
@@ -93,7 +93,7 @@ Drawn draw_halves(Sampling& sampling, const Strip& strip, int pilot, Canvas<int>
             refinement.halves()};
 }
 
-// The last strip of two, without its noise.
+// The last of the strips in two halves, without its noise.
 Denoised denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>& scene,
                        const Halves<Image>& half, const Strip& strip) {
     const int height = half.first.height(), skipped = half.first.width() - strip.width;
@@ -103,7 +103,7 @@ Denoised denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>
         for_each_pixel(tile, [&](int x, int y) {
             part.first.at(x, y) = half.first.at(skipped + x, y);
             part.second.at(x, y) = half.second.at(skipped + x, y);
-            // With samples of their own: what the filter does must not follow the halves' noise.
+            // With samples of their own: the filter must not follow the noise of the halves.
             features.at(x, y) = features_at(scene, {mix_bits(*sampling.settings.seed), 4},
                                             strip.left + x, y, rt::portable::exp2(-stops));
         });

@@ -48,7 +48,7 @@ class Spires {
             add_material(CheckeredMatte{from_hex(0x4a5568), from_hex(0x9a8f80), 1}));
     }
 
-    // Balls on the seeds' spiral of a cone, from the floor to its tip.
+    // Balls along the spiral of a sunflower's seeds on a cone, from the floor to its tip.
     void add_spire(double x, double z, double height, int balls, int palette) {
         const double base = 0.27 * height;
         const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
@@ -63,7 +63,7 @@ class Spires {
         add(x, 1.06 * height + 0.3, z, 0.38, lamp_);
     }
 
-    // Behind it all, half risen.
+    // A half-risen moon behind everything.
     void add_moon() {
         add(0, 12, -190, 14, add_material(Emitter{{Real(0.5), Real(0.22), Real(0.1)}}));
     }

@@ -118,7 +118,7 @@ inline SeaMeshes make_sea(int count) {
     return meshes;
 }
 
-// What is painted on the pot: rows of arcs, as waves are drawn in Japan (seigaiha).
+// What is painted on the pot: rows of arcs, the Japanese pattern of waves (seigaiha).
 inline Image make_glaze() {
     constexpr int width = 1024, height = 512;
     constexpr double across = 64;  // of an arc, in pixels
@@ -145,7 +145,7 @@ struct Scene {
     SceneMeshes meshes;
 };
 
-// With about this many triangles in all.
+// The scene, with about this many triangles in all.
 inline Scene make_scene(int count, const View& view) {
     Scene scene;
     SceneDescription& description = scene.description;

@@ -20,7 +20,8 @@
 
 namespace cluster {
 
-// Whether mpirun or srun has started this run with others. If not, it draws alone, without MPI.
+// Whether mpirun or srun has started this run together with others. If not, the run draws alone,
+// without MPI.
 inline bool has_group() {
     const auto is_set = [](const char* name) { return std::getenv(name) != nullptr; };
     return is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK") || is_set("PMI_RANK");
@@ -66,7 +67,8 @@ inline int largest_tag() {
     return is_known ? *largest : 32'767;
 }
 
-// A number that differs for different bytes, but for one pair in 2^64.
+// A number that is the same for the same bytes, and differs for different bytes except for about
+// one pair in 2^64.
 inline std::uint64_t hash_of(const std::string& bytes) {
     std::uint64_t hash = rt::mix_bits(bytes.size());
     for (std::size_t at = 0; at < bytes.size(); at += 8) {
@@ -85,8 +87,8 @@ inline std::uint64_t hash_of_program() {
     return hash_of(bytes.str());
 }
 
-// All ranks call it: throws app::Failure on rank 0, and returns false on the others, if a rank runs
-// another program than rank 0, or was started with other options.
+// All ranks call it. If a rank runs another program than rank 0, or was started with other options,
+// it throws app::Failure on rank 0 and returns false on the others.
 inline bool all_alike(int argc, char** argv) {
     constexpr int host_size = MPI_MAX_PROCESSOR_NAME;
     struct Introduction {
@@ -117,7 +119,7 @@ inline bool all_alike(int argc, char** argv) {
     return is_alike != 0;
 }
 
-// All ranks call it: the bytes that rank 0 gives.
+// All ranks call it. Returns the bytes that rank 0 passes.
 inline std::string broadcast(std::string bytes) {
     std::uint64_t size = bytes.size();
     MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);

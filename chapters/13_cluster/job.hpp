@@ -29,7 +29,7 @@ struct NamedFile {
 };
 
 struct Job {
-    bool is_none = false;  // there is nothing to draw: the options were wrong, or asked for help
+    bool is_none = false;  // nothing is drawn: the options were wrong, or asked for help
     rt::RenderSettings settings;
     int frame = 0, frames = 1;     // of a turntable
     int tile_side = 32;            // pixels

@@ -89,8 +89,8 @@ class Collector {
     std::string error_;
 };
 
-// Calls work() in a thread of its own, and serve() once a millisecond until it ends: only this
-// thread may call MPI, and while it calls nothing, messages do not get on.
+// Calls work() in a thread of its own, and serve() once a millisecond until it ends. Only the
+// calling thread may call MPI, and messages make progress only during such calls.
 template <class Work, class Serve>
 void work_and_serve(const Work& work, const Serve& serve) {
     std::future<void> working = std::async(std::launch::async, work);
@@ -123,7 +123,7 @@ inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* 
                 ++sent;
             }
         } catch (const std::exception& error) {
-            // All ranks end the counter together, and so this one cannot go alone.
+            // All ranks end the counter together, so this one cannot stop alone.
             std::fprintf(stderr, "13_cluster: rank %d: %s\n", rank_of(MPI_COMM_WORLD),
                          error.what());
             MPI_Abort(MPI_COMM_WORLD, app::could_not);

@@ -19,16 +19,16 @@ struct Costs {
 
 struct Simulated {
     double seconds = 0;     // until the last tile is at rank 0
-    double efficiency = 0;  // the time of drawing, over machines times seconds
-    double last_wait = 0;   // the share of the machines' time that is spent waiting for the last
+    double efficiency = 0;  // the time spent drawing, divided by machines times seconds
+    double last_wait = 0;   // the share of the machines' time spent waiting for the last tile
 };
 
-// `tiles` are the seconds that a machine draws at each tile, in the order in which they are taken;
-// each has this many pixels.
+// `tiles` are the seconds that a machine takes to draw each tile, in the order in which they are
+// taken; each tile has this many pixels.
 //
-// Assumed: all machines are equally fast and begin at once; a machine waits for its next tile, but
-// not until a tile has been sent; the network carries all messages at a time, and only rank 0 is
-// busy with them.
+// The model assumes that all machines are equally fast and begin at once; that a machine waits for
+// its next tile, but not until a tile has been sent; and that the network carries all messages at
+// the same time, so that only rank 0 is busy with them.
 inline Simulated simulate(const std::vector<double>& tiles, double pixels, int machines,
                           const Costs& costs) {
     std::priority_queue<double, std::vector<double>, std::greater<>> free_at;
@@ -52,12 +52,12 @@ inline Simulated simulate(const std::vector<double>& tiles, double pixels, int m
             waiting / (machines * collector_free)};
 }
 
-// The efficiency with work stealing: there is no counter at rank 0. Each of n machines begins with
-// every n-th tile. Whoever has none left asks a machine at random and gets half of what it has; if
-// that is nothing, it waits, each time twice as long, and asks another.
+// The efficiency with work stealing, without a counter at rank 0. Each of n machines begins with
+// every n-th tile. A machine that has none left asks another one at random, and gets half of its
+// tiles. If there are none, it waits, each time twice as long, and asks another.
 //
-// Assumed, besides: a question takes `steal` seconds, and a machine answers one after the other;
-// all machines write into one file, so rank 0 receives nothing.
+// In addition, the model assumes that a question takes `steal` seconds, and that a machine answers
+// one after the other. All machines write into one file, so rank 0 receives nothing.
 inline double simulate_stealing(const std::vector<double>& tiles, int machines, double steal) {
     const auto count = static_cast<std::size_t>(machines);
     struct Machine {

@@ -153,7 +153,7 @@ constexpr double seconds_per_ray = 1 / (16 * 1.2e6);
 constexpr Costs within_a_machine{2.4e-6, 0.5e-6, 2.5e-9}, over_a_network{20e-6, 20e-6, 24e-9};
 constexpr Costs without_a_collector{over_a_network.take, 0, 0};
 
-// Each group has a counter and a collector of its own, and every so-many-th tile of the picture.
+// Each group has its own counter and collector, and every n-th tile of the picture for n groups.
 double efficiency_in_groups(const std::vector<double>& rays, int side, int machines, int groups) {
     const auto tiles = tile_seconds(rays, side, seconds_per_ray);
     double drawing = 0, longest = 0;

@@ -14,7 +14,7 @@ enum ExitCode {
     could_not = 1,       // the disk is full, a permission is missing, ...
     bad_input = 2,       // the command line or an input file is wrong
     still_to_write = 3,  // the program needs an exercise that is not written yet
-    stopped_by = 128     // and the signal's number: 130 for Ctrl-C; the image shows what was done
+    stopped_by = 128     // plus the signal's number: 130 for Ctrl-C; the image shows what was done
 };
 
 // The command line or an input file is wrong. The message says what would be right.

@@ -21,11 +21,11 @@ struct Box {
     rt::Vec2 center() const { return {left + width / 2, top + height / 2}; }
 };
 
-// For figures whose unit is a pixel.
+// A box of whole pixels, for figures whose unit is a pixel.
 Box pixel_box(int left, int top, int width, int height);
 
-// How words are written: with capital letters of this height. Half the thickness of a stroke is
-// `weight` quarters of the height.
+// How words are written: `height` is that of capital letters, and `weight` is half the thickness of
+// a stroke, in quarters of the height.
 struct Lettering {
     rt::Real height;
     rt::Color color;
@@ -46,18 +46,19 @@ class Figure {
   public:
     // All of the image; a unit is a pixel.
     explicit Figure(rt::Image& image);
-    // This many units wide and high, as large as fits into the image, in its middle.
+    // This many units wide and high, in the middle of the image, and as large as fits into it.
     Figure(rt::Image& image, rt::Real width, rt::Real height);
 
     // A part whose own top left corner is (0, 0). What is drawn in it does not reach beyond it.
     Figure part(const Box& box) const;
 
-    // The pixels whose middles lie inside; at least one, even where none does,
-    // because a camera needs one.
+    // The number of pixels across and down whose middles lie inside. It is at least 1, even if none
+    // does, because a camera needs a pixel.
     int columns() const { return std::max(1, columns_); }
     int rows() const { return std::max(1, rows_); }
 
-    // The figure's pixels, for app::fill; and one of them, if the image has it.
+    // The figure's pixels, for app::fill, which sets one pixel at a time. Pixels outside of the
+    // image are ignored.
     rt::Tile pixels() const { return {0, 0, columns_, rows_}; }
     void set(int column, int row, rt::Color color) {
         const int x = left_ + column, y = top_ + row;

@@ -1,6 +1,6 @@
 #pragma once
-// Reading files that people name, and writing files and folders so that nothing half-written is
-// left.
+// Reading files that people name, and writing files and folders without ever leaving one
+// half-written.
 
 #include <filesystem>
 #include <string>

@@ -31,11 +31,11 @@ struct Settings {
     int depth = 0;     // the most bounces of a path
     int threads = 0;
     std::optional<std::uint64_t> seed = {};  // of everything random
-    // Where the camera stands, what it looks at, and how much it sees. None: it cannot be moved.
+    // Where the camera stands, what it looks at, and how much it sees. None if it cannot be moved.
     std::optional<rt::View> view = {};
     // The word that was picked for each of the program's choices, in their order.
     std::vector<std::string> picked = {};
-    // Which of Program::shows is to be drawn; empty: the chapter's picture.
+    // Which of Program::shows is to be drawn; empty for the chapter's picture.
     std::string show = {};
     // The values given for the program's numbers, by name.
     std::map<std::string, double> numbers = {};
@@ -108,7 +108,7 @@ struct Program {
     std::vector<Choice> choices = {};
     std::vector<Flag> flags = {};
     std::vector<Number> numbers = {};
-    // What --show can draw in false colors; empty: there is no --show.
+    // What --show can draw in false colors; if empty, there is no --show.
     std::vector<std::string> shows = {};
     // Describes the file that may be named without an option; empty if the program reads none.
     std::string reads = {};
@@ -116,7 +116,7 @@ struct Program {
     bool explains = false;
     // Whether render() checks for an Interruption; if not, Ctrl-C ends the program at once.
     bool can_be_stopped = false;
-    // Whether stderr ends at a terminal although it is a pipe, as it may under mpirun.
+    // Whether stderr ends at a terminal even though it is a pipe, as it may under mpirun.
     bool has_terminal = false;
 };
 

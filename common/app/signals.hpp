@@ -11,8 +11,8 @@ namespace app {
 extern const std::initializer_list<int> ending_signals;
 
 // While an OnSignal exists, each of its signals first calls its action, and then ends the program
-// as it would without it. Several may exist at once: all actions are called, the oldest first. A
-// signal that is ignored (nohup) or has another handler stays as it is.
+// as usual. Several may exist at once: all actions are called, the oldest first. A signal that is
+// ignored (nohup) or has another handler stays as it is.
 class OnSignal {
   public:
     // Returns true if the program is to go on; then no other action is called. It may do only what

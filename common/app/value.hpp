@@ -44,7 +44,7 @@ class Value {
     std::vector<std::pair<std::string, Value>> members(const std::string& of_what) const;
     // The same object, which may have these keys and no others.
     const Value& with_keys(const std::vector<std::string>& known) const;
-    std::optional<Value> find(const std::string& key) const;  // none: it is not there
+    std::optional<Value> find(const std::string& key) const;  // none if it is absent
     Value at(const std::string& key) const;
 
   private:

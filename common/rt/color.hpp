@@ -59,7 +59,7 @@ inline Real srgb_encode(Real linear) {
     return Real(1.055) * portable::pow(x, 1 / Real(2.4)) - Real(0.055);
 }
 
-// The inverse: a stored value in [0, 1] to linear light.
+// The inverse function: from a stored value in [0, 1] to linear light.
 inline Real srgb_decode(Real stored) {
     const Real x = std::clamp(stored, Real(0), Real(1));
     if (x <= Real(0.04045)) return x / Real(12.92);

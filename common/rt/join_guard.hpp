@@ -5,9 +5,9 @@
 namespace rt {
 
 // Joins threads at the end of its own scope, however the scope is left, even by an exception. A
-// std::thread that is destroyed before it was joined ends the whole program. Declare the vector
+// std::thread that is destroyed before it is joined ends the whole program. Declare the vector
 // first and the guard second, because locals are destroyed in reverse order. std::jthread of C++20
-// joins by itself; not every standard library has it yet.
+// joins by itself, but not every standard library has it yet.
 class JoinGuard {
   public:
     explicit JoinGuard(std::vector<std::thread>& threads) : threads_{threads} {}

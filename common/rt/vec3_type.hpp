@@ -4,7 +4,7 @@
 
 namespace rt {
 
-// A vector or a point in space: right-handed coordinates, y up. What can be done with it is in
+// A vector or a point in space: right-handed coordinates, y up. Its operations are in
 // <rt/vec3.hpp>.
 struct Vec3 {
     Real x = 0, y = 0, z = 0;

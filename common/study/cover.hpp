@@ -20,7 +20,8 @@ struct CoverSphere {
 
 constexpr rt::Real cover_glass_index = rt::Real(1.5);
 
-// The picture is as small as the tutorial's first ones. To time it, a part of its rows is enough.
+// The picture is as small as the tutorial's first pictures, and drawing some of its rows is enough
+// to time it.
 struct Cover {
     std::vector<CoverSphere> spheres;
     rt::View view{{13, 2, 3}, {0, 0, 0}, {0, 1, 0}, rt::radians(20)};

@@ -1,5 +1,5 @@
 #pragma once
-// Measuring what accuracy costs: rows of (error, cost), a table for the terminal, CSV for plots.
+// Measures what accuracy costs: rows of (error, cost), a table for the terminal, CSV for plots.
 
 #include <cstdio>
 #include <iosfwd>
@@ -32,7 +32,7 @@ class Report {
     // A row whose cost is the time of `work` in nanoseconds, divided by `parts`. It is not measured
     // before time_in_turns() is called.
     void add(Row row, Work work, double parts);
-    // Times the works of all rows that wait for it, in turns.
+    // Times the work of all rows that wait for it, in turns.
     void time_in_turns(const Turns& turns = {.rounds = 21, .at_least_ms = 0.5});
 
     // The rows. Like the table and the file, it throws std::logic_error while rows wait for their

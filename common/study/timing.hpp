@@ -34,10 +34,10 @@ struct Turns {
 // nanoseconds of one call: for each piece of work, one time per round.
 std::vector<std::vector<double>> rounds_ns(const std::vector<Work>& works, const Turns& turns = {});
 
-// The same, but for each piece of work the median of its rounds.
+// The same, but for each piece of work only the median of its rounds.
 std::vector<double> in_turns_ns(const std::vector<Work>& works, const Turns& turns = {});
 
-// A single piece of work.
+// The nanoseconds of one call of a single piece of work.
 double time_ns(const Work& work, const Turns& turns = {.rounds = 5, .at_least_ms = 1});
 
 }  // namespace study

@@ -23,7 +23,7 @@ struct PackType {
 template <class T, std::size_t count>
 using PackOf = typename PackType<T, count>::Type;
 
-// Of any type and size.
+// A pack of any type and size.
 template <class T>
 concept AnyPack =
     !std::is_class_v<T> && !std::is_array_v<T> && !std::is_pointer_v<T> && requires(T pack) {
@@ -34,7 +34,7 @@ using NumberOf = std::remove_cvref_t<decltype(Pack{}[0])>;
 template <AnyPack Pack>
 inline constexpr std::size_t size_of = sizeof(Pack) / sizeof(NumberOf<Pack>);
 
-// The numbers from an address on.
+// Reads a pack of numbers, beginning at this address.
 template <AnyPack Pack>
 RT_INLINED Pack load(const NumberOf<Pack>* numbers) {
     Pack pack;

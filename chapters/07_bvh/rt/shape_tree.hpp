@@ -32,7 +32,7 @@ Real margin_factor(const Shape&) {
     return 1;
 }
 
-// A world of shapes in a tree of boxes (given). It gives the hits of a list, bit for bit.
+// A world of shapes in a tree of boxes (given). It finds the same hits as a list, bit for bit.
 template <class Shape>
 struct TreeOf {
     std::vector<Shape> shapes;

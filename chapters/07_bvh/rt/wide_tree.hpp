@@ -11,9 +11,9 @@
 namespace rt {
 
 // A world of shapes in a tree with eight children per node and up to eight shapes per leaf (given).
-// It gives the hits of a list, bit for bit, in scenes with coordinates and radii of 1e-15 to 1e15
-// in size. The boxes' coordinates are of type Number: float is enough for boxes, even if Real is
-// double. make_wide_tree in wide_builder.hpp makes such a tree.
+// It finds the same hits as a list, bit for bit, in scenes with coordinates and radii of 1e-15 to
+// 1e15 in size. The boxes' coordinates are of type Number: float is enough for boxes, even if Real
+// is double. make_wide_tree in wide_builder.hpp makes such a tree.
 template <class Shape, class Number = float>
 struct WideTreeOf {
     std::vector<WideNode<Number>> nodes;  // the first is the root; empty without shapes

@@ -4,9 +4,9 @@
 
 namespace rt {
 
-// Haze that fills all space evenly (given): what is far away fades into its color. In painting this
-// is aerial perspective. It counts between the eye and the first surface alone, and not from bounce
-// to bounce, so it needs no random number and adds no noise.
+// Haze that fills all space evenly (given): what is far away fades into the haze's color. In
+// painting this is called aerial perspective. Haze counts only between the eye and the first
+// surface, and not from bounce to bounce, so it needs no random number and adds no noise.
 struct Haze {
     Real density = 0;  // the share of light that is lost per unit of length, where that is small
     Color color;       // the light that comes from where nothing can be seen for haze
@@ -15,8 +15,8 @@ struct Haze {
 // A scene without haze. It has no members, so code that uses them does not compile for it.
 struct NoHaze {};
 
-// How far a ray gets before it meets a surface; infinity if it meets none. A search of its own: the
-// path loop does not tell where its first ray ended.
+// How far a ray gets before it meets a surface; infinity if it meets none. This takes a search of
+// its own, because the path loop does not tell where its first ray ended.
 template <class World, class AnyRay>
 Real distance_ahead(const World& world, const AnyRay& ray) {
     const auto hit = world.hit(ray, Interval{0, infinity});

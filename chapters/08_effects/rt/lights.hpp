@@ -53,7 +53,7 @@ struct NoLights {
 class SceneLights {
   public:
     SceneLights() = default;
-    // In the order of their numbers, from 0 on.
+    // The lights come in the order of their numbers, from 0 on.
     explicit SceneLights(std::vector<Light> all) : lights_{std::move(all)} {}
     void add(const Light& light) { lights_.push_back(light); }
 

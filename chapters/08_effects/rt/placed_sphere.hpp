@@ -48,9 +48,9 @@ inline Real instance_error(const Instance& instance, Vec3 point) {
 }
 
 // The factor by which hit_margin must be multiplied for an instance's box. The longer the
-// ellipsoid, the larger the rounding of the ray in the object's space, compared with the sphere.
-// The row sums of |M| |inverse of M| say how much that is in the world. 1 for a sphere, at most 3
-// for a turned one.
+// ellipsoid, the larger the ray's rounding errors in the object's space are, compared with the
+// sphere. The row sums of |M| |inverse of M| tell how large they are in the world. The factor is 1
+// for a sphere, and at most 3 for a turned sphere.
 inline Real margin_factor(const Instance& instance) {
     Real largest = 1;
     for (int row = 0; row < 3; ++row) {

@@ -55,7 +55,7 @@ inline ReadyMaterial ready(const Metal& metal, const std::vector<Image>&) {
 inline ReadyMaterial ready(const PictureMatte& picture, const std::vector<Image>& images) {
     return ImageMatte{&images[static_cast<std::size_t>(picture.image)]};
 }
-// It reflects nothing.
+// An emitter reflects nothing.
 inline ReadyMaterial ready(const Emitter&, const std::vector<Image>&) {
     return Lambertian{};
 }

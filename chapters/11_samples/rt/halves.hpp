@@ -8,7 +8,7 @@ struct Halves {
     T first{}, second{};
 };
 
-// The fewest and the most samples that a place of the picture may get: 1 <= least <= most.
+// The fewest and the most samples that a part of the picture may get: 1 <= least <= most.
 struct CountLimits {
     int least = 1, most = 1;
 };

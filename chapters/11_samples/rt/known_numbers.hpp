@@ -6,8 +6,8 @@ namespace rt {
 
 // What is known about numbers that arrived one by one: how many there were, their mean, and the sum
 // of their squared distances from that mean. Before the first number all three are 0. Each number
-// may leave an error of epsilon of the squares: in float they are good for a million numbers, and
-// after some 1 / epsilon of them they no longer grow.
+// may add an error of epsilon times `squares`. In float, the result is good for a million numbers;
+// after about 1 / epsilon numbers, `squares` no longer grows.
 struct RunningVariance {
     std::int64_t count = 0;
     Real mean = 0;

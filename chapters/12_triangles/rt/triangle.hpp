@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// A triangle by its corners (given). Seen from outside, they go around counterclockwise.
+// The corners of a triangle (given). Seen from outside, they go around counterclockwise.
 struct Triangle {
     Vec3 a, b, c;
 };

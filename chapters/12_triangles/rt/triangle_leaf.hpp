@@ -9,8 +9,7 @@
 namespace rt {
 
 // A leaf with up to eight triangles (given). All of them are tested at once for whether the ray may
-// meet them. The few that it may are tested by hit_triangle, so each t is that of 12.1, bit for
-// bit.
+// meet them. Those few are then tested by hit_triangle, so each t is that of 12.1, bit for bit.
 template <>
 struct alignas(64) WideLeaf<SceneTriangle> {
     // Coordinates by corner, then by axis. Unused lanes hold NaN: no ray hits them.
