@@ -98,8 +98,8 @@ void work_and_serve(const Work& work, const Serve& serve) {
     working.get();
 }
 
-// What a rank draws of the tiles; rank 0 has the collector. Returns the rays of all ranks, to
-// rank 0.
+// Draws this rank's share of the tiles; only rank 0 has a collector. On rank 0, returns the number
+// of rays of all ranks.
 inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* collector) {
     const TileGrid grid = grid_of(job);
     const int count = static_cast<int>(job.tiles.size());

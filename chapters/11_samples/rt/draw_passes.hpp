@@ -39,7 +39,7 @@ DrawPass sobol_passes(const AnyRenderer& renderer, int count, int left = 0) {
                        [count](const Pass& pass) { return sobol_samples(pass, count); });
 }
 
-// Passes of a renderer that they share ownership of: of Sobol's points, or of jittered samples.
+// Passes that keep their renderer alive: of Sobol's points, or of jittered samples.
 template <class AnyRenderer>
 DrawPass kept_passes(std::shared_ptr<const AnyRenderer> renderer, int count, bool sobol) {
     return [renderer,

@@ -28,7 +28,7 @@ inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
             return along(boxes[static_cast<std::size_t>(sphere)].center(), axis);
         };
         // Equal middles stay in the order of their numbers, so that sorting once more along the
-        // best axis gives the order that was measured.
+        // best axis gives the very order whose cost was computed.
         std::sort(order.begin(), order.end(), [&](int a, int b) {
             const Real of_a = middle(a), of_b = middle(b);
             return of_a != of_b ? of_a < of_b : a < b;

@@ -49,7 +49,7 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
         const Real along = dot(apart / radius, direction);
         const Real product = (radius - distance) / radius * ((radius + distance) / radius);
         const Real root = std::sqrt(along * along + product);
-        // The far root of t^2 - 2 along t - product, by the one of its two forms that adds.
+        // The far root of t^2 - 2 along t - product, in whichever of its two forms does not cancel.
         const Real far = radius * (along >= 0 ? along + root : product / (root - along));
         return LightSample{direction, far, 1 / (4 * pi)};
     }

@@ -14,8 +14,8 @@ inline Real area_before(Vec3 p, Vec3 q) {
 }
 
 // True if the edge from p to q goes around the ray counterclockwise. If the ray meets the edge
-// itself, the ray counts as moved a little along x, and far less along y, so that exactly one of
-// the two triangles with this edge has the ray.
+// itself, the ray counts as moved a little along x, and far less along y, so that it hits exactly
+// one of the two triangles with this edge.
 inline bool goes_around(Vec3 p, Vec3 q, Real area) {
     if (area != 0) return area > 0;
     return p.y != q.y ? p.y > q.y : p.x < q.x;
