@@ -144,9 +144,8 @@ void count_mistakes(const Course& course, const Exercise& exercise, Lines& wrong
     if (const std::string trouble = trouble_with_mistakes(course, exercise); !trouble.empty())
         wrong.push_back(trouble);
     else if (const auto count = read_mistakes(course.root / file).size(); count < few_mistakes)
-        wrong.push_back(file.string() + " has " + std::to_string(count) +
-                        (count == 1 ? " known mistake" : " known mistakes") +
-                        "; an exercise needs three or more");
+        wrong.push_back(file.string() + " needs three known mistakes or more, and has " +
+                        std::to_string(count));
 }
 
 std::string quoted_cases(const std::vector<TestCase>& tests) {
