@@ -31,13 +31,13 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // do their results.
 // Star: over all seeds, the seven flips of the first three bits have each of their 128 patterns
 // equally often. Each later flip happens half of the time, and any two are unrelated. The seed has
-// 32 bits, and all of them count: seed + 1 gives a different scrambling, in which a flip may be the
-// opposite, as the first one is here. Scrambling needs a hash, and any good one will do. The one
-// here works on x, the fraction with its bits reversed. In x, the higher bits of the fraction are
-// to the right, and a product or a sum carries only to the left. The steps in their order:
+// 32 bits, and all of them count: seed + 1 gives a different scrambling. (A single flip may then
+// always be the opposite, as the first flip is here.) Scrambling needs a hash, and any good one
+// will do. The one here works on x, the fraction with its bits reversed. In x, the higher bits of
+// the fraction are to the right, and a product or a sum carries only to the left. The steps are:
 // x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 & ~1), x ^= seed >> 8, x ^= x * 0x53a22864.
 // Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and
-// Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the two numbers: Vegdahl,
+// Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the two factors: Vegdahl,
 // "Building a better LK hash", 2021.
 inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     return rt::todo("11.4", fraction, seed);

@@ -6,8 +6,8 @@
 namespace rt {
 
 // Exercise 11.5. The same light with a longer or shorter exposure, as photographers count it: each
-// stop doubles the light, each negative stop halves it, and half a stop is a factor of the root of
-// 2. stops is between -100 and 100.
+// stop doubles the light, each negative stop halves it, and half a stop is a factor of sqrt(2).
+// stops is between -100 and 100.
 inline Color exposed(const Color& color, Real stops) {
     return rt::todo("11.5", color, stops);
 }
@@ -23,9 +23,9 @@ inline Real luminance(const Color& color) {
 // white^2) / (1 + L). Dark tones hardly change, and bright tones are compressed. A luminance of
 // `white`, greater than 0, becomes 1, and a brighter one more than 1.
 // Star: if white is infinite, the curve is L / (1 + L), which never reaches 1. In float, a
-// luminance may go from 1e-30 to 1e30, and a white from 1e-25 to 1e30; in double, a luminance from
-// 1e-200 to 1e200, and a white from 1e-170 to 1e200. Even for the smallest white, a luminance
-// of `white` becomes 1.
+// luminance may be from 1e-30 to 1e30, and a white from 1e-25 to 1e30; in double, a luminance from
+// 1e-200 to 1e200, and a white from 1e-170 to 1e200. Even for the smallest white, a luminance of
+// `white` becomes 1.
 // Source: Reinhard, Stark, Shirley and Ferwerda, "Photographic tone reproduction for digital
 // images", SIGGRAPH 2002.
 inline Real tone_curve(Real luminance, Real white) {

@@ -8,7 +8,7 @@
 namespace rt {
 
 // Exercise 11.3. How many samples a part of the picture needs if the mean square error of the whole
-// picture is to be error^2 with the fewest samples: spread * mean_spread / error^2, rounded up and
+// picture should be error^2 with the fewest samples: spread * mean_spread / error^2, rounded up and
 // kept within the limits. spread is the standard deviation of the part's samples, and mean_spread
 // the mean of all parts' spreads; both are 0 or more. error is greater than 0 and finite.
 // Star: a spread of 0 gets limits.least, whatever the mean is; otherwise an infinite spread or mean
@@ -20,8 +20,8 @@ inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limit
 
 // How many samples of a part of the picture each half takes in all. What one half has seen, its
 // spread and mean_spread, decides for the other half: no sample decides when its own mean is good
-// enough, so both means stay unbiased. The mean of both halves is to have this error. Each half may
-// then have sqrt(2) times that error, because the halves err independently.
+// enough, so both means stay unbiased. The mean of both halves should have this error. Each half
+// may then have sqrt(2) times that error, because the halves err independently.
 inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error,
                                   CountLimits limits) {
     return rt::todo("11.3", spread, mean_spread, error, limits);
@@ -30,7 +30,7 @@ inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread,
 // The mean of both halves. Each half has the same weight, however many samples it took: the counts
 // depend on what the halves have seen, so weights that depend on the counts would bring the bias
 // back.
-// Star: it is finite if both means are.
+// Star: the result is finite if both means are finite.
 inline Real twin_mean(Halves<Real> mean) {
     return rt::todo("11.3", mean);
 }

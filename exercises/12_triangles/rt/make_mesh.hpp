@@ -17,13 +17,13 @@ namespace rt {
 // three corners, or if an index has no entry in its list; the message contains "polygon 3" if it is
 // the third polygon. -1 is allowed and stands for no normal or no texture coordinates.
 // Star: a polygon with a notch is cut so that all triangles face the same way and have an area, if
-// a fan from some corner does that. A corner whose normal has length 0 gets none.
+// a fan from some corner does that. A corner whose normal has length 0 gets no normal.
 inline Mesh make_mesh(const Polygons& from) {
     return rt::todo("12.5", from);
 }
 
-// Exercise 12.5. Gives the corners without a normal a new one, which all such corners at the same
-// point share: the mean of the normals of the triangles around the point, each weighted by its
+// Exercise 12.5. Gives each corner without a normal a new normal, which all such corners at the
+// same point share: the mean of the normals of the triangles around the point, each weighted by its
 // triangle's area, scaled to length 1. The existing normals keep their indices.
 // Star: weight each normal by its triangle's angle at the point instead, so that it does not matter
 // how a flat side was cut. If the sum is zero, the corner stays without a normal. Source: Thürmer

@@ -15,14 +15,14 @@ inline Box bounds_of(const SceneTriangle& triangle) {
     return rt::todo("12.2", triangle);
 }
 
-// Exercise 12.2. The t at which a ray meets the triangle, if that t is within the interval, or else
-// none. The tree calls this function.
+// Exercise 12.2. The t at which a ray meets the triangle, or none if it misses or if that t is not
+// within the interval. The tree calls this function.
 inline std::optional<Real> hit_shape(const SceneTriangle& triangle, const Ray& ray,
                                      Interval within) {
     return rt::todo("12.2", triangle, ray, within);
 }
 
-// Exercise 12.2. The triangles of a mesh, all of this material, in their order, with the numbers
+// Exercise 12.2. The triangles of a mesh in their order, all of this material and with the numbers
 // first, first + 1, ...
 inline std::vector<SceneTriangle> triangles_of(const Mesh& mesh, int material, int first) {
     return rt::todo("12.2", mesh, material, first);

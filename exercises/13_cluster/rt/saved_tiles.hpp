@@ -11,7 +11,7 @@
 namespace rt {
 
 // Exercise 13.4. Writes the pixels of a tile to tile_file(folder, tile). The file gets this name
-// only when it is whole: whenever the program ends, it leaves a whole file or none.
+// only when it is whole: at whatever moment the program ends, it leaves a whole file or none.
 // Star: throw std::runtime_error if the file cannot be written. An older file then stays as it was,
 // and no other file is left behind.
 inline void save_tile(const std::filesystem::path& folder, int tile,
