@@ -38,7 +38,8 @@ inline std::string printed(const char* format, auto... values) {
     return text;
 }
 
-// Lines about a reference, values that end with their block, a unique_ptr, and a tree.
+// Lines of text about a reference, values that are destroyed at the end of their block, a
+// unique_ptr, and a tree.
 inline std::string facts(std::unique_ptr<RangeNode> root, const Canvas<Color>& canvas) {
     std::string text;
     const Canvas<Real> light = lightness(canvas);

@@ -55,7 +55,7 @@ inline constexpr Level levels[] = {{"L1", 32 * 1024.0, 1},
                                    {"RAM", 1e30, 90}};
 
 // A cache that holds a tenth of a scattered chain holds the next link with probability one tenth.
-// Along gathered links, the processor fetches the next ones ahead.
+// In a gathered chain, the processor fetches the next links in advance.
 inline double model_scattered_ns(double bytes) {
     double time = 0, found = 0;
     for (const Level& level : levels) {

@@ -144,8 +144,9 @@ inline void study_edge(study::Report& report) {
 }
 
 // How far the mean radiance with each ending is from that of paths that may bounce 64 times: too
-// bright with the sky, too dark with black. All follow the same paths up to their limit, so that
-// the noise that they share cancels; only the roulette draws random numbers of its own.
+// bright with the sky, too dark with black. The paths are the same with every ending, up to its
+// limit, so that the noise that they share cancels; only the roulette draws random numbers of its
+// own.
 inline void study_depth(study::Report& report, const Stage& stage) {
     constexpr int samples = 1024;
     const auto draw = [&](int depth, const auto& ending) {

@@ -1,5 +1,6 @@
 #pragma once
-// The whole picture compared with the classic way, and with no more materials than it needs.
+// The whole picture, with no more materials than it needs, compared with the classic way to draw
+// it.
 
 #include <array>
 #include <optional>

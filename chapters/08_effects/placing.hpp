@@ -56,8 +56,8 @@ class Neighbors {
         std::size_t entered = 0;  // how many of its size's balls are in it
         std::unordered_map<std::uint64_t, std::vector<int>> balls;
     };
-    // Spheres whose diameters lie between half of this one and all of it. Their grids are made on
-    // demand: a large ball looks for small ones in a grid of larger cells.
+    // Spheres whose diameters lie between half of `diameter` and `diameter`. Their grids are made
+    // on demand: a large ball looks for small ones in a grid of larger cells.
     struct Size {
         double diameter = 1;
         std::vector<int> numbers;

@@ -4,7 +4,7 @@
 
 namespace effects {
 
-// Draws what --show asks for, by the renderer that has every effect.
+// Draws what --show asks for, with the renderer that has every effect.
 app::Picture show_scene(const rt::SceneDescription& scene, app::Settings settings,
                         app::Progress& progress);
 

@@ -28,7 +28,7 @@ inline Choice choice_of(std::span<const rt::Effects> renderers, std::size_t inde
     return {renderers[index], without(rt::every_effect, renderers[index]), renderers.size()};
 }
 
-// The choice of a renderer with these effects that works in batches.
+// The choice of a renderer that works in batches and has these effects.
 inline Choice batched_choice(const rt::Effects& effects) {
     return {effects, without(rt::every_effect, effects), 1, true};
 }

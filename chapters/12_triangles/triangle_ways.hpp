@@ -51,8 +51,8 @@ struct Watertight {
     }
 };
 
-// Three planes that are computed before: the triangle's own, and those in which the weights of b
-// and c grow from 0 to 1. Each test is then nine products for the numerators, and one division.
+// Three planes that are computed in advance: the triangle's own, and those in which the weights of
+// b and c grow from 0 to 1. Each test is then nine products for the numerators, and one division.
 // Source: Havel and Herout, "Yet faster ray-triangle intersection", IEEE TVCG 16(3), 2010.
 struct Planes {
     struct Plane {

@@ -53,8 +53,7 @@ class Rng {
         }
     }
 
-    // A random number in [low, high). Rounding can make it equal to high if
-    // the two are close together.
+    // A random number in [low, high). Rounding can make it equal to high, for example in [1, 2).
     constexpr Real uniform(Real low, Real high) { return low + (high - low) * uniform(); }
 
   private:

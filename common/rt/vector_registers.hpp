@@ -26,7 +26,7 @@
 #ifdef __FMA__
 template <class Vector, class Number>
 RT_INLINED Vector rt_fused(Vector a, Number b, Number c) {
-    // x - 0 is x, in all lanes.
+    // x - Vector{} has x in all lanes, since x - 0 is x.
     if constexpr (sizeof(Vector) == 32 && sizeof(Number) == sizeof(float))
         return __builtin_ia32_vfmaddps256(a, b - Vector{}, c - Vector{});
     else

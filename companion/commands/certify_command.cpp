@@ -248,7 +248,7 @@ class Examination {
     // Whether a chapter's picture is the solution's, and in words.
     std::pair<bool, std::string> compared(const Chapter& chapter) const try {
         const ComparedPicture picture = compare_picture(course_, chapter);
-        if (picture.found.bit_for_bit) return {true, "the same as the solution's bit for bit"};
+        if (picture.found.bit_for_bit) return {true, "bit for bit the same as the solution's"};
         if (picture.found.same) return {true, "the same as the solution's within the noise"};
         if (picture.is_right())
             return {true, "differs, as it may with open stars or other right answers"};

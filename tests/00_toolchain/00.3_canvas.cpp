@@ -135,7 +135,8 @@ TEST_CASE("00.3 a copy has its own pixels", "[00.3]") {
                        "make new pixels, then std::copy the other's pixels to your own");
         {
             INFO(
-                "both canvases have the same pixels.\nHint: copying the pointer does not copy the "
+                "both canvases share one block of pixels in memory.\nHint: copying the pointer "
+                "does not copy the "
                 "picture: make new pixels, then copy the colors");
             check_pixels(copy, original.begin(), "other pixels");
         }

@@ -330,7 +330,7 @@ TEST_CASE("04.1 a sphere too far away to be seen still has a normal", "[04.1][ha
         }();
         {
             HINT(expected, hit.normal,
-                 "the zero vector has no direction; such a sphere is hit head on: take the "
+                 "the zero vector has no direction; such a hit counts as head on: take the "
                  "reversed direction of the ray, with length 1");
             REQUIRE(error_in_ulp(hit.normal, expected) <= 8);
         }

@@ -116,7 +116,7 @@ TEST_CASE("12.4 point and normal of any triangle from either side", "[12.4]") {
     SUCCEED();
 }
 
-TEST_CASE("12.4 a ray leaves a triangle of usual size", "[12.4]") {
+TEST_CASE("12.4 a ray leaves a triangle of ordinary size", "[12.4]") {
     rt::Rng rng{124, 2};
     for (int i = 0; i < 50'000; ++i) {
         const SceneTriangle triangle{placed(plain_triangle(rng), 3, 2 * in_cube(rng))};

@@ -242,7 +242,7 @@ TEST_CASE("12.5 a polygon without a valid fan is still cut", "[12.5][hard]") {
     CHECK(rt::make_mesh(all).triangles.size() == 3);
 }
 
-TEST_CASE("12.5 a corner in the middle of a side leaves no triangle without area", "[12.5][hard]") {
+TEST_CASE("12.5 a corner in the middle of a side makes no triangle of area 0", "[12.5][hard]") {
     Polygons all = square();
     all.points.push_back({real(0.5), 0, 0});
     for (int start = 0; start < 5; ++start) {

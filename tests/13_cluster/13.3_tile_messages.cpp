@@ -195,8 +195,8 @@ TEST_CASE("13.3 messages that have been sent are forgotten", "[13.3][hard]") {
         }
         sender.finish();
         if (most < count / 2) return std::string{};
-        return "rank 0 has received 40 tiles, and then 8 more are sent: expected that hardly more "
-               "than these 8 are kept, actual " +
+        return "rank 0 has received 40 tiles, and then 8 more are sent: expected hardly more than "
+               "these 8 to be kept, actual " +
                std::to_string(most) +
                "\nHint: MPI_Test tells you whether a message has been sent; std::erase_if can "
                "then remove it";

@@ -18,7 +18,7 @@ using AllMaterials =
     MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>;
 using ReadyMaterial = decltype(AllMaterials::materials)::value_type;
 
-// The effects whose materials only the renderers with every effect have.
+// The effects whose materials are found only in renderers that have every effect.
 inline constexpr Effects rare_materials{.own = true};
 
 // The materials of a renderer with these effects.

@@ -3,9 +3,9 @@
 
 namespace rt {
 
-// Which of a scene's triangles was hit (given). A triangle is no light, so a hit keeps its number
-// where it would keep a light's: below -1, which a sphere's hit never has. A member of its own
-// would make each hit of a sphere longer, too.
+// Which of a scene's triangles was hit (given). A triangle is no light, so a hit keeps the
+// triangle's number in the member for a light's number, as a value below -1, which that member
+// never has in a sphere's hit. A member of its own would make each hit of a sphere longer, too.
 constexpr int kept_as_light(int triangle) {
     return -2 - triangle;
 }

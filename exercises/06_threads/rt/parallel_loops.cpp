@@ -15,7 +15,7 @@ namespace rt {
 
 #ifdef RT_HAS_OPENMP
 // Exercise 06.5. A plain loop over the jobs, and above it one line that makes OpenMP divide the
-// jobs among threads: a parallel for with a dynamic schedule, in num_threads(workers).
+// jobs among threads: a parallel for with a dynamic schedule and num_threads(workers).
 // omp_get_thread_num() is the number of the thread that calls it.
 void loop_with_openmp(int jobs, int workers, const std::function<void(int, int)>& work) {
     rt::todo("06.5", jobs, workers, work);

@@ -13,7 +13,7 @@ namespace rt {
 // pass it on. Draw no random number of your own; call sees_light at most once.
 // Star: multiply by place.fog.gets_through(ray, distance), the fraction that gets through the fog.
 // If the path goes on, also multiply by shared_weight(density of the sample, density of the place).
-// Here place.shared_density may replace place.density: it also has the density of rough metal.
+// Here place.shared_density may replace place.density: it also covers rough metal.
 template <class AnyRay, class World, class Lights, class Materials, class Medium, class Random>
 Color direct_light(AnyRay ray, const World& world, const Lights& lights,
                    const Place<Materials, Medium>& place, [[maybe_unused]] bool goes_on,
@@ -25,9 +25,9 @@ Color direct_light(AnyRay ray, const World& world, const Lights& lights,
 // lights and fog. Fill both gaps, as the text says. Draw random numbers in this order: next_place,
 // scatter, the ending (if it is called), direct_light. Without lights and fog the result is that of
 // path_radiance, to the last bit.
-// Star: multiply a light that the path meets after a sample by its weight, shared_weight(density of
-// the bounce, lights.density(that light, the bounce's point)). `goes_on` is true unless the path
-// ends in the sky.
+// Star: if the path meets a light after a bounce at which a light was sampled, multiply that light
+// by the bounce's weight, shared_weight(density of the bounce, lights.density(that light, the
+// bounce's point)). `goes_on` is true unless the path ends in the sky.
 template <class AnyRay, class World, class Materials, class Sky, class Lights, class Medium,
           class Ending, class Random>
 Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materials, const Sky& sky,

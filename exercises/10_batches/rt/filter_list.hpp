@@ -6,7 +6,7 @@
 
 namespace rt {
 
-// Exercise 10.1. Copies those paths of a list whose mask has this bit (0 to 7) to `to`, in the same
+// Exercise 10.1. Copies to `to` those paths of a list whose mask has this bit (0 to 7), in the same
 // order, and returns how many there are. masks[i] is the mask of list[i]; its other bits do not
 // matter. `to` has room for as many paths as the list has, and does not overlap it.
 // Star: a path is any 32-bit number; the list may be empty, or hold more than a hundred thousand

@@ -13,9 +13,10 @@ inline Real standard_error(const RunningVariance& known) {
     return rt::todo("11.2", known);
 }
 
-// The probability that a mean with this standard error is within a distance of the true mean, on
-// either side, by the normal distribution, which describes means of many numbers: erf(distance /
-// (sqrt(2) error)), with std::erf. distance is 0 or more and finite, and error is 0 or more.
+// The probability that a mean with this standard error is at most `distance` from the true mean, on
+// either side, according to the normal distribution, which describes means of many numbers:
+// erf(distance / (sqrt(2) error)), with std::erf. distance is 0 or more and finite, and error is 0
+// or more.
 // Star: both may be as large or as small as a Real can be. If the error is 0, the probability is 1,
 // even at distance 0; if the error is infinite, it is 0.
 inline Real chance_within(Real distance, Real error) {

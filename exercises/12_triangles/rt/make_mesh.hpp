@@ -12,10 +12,10 @@
 
 namespace rt {
 
-// Exercise 12.5. The polygons, cut into triangles with the same sense of rotation, in their order.
-// All normals are scaled to length 1. Throws std::invalid_argument if a polygon has fewer than
-// three corners, or if an index has no entry in its list; the message contains "polygon 3" if it is
-// the third polygon. -1 is allowed and stands for no normal or no texture coordinates.
+// Exercise 12.5. The polygons, cut into triangles that keep the polygons' order and sense of
+// rotation. All normals are scaled to length 1. Throws std::invalid_argument if a polygon has fewer
+// than three corners, or if an index has no entry in its list; the message contains "polygon 3" if
+// it is the third polygon. -1 is allowed and stands for no normal or no texture coordinates.
 // Star: a polygon with a notch is cut so that all triangles face the same way and have an area, if
 // a fan from some corner does that. A corner whose normal has length 0 gets no normal.
 inline Mesh make_mesh(const Polygons& from) {

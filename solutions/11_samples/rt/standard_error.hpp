@@ -5,18 +5,18 @@
 
 namespace rt {
 
-// The standard error of the mean: how far the mean of the numbers so far is from the true mean, as
-// a root mean square. It is sqrt(variance / count), and infinite with fewer than two numbers.
+// The standard error of the mean: the root mean square distance between the mean of the numbers so
+// far and the true mean. It is sqrt(variance / count), and infinite with fewer than two numbers.
 inline Real standard_error(const RunningVariance& known) {
     // With fewer than two numbers the variance is infinite, and remains so when divided by 0 or 1.
     return std::sqrt(variance(known) / static_cast<Real>(known.count));
 }
 
-// The probability that a mean with this standard error is within a distance of the true mean, on
-// either side, by the normal distribution, which describes means of many numbers: erf(distance /
-// (sqrt(2) error)), with std::erf. distance is 0 or more and finite, and error is 0 or more; both
-// may be as large or as small as a Real can be. If the error is 0, the probability is 1, even at
-// distance 0; if the error is infinite, it is 0.
+// The probability that a mean with this standard error is at most `distance` from the true mean, on
+// either side, according to the normal distribution, which describes means of many numbers:
+// erf(distance / (sqrt(2) error)), with std::erf. distance is 0 or more and finite, and error is 0
+// or more; both may be as large or as small as a Real can be. If the error is 0, the probability is
+// 1, even at distance 0; if the error is infinite, it is 0.
 inline Real chance_within(Real distance, Real error) {
     if (error == 0) return 1;
     return std::erf(distance / error / std::numbers::sqrt2_v<Real>);

@@ -17,9 +17,9 @@ inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Ve
     return dot(normal, flat) < 0 ? -normal : normal;
 }
 
-// The smooth normal. It is bent if a mirror with it would send light below the triangle; the mirror
-// direction then runs along the triangle. All have length 1; `flat` is on the side of `smooth`. The
-// result is `flat` for light that runs along the triangle itself.
+// The smooth normal. It is bent if a mirror with this normal would send light below the triangle;
+// the mirror direction then runs along the triangle. All have length 1; `flat` is on the side of
+// `smooth`. The result is `flat` for light that runs along the triangle itself.
 inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     const Real side = dot(incoming, flat) > 0 ? Real(-1) : Real(1);  // where the light comes from
     const Vec3 up = side * flat, mirrored = reflect(incoming, smooth);
