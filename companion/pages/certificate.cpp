@@ -109,11 +109,11 @@ std::vector<Ability> self_assessment() {
         {"place a camera, a light and a ray, and find the hit", {"02.4", "03.2", "04.2"}},
         {"derive the quadratic equation of a sphere and solve it", {"03.1", "03.2"}},
         {"build u, v and w from a direction", {"01.8", "02.3"}},
-        {"reflect, refract, and share light by Schlick's formula", {"05.1", "05.3", "05.4"}},
+        {"reflect, refract, and split light by Schlick's formula", {"05.1", "05.3", "05.4"}},
         {"end a path at the depth limit", {"04.7"}},
         {"average the samples of a pixel", {"04.5"}},
         {"write a parallel loop without a race, and say how it scales", {"06.2", "06.3", "06.4"}},
-        {"build a tree, and say what it gains", {"07.3", "07.4", "07.5"}}};
+        {"build a tree, and say how much time it saves", {"07.3", "07.4", "07.5"}}};
 }
 
 std::vector<CertifiedFigure> read_measurements(const std::string& text) {
