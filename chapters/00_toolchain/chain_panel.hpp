@@ -1,5 +1,5 @@
 #pragma once
-// The panel that follows one chain in two memories: scattered and gathered.
+// The panel that shows one chain of links twice: scattered in memory, and gathered.
 
 #include <functional>
 #include <rt/portable.hpp>
@@ -10,7 +10,7 @@
 
 namespace toolchain {
 
-// From blue through green and gold to rose as t goes from 0 to 1.
+// A color that goes from blue through green and gold to rose as t goes from 0 to 1.
 inline Color along_rainbow(Real t) {
     const Color colors[] = {sky_blue, mint, gold, rose};
     const Real place = std::clamp(t, Real(0), Real(1)) * 3;
@@ -18,14 +18,16 @@ inline Color along_rainbow(Real t) {
     return mix(colors[i], colors[i + 1], place - static_cast<Real>(i));
 }
 
-// Half an ellipse over (or, with a negative height, under) the line from a to b.
+// Draws the upper half of an ellipse from (from, base) to (to, base), or, if `height` is negative,
+// the lower half.
 inline void draw_arc(Figure& figure, Real from, Real to, Real base, Real height, Color color,
                      Real thickness, Real share) {
     const Real middle = (from + to) / 2, a = std::abs(to - from) / 2, b = std::abs(height);
     const app::Box around{middle - a - thickness, height > 0 ? base - b - thickness : base,
                           2 * (a + thickness), b + thickness};
     const auto distance = [&](Vec2 p) {
-        // The distance from the ellipse, to first order: its equation divided by the slope.
+        // The distance from the ellipse, to first order: x^2 + y^2 - 1 divided by the length of its
+        // gradient.
         const Real x = (p.x - middle) / a, y = (p.y - base) / b;
         const Real slope = rt::portable::hypot(x / a, y / b);
         return slope > 0 ? std::abs(x * x + y * y - 1) / (2 * slope) - thickness / 2 : infinity;
@@ -34,7 +36,7 @@ inline void draw_arc(Figure& figure, Real from, Real to, Real base, Real height,
         around, distance, [&](Vec2) { return color; }, share);
 }
 
-// Every step of the chain is an arc from one link's position in memory to the next one's.
+// Draws each step of the chain as an arc from one link's position in memory to the next link's.
 inline void draw_chain(Figure& figure, const app::Box& box) {
     draw_panel(figure, box, "One chain in two memories");
     const ScatteredChain chain{48};
@@ -42,7 +44,7 @@ inline void draw_chain(Figure& figure, const app::Box& box) {
     const Real left = box.left + 18, pitch = (box.width - 36) / 47, base = box.top + 152,
                lower = base + 30;
     const auto draw = [&](const std::vector<Link>& memory, Real line, Real sign) {
-        // The positions of the chain's links, up to the first link that is not in this memory.
+        // The positions of the chain's links, up to the first link that lies outside `memory`.
         std::vector<Real> places;
         const Link* link = memory.data();
         const std::less<const Link*> before;

@@ -9,7 +9,7 @@ namespace toolchain {
 
 using namespace rt;
 
-// A chain through all links of one array, in random order. It starts at the first.
+// A chain through all links of one array, in random order. It starts at the array's first link.
 struct ScatteredChain {
     explicit ScatteredChain(std::size_t count) : links(count) {
         // Sattolo's way of shuffling makes a permutation that is one single cycle.

@@ -17,11 +17,11 @@ namespace {
 
 using namespace toolchain;
 
-// Static: it exists before main() begins, and as long as the program runs.
+// A static variable: it exists before main() begins, and until the program ends.
 const Corners dusk{from_hex(0x17153b), from_hex(0x5b2a86), from_hex(0xc8496b), from_hex(0xffb35c)};
 
-// Filled with y upward, as in school; then flipped, because row 0 of a picture is the top row. The
-// canvas is moved through flipped() and out of here: no pixel is copied.
+// Fills the canvas with y upward, as in school, then flips it, because row 0 of a picture is the
+// top row. The canvas is moved through flipped() and out of here: no pixel is copied.
 Canvas<Color> paint_dusk(int width, int height) {
     Canvas<Color> canvas{width, height};
     for (int y = 0; y < height; ++y)

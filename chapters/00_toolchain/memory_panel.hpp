@@ -1,5 +1,5 @@
 #pragma once
-// The panel of the memory: what is on the stack, on the heap, in static memory and in the code.
+// The panel that shows what is on the stack, on the heap, in static memory and in the code.
 
 #include <rt/binary_tree.hpp>
 #include <rt/canvas.hpp>
@@ -26,7 +26,7 @@ inline app::Box draw_cells(Figure& figure, Real left, Real top, std::string_view
     return {left, top + 11, x - left, 20};
 }
 
-// The nodes of a tree in their levels, with an arrow for each unique_ptr.
+// Draws the nodes of a tree, level by level, with an arrow for each unique_ptr.
 inline void draw_tree(Figure& figure, const RangeNode* node, const app::Box& box, int rows) {
     if (!node || rows <= 0) return;
     const Vec2 here{box.left + box.width / 2, box.top + 6};
@@ -62,7 +62,7 @@ inline Segments draw_segments(Figure& figure, const app::Box& panel) {
         figure.box(b, color, Real(0.10), 4);
         figure.box({b.left, b.top, 3, b.height}, color, 1, 1);
         figure.words({b.left + 12, b.top + 9}, name, {8, color});
-        // Beside the name if no arrow comes down there, and otherwise below it.
+        // The words stand beside the name, or below it if an arrow comes down beside it.
         if (height < 100)
             figure.words({b.left + 12 + app::width_of(name, 8) + 12, b.top + 11}, what, {6, faint});
         else
@@ -145,7 +145,7 @@ inline app::Box draw_functions(Figure& figure, const app::Box& code) {
     return last;
 }
 
-// Where each thing is drawn that a pointer starts from or leads to.
+// Where the things are drawn that pointers start from or lead to.
 struct Places {
     app::Box canvas, root, paint, pixels, tree, corners, gradient;
 };
@@ -166,7 +166,7 @@ inline Places draw_things(Figure& figure, const Segments& in, const Canvas<Color
             draw_functions(figure, in.code)};
 }
 
-// The arrows from the variables on the stack to what they point to.
+// Draws the arrows from the variables on the stack to what they point to.
 inline void draw_pointers(Figure& figure, const app::Box& panel, const Places& at) {
     figure.arrow({at.canvas.right() - 11, at.canvas.center().y},
                  {at.canvas.right() - 11, at.canvas.bottom() + 40},
@@ -180,7 +180,7 @@ inline void draw_pointers(Figure& figure, const app::Box& panel, const Places& a
                  {at.gradient.right() + 3, at.gradient.center().y}, gold);
 }
 
-// The addresses of canvas, root, paint, pixels, corners and gradient; or none.
+// Writes the addresses of canvas, root, paint, pixels, corners and gradient, if all six are given.
 inline void draw_addresses(Figure& figure, const Places& at,
                            const std::vector<std::string>& addresses) {
     if (addresses.size() != 6) return;

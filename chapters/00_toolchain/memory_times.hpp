@@ -15,7 +15,8 @@ inline std::vector<double> in_turns_ns(const std::vector<study::Work>& works) {
     return study::in_turns_ns(works, {.at_least_ms = 2, .once_from_ms = 100});
 }
 
-// The time of one step along a chain that fills this much memory, and along a plain array.
+// The time of one step along a chain that fills `bytes` of memory, and along a plain array of that
+// size.
 struct Steps {
     double bytes = 0;
     double array = 0, gathered = 0, scattered = 0;  // ns
@@ -44,7 +45,7 @@ inline std::vector<Steps> measure_steps() {
     return all;
 }
 
-// A processor with three caches, in round numbers: up to this many bytes, a step takes this long.
+// A processor with three caches, in round numbers: in up to `bytes` of memory, a step takes `ns`.
 struct Level {
     const char* name;
     double bytes, ns;
@@ -73,7 +74,8 @@ inline std::vector<Steps> model_steps() {
     return all;
 }
 
-// A thousand objects of this many bytes, made and destroyed again: nanoseconds for each.
+// Nanoseconds for making and destroying an object of this many bytes, measured on a thousand of
+// them.
 struct Objects {
     int bytes = 0;
     double stack = 0, heap = 0, together = 0;  // ns

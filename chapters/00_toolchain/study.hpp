@@ -45,8 +45,8 @@ inline void study_sums(study::Report& report) {
         for (const Variant& variant : variants)
             works.push_back([&] { study::keep(variant.sum(terms.data(), count)); });
         const auto times = in_turns_ns(works);
-        // A single sum may be right by luck. So the error is the root mean square over eight orders
-        // of the same terms, or over four where there are many terms.
+        // A single sum may be right by luck, so the error is the root mean square over eight orders
+        // of the same terms, or over four orders if there are many terms.
         const std::size_t orders = count < 1'000'000 ? 8 : 4;
         std::vector<double> squares(variants.size());
         for (std::size_t order = 0; order < orders; ++order) {

@@ -1,14 +1,14 @@
 // Three ways to add up numbers. Two files compile this text, one of them with -ffast-math, so there
-// is no #pragma once, and the names are each file's own (an unnamed namespace). It includes nothing
-// that has functions: if both files compiled the same inline function, the linker would keep only
-// one of the two versions, and nobody could say which.
+// is no #pragma once, and an unnamed namespace makes the names each file's own. The text includes
+// no header that defines functions: if both files compiled the same inline function, the linker
+// would keep only one of the two versions, and nobody could say which.
 
 namespace {
 
 using toolchain::Real;
 
-// One after the other. The k-th addition may be off by half a unit in the last place of the sum so
-// far, so the error may grow with the number of terms.
+// Adds one term after the other. The k-th addition may be off by half a unit in the last place of
+// the partial sum, so the error may grow with the number of terms.
 Real naive(const Real* terms, std::size_t count) {
     Real sum = 0;
     for (std::size_t i = 0; i < count; ++i) sum += terms[i];
@@ -23,9 +23,9 @@ Real pairwise(const Real* terms, std::size_t count) {
     return pairwise(terms, half) + pairwise(terms + half, count - half);
 }
 
-// Kahan: what rounding took away from one addition goes into the next one. With real
-// numbers, `lost` would always be 0. So -ffast-math, which may calculate as if
-// numbers were real, removes it.
+// Kahan's method: what rounding took away from one addition goes into the next one. With real
+// numbers, `lost` would always be 0, so the compiler removes it under -ffast-math, which lets it
+// calculate as if numbers were real.
 Real compensated(const Real* terms, std::size_t count) {
     Real sum = 0, lost = 0;
     for (std::size_t i = 0; i < count; ++i) {

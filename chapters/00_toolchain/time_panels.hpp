@@ -1,6 +1,6 @@
 #pragma once
-// The panels that show what memory costs: the time of a step through it, and that of making an
-// object.
+// The panels that show what memory costs: the time of a step through it, and the time that making
+// an object takes.
 
 #include <rt/portable.hpp>
 #include <string>

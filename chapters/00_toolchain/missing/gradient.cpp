@@ -1,5 +1,5 @@
-// What the linker uses while the learner's gradient.cpp has no definition: this file is in a
-// library, and from a library the linker takes only what is still undefined after all other files.
+// The linker uses this definition while the learner's gradient.cpp has none: this file is in a
+// library, and from a library the linker takes only what all other files leave undefined.
 
 #include <rt/gradient.hpp>
 #include <rt/todo.hpp>
