@@ -2,8 +2,8 @@
 // What the picture shows: a ball that faces the light, and balls that a matrix turns.
 //
 // Every ball here is looked at from so far away that all lines of sight are parallel. Then the
-// point of the ball of radius 1 that shows at (x, y) is (x, y, sqrt(1 - x^2 - y^2)), and it is its
-// own normal.
+// point of the ball of radius 1 that shows at (x, y) is (x, y, sqrt(1 - x^2 - y^2)), and the normal
+// there is that same vector.
 
 #include <array>
 #include <rt/color.hpp>
@@ -66,7 +66,8 @@ struct Washer {
 };
 
 // The sign of the dot product: the side of the ball that faces the light is gold, the other is
-// blue, and between them lies the line where the dot product is 0. Each ring stands for a tenth.
+// blue, and between them lies the line where the dot product is 0. Each ring marks a multiple of
+// 1/10.
 inline Color dot_product_color(Vec3 n, Vec3 light) {
     const Real cosine = dot(n, light);
     const Real ring = std::abs(cosine * 10 - std::round(cosine * 10));
@@ -76,8 +77,8 @@ inline Color dot_product_color(Vec3 n, Vec3 light) {
     return ring < Real(0.06) ? side * Real(0.6) : side;
 }
 
-// A ball that carries a net of latitude and longitude, placed by a map: the color of a point in the
-// world is found from the object's own coordinates of that point.
+// A ball that carries a net of latitude and longitude, turned by a matrix: the color of a point in
+// the world is found from the object's own coordinates of that point.
 inline Color turned_ball_color(Vec3 n, const Mat4& world_to_object, Vec3 light) {
     const Vec3 p = transform_point(world_to_object, n);
     const Real latitude = rt::portable::asin(std::clamp(p.y, Real(-1), Real(1))),
@@ -116,7 +117,8 @@ inline Ball ball_with_bristles(Vec3 light) {
     Ball ball{{{{}, sun, Real(0.012), gold}, {sun, sun, Real(0.07), gold}}, {}, {}, false};
     const int count = 60;
     for (int i = 0; i < count; ++i) {
-        // Evenly spread: heights in equal steps, each turned further by the golden angle.
+        // Evenly spread: each bristle is one equal step lower than the one before, and turned
+        // further by the golden angle.
         const Real y = 1 - (2 * static_cast<Real>(i) + 1) / count;
         const Real angle = static_cast<Real>(i) * pi * (3 - std::sqrt(Real(5)));
         const Real r = std::sqrt(1 - y * y);

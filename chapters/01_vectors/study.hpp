@@ -15,7 +15,7 @@ namespace vectors_study {
 
 using rt::Real, rt::Vec3, study::DoubleDouble;
 
-// As most textbooks have it: one division, then three products.
+// The way of most textbooks: one division, then three products.
 inline Vec3 by_reciprocal_root(Vec3 v) {
     return v * (1 / std::sqrt(dot(v, v)));
 }
@@ -25,7 +25,7 @@ inline Vec3 by_root(Vec3 v) {
     return v / std::sqrt(dot(v, v));
 }
 
-// Always scaled first, whether that is needed or not.
+// Always scales the vector first, even when that is not needed.
 inline Vec3 by_scaled_root(Vec3 v) {
     return by_root(rt::split_scale(v).v);
 }

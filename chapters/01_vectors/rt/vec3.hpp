@@ -24,7 +24,7 @@ inline Vec3& operator/=(Vec3& v, Real s) {
     return v = v / s;
 }
 
-// The products of the components, each with its partner: neither the dot nor the cross product.
+// The product component by component: neither the dot nor the cross product.
 [[nodiscard]] inline Vec3 operator*(Vec3 a, Vec3 b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
