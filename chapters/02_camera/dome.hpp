@@ -42,14 +42,15 @@ struct Beam {
     }
 };
 
-// How much of a pixel of this size a line of this width covers, at this distance from its middle.
+// The share of a pixel of size `pixel` that a line of this width covers, if the line's middle is at
+// this distance from the pixel's.
 inline Real coverage(Real distance, Real width, Real pixel) {
     return std::clamp(((width + pixel) / 2 - distance) / pixel, Real(0),
                       std::min(width / pixel, Real(1)));
 }
 
-// The same for a line, one pixel wide, where f is zero. It fades where the next line
-// is nearer than 10 pixels.
+// The share of a pixel that a line covers. The line is one pixel wide, and runs where f is 0; the
+// next line runs where f is `next`. Lines fade where they are less than 10 pixels apart.
 template <class F>
 Real line(const Beam& beam, F f, Real next) {
     const Real pixel = beam.change(f);
@@ -58,7 +59,7 @@ Real line(const Beam& beam, F f, Real next) {
            std::clamp(next / pixel / 10, Real(0), Real(1));
 }
 
-// The same for all lines where f is a multiple of `spacing`.
+// The same for lines wherever f is a multiple of `spacing`.
 template <class F>
 Real lines(const Beam& beam, F f, Real spacing) {
     const Real nearest = spacing * std::round(f(beam.here) / spacing);
@@ -73,7 +74,7 @@ inline Real elevation(Vec3 d) {
     return rt::portable::atan2(d.y, rt::portable::hypot(d.x, d.z));
 }
 
-// The tint of a direction: those of north, east, south and west blend into each other.
+// The tint of a direction: the tints of north, east, south and west blend into each other.
 inline Color quarter(Vec3 d) {
     static const std::array tints{rt::from_hex(0x8ec9d6), rt::from_hex(0xf09a7c),
                                   rt::from_hex(0xfbd38a), rt::from_hex(0xb795d2)};
@@ -103,12 +104,12 @@ inline Color sky(const Beam& beam, Real pixel_deg) {
     const Real height = elevation(d) / (rt::pi / 2);
     Color color = mix(mix(quarter(d), middle, height), mix(middle, zenith, height), height);
 
-    // Meridians: the one nearest to this direction lies in a plane with this normal. (The azimuth
-    // itself would jump at south and crowd at the zenith.)
+    // Meridians: the meridian nearest to this direction lies in the plane with this normal. (The
+    // azimuth itself would jump at south and crowd at the zenith.)
     const Real ten = rt::radians(10);
     const Real meridian = ten * std::round(azimuth(d) / ten);
     const Vec3 normal{rt::portable::cos(meridian), 0, rt::portable::sin(meridian)};
-    const Real gap = ten * rt::portable::cos(elevation(d));  // to the next one
+    const Real gap = ten * rt::portable::cos(elevation(d));  // to the next meridian
     const Real along = line(
         beam, [&](const rt::Ray& r) { return dot(r.direction, normal); }, gap);
     const Real around = lines(
@@ -139,7 +140,7 @@ inline Real compass(Vec3 d, Real pixel_deg) {
 inline Color look(const Beam& beam) {
     const Vec3 d = beam.here.direction;
     const Real across = length(beam.right.direction - d), down = length(beam.below.direction - d);
-    // Not 0, not even if a mistake in the camera would make it so.
+    // Greater than 0 even if a mistake in the camera makes the pixel's size 0.
     const Real pixel_deg =
         std::max(std::numeric_limits<Real>::min(), std::sqrt(across * down) * 180 / rt::pi);
     const Color color = d.y < 0 ? ground(beam) : sky(beam, pixel_deg);

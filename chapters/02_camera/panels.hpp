@@ -43,8 +43,8 @@ struct Span {
     int begin = 0, size = 1;
 };
 
-// Part i of n of this many pixels, less a gutter if there is room for one. In an image with fewer
-// pixels than parts, some parts are never shown.
+// Part i of n equal parts of these pixels, without the gutters on both sides if there is room for
+// gutters. In an image with fewer pixels than parts, some parts are never shown.
 inline Span part(int pixels, int i, int n) {
     const auto edge = [&](std::int64_t k) { return static_cast<int>(k * pixels / n); };
     const int size = std::max(edge(i + 1) - edge(i), 1), gutter = std::clamp((size - 1) / 2, 0, 2);

@@ -56,8 +56,8 @@ inline Vec2 width_minus_one(const Camera& c, int column, int row, Vec2 offset) {
     const Real down = (static_cast<Real>(row) + offset.y) / static_cast<Real>(c.height - 1);
     return {(right - Real(0.5)) * c.viewport.width, (Real(0.5) - down) * c.viewport.height};
 }
-// Without the half of a pixel's middle: this looks symmetric, but is half a pixel off at both
-// edges.
+// Without the half pixel that leads to a pixel's middle: this looks symmetric, but is half a pixel
+// off at both edges.
 inline Vec2 posts_of_a_fence(const Camera& c, int column, int row, Vec2 offset) {
     return width_minus_one(c, column, row, {offset.x - Real(0.5), offset.y - Real(0.5)});
 }
@@ -142,8 +142,7 @@ void measure_pixels(study::Report& report, const char* variant) {
         study::root_mean_square_error(dome_picture<map>(), dome_picture<rt::pixel_to_viewport>())));
 }
 
-// A camera with what is needed for rays by steps: the viewport's corner and the steps between
-// pixels.
+// What rays by steps need of a camera: the viewport's corner, and the steps from pixel to pixel.
 struct Steps {
     Vec3 corner, to_right, down;
 
@@ -158,7 +157,8 @@ struct Steps {
     }
 };
 
-// make(camera) returns the function that is measured: from column, row and offset to a direction.
+// make(camera) returns the function to measure, which turns column, row and offset into a
+// direction.
 template <class Make>
 void measure_rays(study::Report& in_pixels, study::Report& in_ulp, const char* variant, Make make) {
     const auto camera_of = [](double fov_deg) {

@@ -10,7 +10,8 @@ struct Viewport {
     Real width = 2, height = 2;
 };
 
-// A pinhole camera, as rays are made from it. It looks along -w; u points right and v up.
+// A pinhole camera, in the form that rays are made from. It looks along -w; u points right and v
+// up.
 struct Camera {
     Vec3 eye;
     Basis basis;

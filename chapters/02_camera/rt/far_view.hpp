@@ -5,8 +5,8 @@
 
 namespace study {
 
-// The same view from this many times the distance, with a field of view so narrow that it shows the
-// same part. Only the rounding errors change: they grow with the distance.
+// The same view from `times` the distance, with a field of view so narrow that the picture shows
+// the same part of the scene. Only the rounding errors change: they grow with the distance.
 inline rt::View from_afar(rt::View view, rt::Real times) {
     view.from = view.at + times * (view.from - view.at);
     view.vertical_fov = 2 * rt::portable::atan(rt::portable::tan(view.vertical_fov / 2) / times);

@@ -5,9 +5,9 @@
 
 namespace app {
 
-// Paints every pixel of a panel by the loop of exercise 02.5: shade(column, row) gives the color.
-// Steps the progress with each row. Only programs use it, from chapter 02 on: if a library in
-// common used it, that library would bring a loop of its own.
+// Paints every pixel of a panel with the loop of exercise 02.5: shade(column, row) gives the color.
+// Advances the progress with each row. Only programs use it, from chapter 02 on: a library in
+// common/ that used it would contain a loop of its own.
 template <class Shade>
 void fill(Figure panel, const Shade& shade, Progress* progress = nullptr) {
     const rt::Tile pixels = panel.pixels();
