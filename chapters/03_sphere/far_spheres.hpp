@@ -1,6 +1,6 @@
 #pragma once
-// The small pictures beside the planet: one sphere from farther and farther away, by the textbook
-// formula and by the stable one.
+// The small pictures beside the planet: one sphere from farther and farther away, drawn with the
+// textbook formula and with the stable one.
 
 #include <rt/fill.hpp>
 #include <rt/hit_sphere.hpp>
@@ -19,7 +19,8 @@ using rt::Color, rt::Ray, rt::Real, rt::Sphere, rt::Vec3;
 
 inline const Color paper = rt::from_hex(0x05060f), ink = rt::from_hex(0xb8bfdc);
 
-// A sphere of radius 1 from this far away: it always fills the same angle.
+// A sphere of radius 1 at this distance. The camera's field of view shrinks with the distance, so
+// that the sphere always looks equally large.
 struct FarSphere {
     Sphere sphere;
     rt::Camera camera;  // at (0, 0, 0)
@@ -31,7 +32,7 @@ struct FarSphere {
               columns, rows)} {}
 
     Ray ray(int x, int y) const { return rt::primary_ray(camera, x, y, {Real(0.5), Real(0.5)}); }
-    // What a ray shows if it hits at t, or if it misses.
+    // The color of a ray that hits the sphere at t, or misses it if there is no t.
     Color color(const Ray& ray, std::optional<Real> t) const {
         if (!t) return rt::from_hex(0x0b0e1f);
         const Vec3 to_lamp = camera.basis.to_world({Real(-0.48), Real(0.48), Real(0.73)});
@@ -62,7 +63,8 @@ struct Panels {
           top{7 * dot + gap},
           side{(height - top - 4 * gap) / 4} {}
 
-    // The width that is left for the planet. Without room for panels, the planet gets all of it.
+    // The width that is left for the planet. If there is no room for the panels, the planet gets
+    // the whole width.
     int left(int width) const {
         const bool have_room = gap > 0 && side > 0 && width > 4 * (side + gap);
         return have_room ? width - 2 * (side + gap) - gap : width;

@@ -26,8 +26,8 @@ inline Color moon_color(int material) {
     return colors[material];
 }
 
-// The color at a distance from the lamp: 0 is the point of a sphere nearest to the lamp, 1 the
-// farthest. No angles and no normals yet: the distance is all that shading needs here.
+// The color at a distance from the lamp, which is 0 at the point of a sphere nearest to the lamp,
+// and 1 at the farthest. No angles and no normals yet: the distance is all that shading needs here.
 inline Color ramp(Real distance) {
     static const Color stops[] = {rt::from_hex(0xfff3d6), rt::from_hex(0xffc27a),
                                   rt::from_hex(0xe8735a), rt::from_hex(0x8f3b76),

@@ -23,10 +23,10 @@ using study::DoubleDouble;
 struct Case {
     Ray ray;
     DoubleDouble t = -1;   // the nearest hit; -1 for a miss
-    double condition = 0;  // (|f| + r) (1 + p / h) / |d|: what a turn by epsilon does to t, roughly
+    double condition = 0;  // (|f| + r) (1 + p / h) / |d|: about how far a turn by 1 moves t
 };
 
-// Computed with numbers of 106 bits.
+// The true answers, computed with numbers of 106 bits.
 inline Case exact_case(const Ray& ray) {
     const auto exact = [](Real x) { return DoubleDouble(static_cast<double>(x)); };
     const auto fx = exact(ray.origin.x), fy = exact(ray.origin.y), fz = exact(ray.origin.z);
@@ -61,7 +61,7 @@ inline std::vector<Case> cases_from(Real distance, Real inner = 0, Real outer = 
 
 struct Quality {
     double largest_error = 0;  // of t, relative to the true t, among the rays that rightly hit
-    double of_condition = 0;   // the largest error over epsilon times condition
+    double of_condition = 0;   // the largest error of t / (epsilon * condition)
     double wrong_share = 0;    // of all rays: hit for a miss, or a miss for a hit
 };
 
@@ -110,7 +110,7 @@ void with_each_variant(Measure measure) {
     measure("cross product by fma", [](S s, R r, I i) { return variants::exact_cross(s, r, i); });
 }
 
-// What a formula does to the chapter's small picture of a sphere from this far away.
+// The error that a formula makes in the chapter's small picture of a sphere at this distance.
 inline double error_in_a_pixel(Real distance, variants::HitFunction hit) {
     const far_spheres::FarSphere far{distance, 64, 64};
     std::vector<rt::Color> pixels, truth;

@@ -5,8 +5,8 @@
 
 namespace rt {
 
-// The picture of a tracer in the false colors that --show asks for (given): compute(column, row)
-// gives the Shown of each pixel. The words that explain the colors are printed.
+// A tracer's picture in the false colors that --show asks for (given): compute(column, row) gives
+// the Shown of each pixel. Prints the words that explain the colors.
 template <class Compute>
 Image false_color_image(const TracerCall& call, const SceneText& scene, const Compute& compute) {
     std::vector<Shown> pixels;

@@ -30,7 +30,7 @@ struct SceneText {
     std::vector<TextMaterial> materials;  // SceneSphere::material is an index into these
 };
 
-// Throws std::invalid_argument, which says what would be right, unless the condition holds.
+// Throws std::invalid_argument, which says what was expected, unless `holds` is true.
 inline void expect(bool holds, const std::string& what) {
     if (!holds) throw std::invalid_argument("expected " + what);
 }

@@ -20,7 +20,7 @@ inline Shown shown_hit(const std::string& word, std::span<const SceneSphere> sph
     return (ray.at(nearest->t) - sphere.center) / sphere.radius;
 }
 
-// The picture that --show asks for, by a tracer that follows no paths yet (given).
+// The picture that --show asks for, drawn by a tracer that follows no paths yet (given).
 inline Image shown_hits(const TracerCall& call, const SceneText& scene, const Camera& camera) {
     expect(call.show != "bounces" && call.show != "samples",
            "direction, normal, distance or sphere: this tracer follows no paths yet");
