@@ -1,6 +1,6 @@
 #pragma once
-// The chapter's picture in any number type, by the formulas of the course. Two pictures that follow
-// the same random numbers differ by rounding alone.
+// The chapter's picture in any number type, with the formulas of the course. Two pictures that
+// follow the same random numbers differ by rounding alone.
 
 #include <cmath>
 #include <limits>
@@ -39,7 +39,7 @@ Vector<N> as(const Color& c) {
     return {static_cast<N>(c.r), static_cast<N>(c.g), static_cast<N>(c.b)};
 }
 
-// Numbers of 24 bits, which every type holds as they are.
+// Random numbers of 24 bits, which every number type can hold exactly.
 class SharedRandom {
   public:
     SharedRandom(std::uint64_t seed, int x, int y) : bits_{pixel_rng(seed, x, y)} {}

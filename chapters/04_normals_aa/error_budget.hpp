@@ -15,14 +15,14 @@ namespace normals_aa {
 // A small picture of the group, with as many bounces as that of the chapter's program.
 constexpr int budget_width = 48, budget_height = 27, budget_depth = 16;
 
-// The group from this far away.
+// The view of the group from this distance.
 inline View view_from(Real distance) {
     const View view = group_view();
     return study::from_afar(view, distance / length(view.from - view.at));
 }
 
-// The effect of rounding: the picture in Real by each formula, compared with the picture by the
-// stable formula in the widest number type. The random numbers are the same.
+// The effect of rounding: the picture in Real with each formula, compared with the picture in the
+// widest number type with the stable formula. All follow the same random numbers.
 struct RoundingErrors {
     double stable = 0, textbook = 0;
 };
@@ -46,7 +46,7 @@ inline RoundingErrors rounding_errors(const View& view, int samples) {
     return {std::sqrt(sum.stable), std::sqrt(sum.textbook)};
 }
 
-// This light as an image file stores it.
+// This color as an image file stores it.
 inline Color stored(Color c) {
     const auto channel = [](Real light) { return srgb_decode(Real(to_byte(light)) / 255); };
     return {channel(c.r), channel(c.g), channel(c.b)};
@@ -88,7 +88,7 @@ inline void study_budget(study::Report& report) {
     add_noise("noise, 100 samples", {100, budget_depth, 2}, SkyEnding{});
     add_noise("noise, 100 samples, roulette after 4 bounces", {100, 4, 2}, RouletteEnding{});
 
-    // All paths are the same up to the limit.
+    // With every ending, the paths are the same up to the depth limit.
     constexpr int enough = 1 << 10;
     const auto draw = [&](int depth, const auto& ending) {
         return draw_low_discrepancy(stage, enough, depth, 1, ending);

@@ -25,9 +25,9 @@ constexpr std::uint32_t sobol_y(std::uint32_t index) {
     return y;
 }
 
-// Swaps the two halves of [0, 1) or not, at random, then those of each half, and so on. Numbers
-// that are spread evenly stay so. Source: Burley, "Practical hash-based Owen scrambling", JCGT
-// 9(4), 2020.
+// At random, swaps the two halves of [0, 1) or leaves them; then does the same within each half,
+// and so on. Evenly spread numbers stay evenly spread. Source: Burley, "Practical hash-based Owen
+// scrambling", JCGT 9(4), 2020.
 constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
     x = reverse_bits(x) + seed;
     x ^= x * 0x6c50b47cu;

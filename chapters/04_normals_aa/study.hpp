@@ -30,8 +30,9 @@ struct Placement {
 };
 
 // Times the placements in turns, and adds a row for each. They must come in threes: the same number
-// of independent, jittered and Sobol's samples. A fourth row says which error the square-root law
-// expects of independent samples. The cost is the time of judge() divided by `parts(samples)`.
+// of independent, jittered and Sobol's samples. A fourth row gives the error that the square-root
+// law predicts for independent samples. The cost is the time of judge() divided by
+// `parts(samples)`.
 template <class Parts>
 void add_placements(study::Report& report, std::vector<Placement> placements,
                     const study::Row& names, const study::Turns& turns, Parts parts) {
@@ -92,7 +93,7 @@ inline double coverage(double cosine, double sine, double edge) {
            triangle(edge - cosine - sine);
 }
 
-// The same three ways where only the sample point in the pixel is random.
+// The same three placements, where only the sample point in the pixel is random.
 inline void study_edge(study::Report& report) {
     constexpr int edges = 1000;
     std::vector<Placement> placements;
@@ -144,8 +145,8 @@ inline void study_edge(study::Report& report) {
 }
 
 // How far the mean radiance with each ending is from that of paths that may bounce 64 times: too
-// bright with the sky, too dark with black. The paths are the same with every ending, up to its
-// limit, so that the noise that they share cancels; only the roulette draws random numbers of its
+// bright with the sky, too dark with black. With every ending, the paths are the same up to the
+// depth limit, so that their shared noise cancels; only the roulette draws random numbers of its
 // own.
 inline void study_depth(study::Report& report, const Stage& stage) {
     constexpr int samples = 1024;

@@ -7,7 +7,7 @@ namespace rt {
 enum class PathEnd { in_sky, in_black, none };
 
 // Ends paths in the sky, as if nothing stood in the way after the last bounce. The picture becomes
-// too bright, mostly by a little.
+// too bright, usually only a little.
 struct SkyEnding {
     template <class Random>
     PathEnd operator()(Color&, Random&) const {

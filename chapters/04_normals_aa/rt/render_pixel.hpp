@@ -21,8 +21,8 @@ Ray make_ray(const Camera& camera, int column, int row, Vec2 offset, Random& /*r
     return primary_ray(camera, column, row, offset);
 }
 
-// The color of one pixel (given): the average over its samples of the light along their paths. It
-// depends on the arguments alone. The types are those of path_radiance.
+// The color of one pixel (given): each sample brings the light along its path, and the color is
+// their average. It depends on the arguments alone. The types are those of path_radiance.
 template <class AnyCamera, class World, class Materials, class Sky, class Ending>
 Color render_pixel(const AnyCamera& camera, const World& world, const Materials& materials,
                    const Sky& sky, const Ending& ending, const Quality& quality, int column,

@@ -13,8 +13,8 @@ inline void number_materials(std::vector<SceneSphere>& spheres) {
 }
 
 // Draws what --show asks for, in a program that follows paths (given): path(ray, world, random)
-// gives the light of one path. If it asks for the sphere, each sphere must have a material of its
-// own.
+// gives the light of one path. If --show asks for the sphere, each sphere must have a material of
+// its own.
 template <class AnyCamera, class World, class Path>
 app::Picture show_world(const app::Settings& settings, app::Progress& progress,
                         const AnyCamera& camera, const World& world, const Path& path,

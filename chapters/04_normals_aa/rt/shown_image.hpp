@@ -28,8 +28,8 @@ struct NumberedWorld {
     }
 };
 
-// The picture that --show asks for, by a tracer that follows paths (given). The arguments are the
-// call, the scene and those of render_pixel.
+// The picture that --show asks for, drawn by a tracer that follows paths (given). The arguments are
+// the call, the scene and those of render_pixel.
 template <class AnyCamera, class World, class Materials, class Sky>
 Image shown_image(const TracerCall& call, const SceneText& scene, const AnyCamera& camera,
                   const World& world, const Materials& materials, const Sky& sky,

@@ -46,7 +46,7 @@ inline Real deviation_of(const std::vector<Real>& numbers) {
 }
 
 // What a word of --show tells about a pixel (given): path(ray, world, random) gives the light of
-// one path. If it asks for the sphere, each sphere must have a material of its own.
+// one path. If the word is "sphere", each sphere must have a material of its own.
 template <class AnyCamera, class World, class Path>
 Shown shown_pixel(const std::string& word, const AnyCamera& camera, const World& world,
                   const Path& path, int samples, std::uint64_t seed, int x, int y) {

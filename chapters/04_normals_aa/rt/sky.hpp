@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// The same light from everywhere (given), as furnace tests use it.
+// The same light from all directions (given), as in furnace tests.
 struct UniformSky {
     Color color{1, 1, 1};
 
