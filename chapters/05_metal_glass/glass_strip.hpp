@@ -1,5 +1,6 @@
 #pragma once
-// The strip below the picture: three balls of glass by two formulas for how much glass reflects.
+// The strip below the picture: three balls of glass, drawn with two formulas for how much glass
+// reflects.
 
 #include <array>
 #include <rt/camera.hpp>
@@ -12,20 +13,20 @@
 
 namespace scene {
 
-// The strip's glass balls stand in an evening that has a tiled floor: all that matters there is the
-// direction of a ray.
+// The evening sky and the tiled floor around the strip's glass balls. Both are as if infinitely far
+// away: a ray's direction alone decides what it shows.
 struct TiledEvening {
     EveningSky sky;
 
     Color operator()(Vec3 d) const {
         if (d.y >= Real(-0.06)) return sky(d);
-        const Real x = d.x / -d.y, z = d.z / -d.y;  // where it meets a floor 1 below
+        const Real x = d.x / -d.y, z = d.z / -d.y;  // where d meets a floor 1 below
         return even_tile(x, z) ? from_hex(0xe9dfd2) : from_hex(0x4b5568);
     }
 };
 
-// The light along a ray among glass balls, without randomness: at each surface both ways are
-// followed, each weighted by its share.
+// The light along a ray among glass balls, without randomness: at each surface, both the reflected
+// and the refracted ray are followed, each weighted by its share of the light.
 template <class Reflectance>
 Color light_through_glass(const Ray& ray, const SphereList& balls,
                           const std::array<Real, 3>& indices, Reflectance reflectance, int depth,

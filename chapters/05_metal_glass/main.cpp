@@ -61,7 +61,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
             },
             &progress);
         if (i > 0) panel.box(app::pixel_box(0, 0, settings.width / 320, strip_height), {});
-        // Dark on the sky, light on black.
+        // Dark letters on the sky, light letters on black.
         const Real letter = static_cast<Real>(strip_height) / 16;
         panel.words({letter, Real(0.75) * letter}, names[i],
                     {letter, from_hex(i == 2 ? 0xe8e4da : 0x3b3348)});

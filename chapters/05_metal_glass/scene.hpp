@@ -43,8 +43,8 @@ inline bool even_tile(Real x, Real z) {
     return ((tile(x) + tile(z)) & 1) == 0;
 }
 
-// A matte floor of two colors. The path loop knows nothing about it: all that a material needs is a
-// type with a scatter() of its own.
+// A matte floor of two colors. The path loop knows nothing about it: any type that has a scatter()
+// of its own can be a material.
 struct Tiles {
     Color even, odd;
 };

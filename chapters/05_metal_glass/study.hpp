@@ -138,8 +138,7 @@ inline void add_pixel_errors(study::Report& report) {
     }
 }
 
-// As in most textbooks: the same as rt::refract, but without its second look
-// near the critical angle.
+// The way of most textbooks: like rt::refract, but without its second look near the critical angle.
 inline std::optional<Vec3> refract_without_doubt(Vec3 incoming, Vec3 normal, Real eta) {
     const Real cosine = -dot(incoming, normal);
     const Vec3 along = eta * (incoming + cosine * normal);
@@ -148,7 +147,7 @@ inline std::optional<Vec3> refract_without_doubt(Vec3 incoming, Vec3 normal, Rea
     return along - std::sqrt(squared_cosine) * normal;
 }
 
-// Every sine comes from a cross product, so that no case is too close to call.
+// Every sine comes from a cross product, so that near the critical angle no second look is needed.
 inline std::optional<Vec3> refract_by_cross(Vec3 incoming, Vec3 normal, Real eta) {
     const Vec3 across = cross(normal, incoming);
     const Real sine = length(across);
@@ -157,7 +156,8 @@ inline std::optional<Vec3> refract_by_cross(Vec3 incoming, Vec3 normal, Real eta
     return eta * cross(across, normal) - std::sqrt(-excess * (1 + eta * sine)) * normal;
 }
 
-// The sine of the angle between a vector and a unit vector, nearly exactly.
+// The sine of the angle between a unit vector n and a vector v of nearly length 1, with twice the
+// digits of double.
 inline DoubleDouble exact_sine(Vec3 v, Vec3 n) {
     const auto difference = [](Real a, Real b, Real c, Real d) {
         return wide(a) * wide(b) - wide(c) * wide(d);
@@ -369,7 +369,7 @@ inline void add_choice_row(study::Report& report, const char* study, const char*
                 .cost_name = "time / ns"});
 }
 
-// The program's scene with its materials as values and behind virtual functions.
+// Draws the program's scene with its materials as values, and behind virtual functions.
 inline void add_choice_in_paths(study::Report& report, const scene::Scene& evening,
                                 const classic::Materials& objects) {
     const View view{{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)};
@@ -385,8 +385,8 @@ inline void add_choice_in_paths(study::Report& report, const scene::Scene& eveni
                    ns[1] / paths);
 }
 
-// The choice alone: nothing but scatter() on a list of hits. Metal alone, or all materials of the
-// scene, in random order.
+// Times the choice alone: nothing but scatter() on a list of hits, which are on metal alone, or on
+// all materials of the scene in random order.
 inline void add_choice_alone(study::Report& report, const scene::Scene& evening,
                              const classic::Materials& objects) {
     const auto count = static_cast<int>(evening.set.materials.size());

@@ -18,12 +18,12 @@ using rt::Vec3, rt::Hit, rt::Rng, rt::Scatter;
 class Material {
   public:
     virtual ~Material() = default;
-    // A virtual function cannot be a template: it is bound to one type of random generator.
+    // A virtual function cannot be a template, so this one takes only one type of random generator.
     virtual std::optional<Scatter> scatter(Vec3 incoming, const Hit& hit, Rng& random) const = 0;
 };
 
-// Makes a class derived from Material of each of our material types, so that both ways of choosing
-// run the same code once they have chosen.
+// Turns each of our material types into a class derived from Material. Once a material is chosen,
+// both ways of choosing run the same code.
 template <class Value>
 class Derived : public Material {
   public:
@@ -45,7 +45,7 @@ struct Materials {
     }
 };
 
-// The same materials as in a set of values.
+// The materials of a MaterialSet, as objects of such classes.
 template <class Set>
 Materials from_values(const Set& set) {
     Materials all;
