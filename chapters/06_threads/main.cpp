@@ -52,7 +52,8 @@ Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers
     return all;
 }
 
-// OpenMP and TBB keep the threads that they have started, and neither can work with fewer.
+// OpenMP and TBB keep the threads that they have started, and neither works if fewer can be
+// started.
 std::string speed_up_words(int threads) {
     const int needed = 2 * threads + static_cast<int>(std::thread::hardware_concurrency());
     if (app::threads_that_start(needed) < needed)

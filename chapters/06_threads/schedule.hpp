@@ -44,8 +44,8 @@ struct Schedule {
     }
 };
 
-// How many rays each pixel of a picture took, in a form that sums over tiles quickly: at (x, y) the
-// sum of all pixels left of x and above y.
+// How many rays the pixels of a picture took, in a form from which the sum over a tile follows
+// quickly: at (x, y) stands the sum over all pixels left of x and above y.
 class RayCounts {
   public:
     RayCounts(int width, int height, const std::vector<std::uint32_t>& rays)
@@ -74,7 +74,7 @@ class RayCounts {
 };
 
 // The schedule if the clock ticks once per ray: what would happen if every ray took the same time,
-// and each worker had a core. It is the same on every machine.
+// and each worker had a core of its own. It is the same on every machine.
 inline Schedule slices_by_rays(const RayCounts& rays, const TileGrid& grid, int workers) {
     Schedule schedule{workers, {}};
     for (int worker = 0; worker < workers; ++worker) {

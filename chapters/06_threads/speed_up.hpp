@@ -34,7 +34,7 @@ struct SpeedUp {
     double times = 1;  // how many times as fast as one worker in the same round, median
 };
 
-// 1, 2, 3, ... up to most; beyond 8 only powers of two, and most itself.
+// 1, 2, 3, ... up to `most`; beyond 8 only powers of two, and `most` itself.
 inline std::vector<int> worker_counts(int most) {
     std::vector<int> counts;
     for (int n = 1; n < most; n += n < 8 ? 1 : n) counts.push_back(n);

@@ -29,8 +29,8 @@ struct Trial {
     study::Work work;
 };
 
-// Times the trials in turn beside a plain loop, and adds a row for each: its time, and the
-// percentage of the cores' time that was lost, compared with the plain loop.
+// Times the trials in turns with a plain loop, and adds a row for each trial: its time, and the
+// percentage of the cores' time that it loses, compared with the plain loop.
 void add_trials(study::Report& report, const char* study, const char* x_name,
                 const SmallRender& render, const std::vector<Trial>& trials) {
     const SceneShader shader{render.scene,
@@ -165,7 +165,8 @@ void study_tile_size(study::Report& report, const Scene& scene) {
     add_trials(report, "Tile size", "pixels along a tile", render, trials);
 }
 
-// With a core for each worker, and a clock that ticks once per ray: the same on every machine.
+// How long workers wait if each has a core of its own and the clock ticks once per ray: the same on
+// every machine.
 void study_waiting(study::Report& report, const Scene& scene) {
     const TileGrid grid{240, 135, 8};
     const SceneShader shader{scene, make_camera(scene_view(), grid.width, grid.height), 4, 12, 1};
@@ -192,8 +193,9 @@ void study_waiting(study::Report& report, const Scene& scene) {
     }
 }
 
-// Two workers count, each in a number of its own, a few bytes apart. Processors move memory in
-// lines of 64 bytes, often in pairs: what lies in one line belongs to one core at a time.
+// Two workers count, each in a number of its own; the two numbers are a few bytes apart. Processors
+// move memory in lines of 64 bytes, often in pairs of lines, and only one core at a time can write
+// to a line.
 void study_false_sharing(study::Report& report) {
     constexpr int count = 30'000'000;
     using Counter = std::atomic<std::uint64_t>;

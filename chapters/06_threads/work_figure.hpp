@@ -36,10 +36,10 @@ struct Curve {
 struct Schedules {
     Schedule slices, tiles;
     std::vector<Curve> curves;
-    std::string clock;  // what they count
+    std::string clock;  // the unit of time
 };
 
-// The scene's light and shadow in the colors of the workers.
+// Draws the scene's light and shadow in the colors of the workers.
 inline void draw_map(Figure map, const Image& scene, const Schedule& schedule) {
     std::vector<int> owner(scene.pixels().size());
     const auto index = [&](int x, int y) {
@@ -63,7 +63,8 @@ inline void draw_map(Figure map, const Image& scene, const Schedule& schedule) {
     map.fill([&](int column, int row) { return app::average_of_nine(column, row, shade); });
 }
 
-// A bar for each worker: in its color while it works, hatched while it waits for the others.
+// Draws a bar for each worker: in the worker's color while it works, hatched while it waits for the
+// others.
 inline void draw_bars(Figure& figure, const Box& box, const Schedule& schedule, double longest) {
     if (!(longest > 0)) return;
     const Real pitch = box.height / static_cast<Real>(schedule.workers);

@@ -14,8 +14,8 @@
 namespace rt {
 namespace {
 
-// Neither library lets an exception leave its threads: it would end the program. This class keeps
-// the first one for the caller.
+// With either library, an exception that leaves a thread ends the program. This class keeps the
+// first exception for the caller.
 class FirstException {
   public:
     template <class Work>

@@ -9,7 +9,7 @@ using JobWork = std::function<void(int job, int worker)>;
 using JobSpreader = void (*)(int jobs, int workers, const JobWork& work);
 
 // The loops of 06.5, as ways to spread jobs (given). Each is null if this build does not have its
-// library. The first exception of a job reaches the caller; after it no further jobs begin.
+// library. The first exception of a job reaches the caller, and no further jobs begin after it.
 JobSpreader spread_by_standard_algorithm();  // std::for_each(std::execution::par, ...), with TBB
 JobSpreader spread_by_openmp();              // `#pragma omp parallel for`
 
