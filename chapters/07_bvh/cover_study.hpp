@@ -1,6 +1,6 @@
 #pragma once
-// The whole picture, with no more materials than it needs, compared with the classic way to draw
-// it.
+// Times the whole cover picture, drawn in the classic way and with this chapter's trees, and what
+// the materials that are compiled in add to its time.
 
 #include <array>
 #include <optional>
@@ -90,7 +90,8 @@ struct Player {
     }
 };
 
-// What a ray of the cover scene costs: the search alone, with its hit, and the shading alone.
+// What a ray of the cover scene costs: all of it, the search alone, the search and its Hit, and the
+// shading alone.
 inline void study_parts(study::Report& report, const study::Cover& cover, const WideTree& world,
                         const CoverMaterials& materials) {
     std::vector<Recorder::Answer> answers;
@@ -121,8 +122,8 @@ inline void study_parts(study::Report& report, const study::Cover& cover, const 
                     ns[i] / rays, "time per ray / ns"});
 }
 
-// Adds a row for each way to draw the cover, compared with the first one. The mean colors agree,
-// which shows that all draw the same.
+// Adds a row for each way to draw the cover, with its speed as a multiple of the first way's. The
+// rows also show the mean green: it agrees if all ways draw the same picture.
 template <std::size_t count>
 void add_rows(study::Report& report, const char* study, const study::Cover& cover,
               const std::array<const char*, count>& names, const std::array<double, count>& greens,

@@ -43,7 +43,7 @@ struct FlatInOrder {
     }
 };
 
-// Sorts along one axis and halves.
+// Sorts the numbers along an axis, and splits them in half. At most `leaf` numbers stay together.
 inline int halve(std::span<int> order, std::span<const Box> boxes, int axis, int leaf) {
     if (static_cast<int>(order.size()) <= leaf) return 0;
     std::sort(order.begin(), order.end(), [&](int a, int b) {
@@ -55,7 +55,7 @@ inline int halve(std::span<int> order, std::span<const Box> boxes, int axis, int
 
 struct SplitRandomAxis {
     int operator()(std::span<int> order, std::span<const Box> boxes) const {
-        // As good as random: the bits of the first number, mixed.
+        // As good as random: mixed bits of the first number and the count.
         const std::uint64_t bits = mix_bits(static_cast<std::uint64_t>(order[0]) ^ order.size());
         return halve(order, boxes, static_cast<int>(bits % 3), leaf_size);
     }
@@ -79,7 +79,7 @@ inline int split_binned(std::span<int> order, std::span<const Box> boxes) {
     return order.size() <= 2 ? 0 : binned_split(order, boxes);
 }
 
-// Boxes and spheres tested for a ray of the picture, on average.
+// The average number of boxes and spheres that are tested for a ray of the picture.
 inline double tests_per_ray(const SphereTree& tree) {
     const Camera camera = make_camera(scene_view(), 60, 42);
     double sum = 0;

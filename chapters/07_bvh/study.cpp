@@ -35,7 +35,8 @@ struct Shot {
     }
 };
 
-// Boxes of a node and spheres of a leaf tested for a ray, eight at once counted as one.
+// The average number of tests for a ray. A test of eight boxes or eight spheres at once counts as
+// one.
 double wide_tests_per_ray(const WideTree& tree, const std::vector<Ray>& rays) {
     double sum = 0;
     for (const Ray& ray : rays) {
@@ -83,7 +84,7 @@ void study_splits(study::Report& report, const Scene& scene) {
     const Shot shot{scene, 120, 85};
     struct Trial {
         std::string variant;
-        int leaf;  // 0 for those that are compared by their build time
+        int leaf;  // 0 for the splits that are compared by their build time
         SphereTree tree;
     };
     std::deque<Trial> trials;
@@ -112,7 +113,7 @@ void study_splits(study::Report& report, const Scene& scene) {
 
 // How the times of a ray and of building grow with the number of spheres.
 void study_growth(study::Report& report) {
-    // What is searched, kept until all have been timed.
+    // The scenes that are searched, kept until all searches have been timed.
     std::deque<Cloud> clouds;
     std::deque<WideTree> wide_trees;
     std::deque<SphereTree> trees;
@@ -151,7 +152,8 @@ void study_growth(study::Report& report) {
             cloud.rays);
         add("8-wide float boxes, random rays", "wide tests per ray",
             wide_tests_per_ray(tree, cloud.random_rays), tree, cloud.random_rays);
-        // The tests of this tree are not counted, because each tests one box or sphere, not eight.
+        // The tests in this tree are not counted, because each of them is of one box or sphere, not
+        // of eight.
         if (count <= 100'000)
             add("tree sorted", "", 0, trees.emplace_back(make_tree(cloud.spheres, split_in_half)),
                 cloud.rays);
@@ -203,7 +205,7 @@ struct BareTree {
     }
 };
 
-// How a tree changes the pixels of the list's picture.
+// How far each tree's picture is from the list's.
 void study_pixels(study::Report& report, const Scene& scene) {
     const auto add = [&](const std::string& variant, Real times, const auto& world) {
         const Camera camera = make_camera(study::from_afar(scene_view(), times), 96, 68);

@@ -79,7 +79,7 @@ void for_each_box(const TreeNode& node, int level, Visit visit) {
     for_each_box(*node.right, level - 1, visit);
 }
 
-// The boxes of one level of a tree. The spheres are there, but faint.
+// Draws the boxes of one level of a tree. The spheres are drawn, too, but faintly.
 inline void draw_level(const Figure& figure, const app::Box& where, const Scene& scene,
                        const SphereTree& tree, int level, Color color, Real share) {
     Figure panel = figure.part(where);
@@ -105,8 +105,8 @@ inline Real heat(Real tests) {
     return rt::portable::log10(std::max(Real(1), tests)) / 4;
 }
 
-// How many tests the ray of each pixel takes, by tests(ray). Their average is above, on a dark
-// plate, so that it can be read on any background.
+// Draws how many tests the ray of each pixel takes, which tests(ray) returns. The average stands
+// above the map, on a dark plate, so that it can be read on any background.
 template <class Tests>
 void draw_heat_map(const Figure& figure, const app::Box& where, const std::string& name,
                    Tests tests, const View& view) {
@@ -125,7 +125,7 @@ void draw_heat_map(const Figure& figure, const app::Box& where, const std::strin
     panel.words({letter_height / 2, letter_height / 2}, words, {letter_height, ink});
 }
 
-// The scale of the heat maps, marked at the powers of ten.
+// Draws the scale of the heat maps, marked at the powers of ten.
 inline void draw_legend(const Figure& figure) {
     Figure panel = figure.part(legend);
     panel.words({letter_height / 8, letter_height / 4}, "Tests a pixel", {letter_height, ink});

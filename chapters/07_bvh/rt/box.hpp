@@ -10,7 +10,7 @@ constexpr Real along(Vec3 v, int axis) {
 }
 
 // A box with faces along the axes: all points from low to high, faces included. Without arguments
-// it is empty: it contains nothing, and joined with another box it gives that box.
+// it is empty: it contains nothing, and joining it with another box gives that box.
 struct Box {
     Vec3 low{infinity, infinity, infinity};
     Vec3 high{-infinity, -infinity, -infinity};

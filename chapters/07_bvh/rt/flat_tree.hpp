@@ -14,18 +14,18 @@ struct FlatNode {
     std::int32_t first = 0;  // of a leaf: an index into the tree's order
     std::int32_t count = 0;  // 0 in an inner node
     std::int32_t axis =
-        0;  // of an inner node: along it, the left child is lower than the right one
+        0;  // of an inner node: the axis along which the left child is the lower one
 };
 
-// The tree of TreeOf, its nodes in one array instead of scattered over the heap (given).
+// The tree of TreeOf, with its nodes in one array instead of scattered over the heap (given).
 template <class Shape>
 struct FlatTreeOf {
     std::vector<Shape> shapes;
     std::vector<int> order;
     std::vector<FlatNode> nodes;
 
-    // Visits the nodes in the order of the array. It needs no stack: a missed node is skipped with
-    // all below it.
+    // Visits the nodes in the order of the array. It needs no stack: if the ray misses a node, all
+    // nodes below it are skipped, too.
     template <class AnyRay>
     SearchOf<Shape, AnyRay> search_in_order(const AnyRay& ray, Interval within) const {
         SearchOf<Shape, AnyRay> search{shapes, order, ray, within};
@@ -41,9 +41,9 @@ struct FlatTreeOf {
         return search;
     }
 
-    // Of two children, visits the one first that the ray reaches first, judged by its direction
-    // alone. So hits are found earlier, and more boxes lie behind them. Waiting children are kept
-    // on a stack of a fixed size.
+    // Of two children, visits first the one that the ray reaches first, judged by the ray's
+    // direction alone. The search then finds near hits earlier, and more boxes lie behind them.
+    // Waiting children are kept on a stack of a fixed size.
     template <class AnyRay>
     SearchOf<Shape, AnyRay> search_nearest_first(const AnyRay& ray, Interval within) const {
         SearchOf<Shape, AnyRay> search{shapes, order, ray, within};

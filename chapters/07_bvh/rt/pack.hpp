@@ -66,7 +66,7 @@ RT_INLINED Pack min(Pack a, Pack b) {
     return b < a ? b : a;
 }
 
-// The bits of the numbers as integers of the same size, and the bit of the sign in each.
+// A pack's bits, as integers of the same size as its numbers; sign_bit is the sign's bit in each.
 template <AnyPack Pack>
 using Bits = PackOf<std::conditional_t<sizeof(NumberOf<Pack>) == 4, std::int32_t, std::int64_t>,
                     size_of<Pack>>;

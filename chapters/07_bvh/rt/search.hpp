@@ -14,7 +14,7 @@ struct SearchOf {
     std::span<const int> order;     // of the tree: its leaves hold indices into it
     AnyRay ray;
     Interval within;    // its upper end moves down to the nearest hit
-    int nearest = -1;   // the number of the shape that was hit there, -1 before any
+    int nearest = -1;   // the number of the shape that was hit there; -1 before any hit
     int box_tests = 0;  // how much work was done so far
     int shape_tests = 0;
     SlabRay slabs = slab_ray(ray);

@@ -19,15 +19,16 @@ struct SlabRay {
     Real margin = 0;  // every box counts as larger by this on all sides
 };
 
-// The ray's share of the margin; bounds_of(sphere) has added the box's share.
+// Makes a ray ready. The margin is only the ray's share: bounds_of(sphere) has added the box's
+// share.
 inline SlabRay slab_ray(const Ray& ray) {
     const Vec3 d = ray.direction;
     return {ray.origin, {1 / d.x, 1 / d.y, 1 / d.z}, hit_margin * max_component(ray.origin)};
 }
 
-// The interval in which boxes count for a search within `within`. It always contains 0: for a ray
-// that starts on a sphere's surface, t is nothing but rounding error, but the ray's origin is
-// certainly within the sphere's box.
+// The interval in which boxes count for a search within `within`. It always contains 0: where a ray
+// starts on a sphere's surface, the t of that sphere is nothing but rounding error, but the ray's
+// origin, at t = 0, is certainly within the sphere's box.
 constexpr Interval with_origin(Interval within) {
     return {std::min(Real(0), within.min), std::max(Real(0), within.max)};
 }

@@ -4,7 +4,7 @@
 namespace rt {
 
 // A child of a wide node (given): another node or a leaf, by its number among all nodes or all
-// leaves of the tree. Both share one number, so that a node fits into few cache lines.
+// leaves of the tree. One integer stands for either, so that a node fits into few cache lines.
 class WideChild {
   public:
     // Left without a value, because a search's stack is an array of children that begins empty.
@@ -20,7 +20,7 @@ class WideChild {
   private:
     constexpr explicit WideChild(std::int32_t code) : code_{code} {}
 
-    std::int32_t code_;  // ~number of a leaf, which is negative
+    std::int32_t code_;  // a node's number, or ~number of a leaf, which is negative
 };
 
 }  // namespace rt

@@ -67,12 +67,12 @@ using SphereLeaf = WideLeaf<SceneSphere>;
 struct WideHit {
     Real t = infinity;
     std::int32_t number = -1;  // of the shape that is hit there; -1 before any hit
-    std::int32_t place = 0;    // in its leaf
+    std::int32_t place = 0;    // the shape's place in its leaf
 };
 
 // A part of a leaf's spheres, as seen from a ray (given). It computes what hit_sphere and
-// roots_from_discriminant compute, by the same operations in the same order, so each t has the same
-// bits. The names are the same, too.
+// roots_from_discriminant compute, with the same operations in the same order, so each t has the
+// same bits. The names are the same, too.
 struct LeafPart {
     Vec3 d;  // the ray's direction
     Real a;  // its squared length
@@ -115,7 +115,7 @@ struct LeafPart {
 };
 
 // Tries the spheres of a leaf between min and best.t, and returns whether best has changed. Of
-// equally near shapes the one with the highest number counts.
+// equally near spheres, the one with the highest number counts.
 RT_INLINED bool hit_leaf(const SphereLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
     constexpr std::size_t size = part_size<Real>;
     std::array<Reals, lanes / size> quarters;
@@ -126,8 +126,9 @@ RT_INLINED bool hit_leaf(const SphereLeaf& leaf, const Ray& ray, Real min, WideH
         met[p] = RT_VECTOR_BITS(quarters[p] >= 0);
         any |= met[p];
     }
-    // If the line misses all of them, the leaf is done. For the roots, f is computed once more:
-    // keeping it for all eight would take more registers than the processor has.
+    // If the line misses all spheres, the leaf is done. The roots need fx, fy and fz again. They
+    // are computed once more: keeping them for all eight spheres would take more registers than the
+    // processor has.
     const Vec3 d = ray.direction;
     if (any == 0 || !(d.x * d.x + d.y * d.y + d.z * d.z > 0)) return false;
 

@@ -9,10 +9,10 @@
 namespace rt {
 
 // hit_margin for tests of boxes in Number (given). A plane and the ray's origin are rounded to
-// Number; the inverse, its products with both, and their sum are rounded; and so is the end of
-// the interval. These seven roundings act as if the plane were moved by 4 epsilon of Number. 8
-// leaves room for hit_margin if Real is more precise; if it is not, hit_margin is larger and
-// has room for them.
+// Number; the inverse, its products with both, and their sum are rounded; and so is the end of the
+// interval. These seven roundings act as if the plane were moved by 4 epsilon of Number. The factor
+// 8 also leaves room for hit_margin if Real is more precise than Number. If not, hit_margin is the
+// larger of the two, and has room for the roundings.
 template <class Number>
 inline constexpr Real wide_margin =
     std::max(hit_margin, 8 * static_cast<Real>(std::numeric_limits<Number>::epsilon()));
@@ -25,9 +25,9 @@ struct WideRay {
     // nearer plane is moved toward the ray, and the farther one away from it. If a start is too
     // large for Number, it is NaN, and the plane does not count.
     std::array<Number, 3> inverse, near_start, far_start;
-    Real scale;  // what t is multiplied by
+    Real scale;  // t in box tests = t of the unscaled ray * scale
 
-    // Which planes along an axis are met first: 0 for the low ones, or 1.
+    // Which planes along an axis the ray meets first: 0 for the low ones, 1 for the high ones.
     std::size_t near(std::size_t axis) const { return std::signbit(inverse[axis]); }
 };
 

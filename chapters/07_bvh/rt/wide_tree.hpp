@@ -19,8 +19,8 @@ struct WideTreeOf {
     std::vector<WideNode<Number>> nodes;  // the first is the root; empty without shapes
     std::vector<WideLeaf<Shape>> leaves;
 
-    // The most nodes on the way down to a leaf: each replaces at least one split of the binary tree
-    // that it was made from.
+    // The most nodes on the way down to a leaf: each of them replaces at least one split of the
+    // binary tree.
     static constexpr std::size_t most_nodes =
         most_levels + halvings(std::numeric_limits<std::int32_t>::max(), leaf_size);
 
@@ -35,8 +35,8 @@ struct WideTreeOf {
         return search(ray, wide_ray<Number>(ray), within, WideChild::node(0), -1);
     }
 
-    // The same for a ray that is ready for boxes. The search may begin at any node or leaf, with a
-    // hit at within.max on the shape of this number.
+    // The same for a ray that is ready for boxes. The search may begin at any node or leaf, and a
+    // hit on shape `number` at within.max may already be known.
     RT_INLINED Found search(const Ray& ray, const WideRay<Number>& wide, Interval within,
                             WideChild child, std::int32_t number) const {
         Found found{{within.max, number}};
@@ -61,8 +61,8 @@ struct WideTreeOf {
                         const auto i = static_cast<std::size_t>(std::countr_zero(met));
                         return {hit.entry[i], node.child[i]};
                     };
-                    // The nearest is next. The others are few, often none: they are inserted in
-                    // order, one by one.
+                    // The nearest child is visited next. The others are few, often none, and are
+                    // inserted in order, one by one.
                     Waiting next = waiting_at(hit.met);
                     const std::size_t bottom = waiting;
                     for (unsigned met = hit.met & (hit.met - 1); met; met &= met - 1) {
@@ -101,8 +101,8 @@ struct WideTreeOf {
     }
 
     // True if anything is hit within the interval, whatever it is: the search ends at the first hit
-    // that it finds. If the ray meets the shape of this number at within.max, only other shapes
-    // count, and only if they come before it by the rules of hit().
+    // that it finds. If the ray meets shape `number` at within.max, only other shapes count, and
+    // only if they come before that shape by the rules of hit().
     template <class AnyRay>
     bool occluded(const AnyRay& any_ray, Interval within, std::int32_t number = -1) const {
         if (nodes.empty()) return false;
