@@ -17,7 +17,7 @@ inline constexpr std::array<rt::Effects, 5> few_effects = [] {
     return std::array<rt::Effects, 5>{{{}, materials, moving, lit, rt::every_effect}};
 }();
 
-// make() with each of these sets as its template argument, in their order.
+// What make() returns for each of these sets, its template argument, in their order.
 template <class Make>
 constexpr auto for_few_effects(const Make& make) {
     return [&]<std::size_t... index>(std::index_sequence<index...>) {

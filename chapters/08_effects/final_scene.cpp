@@ -56,8 +56,8 @@ class Composition {
     }
 };
 
-// Hills one behind the other, paler the farther away, and the sun that sets between them. A hill is
-// the top of a large sphere.
+// Hills, one behind the other and paler the farther away they are, and the sun that sets between
+// them. A hill is the top of a large sphere.
 void add_horizon(Composition& picture) {
     struct Hill {
         double x, z, top, radius;

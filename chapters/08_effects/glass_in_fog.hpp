@@ -1,7 +1,7 @@
 #pragma once
 // Fog lies between the spheres and not within glass: if a path meets glass from within, there was
-// no fog on the way. But if something else stands in the glass, a path may meet that first, and
-// would find fog in the glass. Such scenes are found here, so that they can be refused.
+// no fog on the way. But if something else stands in the glass, a path may meet that thing first,
+// and would find fog in the glass. Such scenes are found here, so that they can be refused.
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ inline Point along(const Point& a, double t, const Point& b) {
 // A sphere or ellipsoid while the shutter is open.
 struct Body {
     Point center;               // when it opens
-    std::array<Point, 3> axes;  // where it takes the axes of the unit sphere, seen from its center
+    std::array<Point, 3> axes;  // images of the unit sphere's axes, as vectors from the center
     double radius;              // of a ball around it
     Point way;                  // how far it moves until the shutter closes
     bool is_ball = true;
@@ -66,9 +66,10 @@ struct Body {
     }
 };
 
-// True when two bodies share a point at the same time. They may touch: both are shrunk, together by
-// a thousandth of the smaller one. Walks from the difference of the centers through the set of all
-// differences toward its point nearest to 0, until a plane turns out to separate that set from 0.
+// True if two bodies share a point at the same time. Touching does not count: the bodies are
+// shrunk, together by a thousandth of the smaller radius. The function looks at the set of all
+// differences between their points. It walks from the difference of the centers toward the set's
+// point nearest to 0, until a plane turns out to separate the set from 0.
 // Source: Gilbert, "An iterative procedure for computing the minimum of a quadratic form on a
 // convex set", 1966.
 inline bool meet(const Body& a, const Body& b) {
@@ -89,7 +90,7 @@ inline bool meet(const Body& a, const Body& b) {
     return false;  // they barely meet, if at all
 }
 
-// True for a ball that has a body within it all the time. False if `outer` is not a ball.
+// True if `outer` is a ball, and `inner` is within that ball all the time.
 inline bool encloses(const Body& outer, const Body& inner) {
     if (!outer.is_ball) return false;
     const Point way = along(inner.way, -1, outer.way);
@@ -99,8 +100,8 @@ inline bool encloses(const Body& outer, const Body& inner) {
 }
 
 // The numbers of a glass sphere that the fog reaches, and of another sphere that stands in the
-// glass or cuts into it. None if the scene has no such pair, or so many spheres that nobody
-// would wait for the answer.
+// glass or cuts into it. None if the scene has no such pair, or so many spheres that nobody would
+// wait for an answer.
 inline std::optional<std::pair<int, int>> filled_glass_in_fog(const rt::SceneDescription& scene) {
     if (!scene.fog || !(scene.fog->density > 0)) return {};
     const auto shutter = static_cast<double>(scene.camera.shutter);

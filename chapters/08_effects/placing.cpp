@@ -28,7 +28,7 @@ Ball around(const Ball& space, double distance, double radius, rt::Rng& random) 
             space.z + flat * rt::portable::sin(angle), radius};
 }
 
-// A random number from -1 to 1, more often near 0.
+// A random number from -1 to 1, most often near 0.
 double around_zero(rt::Rng& random) {
     double sum = 0;
     for (int i = 0; i < 3; ++i) sum += uniform(random, -1, 1);
@@ -52,7 +52,7 @@ void Neighbors::add(const Ball& ball) {
     balls_.push_back(ball);
 }
 
-// A grid of all balls of one size, with cells large enough that few of them are within reach.
+// A grid of all balls of one size, with cells so large that only few cells are within reach.
 const Neighbors::Grid& Neighbors::grid_of(Size& size, double reach) const {
     const double cell =
         std::max(size.diameter, rt::portable::exp2(std::ceil(rt::portable::log2(reach / 4))));
@@ -70,7 +70,7 @@ const Neighbors::Grid& Neighbors::grid_of(Size& size, double reach) const {
 
 int Neighbors::find_near(const Ball& ball, const std::function<bool(int)>& test) {
     for (Size& size : sizes_) {
-        // The middles of this size's balls that may overlap it lie at most this far away.
+        // If a ball of this size overlaps `ball`, their middles are less than this far apart.
         const double reach = ball.radius + size.diameter / 2;
         const Grid& grid = grid_of(size, reach);
         const auto low = [&](double c) { return cell_of(c - reach, grid.cell); };

@@ -38,14 +38,14 @@ inline double uniform(rt::Rng& random, double low, double high) {
 // rounding.
 bool overlap(const Ball& a, const Ball& b);
 
-// Says whether a sphere keeps clear of those placed so far. It looks only at what is near, in grids
-// of cubes for each size of sphere. Spheres may touch.
+// Says whether a sphere keeps clear of those placed so far. It looks only at spheres nearby, which
+// it finds with grids of cubes, made for each size of sphere. Spheres may touch.
 class Neighbors {
   public:
     void add(const Ball& ball);
     bool has_room_for(const Ball& ball);
-    // The number, in the order of add(), of the first ball near this one that passes a test; -1 if
-    // none does. All balls that overlap this one are near it.
+    // The number, in the order of add(), of a ball near `ball` that passes a test; -1 if none does.
+    // All balls that overlap `ball` are near it.
     int find_near(const Ball& ball, const std::function<bool(int)>& test);
     // Whether the searches so far have taken more steps than anybody will wait for.
     bool is_tired() const { return steps_ > 100'000'000; }
@@ -53,7 +53,7 @@ class Neighbors {
   private:
     struct Grid {
         double cell = 1;
-        std::size_t entered = 0;  // how many of its size's balls are in it
+        std::size_t entered = 0;  // how many balls of its size are already in the grid
         std::unordered_map<std::uint64_t, std::vector<int>> balls;
     };
     // Spheres whose diameters lie between half of `diameter` and `diameter`. Their grids are made
@@ -73,24 +73,25 @@ class Neighbors {
 // A position for a ball of this radius, anywhere that the rule allows.
 using Rule = std::function<Ball(double radius, rt::Rng& random)>;
 
-// `space` says where, in all rules: resting on the round floor of this radius around its middle;
+// Four rules. on_plane: resting on a round floor with the middle and radius of `space`.
 Rule on_plane(Ball space);
-// resting on the surface of the ball;
+// on_sphere: resting on the surface of `space`.
 Rule on_sphere(Ball space);
-// floating inside the ball;
+// in_ball: floating inside `space`.
 Rule in_ball(Ball space);
-// along the arms of a galaxy that lies flat in the ball: each arm makes this many turns from the
-// middle to the rim. Arms are as wide, and the middle is as thick, as `width` times the radius.
+// galaxy: along the arms of a galaxy that lies flat in `space`. Each arm makes this many turns from
+// the middle to the rim. Balls lie up to `width` times the radius of `space` beside an arm, and as
+// far above and below the middle.
 Rule galaxy(Ball space, int arms, double turns, double width);
 
-// This many balls by a rule, the largest first. No ball overlaps another ball or one of `there`, to
-// which all new balls are added. Their radii lie between low and high, most of them near low.
-// Returns fewer balls if there is no more room.
+// Places `count` balls according to a rule, the largest first. No ball overlaps another or one of
+// `there`, to which all new balls are added. The radii lie between `low` and `high`, most of them
+// near `low`. Returns fewer balls if there is no more room.
 std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbors& there,
                           std::uint64_t seed);
 
-// Resting on a floor like a sunflower's seeds: number i stands at i times the golden angle, so that
-// all have the same room. The radii grow from `inner` in the middle to `outer` at the rim.
+// Places balls on a floor like a sunflower's seeds: ball i stands at i times the golden angle, so
+// that all have the same room. The radii grow from `inner` in the middle to `outer` at the rim.
 std::vector<Ball> sunflower(int count, Ball space, double inner, double outer);
 
 }  // namespace placing

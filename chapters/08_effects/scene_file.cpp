@@ -77,7 +77,7 @@ class Reader {
     }
 
   private:
-    // Where in the file a sphere comes from.
+    // The position in the file that a sphere comes from.
     std::string place_of(int sphere) const {
         const auto group = std::upper_bound(ends_.begin(), ends_.end(), sphere) - ends_.begin();
         return group == 0 ? app::path_of_item("spheres", static_cast<std::size_t>(sphere))
@@ -143,8 +143,8 @@ class Reader {
         return result;
     }
 
-    // The bytes of a file in the scene's folder. No others are read, so that a scene from someone
-    // else cannot show files that lie outside it. `kind` is "an image" or "a mesh".
+    // The bytes of a file in the scene's folder. Files elsewhere are not read, so that a scene from
+    // someone else cannot reveal them. `kind` is "an image" or "a mesh".
     std::string read_neighbor(const Value& file, const std::string& kind, std::size_t most) const {
         const std::string& given = file.text("the name of " + kind + " file");
         const fs::path path{given};
@@ -291,7 +291,7 @@ class Reader {
         return OwnMaterial{read_color(value, material), number(value, "amount", shares, Real(0.5))};
     }
 
-    // The color of a material, or the first of the two that it lies between.
+    // The color of a material, or the first of the two colors that it lies between.
     static Color read_color(const Value& value, Material& material) {
         const Value given = value.at("color");
         if (!given.is_object()) return color(given, shares);

@@ -18,13 +18,14 @@ struct Limits {
     std::int64_t pixels = app::most_pixels;  // of the picture
 };
 
-// Reads a mesh from the bytes of a file, with smooth normals, without, or as the file has them.
-// Throws std::invalid_argument, which says what is wrong with the file. A program without it draws
-// no meshes.
+// Reads a mesh from the bytes of a file, with smooth normals (true), without them (false), or as
+// the file has them (none).
+// Throws std::invalid_argument, which says what is wrong with the file. A program without a
+// MeshReader draws no meshes.
 using MeshReader = std::function<rt::Mesh(const std::string& bytes, std::optional<bool> smooth)>;
 
 // The scene that a file describes. Throws app::UsageError if the file cannot be read or does not
-// follow the format: one line with the file, the position in it and what is allowed.
+// follow the format. Its message is one line: the file, the position in it and what is allowed.
 rt::SceneDescription read_scene(const std::filesystem::path& file,
                                 const MeshReader& read_mesh = {});
 

@@ -1,6 +1,7 @@
 #pragma once
-// What a scene file has besides app::Value's numbers, words and lists: vectors and colors. Every
-// function throws app::UsageError: file, position, what is allowed.
+// What a scene file has besides app::Value's numbers, words and lists: vectors and colors. For a
+// value that is not allowed, each function throws app::UsageError, which names the file, the
+// position and what is allowed.
 
 #include <app/json.hpp>
 #include <app/value.hpp>

@@ -21,8 +21,9 @@ namespace {
 
 using namespace rt;
 
-// The irradiance of a floor that faces a light, divided by pi: what one sample gives with each of
-// several ways to look for the light. The right answer is sin^2 a.
+// The irradiance of a floor that faces a light, divided by pi, as one sample estimates it; there
+// are several ways to look for the light. The right answer is sin^2 a, where 2 a is the angle that
+// the light fills as seen from the floor.
 struct LightAbove {
     Real distance;  // of a light of radius 1
     Sphere light() const { return {{0, distance, 0}, 1}; }
@@ -92,7 +93,7 @@ SceneDescription scene_with(const char* name) {
     return scene;
 }
 
-// Four ways to find a light: how far one sample is from the mean, and its time.
+// Four ways to find a light: how far one sample is from the right answer, and its time.
 void study_light(study::Report& report) {
     using Way = Real (LightAbove::*)(Rng&) const;
     constexpr std::array<std::pair<const char*, Way>, 4> ways{
@@ -108,8 +109,8 @@ void study_light(study::Report& report) {
             Rng random{8, 3};
             double squares = 0;
             constexpr int timed = 100'000;
-            // By chance one direction in distance^2 meets the light. A thousand must meet it, or
-            // their number would itself be a matter of chance.
+            // By chance, one direction in distance^2 meets the light. On average, a thousand
+            // directions have to meet it: if only a few did, their number would vary too much.
             const int count = way == &LightAbove::by_chance
                                   ? std::max(timed, static_cast<int>(1000 / expected))
                                   : timed;
@@ -155,7 +156,8 @@ void study_pixels(study::Report& report) {
     add("cone, 100 radii away", &LightAbove::by_cone, 100);
 }
 
-// The height of the cap, 1 - cos a.
+// How accurate a formula for 1 - cos a is, the height of the cap that the light covers on the
+// sphere of directions.
 template <class Formula>
 void study_cap(study::Report& report, const char* name, double power, Formula formula) {
     using Exact = study::DoubleDouble;
@@ -231,7 +233,7 @@ void study_each_effect(study::Report& report) {
     }
 }
 
-// The cover scene from end to end, compared with the classic way.
+// The time of the cover scene from end to end, compared with the classic way.
 void study_cover(study::Report& report) {
     const study::Cover cover = study::make_cover();
     const auto classic = study::classic::make_world(cover);

@@ -18,23 +18,23 @@ namespace effects {
 
 // Which renderer was chosen.
 struct Choice {
-    rt::Effects chosen, left_out;  // the effects that it has, and has not
+    rt::Effects chosen, left_out;  // the effects that it has, and those that it lacks
     std::size_t renderers = 1;     // how many there are to choose from
     bool in_batches = false;       // whether it follows many paths at a time
 };
 
-// The choice of the renderer with this index, out of renderers with these effects.
+// The Choice of the renderer at `index`, out of renderers with these sets of effects.
 inline Choice choice_of(std::span<const rt::Effects> renderers, std::size_t index) {
     return {renderers[index], without(rt::every_effect, renderers[index]), renderers.size()};
 }
 
-// The choice of a renderer that works in batches and has these effects.
+// The Choice of a renderer that has these effects and draws in batches, the only one of its kind.
 inline Choice batched_choice(const rt::Effects& effects) {
     return {effects, without(rt::every_effect, effects), 1, true};
 }
 
 // Draws the pixels of a tile with this seed, and returns how many are done: all, unless a signal
-// came meanwhile (app::Interruption) and the renderer asks for that. The rays that it took are
+// came meanwhile (app::Interruption) and the renderer stops at signals. The rays that it took are
 // added to `rays`.
 using DrawTile = std::function<std::int64_t(const rt::Tile& tile, std::uint64_t seed,
                                             rt::Image& image, std::uint64_t& rays)>;
@@ -50,21 +50,22 @@ struct TileRenderer {
 // Pixel by pixel, each path to its end, by the narrowest renderer that has these effects.
 TileRenderer make_narrowest(const rt::Effects& needed, const rt::SceneDescription& scene, int width,
                             int height, const rt::Quality& quality);
-// Chapter 10's: the same picture, byte for byte, in batches of rays. If the scene has meshes or
-// effects that batches lack, it is drawn path by path.
+// Chapter 10's way: the same picture, byte for byte, in batches of rays. A scene that has meshes,
+// or effects that batches lack, is drawn path by path.
 TileRenderer make_batched(const rt::SceneDescription& scene, int width, int height,
                           const rt::Quality& quality);
-// Chapter 11's: with samples from Sobol's sequence, path by path or in batches as above.
+// Chapter 11's way: with samples from Sobol's sequence, path by path or in batches as above.
 TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height,
                         const rt::Quality& quality, bool in_batches);
-// The same, each sample shared by the pixels around it: a tent is the reconstruction filter.
+// The same with a tent as the reconstruction filter: the pixels around a sample share it.
 TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
                        const rt::Quality& quality, bool in_batches);
 
-// Chapter 12's: pixel by pixel, with meshes.
+// Chapter 12's way: pixel by pixel, with meshes.
 TileRenderer make_meshed(const rt::SceneDescription& scene, int width, int height,
                          const rt::Quality& quality);
-// Whichever of the two the scene needs: both follow each path to its end.
+// make_meshed for a scene with meshes, and make_narrowest for any other. Both follow each path to
+// its end.
 inline TileRenderer make_path_by_path(const rt::SceneDescription& scene, int width, int height,
                                       const rt::Quality& quality) {
     return scene.meshes.empty()
@@ -78,8 +79,8 @@ app::Picture show_meshed(rt::SceneDescription scene, const app::Settings& settin
 // file has them (none). Throws std::invalid_argument, which says what is wrong with the file.
 rt::Mesh read_mesh(const std::string& bytes, std::optional<bool> smooth);
 
-// Chapter 11's way to refine a picture, up to the target error or the time budget that the settings
-// name. Calls explain() before it draws.
+// Chapter 11's way to refine a picture, until it reaches the target error or the time budget that
+// the settings name. Calls explain() before it draws.
 app::Picture refine(const rt::SceneDescription& scene, const app::Settings& settings,
                     const std::function<void(const Choice&)>& explain, app::Progress& progress);
 

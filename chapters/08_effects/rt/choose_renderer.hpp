@@ -7,7 +7,8 @@
 namespace rt {
 
 // The number of the renderer for a scene that needs these effects (given): it has all of them, and
-// no other renderer that has all of them has fewer effects. If there are several, it is the first.
+// no other renderer that has all of them has fewer effects. Of several such renderers, the first is
+// taken.
 // Throws std::invalid_argument if none has all of them.
 inline std::size_t narrowest(const Effects& needed, std::span<const Effects> renderers) {
     std::size_t best = renderers.size();

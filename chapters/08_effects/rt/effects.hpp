@@ -39,7 +39,7 @@ inline constexpr std::array all_effects{NamedEffect{"mirror", &Effects::mirror},
                                         NamedEffect{"own", &Effects::own},
                                         NamedEffect{"haze", &Effects::haze}};
 
-// All of them.
+// All effects.
 inline constexpr Effects every_effect = [] {
     Effects every;
     for (const NamedEffect& effect : all_effects) every.*effect.member = true;

@@ -19,14 +19,14 @@ namespace rt {
 struct Fog {
     Sphere region;
     Real density = 0;       // how many droplets light meets per unit of length, 0 or more
-    Color albedo{1, 1, 1};  // the share of light that a droplet scatters, each channel in [0, 1]
+    Color albedo{1, 1, 1};  // the share of light that a droplet scatters; each channel in [0, 1]
     // The asymmetry parameter g: the mean cosine of the angle by which light turns, in (-1, 1). 0
     // scatters light evenly.
     Real asymmetry = 0;
 };
 
 // How far light gets before it meets a droplet: longer than d with probability exp(-density * d).
-// `number` lies in [0, 1).
+// `number` is random, in [0, 1).
 inline Real free_flight(Real density, Real number) {
     return -portable::log1p(-number) / density;
 }
@@ -35,8 +35,8 @@ inline Real free_flight(Real density, Real number) {
 // before and after.
 // Source: Henyey and Greenstein, "Diffuse radiation in the galaxy", 1941.
 inline Real phase_density(Real asymmetry, Real cosine) {
-    // A density that favors the way back is one that favors the way ahead, with the sign of the
-    // cosine changed. Rounding may put a computed cosine a little above 1.
+    // Negative g favors the way back: the density is that of -g with the sign of the cosine
+    // changed. Rounding may put a computed cosine a little above 1.
     const Real g = std::abs(asymmetry);
     const Real away = std::max(Real(0), 1 - (asymmetry < 0 ? -cosine : cosine));
     // (1 - g)^2 + 2 g (1 - cosine): nothing cancels if g and the cosine are close to 1.
@@ -47,8 +47,9 @@ inline Real phase_density(Real asymmetry, Real cosine) {
 // A direction drawn with that density.
 inline Vec3 phase_direction(Real asymmetry, Vec3 incoming, Vec2 place) {
     const Real g = asymmetry;
-    // The usual cosine = (1 + g^2 - ((1 - g^2) / d)^2) / 2g with this d cancels for small g.
-    // 1 - cosine as a product does not, and for g = 0 it is 2 (1 - x): evenly spread.
+    // The usual formula with this d, cosine = (1 + g^2 - ((1 - g^2) / d)^2) / 2g, cancels for small
+    // g. The product below, which is 1 - cosine, does not. For g = 0 it is 2 (1 - x), which spreads
+    // directions evenly.
     const Real d = 1 - g + 2 * g * place.x;
     const Real height = (1 - g) * (1 - place.x) / d * ((1 - g) * (1 + g) / d + 1 - g);
     const Real sine = std::sqrt(std::max(Real(0), height * (2 - height)));
@@ -71,7 +72,7 @@ inline Interval within_ball(const Sphere& ball, Vec3 origin, Vec3 direction) {
     return {std::max(Real(0), middle - half), middle + half};
 }
 
-// A scene without fog: the compiler removes every call to it.
+// Stands for a scene without fog: the compiler removes every call to its functions.
 struct NoFog {
     template <class AnyRay, class Random>
     std::optional<Real> meets(const AnyRay&, Real, Random&) const {
@@ -88,11 +89,12 @@ struct NoFog {
     }
 };
 
-// Fog as a medium for paths. If its density is 0, nothing is drawn. Directions have length 1.
+// Fog as a medium for paths. If the density is 0, no random numbers are drawn. Directions have
+// length 1.
 struct FogBall {
     Fog fog;
 
-    // The t at which a ray meets a droplet before it has gone this far; none if it does not.
+    // The t at which a ray meets a droplet, if that is before `most`; none otherwise.
     template <class AnyRay, class Random>
     std::optional<Real> meets(const AnyRay& ray, Real most, Random& random) const {
         const Interval foggy = part_of(ray, most);
@@ -111,7 +113,7 @@ struct FogBall {
         return phase_density(fog.asymmetry, dot(incoming, outgoing));
     }
 
-    // The share of light that gets this far along a ray.
+    // The share of light that gets as far as `far` along a ray.
     template <class AnyRay>
     Real gets_through(const AnyRay& ray, Real far) const {
         const Interval foggy = part_of(ray, far);

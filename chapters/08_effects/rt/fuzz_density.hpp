@@ -32,13 +32,13 @@ inline Real lobe_density(Vec3 mirrored, Real fuzz, Vec3 direction) {
 
 // Metal smoother than this reflects into so narrow a cone that samples of lights mostly miss it. In
 // measurements on balls with small lamps, samples reduced the error of the displayed picture only
-// from this fuzz on.
+// if the fuzz was at least this.
 inline constexpr Real least_sampled_fuzz = Real(0.2);
 
 // Like scatter_density, but for rough metal it gives the density, too (given): that of the
-// direction itself, plus that of the direction below the surface that is folded up to it. It is 0
-// for smoother metal, where only the path itself finds lights, as in a mirror. `incoming` is the
-// direction of the ray that made the hit.
+// direction itself, plus that of the direction below the surface that is folded up to this
+// direction. It is 0 for smoother metal, where only the path itself finds lights, as in a mirror.
+// `incoming` is the direction of the ray that made the hit.
 template <class Material>
 Real scatter_density(const Material& material, Vec3 /*incoming*/, const Hit& hit, Vec3 direction) {
     return scatter_density(material, hit, direction);

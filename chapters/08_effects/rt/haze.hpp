@@ -9,7 +9,7 @@ namespace rt {
 // surface, and not from bounce to bounce, so it needs no random number and adds no noise.
 struct Haze {
     Real density = 0;  // the share of light that is lost per unit of length, where that is small
-    Color color;       // the light that comes from where nothing can be seen for haze
+    Color color;       // the light from where haze hides everything
 };
 
 // A scene without haze. It has no members, so code that uses them does not compile for it.

@@ -14,8 +14,8 @@
 
 namespace rt {
 
-// The shapes that lights may have. A chapter that adds a shape also adds light_density and
-// sample_light, which spheres have from 08.3, and hit_light for it.
+// The shapes that lights may have. A chapter that adds a shape also adds three functions for it:
+// hit_light, light_density and sample_light. (For spheres, 08.3 has the last two.)
 using LightShape = std::variant<Sphere>;
 
 // Where a ray meets a light.
@@ -38,7 +38,7 @@ struct ChosenLight {
     const Light* light = nullptr;
 };
 
-// A scene without lights (given): the compiler removes every call to it.
+// Stands for a scene without lights (given): the compiler removes every call to its functions.
 struct NoLights {
     static constexpr bool empty() { return true; }
     static const Light* find(const Hit&) { return nullptr; }
@@ -90,7 +90,7 @@ class SceneLights {
     std::vector<Light> lights_;
 };
 
-// Where a ray to a light ends: at t it meets the shape of this number in the tree; -1 for none.
+// Where a ray to a light ends: at t it meets shape `number` of the tree; -1 for none.
 struct LightEnd {
     Real t;
     int in_tree;

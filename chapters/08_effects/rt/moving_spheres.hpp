@@ -21,15 +21,15 @@ inline Sphere sphere_at(const MovingSphere& sphere, Real time) {
 // A box that the sphere never leaves.
 inline Box bounds_of(const MovingSphere& sphere) {
     const Sphere end = sphere_at(sphere, 1);
-    // Every position in between is rounded twice; the bounds of spheres that are larger by
-    // that contain it.
+    // Every position in between is rounded twice. The spheres at both ends are made larger by that
+    // error, so that the box around them contains all positions.
     const Real larger =
         rounding_bound(4) * std::max(max_component(sphere.shape.center), max_component(end.center));
     return join(bounds_of(Sphere{sphere.shape.center, sphere.shape.radius + larger}),
                 bounds_of(Sphere{end.center, end.radius + larger}));
 }
 
-// It is hit where it is at the ray's time.
+// The ray meets the sphere where it is at the ray's time.
 inline std::optional<Real> hit_shape(const MovingSphere& sphere, const TimedRay& ray,
                                      Interval within) {
     return hit_sphere(sphere_at(sphere, ray.time), ray, within);

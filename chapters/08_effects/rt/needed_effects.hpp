@@ -3,8 +3,8 @@
 
 namespace rt {
 
-// The effects that a renderer of this scene needs (given): those of 08.1, and those of what later
-// chapters have added to scenes.
+// The effects that a renderer of this scene needs (given): those of 08.1, and those that later
+// chapters have added.
 inline Effects needed_effects(const SceneDescription& scene) {
     const Effects needed = with(effects_of(scene), added_effects(scene));
     if (scene.meshes.empty()) return needed;

@@ -33,14 +33,14 @@ struct Place {
         return materials(incoming, *hit, random);
     }
     // The probability density, per solid angle, with which scatter() takes a direction; 0 for
-    // mirrors and glass, for which light cannot be sampled, and for rough metal, where that pays
-    // only with weights.
+    // mirrors and glass, for which light cannot be sampled, and for rough metal, where sampling
+    // light pays only with weights.
     Real density(Vec3 direction) const {
         return collision ? fog.density(incoming, direction)
                          : scatter_density(materials, *hit, direction);
     }
-    // Star: the same, but including the density of rough metal, except in a scene with meshes. It
-    // has no upper limit, so it may be used only with weights.
+    // Star: the same, but including the density of rough metal, except in a scene with meshes. This
+    // density has no upper limit, so it may be used only with weights.
     Real shared_density(Vec3 direction) const {
         return collision ? fog.density(incoming, direction)
                          : scatter_density(materials, incoming, *hit, direction);

@@ -16,8 +16,9 @@ namespace rt {
 // with any position and orientation. Such a copy of a shape is called an instance.
 struct Instance {
     Mat4 object_to_world, world_to_object;  // each is the other's inverse
-    // As long as a Real, so that no padding follows: with -ftrivial-auto-var-init, which answers
-    // are compiled with, g++ 12 loses a number of the first matrix when such an object is returned.
+    // An integer as long as a Real, so that no padding follows: with -ftrivial-auto-var-init, which
+    // answers are compiled with, g++ 12 loses a number of the first matrix when such an object is
+    // returned.
     std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> material = 0;
 };
 
@@ -34,7 +35,8 @@ inline constexpr Sphere unit_sphere{{0, 0, 0}, 1};
 // that starts this far away from the surface does not meet it again at once.
 inline Real instance_error(const Instance& instance, Vec3 point) {
     const Mat4& m = instance.world_to_object;
-    // How far off it is in the object's space, where the surface is at distance 1 from the origin.
+    // How far off the point is in the object's space, where the surface is at distance 1 from the
+    // origin.
     const Vec3 there = transform_point(m, point);
     const Real off = std::abs(length(there) - 1);
     // 4 roundings of each coordinate there: now, and again when a ray starts from here.

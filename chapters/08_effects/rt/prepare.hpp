@@ -14,7 +14,7 @@ namespace rt {
 
 // The shapes of a scene, sorted by type for the renderers (given).
 struct Prepared {
-    std::vector<SceneSphere> still;  // lights, too
+    std::vector<SceneSphere> still;  // including the lights
     std::vector<MovingSphere> moving;
     std::vector<Instance> instances;
     std::vector<Light> lights;
@@ -60,8 +60,8 @@ inline ReadyMaterial ready(const Emitter&, const std::vector<Image>&) {
     return Lambertian{};
 }
 
-// The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet. If the
-// renderer does not have a material's type, nothing is made of it.
+// The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet. A material
+// whose type the renderer does not have is replaced by a black Lambertian.
 template <class Materials>
 Materials prepare_materials(const SceneDescription& scene) {
     using Element = typename decltype(Materials::materials)::value_type;

@@ -17,7 +17,7 @@
 
 namespace rt {
 
-// A tree of shapes that only a renderer with some effect has (given).
+// A tree of shapes if `present` is true, and otherwise NoWorld (given).
 template <bool present, class Shape>
 auto tree_if(const std::vector<Shape>& shapes) {
     if constexpr (present)
@@ -50,8 +50,9 @@ struct RendererTypes {
     using SceneHaze = Either<effects.haze, Haze, NoHaze>;
 };
 
-// A scene, made ready for a renderer with these effects (given). They must cover those of the
-// scene, which must outlive it (its images are not copied).
+// A scene, made ready for a renderer with these effects (given). These must cover the effects that
+// the description calls for. The description must outlive the ReadyScene, because its images are
+// not copied.
 template <Effects effects>
 struct ReadyScene {
     using Types = RendererTypes<effects>;

@@ -63,7 +63,7 @@ class Renderer {
 
     template <class World, class Samples>
     Color pixel(const World& world, const Samples& samples, int column, int row) const {
-        // With lights and instances there is so much to inline that it takes a minute to compile.
+        // With lights and instances there is so much to inline that compiling would take a minute.
         if constexpr (effects.lights && effects.instances)
             return average(world, samples, column, row);
         else
@@ -84,7 +84,7 @@ class Renderer {
         });
     }
 
-    // Along one path, by chapter 04's loop or by this chapter's.
+    // The light along one path, followed by chapter 04's loop or by this chapter's.
     template <class World, class AnyRay, class Random>
     Color radiance(const World& world, const AnyRay& ray, Random& random) const {
         if constexpr (effects.lights || effects.fog)

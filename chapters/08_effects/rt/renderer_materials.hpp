@@ -11,9 +11,9 @@
 
 namespace rt {
 
-// The types of material that renderers use (given): metal without fuzz, which draws no random
-// numbers, is a Mirror, and an image is looked up. A chapter that adds a material adds its type
-// here. The renderers that have every effect have all of these types.
+// The types of material that renderers use (given): metal without fuzz is a Mirror, which draws no
+// random numbers, and a material with an image is an ImageMatte. A chapter that adds a material
+// adds its type here. The renderers that have every effect have all of these types.
 using AllMaterials =
     MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>;
 using ReadyMaterial = decltype(AllMaterials::materials)::value_type;

@@ -5,8 +5,9 @@ namespace rt {
 
 // The weight of a way to find light (given), from the density with which it chose a direction and
 // the density with which the other way would have chosen it: light that both find counts once in
-// total. Both are 0 or more, not both 0; one may be infinite. Source: the power heuristic of Veach
-// and Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995.
+// total. Both densities are 0 or more, and not both are 0; one may be infinite. Source: the power
+// heuristic of Veach and Guibas, "Optimally combining sampling techniques for Monte Carlo
+// rendering", SIGGRAPH 1995.
 inline Real shared_weight(Real density, Real other) {
     // Computed from the ratio, so that no square overflows.
     if (density < other) {

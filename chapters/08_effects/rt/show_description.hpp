@@ -19,15 +19,15 @@ app::Picture show_ready(const Scene& scene, const app::Settings& settings,
     return show_world(settings, progress, scene.camera, scene.world, path, render_tiles);
 }
 
-// Prepares the camera for --show (given): hits are those of a pinhole camera at the moment at which
-// the shutter opens.
+// Prepares the camera for --show (given): unless it asks for bounces or samples, hits are those of
+// a pinhole camera at the moment at which the shutter opens.
 inline void hold_still(CameraDescription& camera, const std::string& show) {
     if (show == "bounces" || show == "samples") return;
     camera.lens = {};
     camera.shutter = 0;
 }
 
-// Draws what --show asks for, of a scene (given), by a renderer that has these effects. The
+// Draws what --show asks for, of a scene (given), with a renderer that has these effects. The
 // settings of the program count, not those of the scene.
 template <Effects effects>
 app::Picture show_description(SceneDescription scene, const app::Settings& settings,

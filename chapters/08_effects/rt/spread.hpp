@@ -8,7 +8,7 @@
 
 namespace rt {
 
-// Only their names are needed here: what includes this compiles sooner.
+// Only their names are needed here, so that files that include this one compile faster.
 struct CheckeredMatte;
 struct ImageMatte;
 struct Mirror;
@@ -18,8 +18,8 @@ struct OwnMaterial;
 
 // The probability density, per solid angle, with which scatter() of a material takes a direction
 // (given). It is 0 for materials for which light cannot be sampled: mirrors and glass allow single
-// directions only, lights in rough metal are found by the path itself (or with fuzz_density.hpp),
-// and the density of a material that you invent is unknown.
+// directions only, reflections of lights in rough metal are found by the path itself (or with
+// fuzz_density.hpp), and the density of a material that you invent is unknown.
 inline Real cosine_density(const Hit& hit, Vec3 direction) {
     return lambert(facing_normal(hit), direction) / pi;
 }
@@ -45,7 +45,7 @@ inline Real scatter_density(const OwnMaterial&, const Hit&, Vec3) {
     return 0;
 }
 
-// The same for what was hit, whatever it is made of.
+// The same for whichever of the scene's materials was hit.
 template <class Material>
 Real scatter_density(const MaterialList<Material>& set, const Hit& hit, Vec3 direction) {
     return scatter_density(set.materials[static_cast<std::size_t>(hit.material)], hit, direction);

@@ -24,7 +24,7 @@ struct PictureMatte {
     int image = 0;  // an index into the scene's images, whose colors are albedos, in [0, 1]
 };
 
-// The same, ready to be used: the image is at hand.
+// The same, as renderers keep it: with the image itself instead of its index.
 struct ImageMatte {
     const Image* image = nullptr;
 };
