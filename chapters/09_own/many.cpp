@@ -1,5 +1,6 @@
 // Prints a scene of 10,000 spheres: a nautilus shell of beads on dark, smooth ground, and pearls
-// around it. Each of its two loops makes a part. Change them, and make a scene of your own:
+// around it. It has a loop for the beads and a loop for the pearls. Change them to make a scene of
+// your own:
 //
 //     g++ -std=c++20 many.cpp -o many && ./many >many.txt
 
@@ -44,7 +45,8 @@ int main() {
         const double x = size * out * std::cos(spiral), y = size * out * std::sin(spiral) + 14.4;
         const double z = 0.8 * size * std::sin(around), radius = 0.052 * size * std::sqrt(out);
 
-        // Ten bands in a turn, warm and cool in turns, curved like the edge of a shell that grows.
+        // Each turn of the spiral has ten bands, warm and cool in turns, curved like the growing
+        // edge of a shell.
         const double band = std::cos(2 * pi * (10 * turns - 0.4 * std::cos(around)));
         const double late = std::max(0.0, 2 * age - 1);
         const Color warm = mix({0.8, 0.02, 0.15}, {1, 0.6, 0.1}, late);
@@ -64,7 +66,7 @@ int main() {
         const char* materials[] = {"glass 1.5", "metal 0.98 0.72 0.4 0", "metal 0.9 0.92 1 0.05",
                                    "matte 0.85 0.25 0.1", "matte 0.03 0.35 0.45"};
         const double out = 3 * std::sqrt(i + 60), around = i * golden_angle;
-        // A sequence that looks like chance; its fourth power makes most pearls small.
+        // A sequence that looks random; its fourth power makes most pearls small.
         const double radius = 0.2 + 1.5 * std::pow(std::fmod(0.7548 * i, 1), 4);
         std::printf("%s\nsphere %.3f %.3f %.3f %.3f\n", materials[i % 5], out * std::cos(around),
                     radius, out * std::sin(around), radius);
