@@ -5,8 +5,8 @@
 
 namespace batches {
 
-// The chapter's picture, drawn by code that is compiled for registers of some width. Both functions
-// return how many rays they took.
+// The chapter's picture, drawn by code that is compiled for registers of some width. The functions
+// `singly` and `in_batches` return how many rays they took.
 struct Width {
     std::size_t lanes = 1;  // the numbers that a register holds
     std::function<std::uint64_t()> singly, in_batches;

@@ -38,7 +38,7 @@ class Packet {
   private:
     struct Waiting {
         WideChild child;
-        std::uint32_t rays;  // one bit for each ray that has met its box
+        std::uint32_t rays;  // one bit for each ray that has met the child's box
     };
 
     template <std::size_t... i>
@@ -47,8 +47,8 @@ class Packet {
         max_.fill(std::numeric_limits<float>::infinity());
     }
 
-    // Tests the boxes of the children for each of these rays; those that are met go on the stack,
-    // the nearest last.
+    // Tests the boxes of the children for each of these rays; the children that any ray meets go on
+    // the stack, the nearest last.
     std::size_t visit(const WideNode<float>& node, std::uint32_t rays, Waiting* stack,
                       std::size_t waiting) const {
         std::array<std::uint32_t, lanes> met{};

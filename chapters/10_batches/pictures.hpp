@@ -1,5 +1,5 @@
 #pragma once
-// The study's picture: the scene of the chapter, small, drawn in both ways.
+// The study's small picture of the chapter's scene, drawn path by path and in batches.
 
 #include <rt/batch_renderer.hpp>
 #include <rt/canvas.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// The scene of chapter 10: beads of matte, metal and glass on the shell of an ammonite, and those
+// The scene of chapter 10: beads of matte, metal and glass on the shell of an ammonite, and beads
 // that have come loose and roll out of its mouth.
 
 #include <cmath>
@@ -36,8 +36,8 @@ inline View scene_view() {
 struct Shell {
     static constexpr double turns = 4.85, growth = 1.9, rim = 3.3, width = 0.31, start = 0.52;
 
-    // The distance from the middle of the shell to that of the tube, this many turns inward from
-    // the mouth.
+    // The distance from the middle of the shell to the middle of the tube, this many turns inward
+    // from the mouth.
     static double distance(double inward) { return rim * rt::portable::pow(growth, -inward); }
     static double angle(double inward) { return 2 * std::numbers::pi * (start - inward); }
 };
@@ -109,7 +109,8 @@ class Beads {
             {{on_floor(right, up, toward_us), static_cast<Real>(radius)}, material, {}});
     }
 
-    // Ribs of gold; between them colors that go from deep inside to the rim.
+    // The material of a bead: gold on the ribs; between them glass, or a color that depends on how
+    // far outward the bead is.
     int bead(double inward, double around) {
         const double ribs = 26 * inward + 0.35 * rt::portable::cos(around);
         const double lot = uniform();

@@ -57,7 +57,7 @@ std::size_t count(const Rays& rays) {
 
 using Found = std::vector<WideHit>;  // of all rays
 
-// Three ways to search. Each adds to `found`, if there is one, what the rays meet.
+// Three ways to search. Each adds what the rays meet to `found`, if that is not null.
 void search_singly(const WideTree& tree, const Rays& rays, Found* found) {
     for (const auto& batch : rays)
         for (const Ray& ray : batch) {
@@ -81,7 +81,7 @@ void search_in_packets(const WideTree& tree, const Rays& rays, Found* found) {
     }
 }
 
-// The same rays as the records of paths, with an end for each.
+// The same rays as path records, each with an end.
 class Batches {
   public:
     Batches(const WideTree& tree, const Rays& rays) : search_{tree} {
@@ -164,8 +164,8 @@ WideTree without_leaves(WideTree tree) {
 }
 
 // Where the nanoseconds of a ray go. Searches that do less and less show how much time each part
-// takes: from one that knows where its rays end, to one that tests boxes alone, to one whose
-// rays end before they begin.
+// takes: from one that knows in advance where its rays end, to one that tests boxes alone, to one
+// whose rays end before they begin.
 void study_parts(study::Report& report, const StudyScene& scene, const Recorded& recorded) {
     const WideTree &tree = scene.ready.world, boxes = without_leaves(tree);
     Rays rays = recorded.camera;
@@ -239,7 +239,7 @@ void study_batch_size(study::Report& report, const StudyScene& scene) {
                     "", ns[i] / static_cast<double>(rays), "time per ray / ns"});
 }
 
-// The same picture of ever smaller spheres, in both ways.
+// Draws the same picture with more and more, ever smaller spheres, path by path and in batches.
 void study_growth(study::Report& report) {
     for (int spheres = 100; spheres <= 1'000'000; spheres *= 10) {
         const StudyScene scene{spheres};

@@ -1,5 +1,5 @@
-// What chapter 08's program draws with if --batches is given, with jittered samples. It is linked
-// into that program.
+// The part of chapter 08's program that draws if --batches is given, with jittered samples. This
+// file is linked into that program.
 
 #include <rt/batch_workers.hpp>
 

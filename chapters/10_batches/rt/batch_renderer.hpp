@@ -14,8 +14,8 @@
 
 namespace rt {
 
-// The effects that batches have. Lights, fog, motion, instances and haze would take each path
-// through chapter 08's code by itself, and that takes longer than to draw path by path.
+// The effects that batches have. With lights, fog, motion, instances or haze, each path would go
+// through chapter 08's code by itself, which takes longer than drawing path by path.
 inline constexpr Effects batch_effects{
     .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
 
@@ -40,7 +40,7 @@ inline int batch_tile_side(int samples_per_pixel) {
 // are left make their second, and so on. The picture is that of Renderer, bit for bit, however the
 // paths are grouped into batches. Each thread has its own BatchRenderer.
 //
-// Points says where the samples are, and brings their random numbers: see JitteredPoints.
+// `Points` tells where the samples are, and brings their random numbers: see JitteredPoints.
 template <Effects effects, class Points = JitteredPoints>
 class BatchRenderer {
     static_assert(covers(batch_effects, effects));
@@ -86,19 +86,20 @@ class BatchRenderer {
     }
 
   private:
-    // Of a sample: both are written in place, since a copy would wait for them.
+    // Where to write a sample's point and random numbers: in place, because copying them would take
+    // extra time.
     struct Start {
         SamplePoint& point;
         typename Points::Random& random;
     };
 
-    // jittered_offset of 04.5: within a cell, or anywhere in the pixel if the cell has no end.
+    // jittered_offset of 04.5: within a cell, or anywhere in the pixel if `end` is infinite.
     Pack jittered(Pack first, Pack place, Pack end) const {
         const Pack within = min((first + place) / static_cast<Real>(cells_), end);
         return end == infinity ? place : within;
     }
 
-    // Gives some paths their first rays.
+    // Gives `size` paths, beginning with number `from`, their first rays.
     RT_INLINES_ALL void start(std::size_t from, std::size_t size) {
         const auto [column, row, first_x, first_y, x, y, end_x, end_y] =
             load_eight([&](std::size_t i) { return &points_[from + i]; });

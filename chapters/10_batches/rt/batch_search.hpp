@@ -27,17 +27,18 @@ class BatchSearch {
                 orders_[node][octant] = nearest_first(tree.nodes[node], octant);
     }
 
-    // Makes room for this many rays. Those that are ready stay so.
+    // Makes room for this many rays. Rays that are ready stay ready.
     void make_room(std::size_t rays);
 
-    // Makes the rays of up to pack_size paths, from this number on, ready for box tests. They end
-    // at t. The lanes that are not used write to paths behind them: go from lower numbers to
-    // higher.
+    // Makes the rays of up to pack_size paths, from this number on, ready for box tests. The rays
+    // end at t. Unused lanes write to the paths that come next, so make rays ready in ascending
+    // order.
     void make_ready(std::size_t from, const Vec3Pack& origin, const Vec3Pack& direction, Pack t);
-    // The same for paths one after the other, in room that it makes.
+    // The same for paths one after the other; makes room for them.
     void make_ready(std::span<const PathRecord> paths);
 
-    // Sets t and sphere of these paths, within [0, t]. Their rays must be ready.
+    // Sets `t` and `sphere` of these paths to their nearest hits within [0, t]. Their rays must be
+    // ready.
     void find_nearest(std::span<PathRecord> paths);
 
     // The functions that descend() calls.
@@ -56,14 +57,14 @@ class BatchSearch {
 
   private:
     static constexpr unsigned octants = 8;
-    // This many rays or fewer are faster one by one.
+    // At most this many rays are faster to search one by one.
     static constexpr std::size_t few_rays = 8;
     // The most lists on the way down: one for each node, and a leaf's.
     static constexpr std::size_t most_lists = WideTree::most_nodes + 1;
     using Order = std::array<std::uint8_t, lanes>;
     typedef float Eight RT_VECTOR_OF(lanes * sizeof(float));  // one number of each of eight boxes
 
-    // A ray for box tests, in one cache line, and its end, which the nearest hit so far sets.
+    // A ray for box tests, in one cache line. `max` is its end, which the nearest hit so far sets.
     struct alignas(64) BoxRay {
         WideRay<float> wide;
         float max;
@@ -85,7 +86,7 @@ class BatchSearch {
     std::vector<std::uint8_t> leaf_sizes_;
     PathRecord* paths_ = nullptr;
     std::vector<BoxRay> rays_;
-    std::vector<std::uint8_t> octants_;  // of the rays, as masks: bit k is set in octant k
+    std::vector<std::uint8_t> octants_;  // of each ray, as a mask: bit k for octant k
     std::vector<std::uint32_t> all_;     // 0, 1, 2 ...
     std::vector<std::uint32_t> lists_;
     std::vector<std::uint8_t> masks_;
@@ -101,7 +102,7 @@ inline BatchSearch::Order BatchSearch::nearest_first(const WideNode<float>& node
         }
     Order order;
     std::iota(order.begin(), order.end(), std::uint8_t{0});
-    // Empty boxes have no middle, so they come last.
+    // The middle of an empty box is NaN; such boxes come last.
     const auto key = [&](std::uint8_t i) {
         return along[i] == along[i] ? along[i] : std::numeric_limits<float>::infinity();
     };
@@ -218,11 +219,11 @@ inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
     const PackMask before = rays.sphere;
     for (std::size_t i = 0; i < size; ++i) hit_pack(spheres.sphere(i), spheres.number[i], rays);
     if (bits_of(rays.sphere != before) == 0) return;
-    // All are written: no processor can predict which of them have changed.
+    // All hits are written: no processor can predict which of them have changed.
     for (std::size_t k = 0; k < pack_size; ++k) set_hit(pack[k], rays.t[k], rays.sphere[k]);
 }
 
-// The search of chapter 07, from a node or leaf on, for one ray after the other.
+// The search of chapter 07, from this node or leaf on, for one ray after the other.
 inline void BatchSearch::search_alone(WideChild child, PathList list) {
     for (const std::uint32_t i : list) {
         const PathRecord& path = paths_[i];

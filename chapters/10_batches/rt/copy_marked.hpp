@@ -16,9 +16,9 @@ inline constexpr auto marked_places = [] {
     return table;
 }();
 
-// Copies those of eight numbers whose mask has this bit to `to`, in order, and returns how many
-// they are (given). There must be room for eight. If the processor can reorder eight numbers in one
-// instruction, they are not tested one by one.
+// Copies to `to`, in order, those of eight numbers whose masks have this bit, and returns how many
+// it has copied (given). There must be room for eight. If the processor can reorder eight numbers
+// in one instruction, they are not tested one by one.
 inline std::size_t copy_marked(const std::uint32_t* numbers, const std::uint8_t* masks,
                                unsigned bit, std::uint32_t* to) {
 #ifdef RT_HAS_EIGHT_ORDERED

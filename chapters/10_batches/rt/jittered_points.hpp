@@ -28,8 +28,8 @@ class JitteredPoints {
     int count() const { return samples_.count; }
     int cells() const { return cells_; }  // in each row of a pixel
 
-    // Calls add() for each sample of a pixel, in their order, with what its Random is made of. It
-    // returns the places for the sample's point and its random numbers.
+    // Calls add() for each sample of a pixel, in their order, with what the sample's Random is made
+    // from. add() returns references to the sample's point and its Random.
     template <class Add>
     void each(int x, int y, const Add& add) const {
         const std::uint64_t seed = samples_.seed;

@@ -15,7 +15,8 @@ using Pack = PackOf<Real, pack_size>;
 using PackMask = Bits<Pack>;  // -1 for true, 0 for false
 using PackInteger = NumberOf<PackMask>;
 
-// The same number, pack_size times. (x - 0 is x, even if x is -0, and so costs nothing.)
+// The same number, pack_size times. (The compiler can leave out the subtraction: x - 0 is x, even
+// for x = -0.)
 inline Pack pack_of(Real x) {
     return x - Pack{};
 }
@@ -35,8 +36,8 @@ void for_each_bit(PackBits bits, Visit visit) {
     for (; bits; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-// The numbers that a processor fetches from a record in memory at once. A pack holds one
-// block or more.
+// A block: the numbers that the processor loads from a record at once. A pack holds one block or
+// more.
 using Block = PackOf<Real, 16 / sizeof(Real)>;
 inline constexpr std::size_t block_size = sizeof(Block) / sizeof(Real);
 inline constexpr std::size_t blocks = pack_size / block_size;

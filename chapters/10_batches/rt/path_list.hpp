@@ -8,7 +8,7 @@ namespace rt {
 using PathList = std::span<const std::uint32_t>;
 
 // Room for what descend() writes: a list, and its masks, for each level of nodes on the way down.
-// None is longer than the first list.
+// No list is longer than the first one.
 struct Scratch {
     std::uint32_t* lists;
     std::uint8_t* masks;

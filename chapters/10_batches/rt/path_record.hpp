@@ -28,8 +28,8 @@ struct RayPack {
     PackMask sphere{};
 };
 
-// A pack of paths: the first of a list. If it has fewer, its first one fills the other lanes, so
-// that no lane needs a test. The numbers behind the list are read, and do not matter.
+// A pack of paths: the first pack_size paths of a list. If the list has fewer paths, its first one
+// also fills the other lanes, so that no lane needs a test.
 struct PathPack {
     std::array<std::uint32_t, pack_size> path;
     std::size_t size;  // the lanes that count

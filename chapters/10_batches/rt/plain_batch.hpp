@@ -27,14 +27,14 @@ class PlainBatch {
         search_.make_room(most_paths);
     }
 
-    std::vector<PathRecord> paths;  // on their way, and room for a pack that is not full
-    std::vector<Color> light;       // of samples, once they have ended
+    std::vector<PathRecord> paths;  // paths on their way, and room for a pack that is not full
+    std::vector<Color> light;       // of each sample, once its path has ended
     std::vector<Random> randoms;    // of samples
 
     // Makes room for the light of this many new paths.
     void begin(std::size_t count) { std::fill_n(light.begin(), count, Color{}); }
 
-    // Gives a pack of paths, from this number on, their rays. Goes from lower numbers to higher.
+    // Gives the pack of paths that begins with number `from` its rays. Call it in ascending order.
     void set_rays(std::size_t from, const Vec3Pack& origin, const Vec3Pack& direction) {
         set_rays(paths, from, origin, direction);
     }
