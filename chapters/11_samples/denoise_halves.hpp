@@ -17,11 +17,11 @@ namespace samples {
 using namespace rt;
 
 // An estimate of the square error of `smooth`, the mean of the filtered halves, in one channel of a
-// pixel. The filter must be linear, as denoised() is: then that mean is the filtered picture. What
-// the filter changes is the error that it leaves minus the noise before it. That noise is estimated
-// as half of the halves' difference, and what is left of it as half of the filtered halves'
-// difference. The estimate is unbiased if the halves err independently. For a single pixel it says
-// little, and it may be negative.
+// pixel. The filter must be linear, as denoised() is: then that mean is the filtered picture. The
+// error after filtering is the change that the filter makes, plus the noise before filtering. That
+// noise is estimated as half the difference of the halves, and the noise after filtering as half
+// the difference of the filtered halves. The estimate is unbiased if the halves err independently.
+// For a single pixel the estimate says little, and may be negative.
 inline Real filtered_square_error(Halves<Real> half, Halves<Real> filtered) {
     const Real change = twin_mean(filtered) - twin_mean(half);
     const Real noise = (half.first - half.second) / 2;
@@ -35,7 +35,7 @@ struct Denoised {
 };
 
 // Denoises with the usual widths, with half of them, with a quarter, and not at all. For each pixel
-// it takes the result whose error is smallest, as estimated from the halves around the pixel. Since
+// it takes the result with the smallest error, estimated from the halves around the pixel. Since
 // the choice follows the estimates, the true error is a bit larger than the estimated one.
 inline Denoised denoise_halves(const Halves<Image>& half, const Canvas<Features>& features) {
     const int width = features.width(), height = features.height();

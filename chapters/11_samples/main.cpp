@@ -72,8 +72,8 @@ Drawn draw_jittered(Sampling& sampling, const Strip& strip) {
     return drawn;
 }
 
-// Sobol's points in two halves. The pilot takes `pilot` samples in each half; the samples that are
-// left go where they are worth it. `counts` gets the samples of each pixel.
+// Sobol's points in two halves. The pilot takes `pilot` samples in each half; the remaining samples
+// go to the tiles where they reduce the error most. `counts` gets the samples of each pixel.
 Drawn draw_halves(Sampling& sampling, const Strip& strip, int pilot, Canvas<int>& counts) {
     if (strip.width == 0) return {};
     const app::Settings& settings = sampling.settings;
@@ -103,7 +103,8 @@ Denoised denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>
         for_each_pixel(tile, [&](int x, int y) {
             part.first.at(x, y) = half.first.at(skipped + x, y);
             part.second.at(x, y) = half.second.at(skipped + x, y);
-            // With samples of their own: the filter must not follow the noise of the halves.
+            // The features take samples of their own: the filter must not follow the noise of the
+            // halves.
             features.at(x, y) = features_at(scene, {mix_bits(*sampling.settings.seed), 4},
                                             strip.left + x, y, rt::portable::exp2(-stops));
         });
@@ -132,8 +133,8 @@ std::string error_text(Real error) {
     return std::isfinite(error) ? out.str() : "";
 }
 
-// How many independent samples would do as well as those that went where they are worth it: the
-// standard error treats the jittered ones as independent.
+// Says how many independent samples per pixel would reach the third strip's error. This follows
+// from the jittered strip, whose standard error is computed as if its samples were independent.
 std::string comparison(const Drawn& jittered, const Drawn& worth, int samples) {
     if (!std::isfinite(jittered.error) || !(worth.error > 0)) return "";
     const Real variance = jittered.error * jittered.error * static_cast<Real>(samples);

@@ -53,7 +53,7 @@ class Spires {
         const double base = 0.27 * height;
         const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
         for (int i = 0; i < balls; ++i) {
-            // The same area of the cone for each ball, but smaller ones near the tip.
+            // Each ball has the same area of the cone, but balls near the tip are smaller.
             const double down = std::sqrt((i + 0.5) / balls);
             const double reach = base * down;
             const double radius = 1.02 * base * std::sqrt(1.0 / balls) * 1.7 * (0.72 + 0.28 * down);

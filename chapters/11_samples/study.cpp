@@ -66,7 +66,7 @@ Judged draw_watched(const Stage& stage, const Samples& samples) {
     return judged;
 }
 
-// The window must be all of the picture.
+// The stage's window must be the whole picture.
 Judged draw_twins(const Stage& stage, int samples, std::uint64_t seed) {
     const TileGrid grid{stage.window.right, stage.window.bottom, 4};
     const Refined refined =
@@ -153,14 +153,14 @@ Stop stop_by_own_error(Rng& random, int pilot) {
         add(known, lamp_or_dark(random));
     return to_stop(known);
 }
-// Stops after as many samples as the first ones ask for.
+// Stops after as many samples as the pilot's samples ask for.
 Stop stop_by_own_pilot(Rng& random, int pilot) {
     RunningVariance known = draw_lamps(random, pilot);
     const std::int64_t count = samples_for(variance(known), wanted_error, most_samples);
     while (known.count < count) add(known, lamp_or_dark(random));
     return to_stop(known);
 }
-// Two halves, each of which takes as many samples as the other half's first ones ask for.
+// Takes two halves: each takes as many samples as the other half's pilot asks for.
 Stop stop_by_other_half(Rng& random, int pilot) {
     Halves<RunningVariance> half{draw_lamps(random, pilot / 2), draw_lamps(random, pilot / 2)};
     const Halves<Real> spread{std::sqrt(variance(half.first)), std::sqrt(variance(half.second))};

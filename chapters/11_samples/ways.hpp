@@ -9,7 +9,7 @@ namespace samples {
 
 using namespace rt;
 
-// Every sample anywhere in the pixel, wherever the others are.
+// Each sample is anywhere in the pixel, independently of the others.
 struct IndependentSamples {
     std::uint64_t seed = 1;
     int count = 1;

@@ -14,7 +14,7 @@ namespace {
 constexpr int width = 192, height = 108;
 constexpr Tile whole{0, 0, width, height};
 
-// The cover without its lens, which the classic recipe has not, made ready for all ways.
+// The cover without its lens, which the classic recipe lacks, made ready for all ways.
 class Cover {
   public:
     struct Way {
@@ -96,8 +96,8 @@ struct Drawn {
     std::vector<Channels> pictures;
     std::vector<double> ms;
 
-    // The square of each picture's distance from the mean of all, for as many as are independent:
-    // the noise alone, since each way is measured against its own converged picture.
+    // The noise of each picture: its mean square distance from the mean of all n pictures, times n
+    // / (n - 1), because that mean contains the picture itself. A way's bias does not count here.
     std::vector<double> squares() const {
         const auto n = static_cast<double>(pictures.size());
         Channels mean(pictures.front().size());
@@ -135,7 +135,8 @@ void study_equal_time(study::Report& report) {
         const std::vector<double> classic = all.front().squares();
         for (std::size_t i = 0; i < ways.size(); ++i) {
             const std::vector<double> squares = all[i].squares();
-            // A whole number of samples does not take exactly that time.
+            // A whole number of samples does not take exactly `ms`, so the error is converted to
+            // that time.
             const double error = std::sqrt(mean_of(squares) * study::median(all[i].ms) / ms);
             report.add({"equal time", ways[i].name, ms, "time / ms", error, "RMSE in a pixel",
                         static_cast<double>(all[i].samples), "samples per pixel"});

@@ -30,14 +30,14 @@ namespace {
 constexpr int width = 192, height = 108, usual_depth = 32, truth_depth = 64;
 constexpr Tile whole{0, 0, width, height};
 
-// Lamps that are found by chance alone: they say that there are none to aim at.
+// Lamps that paths find by chance alone: empty() says that there are no lamps to sample.
 template <class Lights>
 struct ChanceLights : Lights {
     static constexpr bool empty() { return true; }
 };
 
-// Hits nearer than this do not count, as if the ray had started on that very surface. In a scene
-// that is a thousand times as small, 0.001 is what 1 is here.
+// Hits nearer than `nearest` do not count, as if the ray had started on that very surface. A
+// distance of 1 in this scene corresponds to 0.001 in a scene that is a thousand times smaller.
 template <class World>
 struct SkippingWorld {
     const World& world;
@@ -75,7 +75,7 @@ struct Truths {
     std::array<Truth*, 4> all() { return {&box, &displayed_box, &tent, &displayed_tent}; }
 };
 
-// One file for both precisions: that of double.
+// Writes a converged picture. The program in double writes the file; the program in float reads it.
 void write(std::ostream& out, const Truth& truth) {
     out.precision(17);
     out << truth.square << '\n';
@@ -105,7 +105,8 @@ class Subject {
         }
     }
 
-    // Where the samples are, how they are weighted, and how paths are followed.
+    // Adds settings that differ in where the samples are, how they are weighted, and how paths are
+    // followed.
     void add_samplers(int most_samples) {
         for (int n = 4; n <= most_samples; n *= 4) {
             add("independent", n, [=, this](auto seed) {
@@ -132,7 +133,7 @@ class Subject {
         }
     }
 
-    // Everything else, with 16 of Sobol's points.
+    // Adds all other settings, with 16 of Sobol's points.
     void add_settings() {
         for (const int depth : {4, 8, 16})
             add("depth " + std::to_string(depth), scene_.world, scene_.materials, scene_.lights,
@@ -215,7 +216,7 @@ class Subject {
                              Errors{tent ? truths_.displayed_tent : truths_.displayed_box},
                              {}});
     }
-    // The world, materials and lights must outlive it.
+    // The world, materials and lights must outlive this object.
     template <class World, class Materials, class Lights, class Ending = SkyEnding>
     void add(const std::string& setting, const World& world, const Materials& materials,
              const Lights& lights, const Ending& ending = {}, int depth = usual_depth) {

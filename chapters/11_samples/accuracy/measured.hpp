@@ -1,6 +1,6 @@
 #pragma once
-// Ways to draw a scene, eight pictures each, drawn in turns; and what the pictures say of the
-// error.
+// Ways to draw a scene, with eight pictures for each way, drawn in turns; and what the pictures
+// tell about the error.
 
 #include <array>
 #include <cmath>
@@ -16,7 +16,8 @@ namespace accuracy {
 using namespace rt;
 
 constexpr int pictures = 8;
-// 95 % of the means of eight numbers are within this many of their standard errors (Student's t).
+// In 95 % of cases, the mean of eight numbers is at most this many of its standard errors from the
+// true mean (Student's t).
 constexpr double t_95 = 2.365;
 
 inline double mean_of(const std::vector<double>& numbers) {
@@ -24,7 +25,7 @@ inline double mean_of(const std::vector<double>& numbers) {
     for (const double number : numbers) sum += number;
     return sum / static_cast<double>(numbers.size());
 }
-// Half of the interval in which the mean of eight numbers lies with 95 %.
+// Half the width of the 95 % confidence interval around the mean of eight numbers.
 inline double interval_of(const std::vector<double>& numbers) {
     const double mean = mean_of(numbers);
     double squares = 0;
@@ -57,8 +58,8 @@ inline double mean_square(const Channels& a, const Channels& b) {
     return sum / static_cast<double>(a.size());
 }
 
-// A converged picture, linear or displayed: the mean of two halves, which also tell how far off it
-// still is (chapter 11).
+// A converged picture, linear or displayed: the mean of two halves, which also tell how far off
+// this mean still is (chapter 11).
 struct Truth {
     Channels mean;
     double square = 0;  // its own mean square error
@@ -69,9 +70,9 @@ struct Truth {
     }
 };
 
-// The errors of pictures that are to be like a converged one. Their mean square error is the sum of
-// two parts: the variance of pictures with different seeds, which is noise, and the square of what
-// their mean is off by, which is bias.
+// The errors of pictures, compared with a converged one. Their mean square error is the sum of two
+// parts: the noise, which is the variance of pictures with different seeds, and the square of the
+// bias, which is how far their mean is off.
 class Errors {
   public:
     explicit Errors(const Truth& truth) : truth_{&truth}, sum_(truth.mean.size()) {}
@@ -83,13 +84,14 @@ class Errors {
             sum_[i] += off;
             all += off * off;
         }
-        // The truth's own error is in this, too.
+        // `all` also contains the truth's own error, which is subtracted.
         squares.push_back(all / static_cast<double>(picture.size()) - truth_->square);
     }
 
     double rmse() const { return std::sqrt(mean_of(squares)); }
-    // What the mean picture is off by. It has an nth of the noise of one picture, and the mean
-    // square error is all of that noise and the bias.
+    // How far the pictures' mean would be off without noise. The square error of the mean of n
+    // pictures is bias^2 + noise / n, and the mean square error of one picture is bias^2 + noise;
+    // the bias follows from both.
     double bias() const {
         const auto n = static_cast<double>(squares.size());
         double all = 0;
@@ -112,7 +114,7 @@ struct Way {
     std::function<Image(std::uint64_t seed)> draw;
 };
 
-// What eight pictures of it have shown.
+// What eight pictures of a way have shown.
 struct Measured {
     Way way;
     Errors linear, displayed;
@@ -131,7 +133,8 @@ inline void measure(std::vector<Measured>& all) {
         }
 }
 
-// 1 / (error^2 time) of a way, as a multiple of another's, and the half of its interval in percent.
+// A way's 1 / (error^2 time) as a multiple of another way's, and half the width of its 95 %
+// confidence interval in percent.
 struct Worth {
     double times = 1, percent = 0;
 };

@@ -30,7 +30,7 @@ inline SceneDescription fog_scene() {
     scene.fog = Fog{{{0, 0, 0}, 30}, Real(0.03), {1, 1, 1}, Real(0.5)};
     return scene;
 }
-// With the lens that the classic tutorial gives it.
+// The cover, with the lens that the classic tutorial gives it.
 inline SceneDescription cover_scene() {
     SceneDescription scene = study::cover_scene(study::make_cover());
     scene.camera.lens = {Real(0.1), 10};

@@ -1,5 +1,5 @@
-// What chapter 08's program draws with if --sampler, --filter, --target-error or --time-budget is
-// given. It is linked into that program.
+// The part of chapter 08's program that draws if --sampler, --filter, --target-error or
+// --time-budget is given. This file is linked into that program.
 
 #include <app/errors.hpp>
 #include <app/interrupt.hpp>
@@ -42,7 +42,7 @@ constexpr auto makers =
 
 using Batches = BatchRenderer<batch_effects, SobolPoints>;
 
-// Tiles filtered by a tent. The larger they are, the fewer pixels are sampled for two of them.
+// Tiles filtered by a tent. The larger the tiles are, the fewer pixels are sampled for two tiles.
 constexpr int tent_tile_side = 64;
 
 template <Effects effects>
@@ -55,7 +55,7 @@ template <Effects effects>
 constexpr auto tent_makers =
     ::effects::for_few_effects([]<Effects effects> { return &make_draw_tent<effects>; });
 
-// The renderer for a scene: the one that is chosen, and how it is made.
+// Which renderer is chosen for a scene, and how it is made.
 template <class Make>
 std::pair<effects::Choice, Make> chosen(const SceneDescription& scene,
                                         const std::array<Make, few_effects.size()>& for_spheres,
@@ -66,7 +66,7 @@ std::pair<effects::Choice, Make> chosen(const SceneDescription& scene,
     return {effects::choice_of(few_effects, number), for_spheres[number]};
 }
 
-// A way to draw passes, as TileRenderer is one to draw pictures.
+// A way to draw passes, as a TileRenderer is a way to draw pictures.
 struct PassRenderer {
     effects::Choice choice;
     std::function<DrawPass()> make_worker;
@@ -156,8 +156,8 @@ void check_together(const app::Settings& settings) {
                                   "many samples it needs");
 }
 
-// Refines within the time, in rounds. Each round takes half of the passes that there is time for,
-// so that the last one begins with a good guess.
+// Refines until `end`, in rounds. Each round takes half of the passes that there is still time for,
+// so that the last round begins with a good guess.
 void refine_within(Refinement& refinement, Clock::time_point start, Clock::time_point end) {
     for (Clock::time_point now; (now = Clock::now()) < end;) {
         const std::chrono::duration<double> spent = now - start, left = end - now;
@@ -173,7 +173,7 @@ void refine_within(Refinement& refinement, Clock::time_point start, Clock::time_
 
 namespace effects {
 
-// All samples of a pixel in one pass.
+// Draws all samples of a pixel in one pass.
 TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height,
                         const rt::Quality& quality, bool in_batches) {
     const samples::PassRenderer passes =

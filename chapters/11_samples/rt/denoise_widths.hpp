@@ -10,9 +10,9 @@ struct Features {
     Vec3 normal;   // 0 for the sky
 };
 
-// How far a pixel's light may spread. If two pixels are one width apart, the weight is exp(-1/2),
-// or 0.61, of what it would otherwise be. Widths are greater than 0; an infinite width switches
-// its part off.
+// How far a pixel's light may spread. Where two pixels are one width apart, the weight is
+// multiplied by exp(-1/2), which is 0.61. Widths are greater than 0; an infinite width switches its
+// part off.
 struct DenoiseWidths {
     int radius = 6;  // pixels; those farther away across or down do not count; 0 or more
     Real space = 3;  // pixels

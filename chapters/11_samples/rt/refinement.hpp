@@ -19,7 +19,7 @@
 
 namespace rt {
 
-// A few samples of each pixel (given): one of the passes 0, 1, 2 ... that belong to a seed.
+// A pass: a few samples of each pixel (given). Each seed has passes 0, 1, 2 ...
 struct Pass {
     std::uint64_t seed = 1;
     int number = 0;
@@ -49,12 +49,12 @@ struct RefinementPlan {
 // found more noise. The picture depends on the plan's picture and seed and on the calls, never on
 // the number of threads.
 //
-// How samples are shared among the tiles is crossed: each half decides for the other, which keeps
-// each tile unbiased. How many samples there are in all is not crossed: refine_to stops by the
-// error that both halves show together. If the error is spread over many pixels, this does no harm.
-// But if nearly all of it is in samples that are rare and very bright, refine_to stops early if
-// none has come, and goes on if one has: it loses up to half of their light. refine_with does not,
-// because its number of passes is fixed beforehand.
+// The halves share samples among the tiles crosswise: each half decides for the other, which keeps
+// each tile unbiased. The total number of samples is not decided crosswise: refine_to stops
+// according to the error that both halves show together. If the error is spread over many pixels,
+// this does no harm. But if nearly all of the error is in samples that are rare and very bright,
+// refine_to stops early if no such sample has come, and goes on if one has: it loses up to half of
+// their light. refine_with loses none, because its number of passes is fixed in advance.
 class Refinement {
   public:
     explicit Refinement(RefinementPlan plan)
@@ -64,8 +64,8 @@ class Refinement {
           tiles_(static_cast<std::size_t>(tile_count(plan_.grid))),
           workers_(static_cast<std::size_t>(plan_.threads)) {}
 
-    // The first passes of all tiles, 2 or more in each half: they tell where there is noise. A
-    // tile's share of all later passes depends on them alone.
+    // Draws the first passes of all tiles, 2 or more in each half: they tell where there is noise.
+    // A tile's share of all later passes depends on these passes alone.
     void draw_pilot(int passes) {
         least_ = passes;
         // One pass of everything first, so that there is a picture soon.
@@ -81,15 +81,15 @@ class Refinement {
                         static_cast<Real>(sum.second / count)};
     }
 
-    // Refines until error() is at most this. A round takes the picture half of the way, or all of
-    // the way if the previous rounds tell how far that is.
+    // Refines until error() is at most this. Each round aims at the target, but at no less than
+    // half of the round before's aim (in the first round, of the present error).
     void refine_to(Real target) {
         Real aim = infinity;  // the error for which counts were computed
         while (!plan_.is_over()) {
             const Real now = error();
             if (now <= target) return;
-            // The actual error differs from what the counts promise: Sobol's points do better, and
-            // a pilot may have missed something.
+            // The actual error differs from the one that the counts were computed for: Sobol's
+            // points do better, and a pilot may have missed something.
             const Real promise = aim < infinity ? target * (aim / now) : target;
             aim = std::max(Real(0.97) * promise, (aim < infinity ? aim : now) / 2);
             draw([&](const TileState& tile) { return counts(tile, aim); });
@@ -97,8 +97,8 @@ class Refinement {
     }
 
     // Refines until this many passes of tiles are drawn, half of them in each half of the picture,
-    // within one for each tile. So that no half judges itself, each half aims at an error of its
-    // own, which follows from what the other half has seen.
+    // up to a difference of one pass per tile. So that no half judges itself, each half aims at an
+    // error of its own, which follows from what the other half has seen.
     void refine_with(std::int64_t passes) {
         const Halves<Real> aim{aim_of<&Halves<int>::first>(passes / 2),
                                aim_of<&Halves<int>::second>(passes - passes / 2)};
@@ -181,7 +181,7 @@ class Refinement {
     Halves<int> counts(const TileState& tile, Real aim) const {
         return crossed_counts(tile.spread, mean_spread_, aim, {least_, most_passes});
     }
-    // The passes that one half will have had if it goes on to this aim.
+    // How many passes one half will have in all if it goes on to this aim.
     template <int Halves<int>::*half>
     std::int64_t planned(Real aim) const {
         std::int64_t sum = 0;
@@ -246,8 +246,8 @@ class Refinement {
         });
     }
 
-    // Draws one half of a tile until it has `passes` passes. If these are the pilot, they
-    // give its spread.
+    // Draws one half of a tile until it has `passes` passes. If these are the pilot, they determine
+    // the half's spread.
     template <ColorSum Halves<ColorSum>::*half>
     void draw_half(const DrawPass& draw_pass, const Tile& tile, std::uint64_t seed, int passes,
                    int& drawn, Real& spread) {

@@ -7,11 +7,12 @@
 
 namespace rt {
 
-// Sobol's sequence in eight dimensions has the two of 11.4 and six more (given). As there, a
-// coordinate is the exclusive or of a column for each bit of the index that is 1. Only the columns
-// are different: the first few are chosen, and a primitive polynomial modulo 2 determines the rest.
-// Of the points k 2^m ... (k + 1) 2^m - 1, exactly one is in each of 2^m equal parts of each
-// coordinate, and the boxes of several coordinates are nearly as evenly filled.
+// Sobol's sequence in eight dimensions has the two of 11.4 and six more (given). As there, each bit
+// of the index stands for a column, and a coordinate is the exclusive or of the columns whose bits
+// are 1. Only the columns are different. In each coordinate, the first few are chosen, and a
+// primitive polynomial modulo 2 determines the rest. Of the points k 2^m ... (k + 1) 2^m - 1,
+// exactly one is in each of 2^m equal parts of each coordinate, and boxes in several coordinates
+// are filled nearly as evenly.
 inline constexpr std::uint32_t sobol_dimensions = 8;
 
 using SobolColumns = std::array<std::uint32_t, 32>;
@@ -58,8 +59,8 @@ inline std::uint32_t sobol_coordinate(std::uint32_t dimension, std::uint32_t ind
 // All coordinates of a point.
 using SobolCoordinates = std::array<std::uint32_t, sobol_dimensions>;
 
-// The points, from a table. If an index is a sum of different powers of two, its point is the
-// exclusive or of theirs, so it is enough to store the points of each byte of the index.
+// The points, from a table. The point of an index is the exclusive or of the points of the index's
+// bytes, so it is enough to store the points of each byte.
 class SobolTable {
   public:
     static const SobolTable& get() {

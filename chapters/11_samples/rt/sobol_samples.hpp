@@ -11,15 +11,16 @@
 namespace rt {
 
 // The random numbers of one sample of a pixel (given), for use wherever an Rng is used. The first
-// eight are a point of Sobol's sequence in eight dimensions, each coordinate scrambled for itself
-// and for this pixel. So over the samples of the pixel, the positions in the pixel, on the lens and
-// in time, and the first bounces, are spread evenly together, and not only each for itself. Later
-// numbers are independent, because evenness gains hardly anything there.
+// eight are a point of Sobol's sequence in eight dimensions, with each coordinate scrambled
+// independently of the others and of other pixels. So over the samples of the pixel, the positions
+// in the pixel, on the lens and in time, and the first bounces, are spread evenly together, and not
+// only each for itself. Later numbers are independent, because evenness gains hardly anything
+// there.
 //
 // A single sample is as random as with an Rng, so its mean is right. The samples are not
 // independent of each other: samples 2 j and 2 j + 1 are in opposite halves in each of the eight
-// numbers. Most is gained with 8, 16, 32 ... samples. Source of the scrambling of each coordinate:
-// Burley, "Practical hash-based Owen scrambling", JCGT 2020.
+// numbers. The gain is greatest with 8, 16, 32 ... samples. Source of the scrambling of each
+// coordinate: Burley, "Practical hash-based Owen scrambling", JCGT 2020.
 class SobolRandom {
   public:
     // The scrambling of one pixel's numbers.

@@ -24,10 +24,10 @@ struct KeptSamples {
     }
 };
 
-// The samples of a tile, with a tent as the reconstruction filter (given). A sample counts for
-// every pixel whose middle is less than a pixel away, across and down: at the distance (x, y), its
-// weight is (1 - |x|) (1 - |y|). So four pixels share it, with weights that add up to 1. A pixel is
-// the mean of its samples with these weights.
+// The samples of a tile, weighted with a tent as the reconstruction filter (given). A sample counts
+// for every pixel whose middle is less than a pixel away, across and down: at the distance (x, y),
+// its weight is (1 - |x|) (1 - |y|). So four pixels share it, with weights that add up to 1. A
+// pixel is the mean of its samples with these weights.
 class TentSums {
   public:
     explicit TentSums(const Tile& tile)
@@ -41,7 +41,7 @@ class TentSums {
         return {tile_.left - 1, tile_.top - 1, tile_.right + 1, tile_.bottom + 1};
     }
 
-    // A sample at this offset in pixel (x, y).
+    // Adds a sample at this offset in pixel (x, y).
     void add(int x, int y, Vec2 offset, const Color& light) {
         const int left = around(offset.x), top = around(offset.y);
         const Real right = offset.x - Real(0.5) - static_cast<Real>(left),
@@ -83,7 +83,7 @@ class TentSums {
     Canvas<Sum> sums_;
 };
 
-// Draws a tile, filtered by a tent (given): path by path, or in batches.
+// Draws a tile, filtered with a tent (given), path by path or in batches.
 template <class AnyRenderer>
 void draw_with_tent(const AnyRenderer& renderer, const SobolSamples& samples, const Tile& tile,
                     Image& image, std::uint64_t& rays) {
