@@ -121,7 +121,7 @@ inline SeaMeshes make_sea(int count) {
 // What is painted on the pot: rows of arcs, the Japanese pattern of waves (seigaiha).
 inline Image make_glaze() {
     constexpr int width = 1024, height = 512;
-    constexpr double across = 64;  // of an arc, in pixels
+    constexpr double across = 64;  // the width of an arc, in pixels
     return make_image(width, height, [](int x, int y) {
         const Color white = from_hex(0xf3ead8), blue = from_hex(0x1b3f77);
         // Of the arcs around this pixel, the lowest row is in front.

@@ -26,7 +26,8 @@ std::vector<Way> made(const std::vector<SceneTriangle>& all) {
     return ways;
 }
 
-// Calls do_for(variant, way of each triangle) for all three ways.
+// Calls do_for(name, triangles) for each of the three ways, with all triangles made ready for that
+// way.
 template <class Each>
 void for_each_way(const std::vector<SceneTriangle>& all, const Each& do_for) {
     do_for("plain", made<Plain>(all));
@@ -86,7 +87,8 @@ void study_cost(study::Report& report) {
     report.time_in_turns();
 }
 
-// How far t is off for needles, in units in the last place of the distance.
+// How far t is off for needles, which are long, thin triangles, in units in the last place of the
+// distance.
 void study_needles(study::Report& report) {
     using Exact = study::DoubleDouble;
     using ExactVec3 = Vec3Of<Exact>;

@@ -82,7 +82,7 @@ struct Planes {
     }
 };
 
-// A closed surface around the origin, without dents: a ball of radius 1 with this many belts.
+// A closed, convex surface around the origin: a ball of radius 1 with this many belts of triangles.
 inline Mesh closed_ball(int belts) {
     Mesh mesh;
     const int around = 2 * belts;

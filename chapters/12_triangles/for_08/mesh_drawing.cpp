@@ -1,4 +1,5 @@
-// What chapter 08's program draws scenes with meshes with. It is linked into that program.
+// The part of chapter 08's program that draws scenes with meshes. This file is linked into that
+// program.
 
 #include <memory>
 #include <rt/choose_renderer.hpp>

@@ -1,5 +1,5 @@
-// What chapter 08's program draws scenes with meshes with if --sampler, --filter, --target-error or
-// --time-budget is given. It is linked into that program.
+// The part of chapter 08's program that draws scenes with meshes if --sampler, --filter,
+// --target-error or --time-budget is given. This file is linked into that program.
 
 #include <memory>
 #include <rt/draw_passes.hpp>

@@ -17,8 +17,8 @@ class TeapotBuilder {
   public:
     explicit TeapotBuilder(int n) : n_{n} {}
 
-    // A patch, mirrored or not, with y up. The patch's first column is at `from` around the pot,
-    // and its last column at `to`.
+    // Adds a patch, mirrored or not, with y up. The patch's first column is at `from` around the
+    // pot, and its last column at `to`.
     void add(const teapot::Patch& patch, Real mirror_x, Real mirror_z, Real from, Real to) {
         std::vector<Corner> corners;
         for (int row = 0; row <= n_; ++row)
@@ -38,7 +38,7 @@ class TeapotBuilder {
                 mesh.places.push_back({from + around * (to - from), point.y / height});
                 corners.push_back({number_of(point), -1, static_cast<int>(mesh.places.size()) - 1});
             }
-        const bool turned = mirror_x * mirror_z > 0;  // Newell's go around clockwise
+        const bool turned = mirror_x * mirror_z > 0;  // Newell's patches go around clockwise
         for (int row = 0; row < n_; ++row)
             for (int column = 0; column < n_; ++column) {
                 const auto at = [&](int r, int c) {
@@ -58,8 +58,8 @@ class TeapotBuilder {
 
     Real share(int k) const { return static_cast<Real>(k) / static_cast<Real>(n_); }
 
-    // Points with the same coordinates become one: patches share their edges, and a quarter of the
-    // lid comes to a point.
+    // Points with the same coordinates become one: patches share their edges, and one edge of each
+    // patch in the middle of the lid or of the bottom is a single point.
     int number_of(Vec3 p) {
         const auto [found, is_new] =
             numbers_.insert({{p.x, p.y, p.z}, static_cast<int>(mesh.points.size())});

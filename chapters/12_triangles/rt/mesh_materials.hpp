@@ -77,8 +77,9 @@ const Image* image_of(const MaterialSet<Types...>& set, const Hit& hit) {
     }
 }
 
-// The materials of a scene with meshes (given): on a triangle they scatter light by its smooth
-// normal, and on the side of the triangle where it belongs. An image lies where the mesh says.
+// The materials of a scene with meshes (given): on a triangle they scatter light according to its
+// smooth normal, and keep_side keeps the light on the right side of the flat triangle. Texture
+// coordinates of the mesh say where an image lies.
 template <class Materials>
 struct MeshMaterials {
     Materials materials;
@@ -90,8 +91,8 @@ struct MeshMaterials {
         const MeshPlace at{*mesh, hit};
         Hit smooth = hit;
         smooth.normal = at.normal(hit.normal);
-        // What scatters light in all directions needs no bent normal, and its density could not
-        // tell for which direction it was bent.
+        // A material that scatters light in all directions needs no bent normal. Besides,
+        // scatter_density, which knows no `incoming`, could not take the bending into account.
         if (!(scatter_density(materials, smooth, facing_normal(smooth)) > 0))
             smooth.normal = bent_normal(smooth.normal, hit.normal, incoming);
         const Image* const image = image_of(materials, hit);

@@ -9,8 +9,8 @@
 
 namespace rt {
 
-// The triangles of a scene (given): all of its meshes in one, each at its place and with its
-// material.
+// The triangles of a scene (given): one mesh made of all of the scene's meshes, with each in its
+// place, and each triangle's material.
 struct SceneMeshes {
     Mesh mesh;
     std::vector<SceneTriangle> triangles;

@@ -19,7 +19,7 @@ struct TriangleHit {
 // A triangle of a scene.
 struct SceneTriangle {
     Triangle shape;
-    std::int32_t material = 0;  // one of the scene's
+    std::int32_t material = 0;  // an index into the scene's materials
     std::int32_t number = 0;    // among the scene's triangles
 };
 

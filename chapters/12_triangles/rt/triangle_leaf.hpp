@@ -8,8 +8,8 @@
 
 namespace rt {
 
-// A leaf with up to eight triangles (given). All of them are tested at once for whether the ray may
-// meet them. Those few are then tested by hit_triangle, so each t is that of 12.1, bit for bit.
+// A leaf with up to eight triangles (given). A quick test of all triangles at once finds the few
+// that the ray may meet. hit_triangle then tests these, so each t is that of 12.1, bit for bit.
 template <>
 struct alignas(64) WideLeaf<SceneTriangle> {
     // Coordinates by corner, then by axis. Unused lanes hold NaN: no ray hits them.
@@ -43,9 +43,9 @@ struct alignas(64) WideLeaf<SceneTriangle> {
 };
 using TriangleLeaf = WideLeaf<SceneTriangle>;
 
-// A part of a leaf's triangles as seen from a ray (given), as ShearedRay::seen and area_before have
-// it. Rounding may turn a difference of products into 0, but never gives it the wrong sign. So if
-// two areas have opposite signs, the ray misses the triangle.
+// A part of a leaf's triangles as seen from a ray (given), with the arithmetic of ShearedRay::seen
+// and area_before. Rounding may turn a difference of products into 0, but never gives it the wrong
+// sign. So if two areas have opposite signs, the ray misses the triangle.
 struct TrianglePart {
     std::array<Reals, 3> x, y;
 
@@ -62,7 +62,7 @@ struct TrianglePart {
     }
     RT_INLINED Reals area(std::size_t p, std::size_t q) const { return x[p] * y[q] - y[p] * x[q]; }
 
-    // Those that the ray's line may meet, as bits.
+    // The triangles that the ray's line may meet, as bits.
     RT_INLINED unsigned candidates() const {
         const Reals a = area(1, 2), b = area(2, 0), c = area(0, 1);
         return RT_VECTOR_BITS(((a >= 0) & (b >= 0) & (c >= 0)) | ((a <= 0) & (b <= 0) & (c <= 0)));
@@ -70,7 +70,7 @@ struct TrianglePart {
 };
 
 // Tries the triangles of a leaf between min and best.t, and returns whether best has changed. Of
-// equally near ones the one with the highest number counts.
+// equally near triangles, the one with the highest number counts.
 RT_INLINED bool hit_leaf(const TriangleLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
     const ShearedRay sheared{ray};
     unsigned candidates = 0;
