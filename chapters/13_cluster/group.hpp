@@ -27,16 +27,16 @@ inline bool has_group() {
     return is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK") || is_set("PMI_RANK");
 }
 
-// Open MPI 4 has several kinds of windows. On more than one machine, those by RDMA fail over TCP
-// ("invalid window", its issue 11466), and those by UCX end late. These two work everywhere; if
-// OMPI_MCA_osc is set, it stays.
+// Open MPI 4 has several kinds of windows. On more than one machine, windows by RDMA fail over TCP
+// ("invalid window", its issue 11466), and windows by UCX end late. The two kinds chosen here work
+// everywhere. If OMPI_MCA_osc is already set, it stays as it is.
 inline void choose_kind_of_window() {
 #if defined(OMPI_MAJOR_VERSION) && OMPI_MAJOR_VERSION < 5
     ::setenv("OMPI_MCA_osc", "sm,pt2pt", 0);
 #endif
 }
 
-// A run's time in the group. Only the thread that makes it calls MPI.
+// A run's time in the group. Only the thread that makes the Membership may call MPI.
 class Membership {
   public:
     Membership(int& argc, char**& argv) {
@@ -49,8 +49,8 @@ class Membership {
     Membership& operator=(const Membership&) = delete;
 };
 
-// Whether mpirun, which passes on what this rank writes to stderr, writes it to a terminal. (On its
-// own machine, it is the rank's parent.)
+// Whether mpirun, which passes on what this rank writes to stderr, writes that to a terminal. (On
+// the machine where mpirun itself runs, it is the rank's parent.)
 inline bool mpirun_has_terminal() {
     const std::string errors = "/proc/" + std::to_string(::getppid()) + "/fd/2";
     const int file = ::open(errors.c_str(), O_WRONLY | O_NOCTTY | O_NONBLOCK);
@@ -79,7 +79,7 @@ inline std::uint64_t hash_of(const std::string& bytes) {
     return hash;
 }
 
-// The program's file, as a number: another compiler or precision makes another file.
+// A hash of the program's file: it differs between compilers and between precisions.
 inline std::uint64_t hash_of_program() {
     std::ifstream in{"/proc/self/exe", std::ios::binary};
     std::ostringstream bytes;
@@ -87,8 +87,8 @@ inline std::uint64_t hash_of_program() {
     return hash_of(bytes.str());
 }
 
-// All ranks call it. If a rank runs another program than rank 0, or was started with other options,
-// it throws app::Failure on rank 0 and returns false on the others.
+// All ranks must call this function. If a rank runs another program than rank 0, or was started
+// with other options, it throws app::Failure on rank 0 and returns false on the others.
 inline bool all_alike(int argc, char** argv) {
     constexpr int host_size = MPI_MAX_PROCESSOR_NAME;
     struct Introduction {
@@ -119,7 +119,7 @@ inline bool all_alike(int argc, char** argv) {
     return is_alike != 0;
 }
 
-// All ranks call it. Returns the bytes that rank 0 passes.
+// All ranks must call this function. Returns the bytes that rank 0 passes to it.
 inline std::string broadcast(std::string bytes) {
     std::uint64_t size = bytes.size();
     MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);

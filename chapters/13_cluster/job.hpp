@@ -1,5 +1,5 @@
 #pragma once
-// What rank 0 tells the others: the scene and what is to be drawn of it.
+// What rank 0 tells the others: the scene, and which part of it to draw.
 
 #include <stdlib.h>
 
@@ -35,7 +35,7 @@ struct Job {
     int tile_side = 32;            // pixels
     int threads = 0;               // of each rank; 0: as many as its machine has
     bool in_slices = false;        // a slice of the rows for each rank instead of tiles
-    std::vector<int> tiles;        // those that are to be drawn
+    std::vector<int> tiles;        // the tiles to draw
     std::vector<NamedFile> files;  // the scene file and what it names; none for the final scene
 };
 
@@ -88,7 +88,7 @@ inline void add_names(const nlohmann::json& value, std::vector<std::string>& nam
         for (const auto& member : value) add_names(member, names);
 }
 
-// The scene file, which can be read, and the files that it names.
+// The scene file, which must be readable, and the files that it names.
 inline std::vector<NamedFile> files_of(const fs::path& scene) {
     constexpr std::size_t most = std::size_t{1} << 28;
     std::vector<NamedFile> files{

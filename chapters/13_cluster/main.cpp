@@ -38,7 +38,7 @@ void send(const Job& job) {
     state.job_is_sent = true;
 }
 
-// The frame of a turntable that the options ask for, 0 ... frames - 1.
+// Sets the frame of a turntable that the options ask for, 0 ... frames - 1.
 void choose_frame(const app::Settings& settings, Job& job) {
     const auto number = [&](const char* name) {
         const auto found = settings.numbers.find(name);

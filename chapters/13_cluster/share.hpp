@@ -33,7 +33,7 @@ inline TileGrid grid_of(const Job& job) {
 // The picture as it comes together at rank 0.
 class Collector {
   public:
-    // Finished tiles are kept in `folder`; an empty one keeps none.
+    // Finished tiles are kept in `folder`; if its name is empty, none are kept.
     Collector(const Job& job, std::filesystem::path folder, app::Progress& progress)
         : grid_{grid_of(job)},
           image_{Canvas<Color>{grid_.width, grid_.height}},
@@ -43,11 +43,11 @@ class Collector {
         progress_.start(tile_count(grid_));
     }
 
-    // A tile from an earlier run.
+    // Adds a tile from an earlier run.
     void add_old(int tile) { put(tile, load_tile(folder_, tile)); }
 
-    // A tile that this rank has drawn. A tile that cannot be kept is an error, of which error()
-    // tells: the ranks must end together, and so nothing is thrown.
+    // Adds a tile that this rank has drawn. If the tile cannot be kept, error() tells why. Nothing
+    // is thrown, because the ranks must end together.
     void add(int tile, int rank, const std::vector<Color>& pixels) {
         put(tile, pixels);
         drawn_by_[static_cast<std::size_t>(tile)] = rank;
@@ -59,7 +59,7 @@ class Collector {
         }
     }
 
-    // Takes all tiles that have arrived.
+    // Receives all tiles that have arrived.
     void receive() {
         while (const std::optional<ArrivedTile> arrived = receive_tile(MPI_COMM_WORLD)) {
             add(arrived->tile, arrived->from, arrived->pixels);
@@ -128,7 +128,8 @@ inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* 
                          error.what());
             MPI_Abort(MPI_COMM_WORLD, app::could_not);
         }
-    // Rank 0 goes on receiving until all have said how many tiles they sent, and these are here.
+    // Rank 0 goes on receiving until all ranks have said how many tiles they sent, and these have
+    // arrived.
     std::int64_t mine[2] = {sent, static_cast<std::int64_t>(rays)}, all[2] = {0, 0};
     MPI_Request sums{};
     MPI_Ireduce(mine, all, 2, MPI_INT64_T, MPI_SUM, 0, MPI_COMM_WORLD, &sums);

@@ -53,11 +53,12 @@ inline Simulated simulate(const std::vector<double>& tiles, double pixels, int m
 }
 
 // The efficiency with work stealing, without a counter at rank 0. Each of n machines begins with
-// every n-th tile. A machine that has none left asks another one at random, and gets half of its
-// tiles. If there are none, it waits, each time twice as long, and asks another.
+// every n-th tile. A machine that has no tiles left asks one chosen at random, and gets half of
+// that machine's tiles. If there are none to get, it waits, each time twice as long, and asks
+// again.
 //
 // In addition, the model assumes that a question takes `steal` seconds, and that a machine answers
-// one after the other. All machines write into one file, so rank 0 receives nothing.
+// one question after the other. All machines write into one file, so rank 0 receives nothing.
 inline double simulate_stealing(const std::vector<double>& tiles, int machines, double steal) {
     const auto count = static_cast<std::size_t>(machines);
     struct Machine {

@@ -48,7 +48,7 @@ Real by_partial_sums(const std::vector<double>& light, int ranks) {
     return static_cast<Real>(sum / samples);
 }
 
-// The same in whole numbers of 2^-40: any order gives the same sum.
+// The same in whole multiples of 2^-40: any order gives the same sum.
 Real by_fixed_point(const std::vector<double>& light, int ranks) {
     std::int64_t sum = 0;
     for (int rank = 0; rank < ranks; ++rank)
@@ -153,7 +153,8 @@ constexpr double seconds_per_ray = 1 / (16 * 1.2e6);
 constexpr Costs within_a_machine{2.4e-6, 0.5e-6, 2.5e-9}, over_a_network{20e-6, 20e-6, 24e-9};
 constexpr Costs without_a_collector{over_a_network.take, 0, 0};
 
-// Each group has its own counter and collector, and every n-th tile of the picture for n groups.
+// The efficiency of n groups of machines: each group has its own counter and collector, and every
+// n-th tile of the picture.
 double efficiency_in_groups(const std::vector<double>& rays, int side, int machines, int groups) {
     const auto tiles = tile_seconds(rays, side, seconds_per_ray);
     double drawing = 0, longest = 0;
@@ -169,7 +170,8 @@ double efficiency_in_groups(const std::vector<double>& rays, int side, int machi
     return drawing / (machines * longest);
 }
 
-// Slices of the rows for each machine (13.1), if nothing else costs time: all wait for the slowest.
+// The efficiency with a slice of the rows for each machine (13.1), if nothing else costs time: all
+// machines wait for the slowest.
 double efficiency_of_slices(const std::vector<double>& rays, int machines) {
     double all = 0, slowest = 0;
     for (int machine = 0; machine < machines; ++machine) {

@@ -13,11 +13,11 @@
 
 namespace cluster {
 
-// Draws tiles of a scene as chapter 08's program does. The threads share out each tile by the
-// smaller tiles of 06.3.
+// Draws tiles of a scene as chapter 08's program does. The threads share out each tile as smaller
+// tiles, like those of 06.3.
 class TileDrawer {
   public:
-    // The scene must outlive it. `threads` is 1 or more.
+    // The scene must outlive the drawer. `threads` is 1 or more.
     TileDrawer(const rt::SceneDescription& scene, int threads)
         : seed_{scene.settings.seed},
           threads_{threads},
@@ -25,7 +25,7 @@ class TileDrawer {
           renderer_{make_renderer(scene)},
           workers_(static_cast<std::size_t>(threads)) {}
 
-    // The pixels of a tile, row by row. Adds the rays that it took to `rays`.
+    // Draws a tile, and returns its pixels, row by row. Adds the rays that it took to `rays`.
     std::vector<rt::Color> draw(const rt::Tile& tile, std::uint64_t& rays) {
         const rt::TileGrid parts{tile.right - tile.left, tile.bottom - tile.top,
                                  renderer_.tile_side};

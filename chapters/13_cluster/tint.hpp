@@ -6,8 +6,8 @@
 
 namespace cluster {
 
-// Tints the tiles at the edge of the picture: one color for each rank, of eight. drawn_by has the
-// rank of each tile; -1 is left as it is.
+// Tints the tiles at the edge of the picture: each rank has one of eight colors. drawn_by has the
+// rank that drew each tile; a tile with -1 stays as it is.
 inline void tint_edge(rt::Image& image, const rt::TileGrid& grid,
                       const std::vector<int>& drawn_by) {
     using rt::Color, rt::Real;

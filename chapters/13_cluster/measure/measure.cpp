@@ -3,8 +3,8 @@
 //
 //     mpirun -n 4 build/bin/cluster_measure
 //
-// Tiles are not drawn: a rank sleeps as long as a tile would take. So more ranks than cores tell as
-// much as one a core.
+// Tiles are not drawn: a rank sleeps as long as a tile would take. So a run with more ranks than
+// cores tells as much as a run with one rank per core.
 
 #include <algorithm>
 #include <chrono>
@@ -30,7 +30,7 @@ void sleep(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>{seconds});
 }
 
-// Seconds for a step, while all ranks count at once: what rank 0's counter takes for each.
+// Seconds that rank 0's counter takes for a step, while all ranks count at once.
 double take_cost() {
     constexpr int steps = 2000;
     TileCounter counter{all};
@@ -41,7 +41,7 @@ double take_cost() {
     return (MPI_Wtime() - begin) / (steps * rank_count(all));
 }
 
-// Seconds of rank 0 for a tile of this side that has arrived.
+// Seconds that rank 0 takes for an arrived tile with this side.
 double message_cost(int side) {
     constexpr int count = 60;
     std::vector<double> times;

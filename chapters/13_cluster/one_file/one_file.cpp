@@ -1,5 +1,5 @@
-// All ranks write one picture into one file (MPI-IO): each has only its own tiles, and so a picture
-// may be larger than any rank's memory. The file is the one that rank 0 would write.
+// All ranks write one picture into one file (MPI-IO): each has only its own tiles, so a picture may
+// be larger than any rank's memory. The file is the same as if rank 0 wrote it alone.
 //
 //     mpirun -n 4 build/bin/cluster_one_file WIDTH HEIGHT SAMPLES FILE.ppm
 

@@ -1,5 +1,5 @@
 #pragma once
-#define OMPI_SKIP_MPICXX 1  // MPI as a C library, which is all of it since 2012
+#define OMPI_SKIP_MPICXX 1  // no C++ bindings, which MPI dropped in 2012
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
 
@@ -11,14 +11,14 @@ namespace rt {
 // What the chapter's exercises share (given). Each run of the program in a group is a rank. The
 // group, an MPI_Comm, numbers its ranks 0, 1, 2, ...
 
-// The number of this run.
+// The rank of this run, 0 or more.
 inline int rank_of(MPI_Comm ranks) {
     int rank = 0;
     MPI_Comm_rank(ranks, &rank);
     return rank;
 }
 
-// How many there are, 1 or more.
+// The number of ranks, 1 or more.
 inline int rank_count(MPI_Comm ranks) {
     int count = 0;
     MPI_Comm_size(ranks, &count);
