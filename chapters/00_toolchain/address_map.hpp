@@ -26,8 +26,8 @@ inline std::string hex(const void* address) {
     return text;
 }
 
-// One line per thing, high addresses first. Arrows run down on the right,
-// each in a column of its own.
+// Draws one line per thing, high addresses first. Arrows run down on the right, each in a column of
+// its own.
 inline std::string draw_map(std::vector<Thing> things) {
     std::sort(things.begin(), things.end(),
               [](const Thing& a, const Thing& b) { return number(a.address) > number(b.address); });

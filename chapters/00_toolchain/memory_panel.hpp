@@ -11,7 +11,7 @@
 
 namespace toolchain {
 
-// A variable: a name above, and a cell for each of its parts.
+// Draws a variable: its name above, and a cell for each of its parts.
 inline app::Box draw_cells(Figure& figure, Real left, Real top, std::string_view name,
                            const std::vector<std::string>& parts, Color color) {
     figure.words({left, top}, name, {6, color});
@@ -77,7 +77,7 @@ inline Segments draw_segments(Figure& figure, const app::Box& panel) {
             segment(394, 62, "Code", "what the compiler made", rose)};
 }
 
-// As a rule, the stack grows down and the heap grows up: draws an arrow for each between them.
+// Draws two arrows between stack and heap: as a rule, the stack grows down and the heap grows up.
 inline void draw_growth(Figure& figure, const app::Box& stack) {
     const Real gap = stack.bottom() + 2;
     const Real down = stack.left + 114, up = stack.left + 126;
