@@ -33,8 +33,8 @@ struct Stick {
     Color color;
 };
 
-// Whether a stick covers a point as seen from the front, and is not hidden there behind the ball
-// of radius 1 or inside it.
+// True if a stick covers a point, seen from the front, and the ball of radius 1 does not hide the
+// stick there.
 inline bool covers(const Stick& stick, Vec3 place) {
     const Vec3 along = stick.to - stick.from;
     const Vec3 flat{along.x, along.y, 0};
@@ -77,8 +77,8 @@ inline Color dot_product_color(Vec3 n, Vec3 light) {
     return ring < Real(0.06) ? side * Real(0.6) : side;
 }
 
-// A ball that carries a net of latitude and longitude, turned by a matrix: the color of a point in
-// the world is found from the object's own coordinates of that point.
+// The color of a ball with a net of latitude and longitude, turned by a matrix. The color of a
+// point follows from its coordinates in the ball's own space.
 inline Color turned_ball_color(Vec3 n, const Mat4& world_to_object, Vec3 light) {
     const Vec3 p = transform_point(world_to_object, n);
     const Real latitude = rt::portable::asin(std::clamp(p.y, Real(-1), Real(1))),

@@ -18,8 +18,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     for (int i = 0; i < 6; ++i)
         turned.push_back(turned_ball(radians(-50 + 20 * static_cast<Real>(i))));
 
-    // The picture is 16 wide and 9 high: the large ball on the left, two columns of three
-    // turned balls on the right.
+    // The picture is 16 units wide and 9 units high: the large ball on the left, two columns of
+    // three turned balls on the right.
     const Real unit =
         std::min(static_cast<Real>(settings.width) / 16, static_cast<Real>(settings.height) / 9);
     const auto color_at = [&](Real x, Real y) {

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-// Operators that are made of those of exercise 01.1.
+// Operators that are built from those of exercise 01.1.
 [[nodiscard]] inline Vec3 operator*(Real s, Vec3 v) {
     return v * s;
 }
