@@ -42,8 +42,8 @@ struct Beam {
     }
 };
 
-// The share of a pixel of size `pixel` that a line of this width covers, if the line's middle is at
-// this distance from the pixel's.
+// The share of a pixel of size `pixel` that a line of this width covers, if the middle of the line
+// is at this distance from the middle of the pixel.
 inline Real coverage(Real distance, Real width, Real pixel) {
     return std::clamp(((width + pixel) / 2 - distance) / pixel, Real(0),
                       std::min(width / pixel, Real(1)));
@@ -124,8 +124,8 @@ inline Color sky(const Beam& beam, Real pixel_deg) {
     return mix(color, sunlight, coverage(from_sun, 4, pixel_deg));
 }
 
-// How much of a pixel the letters N, E, S and W cover. They stand on the horizon and are 6 degrees
-// high.
+// The share of a pixel that the letters N, E, S and W cover. They stand on the horizon and are 6
+// degrees high.
 inline Real compass(Vec3 d, Real pixel_deg) {
     const Real degree = 180 / rt::pi, unit = Real(1.5);  // 4 units are a letter's height
     const Real a = azimuth(d) * degree, quarter_turn = std::round(a / 90);

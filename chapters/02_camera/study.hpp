@@ -23,7 +23,7 @@ using rt::Vec2;
 using rt::Vec3;
 using study::DoubleDouble;
 
-// Vectors with twice the digits, as the reference.
+// The reference: vectors with twice the digits of double.
 struct Exact3 {
     DoubleDouble x, y, z;
 
