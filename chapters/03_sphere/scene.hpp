@@ -102,7 +102,7 @@ inline std::vector<SceneSphere> spheres() {
                 plane.to_world({away * rt::portable::cos(turn), away * rt::portable::sin(turn), 0});
             all.push_back({{center, ring.radius * rng.uniform(Real(0.6), 1)}, ring.material});
         }
-    // Behind the camera, out of sight.
+    // A moon behind the camera, out of sight.
     all.push_back({{{Real(-1.3), Real(2.2), Real(9.5)}, Real(0.7)}, 3});
     return all;
 }

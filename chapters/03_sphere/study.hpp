@@ -23,7 +23,7 @@ using study::DoubleDouble;
 struct Case {
     Ray ray;
     DoubleDouble t = -1;   // the nearest hit; -1 for a miss
-    double condition = 0;  // (|f| + r) (1 + p / h) / |d|: about how far a turn by 1 moves t
+    double condition = 0;  // (|f| + r) (1 + p / h) / |d|: about how much t changes per radian
 };
 
 // The true answers, computed with numbers of 106 bits.
@@ -96,8 +96,8 @@ study::Work hit_all(const std::vector<Case>& cases, Hit hit) {
     return [rays, hit] { hit_each(rays, hit); };
 }
 
-// Every way to intersect a sphere, with its name. Lambdas, because a loop over a function pointer
-// would time the calls instead.
+// Calls measure(name, way) for every way to intersect a sphere. The ways are lambdas, because a
+// loop over a function pointer would time the calls instead.
 template <class Measure>
 void with_each_variant(Measure measure) {
     using S = const Sphere&;

@@ -18,7 +18,7 @@ struct TracerCall {
 };
 
 // Reads the words of the command line; words[0] is the program's name. Throws
-// std::invalid_argument, which says what would be right.
+// std::invalid_argument, which says what was expected.
 inline TracerCall read_call(int count, char** words) {
     TracerCall call;
     call.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
