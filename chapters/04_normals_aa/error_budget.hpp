@@ -22,7 +22,7 @@ inline View view_from(Real distance) {
 }
 
 // The effect of rounding: the picture in Real with each formula, compared with the picture in the
-// widest number type with the stable formula. All follow the same random numbers.
+// widest number type with the stable formula. All pictures use the same random numbers.
 struct RoundingErrors {
     double stable = 0, textbook = 0;
 };

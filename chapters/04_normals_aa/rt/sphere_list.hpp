@@ -16,7 +16,7 @@ inline Hit surface_hit(const SceneSphere& sphere, const Ray& ray, Real t) {
     return hit;
 }
 
-// A world of spheres (given): each ray tries them all.
+// A world of spheres (given): each ray is tested against all of them.
 struct SphereList {
     std::vector<SceneSphere> spheres;
 
