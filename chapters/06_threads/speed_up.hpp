@@ -42,7 +42,7 @@ inline std::vector<int> worker_counts(int most) {
     return counts;
 }
 
-// Renders by each strategy with 1 to `most` workers.
+// Renders with each strategy and with 1 to `most` workers.
 inline std::vector<SpeedUp> speed_ups(const Scene& scene, int most) {
     const SmallRender render{scene};
     std::vector<SpeedUp> rows;
