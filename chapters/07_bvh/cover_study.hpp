@@ -79,7 +79,7 @@ struct Recorder {
     }
 };
 
-// Gives the same answers again, without any search.
+// Gives a Recorder's answers again, without any search.
 struct Player {
     const std::vector<Recorder::Answer>& answers;
     std::size_t& next;

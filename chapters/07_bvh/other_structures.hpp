@@ -91,8 +91,8 @@ inline double tests_per_ray(const SphereTree& tree) {
     return sum / (60 * 42);
 }
 
-// Spheres spread evenly over a cube, of which they fill the same share whatever their number; the
-// rays of a picture of it, row by row; and random rays.
+// Spheres spread evenly over a cube, which fill the same share of the cube whatever their number.
+// With them come two lists of rays: those of a picture of the cube, row by row, and random ones.
 struct Cloud {
     std::vector<SceneSphere> spheres;
     std::vector<Ray> rays, random_rays;
@@ -119,7 +119,7 @@ struct Cloud {
     }
 };
 
-// Work to be timed: all these rays in a world.
+// Work to be timed: searches along all these rays in a world.
 template <class World>
 study::Work search_all(const World& world, const std::vector<Ray>& rays) {
     return [&] {

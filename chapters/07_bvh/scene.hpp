@@ -52,7 +52,7 @@ inline Scene make_scene(int count, std::uint64_t seed) {
         const Vec3 center{distance * rt::portable::cos(turn) + scatter(wide),
                           scatter(Real(1.1) - Real(0.7) * way),
                           distance * rt::portable::sin(turn) + scatter(wide)};
-        // Only a few are large.
+        // Only a few spheres are large.
         const Real size = rng.uniform();
         const Real radius =
             Real(0.014) + Real(0.035) * size * size + (i % 100 == 0 ? Real(0.16) * size : Real(0));

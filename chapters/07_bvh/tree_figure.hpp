@@ -50,7 +50,7 @@ inline View boxes_view() {
     return view;
 }
 
-// Where a point is seen in a panel, in its units.
+// Where a point is seen in a panel, in the panel's units.
 inline Vec2 project(const Camera& camera, Vec3 point, const app::Box& panel) {
     const Vec3 to = point - camera.eye;
     const Real depth = -dot(to, camera.basis.w);
@@ -71,7 +71,8 @@ void for_each_edge(const Box& box, Draw draw) {
             if (!(i & bit)) draw(corner(i), corner(i | bit));
 }
 
-// Calls visit(box) for the nodes of one level. Leaves above it stand for what would be below them.
+// Calls visit(box) for the nodes of one level. A leaf above that level stands for the nodes that
+// would be below it.
 template <class Visit>
 void for_each_box(const TreeNode& node, int level, Visit visit) {
     if (level == 0 || node.is_leaf()) return visit(node.box);

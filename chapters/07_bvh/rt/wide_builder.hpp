@@ -17,7 +17,7 @@ namespace rt {
 template <class Number, class Shape>
 Box wide_bounds_of(const Shape& shape) {
     const Box box = bounds_of(shape);
-    if (wide_margin<Number> <= hit_margin) return box;  // it already includes hit_margin
+    if (wide_margin<Number> <= hit_margin) return box;  // the box already includes hit_margin
     const Real grow =
         wide_margin<Number> * std::max(max_component(box.low), max_component(box.high));
     const Vec3 margin{grow, grow, grow};

@@ -26,7 +26,7 @@ struct WideLeaf {
         count = place + 1;
     }
 
-    // Where a ray meets the shape at this place.
+    // The Hit of a ray that meets the shape at this place at t.
     Hit hit(std::int32_t place, const Ray& ray, Real t) const {
         return surface_hit(shapes[static_cast<std::size_t>(place)], ray, t);
     }
@@ -93,7 +93,7 @@ struct LeafPart {
     }
 
     // The spheres that the ray meets within the interval, as bits, and the t of each. It looks only
-    // at those whose bit is set in `met`; a must be greater than 0.
+    // at spheres whose bit is set in `met`; `a` must be greater than 0.
     RT_INLINED unsigned hits(Reals quarter, unsigned met, Interval within, Reals& t) const {
         const Reals half_b = fx * d.x + fy * d.y + fz * d.z;
         const Reals b = 2 * half_b, c = fx * fx + fy * fy + fz * fz - r_squared;
@@ -126,9 +126,9 @@ RT_INLINED bool hit_leaf(const SphereLeaf& leaf, const Ray& ray, Real min, WideH
         met[p] = RT_VECTOR_BITS(quarters[p] >= 0);
         any |= met[p];
     }
-    // If the line misses all spheres, the leaf is done. The roots need fx, fy and fz again. They
-    // are computed once more: keeping them for all eight spheres would take more registers than the
-    // processor has.
+    // If the line misses all spheres, the leaf is done. The roots need `fx`, `fy` and `fz` again.
+    // They are computed once more: keeping them for all eight spheres would take more registers
+    // than the processor has.
     const Vec3 d = ray.direction;
     if (any == 0 || !(d.x * d.x + d.y * d.y + d.z * d.z > 0)) return false;
 

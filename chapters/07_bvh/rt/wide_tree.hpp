@@ -94,7 +94,7 @@ struct WideTreeOf {
 
     template <class AnyRay>
     std::optional<Hit> hit(const AnyRay& any_ray, Interval within) const {
-        const Ray& ray = any_ray;  // not a copy, if it is a plain one
+        const Ray& ray = any_ray;  // no copy if any_ray is a plain Ray
         const Found found = search(ray, within);
         if (!found.leaf) return {};
         return found.leaf->hit(found.best.place, ray, found.best.t);
@@ -106,7 +106,7 @@ struct WideTreeOf {
     template <class AnyRay>
     bool occluded(const AnyRay& any_ray, Interval within, std::int32_t number = -1) const {
         if (nodes.empty()) return false;
-        const Ray& ray = any_ray;  // not a copy, if it is a plain one
+        const Ray& ray = any_ray;  // no copy if any_ray is a plain Ray
         const WideHit end{within.max, number};
         const auto wide = wide_ray<Number>(ray);
         const auto min = static_cast<Number>(with_origin(within).min * wide.scale);
