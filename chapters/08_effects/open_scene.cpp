@@ -17,7 +17,7 @@ rt::SceneDescription effects::open_scene(const app::Settings& settings) {
     if (given("spp")) chosen.samples_per_pixel = settings.spp;
     if (given("depth")) chosen.depth = settings.depth;
     if (given("seed")) chosen.seed = *settings.seed;
-    // One side may come from the file, and the other from the command line.
+    // One of width and height may come from the file, and the other from the command line.
     if (std::int64_t{chosen.width} * chosen.height > app::most_pixels)
         throw app::UsageError(std::to_string(chosen.width) + "x" + std::to_string(chosen.height) +
                               " are more than " + std::to_string(app::most_pixels) +

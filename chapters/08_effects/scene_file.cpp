@@ -156,7 +156,7 @@ class Reader {
         std::error_code error;
         const fs::path home = fs::canonical(folder_, error);
         const fs::path found = error ? fs::path{} : fs::weakly_canonical(home / path, error);
-        // Links may lead outside, too.
+        // A link in the folder may lead outside, too.
         const bool inside =
             !error &&
             std::mismatch(home.begin(), home.end(), found.begin(), found.end()).first == home.end();

@@ -47,7 +47,8 @@ struct TileRenderer {
 
 // Each of these functions makes a renderer for the scene, which must outlive the renderer.
 
-// Pixel by pixel, each path to its end, by the narrowest renderer that has these effects.
+// This chapter's way: pixel by pixel, each path to its end, with the narrowest renderer that has
+// these effects.
 TileRenderer make_narrowest(const rt::Effects& needed, const rt::SceneDescription& scene, int width,
                             int height, const rt::Quality& quality);
 // Chapter 10's way: the same picture, byte for byte, in batches of rays. A scene that has meshes,

@@ -22,8 +22,8 @@ struct Aggregate {
         return nearest;
     }
 
-    // True if anything is hit within the interval. `number` is that of a shape in the first world,
-    // and means what it means in WideTreeOf.
+    // True if anything is hit within the interval. `number` is that of a shape in the first world:
+    // see WideTreeOf.
     template <class AnyRay>
     bool occluded(const AnyRay& ray, Interval within, int number = -1) const {
         return first.occluded(ray, within, number) || second.occluded(ray, within);

@@ -61,7 +61,7 @@ inline ReadyMaterial ready(const Emitter&, const std::vector<Image>&) {
 }
 
 // The materials of a scene as a renderer keeps them, a MaterialList or a MaterialSet. A material
-// whose type the renderer does not have is replaced by a black Lambertian.
+// whose type the renderer does not have becomes black and matte.
 template <class Materials>
 Materials prepare_materials(const SceneDescription& scene) {
     using Element = typename decltype(Materials::materials)::value_type;

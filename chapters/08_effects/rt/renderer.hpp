@@ -33,8 +33,8 @@ struct JitteredSamples {
 template <Effects effects, class Scene = ReadyScene<effects>>
 class Renderer {
   public:
-    // The effects must cover those of the scene, which must outlive the renderer. `more` holds
-    // further arguments for the constructor of Scene.
+    // The effects must cover those that the scene calls for. The scene must outlive the renderer.
+    // `more` holds further arguments for the constructor of Scene.
     template <class... More>
     Renderer(const SceneDescription& scene, int width, int height, const Quality& quality,
              More&&... more)

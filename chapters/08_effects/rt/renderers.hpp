@@ -32,7 +32,8 @@ inline constexpr auto renderer_effects = [] {
                                   every_effect};
 }();
 
-// The scene made ready for renderer `number` of renderer_effects. The scene must outlive it.
+// The scene made ready for renderer `number` of renderer_effects. The scene must outlive the
+// shader.
 using MakeShader = PixelShader (*)(const SceneDescription& scene, int width, int height,
                                    const Quality& quality);
 
