@@ -24,7 +24,7 @@ struct StudyScene {
           renderer{description, study_width, study_height, study_quality} {}
 };
 
-// Both return how many rays they took.
+// draw_singly() and draw_in_batches() return how many rays they took.
 inline std::uint64_t draw_singly(const StudyScene& scene, Image& image) {
     std::uint64_t rays = 0;
     for (int y = 0; y < study_height; ++y)

@@ -32,7 +32,7 @@ inline View scene_view() {
     return view;
 }
 
-// A spiral that grows by the same factor with each turn, as does the tube that is wound up.
+// A tube that is wound up in a spiral. With each turn, spiral and tube grow by the same factor.
 struct Shell {
     static constexpr double turns = 4.85, growth = 1.9, rim = 3.3, width = 0.31, start = 0.52;
 
@@ -63,7 +63,7 @@ class Beads {
         add(0, 0, 0, 0.72 * Shell::distance(Shell::turns), gold);
     }
 
-    // All of the shell: rings of beads, each turned by half a bead from the one before.
+    // Adds the whole shell: rings of beads, each turned by half a bead from the one before.
     void add_shell(int count) {
         const int ring = std::max(3, static_cast<int>(72 * std::sqrt(count / 100'000.0)));
         for (int i = 0; i < count; ++i) {

@@ -55,7 +55,7 @@ PlacePack random_places(std::size_t size, const RandomOf& random) {
     return places;
 }
 
-// leave_surface of 04.6.
+// leave_surface of 04.6, for a pack.
 inline Vec3Pack leave_surface(const Arrivals& from, Vec3Pack direction) {
     const PackMask goes_in = dot(direction, from.normal) < 0;
     const Vec3Pack side = pick(goes_in, -from.normal, from.normal);

@@ -12,7 +12,7 @@ namespace rt {
 // A path on its way (given). In float it has 64 bytes, as many as a processor fetches from
 // memory at once.
 struct alignas(64) PathRecord {
-    // For the search for the nearest sphere: eight numbers of one size.
+    // What the search for the nearest sphere needs: eight numbers of one size.
     Vec3 origin, direction;   // of its ray
     Real t = infinity;        // of the nearest hit so far
     PackInteger sphere = -1;  // which sphere was hit there; -1 before any hit

@@ -34,7 +34,8 @@ class PlainBatch {
     // Makes room for the light of this many new paths.
     void begin(std::size_t count) { std::fill_n(light.begin(), count, Color{}); }
 
-    // Gives the pack of paths that begins with number `from` its rays. Call it in ascending order.
+    // Gives the pack of paths that begins with number `from` its rays. Calls must come in ascending
+    // order of `from`.
     void set_rays(std::size_t from, const Vec3Pack& origin, const Vec3Pack& direction) {
         set_rays(paths, from, origin, direction);
     }
