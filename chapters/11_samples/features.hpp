@@ -1,5 +1,5 @@
 #pragma once
-// What a denoiser may know of a pixel without noise: the surface that is seen there.
+// What a denoiser may know of a pixel, itself free of noise: the surface that is seen there.
 
 #include <rt/denoise.hpp>
 #include <rt/renderer.hpp>
@@ -35,7 +35,8 @@ Features features_along(const ReadyScene<effects>& scene, const Ray& ray, Real s
             facing_normal(*hit)};
 }
 
-// The mean over the pixel: at an edge, or where the lens blurs it, several surfaces have a share.
+// The mean over the pixel: at an edge, or where the lens blurs the picture, several surfaces have a
+// share.
 template <Effects effects>
 Features features_at(const ReadyScene<effects>& scene, const SobolSamples& samples, int column,
                      int row, Real strength) {

@@ -44,7 +44,7 @@ struct Sampling {
 struct Drawn {
     Image light;
     Real error = infinity;
-    Halves<Image> half = {};  // if there are two
+    Halves<Image> half = {};  // if the strip is drawn in two halves
 };
 
 Drawn draw_jittered(Sampling& sampling, const Strip& strip) {
@@ -93,7 +93,7 @@ Drawn draw_halves(Sampling& sampling, const Strip& strip, int pilot, Canvas<int>
             refinement.halves()};
 }
 
-// The last of the strips in two halves, without its noise.
+// The last strip, denoised. It is the right part of the picture whose halves are `half`.
 Denoised denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>& scene,
                        const Halves<Image>& half, const Strip& strip) {
     const int height = half.first.height(), skipped = half.first.width() - strip.width;
@@ -112,7 +112,7 @@ Denoised denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>
     return denoise_halves(part, features);
 }
 
-// How many samples each pixel of a strip got: the more, the brighter.
+// Draws how many samples each pixel of a strip got: the more, the brighter.
 void draw_counts(app::Figure map, const Canvas<int>& counts, const Strip& strip, int mean) {
     constexpr std::array<std::uint32_t, 4> colors{0x0b1026, 0x4b2e83, 0xd1495b, 0xffe08a};
     map.fill([&](int column, int row) {

@@ -41,7 +41,7 @@ struct WatchedSamples {
     }
 };
 
-// A whole picture with the same samples in each pixel.
+// Draws a whole picture, with these samples in each pixel.
 template <class Renderer, class Samples>
 Image draw_with(const Renderer& renderer, const Samples& samples, int width, int height) {
     Image image = Canvas<Color>{width, height};
@@ -57,8 +57,8 @@ struct Refined {
     double error = 0;
 };
 
-// A picture in twin halves with about this many samples in a pixel on average: in 16 passes, of
-// which the pilot takes half. make_pass(count) gives a DrawPass for passes of that many samples.
+// Draws a picture in twin halves with about this many samples per pixel on average, in 16 passes;
+// the pilot takes half of them. make_pass(count) gives a DrawPass for passes of that many samples.
 template <class MakePass>
 Refined refine(const TileGrid& grid, std::uint64_t seed, int samples, const MakePass& make_pass) {
     const int count = std::max(1, samples / 16);

@@ -42,7 +42,8 @@ constexpr auto makers =
 
 using Batches = BatchRenderer<batch_effects, SobolPoints>;
 
-// Tiles filtered by a tent. The larger the tiles are, the fewer pixels are sampled for two tiles.
+// Tiles filtered by a tent. The larger the tiles are, the fewer pixels are sampled for more than
+// one tile.
 constexpr int tent_tile_side = 64;
 
 template <Effects effects>

@@ -4,7 +4,7 @@
 
 namespace rt {
 
-// What is known about a pixel without noise: the surface that its eye ray meets.
+// What is known of a pixel, itself free of noise: the surface that its eye ray meets.
 struct Features {
     Color albedo;  // may be more than 1 for a lamp
     Vec3 normal;   // 0 for the sky

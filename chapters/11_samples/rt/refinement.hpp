@@ -82,7 +82,7 @@ class Refinement {
     }
 
     // Refines until error() is at most this. Each round aims at the target, but at no less than
-    // half of the round before's aim (in the first round, of the present error).
+    // half of the previous round's aim (in the first round: half of the present error).
     void refine_to(Real target) {
         Real aim = infinity;  // the error for which counts were computed
         while (!plan_.is_over()) {
@@ -150,12 +150,12 @@ class Refinement {
         return half;
     }
 
-    // The passes of both halves at a pixel.
+    // How many passes both halves have at a pixel.
     int passes_at(int x, int y) const {
         const Halves<int> drawn = tile_of(x, y).drawn;
         return drawn.first + drawn.second;
     }
-    // The passes of all tiles and both halves.
+    // How many passes all tiles have in both halves.
     std::int64_t passes() const {
         return std::accumulate(tiles_.begin(), tiles_.end(), std::int64_t{0},
                                [](std::int64_t sum, const TileState& tile) {
@@ -224,7 +224,7 @@ class Refinement {
         return {mean(sum.first, tile.drawn.first), mean(sum.second, tile.drawn.second)};
     }
 
-    // Draws the missing passes until each tile has those that wanted(tile) asks for.
+    // Draws passes until each tile has as many as wanted(tile) asks for.
     template <class Wanted>
     void draw(const Wanted& wanted) {
         std::int64_t missing = 0;

@@ -11,11 +11,10 @@
 namespace rt {
 
 // The random numbers of one sample of a pixel (given), for use wherever an Rng is used. The first
-// eight are a point of Sobol's sequence in eight dimensions, with each coordinate scrambled
-// independently of the others and of other pixels. So over the samples of the pixel, the positions
-// in the pixel, on the lens and in time, and the first bounces, are spread evenly together, and not
-// only each for itself. Later numbers are independent, because evenness gains hardly anything
-// there.
+// eight are a point of Sobol's sequence in eight dimensions, with each coordinate scrambled on its
+// own, and differently in each pixel. So over the samples of the pixel, the positions in the pixel,
+// on the lens and in time, and the first bounces, are spread evenly together, and not only each for
+// itself. Later numbers are independent, because evenness gains hardly anything there.
 //
 // A single sample is as random as with an Rng, so its mean is right. The samples are not
 // independent of each other: samples 2 j and 2 j + 1 are in opposite halves in each of the eight

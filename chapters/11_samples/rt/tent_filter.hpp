@@ -67,8 +67,8 @@ class TentSums {
     using Sum = std::array<double, 4>;
     using Eight = PackOf<Real, 8>;  // of two neighbors in a row
     using Sums = PackOf<double, 8>;
-    // Samples count for pixels up to this far beyond the tile. There is room for them, so no test
-    // is needed.
+    // Samples count for pixels up to this far beyond the tile. These pixels have room, too, so no
+    // test is needed.
     static constexpr int border = 2;
 
     Sum& at(int x, int y) { return sums_.at(x - tile_.left + border, y - tile_.top + border); }
@@ -104,8 +104,8 @@ void draw_with_tent(BatchRenderer<effects, SobolPoints>& renderer, const SobolSa
     sums.write(image);
 }
 
-// The same for a renderer that is kept, as a function of the tile, the seed, the image and the
-// rays. It returns the number of pixels.
+// A function of tile, seed, image and rays that does the same with a renderer, which it keeps
+// alive. It returns the number of pixels.
 template <class AnyRenderer>
 auto kept_tent(std::shared_ptr<const AnyRenderer> renderer, int count) {
     return [renderer, count](const Tile& tile, std::uint64_t seed, Image& image,
