@@ -148,7 +148,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     return draw_in_group(job, scene, settings, progress);
 }
 
-// What all ranks but rank 0 do. They say nothing unless they fail.
+// What all ranks except rank 0 do. They print nothing unless they fail.
 int help_rank_0() {
     const Job job = unpacked(broadcast({}));
     if (job.is_none) return app::done;

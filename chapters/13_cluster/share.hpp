@@ -46,8 +46,8 @@ class Collector {
     // Adds a tile from an earlier run.
     void add_old(int tile) { put(tile, load_tile(folder_, tile)); }
 
-    // Adds a tile that this rank has drawn. If the tile cannot be kept, error() tells why. Nothing
-    // is thrown, because the ranks must end together.
+    // Adds a tile that `rank` has drawn. If the tile cannot be kept, error() tells why. Nothing is
+    // thrown, because the ranks must end together.
     void add(int tile, int rank, const std::vector<Color>& pixels) {
         put(tile, pixels);
         drawn_by_[static_cast<std::size_t>(tile)] = rank;
@@ -157,8 +157,8 @@ inline std::uint64_t share_slices(const Job& job, TileDrawer& drawer, Image* ima
     return all_rays;
 }
 
-// Calls each exercise once, on this rank alone, so that one that is still to be written is reported
-// before the others begin.
+// Calls each exercise once, on this rank alone, so that an unwritten exercise is reported before
+// the other ranks begin.
 inline void rehearse() {
     TileCounter next{MPI_COMM_SELF};
     TileSender sender{MPI_COMM_SELF};

@@ -10,7 +10,8 @@
 
 namespace cluster {
 
-// In seconds. The counter and the collector, both at rank 0, serve one machine after the other.
+// Costs in seconds. The counter and the collector, both at rank 0, serve one machine after the
+// other.
 struct Costs {
     double take = 0;     // a step of the counter
     double message = 0;  // a message at rank 0, whatever its size

@@ -145,7 +145,8 @@ std::vector<double> tile_seconds(const std::vector<double>& rays, int side,
     return tiles;
 }
 
-// A machine has 16 cores, each of which follows 1.2 million rays a second, as the program prints.
+// A machine of 16 cores; each core follows 1.2 million rays a second, the speed that the program
+// prints.
 constexpr double seconds_per_ray = 1 / (16 * 1.2e6);
 // What measure/measure.cpp printed with 4 ranks on one machine, whose messages go through its
 // memory; and the same over a network with a latency of 20 us and a bandwidth of 1 GB/s, for colors
