@@ -12,7 +12,7 @@
 namespace app {
 namespace {
 
-// Text that may hold anything, such as a file name with line breaks, as one line.
+// The text as one line. It may contain anything, such as a file name with line breaks.
 std::string one_line(std::string text) {
     for (char& c : text)
         if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
@@ -28,8 +28,8 @@ ExitCode fail(const std::string& what, ExitCode code) {
 
 const std::terminate_handler usual_end = std::get_terminate();
 
-// A stub that threads reach is named, too, and once. Everything else crashes as it would without
-// this.
+// If a thread reaches an exercise's stub, the stub is named as usual, and only once. Any other
+// crash stays as it would be without this function.
 [[noreturn]] void name_the_stub() {
     static std::mutex first;
     first.lock();

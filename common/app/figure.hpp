@@ -46,10 +46,11 @@ class Figure {
   public:
     // All of the image; a unit is a pixel.
     explicit Figure(rt::Image& image);
-    // This many units wide and high, in the middle of the image, and as large as fits into it.
+    // A figure of this many units, in the middle of the image and as large as fits into it.
     Figure(rt::Image& image, rt::Real width, rt::Real height);
 
-    // A part whose own top left corner is (0, 0). What is drawn in it does not reach beyond it.
+    // A part of the figure, with (0, 0) at its own top left corner. Drawing in it changes nothing
+    // outside of it.
     Figure part(const Box& box) const;
 
     // The number of pixels across and down whose middles lie inside. It is at least 1, even if none
@@ -69,11 +70,11 @@ class Figure {
     void fill(const std::function<rt::Color(int column, int row)>& shade,
               Progress* progress = nullptr);
 
-    // Mixes in colors, with a share of their own at each point. Only points in `around`, and one
+    // Mixes in color_at(point), with the share share_at(point). Only points in `around`, and one
     // pixel beyond, are visited.
     void blend(const Box& around, const std::function<rt::Real(rt::Vec2)>& share_at,
                const std::function<rt::Color(rt::Vec2)>& color_at);
-    // Mixes in colors wherever `distance`, in units, is below 0, with a smooth edge.
+    // Mixes in a color wherever `distance`, in units, is below 0, with a smooth edge.
     void paint(const Box& around, const std::function<rt::Real(rt::Vec2)>& distance,
                const std::function<rt::Color(rt::Vec2)>& color_at, rt::Real share = 1);
 
@@ -97,9 +98,9 @@ class Figure {
 
   private:
     rt::Image* image_;
-    rt::Real scale_ = 1;                       // pixels of a unit
+    rt::Real scale_ = 1;                       // pixels per unit
     rt::Vec2 origin_{};                        // where (0, 0) is, in pixels
-    int left_ = 0, top_ = 0, columns_, rows_;  // its pixels; none or fewer if it is too small
+    int left_ = 0, top_ = 0, columns_, rows_;  // its pixels; the counts may be 0 or less
 };
 
 }  // namespace app

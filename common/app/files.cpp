@@ -32,7 +32,8 @@ void write_to(const fs::path& path, const std::string& bytes, bool only_new) {
     if (!closed) fail(errno);
 }
 
-// The file that Ctrl-C and the like must not leave behind, while there is one.
+// The path of the half-written file that Ctrl-C and other interruptions must remove; null if there
+// is none.
 std::atomic<const fs::path::value_type*> unfinished = nullptr;
 
 bool remove_unfinished(int) {
@@ -40,7 +41,7 @@ bool remove_unfinished(int) {
     return false;
 }
 
-// While it lives, an interruption of the program removes the file before it takes effect.
+// While it lives, an interruption first removes this file, and then takes effect.
 class RemovedOnInterrupt {
   public:
     explicit RemovedOnInterrupt(const fs::path& path) { unfinished = path.c_str(); }

@@ -7,7 +7,7 @@ namespace {
 std::atomic<int> came = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not wait for a lock");
 
-// Only the first one is noted.
+// Only the first signal is recorded.
 bool note_signal(int signal) {
     int none = 0;
     return came.compare_exchange_strong(none, signal);

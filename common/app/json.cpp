@@ -73,8 +73,8 @@ std::string broken_text(const Slip& slip) {
     return "after \\ there must be one of \" \\ / b f n r t, or u and four hexadecimal digits";
 }
 
-// The name of a common slip, by the token and what was expected in its
-// place; "" for any other slip.
+// What the slip is usually called, judging by the token and by what was expected in its place; ""
+// if the slip is not a common one.
 std::string named(const Slip& slip) {
     const char first = slip.token.empty() ? '\0' : slip.token[0];
     const char last = slip.before.empty() ? '\0' : slip.before.back();
@@ -116,7 +116,7 @@ std::string words(const Slip& slip) {
     return found + "; " + (name.empty() ? "expected " + std::string{slip.expected} : name);
 }
 
-// Puts the values together as the parser meets them, which knows where it is in the text.
+// Builds the value from what the parser finds, and keeps track of the position in the text.
 class Builder : public nlohmann::json_sax<json> {
   public:
     Builder(const std::string& text, const std::string& file) : text_{text}, file_{file} {}
@@ -158,11 +158,11 @@ class Builder : public nlohmann::json_sax<json> {
     // An object or a list that is not closed yet.
     struct Open {
         json value;
-        std::string key{};  // of the member that is read
+        std::string key{};  // of the member that is being read
         bool wants_value = false;
     };
 
-    // Of the innermost open object.
+    // The path of the innermost open object.
     std::string path() const {
         std::string path;
         for (std::size_t i = 0; i + 1 < open_.size(); ++i)
@@ -222,7 +222,7 @@ class Builder : public nlohmann::json_sax<json> {
     const std::string& text_;
     const std::string& file_;
     std::vector<Open> open_;  // from the outermost one
-    bool is_read_ = false;    // the whole text
+    bool is_read_ = false;    // whether the whole text has been read
 };
 
 }  // namespace
@@ -230,7 +230,7 @@ class Builder : public nlohmann::json_sax<json> {
 json parse_json(const std::string& text, const std::string& file) {
     if (text.find_first_not_of(" \t\r\n") == std::string::npos)
         throw UsageError(file + " is empty; expected a JSON object { ... }");
-    // The parser would take it for the end.
+    // The parser would take a zero byte for the end of the text.
     if (const auto zero = text.find('\0'); zero != std::string::npos)
         throw UsageError(file + ':' + line_and_column(text, zero + 1) +
                          ": a zero byte; a JSON text has none");
@@ -256,7 +256,7 @@ std::string path_of_item(const std::string& parent, std::size_t index) {
 std::string quoted(const std::string& text) {
     constexpr std::size_t most = 40;
     if (text.size() <= most) return '"' + text + '"';
-    std::size_t end = most;  // of a whole character: further bytes of one are 10xxxxxx
+    std::size_t end = most;  // moved back to a character's first byte: the others are 10xxxxxx
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
     return '"' + text.substr(0, end) + "...\"";
 }

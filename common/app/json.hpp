@@ -3,7 +3,7 @@
 //
 // nlohmann::json alone says at which byte it stopped, and which tokens it would have taken there.
 // It does not name the common slip behind the error (a comment, single quotes, one comma too many).
-// Of two values with the same key, it silently keeps the last, and it sets no limit to nesting.
+// If an object has a key twice, it silently keeps the last value, and it sets no limit to nesting.
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
@@ -16,15 +16,15 @@ inline constexpr int max_json_depth = 16;
 
 // The value that a text holds. Throws UsageError if the text is not JSON (RFC 8259, so neither
 // comments nor NaN) or a number does not fit a double; the message begins with `file`, line and
-// column. Throws it, too, if values are nested deeper than max_json_depth or an object has a key
-// twice; that message begins with `file` and the position.
+// column. Also throws UsageError if values are nested deeper than max_json_depth or an object has a
+// key twice; that message begins with `file` and the position.
 nlohmann::json parse_json(const std::string& text, const std::string& file);
 
 // Where a value stands in a file, as people write it: spheres[3].material, materials["a b"].
 std::string path_of_member(const std::string& parent, const std::string& key);
 std::string path_of_item(const std::string& parent, std::size_t index);
 
-// What a person wrote, in quotes, cut to a length that helps.
+// What a person wrote, in quotes, and cut off if it is long.
 std::string quoted(const std::string& text);
 
 }  // namespace app

@@ -5,9 +5,9 @@
 
 namespace app {
 
-// The word that was probably meant: the one with the fewest slips (a letter too many, missing or
-// wrong, or two neighbors swapped). None if every word has more than `most` slips; by default,
-// `most` is a third of the letters.
+// The known word that was probably meant: the one with the fewest slips (a letter too many, missing
+// or wrong, or two neighbors swapped). None if every known word has more than `most` slips; by
+// default, `most` is a third of the letters.
 std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words);
 std::string nearest_word(const std::string& wrong, const std::vector<std::string>& words,
                          std::size_t most);

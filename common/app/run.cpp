@@ -50,7 +50,7 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
 // The number that a text consists of, with a decimal point as in C++ whatever the
 // language of the machine.
 std::optional<double> number_in(const std::string& text) {
-    if (text.find_first_of("xX") != std::string::npos) return {};  // libc++ reads 0x1 as well
+    if (text.find_first_of("xX") != std::string::npos) return {};  // libc++ would also accept 0x1
     std::istringstream in{text};
     in.imbue(std::locale::classic());
     double number = 0;
@@ -138,13 +138,13 @@ std::string count(double number, const char* unit) {
     return text;
 }
 
-// A pipe that is held open for writing, so that its reader stays. Without a reader, the program
-// would wait forever.
+// Holds a pipe open for writing, so that its reader stays. Without a reader, the program would wait
+// forever.
 class HeldPipe {
   public:
     explicit HeldPipe(const fs::path& path) {
         if (!fs::is_fifo(path)) return;
-        // A reader that was started at the same time may need a moment.
+        // A reader that was started at the same time as this program may need a moment.
         for (int tries = 0; !file_ && tries < 100; ++tries) {
             if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
             file_ = open_for_writing(path, false);
@@ -256,7 +256,7 @@ std::string exit_codes(const Program& program) {
     return codes;
 }
 
-// The options for those numbers among the settings that the program has.
+// Adds the options for those numeric settings that the program has.
 void add_numbers(CLI::App& options, Settings& settings) {
     const auto add = [&](const char* name, int& value, const char* what, int high) {
         if (value == 0) return;  // this program has no such setting
@@ -366,7 +366,7 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
                            "this folder");
 }
 
-// Checks that no option can make by itself.
+// Checks that involve more than one option.
 void check_together(const Settings& settings) {
     if (settings.given.count("file") > 0 && settings.file.empty())
         throw UsageError("file: needs a name");

@@ -22,8 +22,8 @@ class Report;
 
 namespace app {
 
-// What the user asked for. If a program sets a default to 0, it does not have that option: a
-// program without randomness, for example, has no option for samples.
+// What the user asked for. A setting whose default is 0 is not an option of the program: a program
+// without randomness, for example, has no option for samples.
 struct Settings {
     int width = 960;   // pixels
     int height = 540;  // pixels
@@ -31,13 +31,14 @@ struct Settings {
     int depth = 0;     // the most bounces of a path
     int threads = 0;
     std::optional<std::uint64_t> seed = {};  // of everything random
-    // Where the camera stands, what it looks at, and how much it sees. None if it cannot be moved.
+    // Where the camera stands, what it looks at, and how much it sees. None if the camera cannot be
+    // moved.
     std::optional<rt::View> view = {};
-    // The word that was picked for each of the program's choices, in their order.
+    // The word that was chosen for each of Program::choices, in the same order.
     std::vector<std::string> picked = {};
-    // Which of Program::shows is to be drawn; empty for the chapter's picture.
+    // Which of Program::shows should be drawn; empty for the chapter's picture.
     std::string show = {};
-    // The values given for the program's numbers, by name.
+    // The values given for Program::numbers, by name.
     std::map<std::string, double> numbers = {};
     // The file that the program was given to read; empty if none.
     std::string file = {};
@@ -89,7 +90,7 @@ class Progress {
 struct Picture {
     rt::Image image;
     std::uint64_t rays = 0;
-    // More lines to print below the one about the image. Called only if they are printed.
+    // Prints more lines below the one about the image. Called only if reports are printed.
     std::function<std::string()> words = {};
     // What stopped the work early, if anything did. The unfinished pixels then show the
     // checkerboard of draw_unfinished.
@@ -108,26 +109,30 @@ struct Program {
     std::vector<Choice> choices = {};
     std::vector<Flag> flags = {};
     std::vector<Number> numbers = {};
-    // What --show can draw in false colors; if empty, there is no --show.
+    // The words that --show accepts, one for each thing that it draws in false colors; if there are
+    // none, the program has no --show.
     std::vector<std::string> shows = {};
-    // Describes the file that may be named without an option; empty if the program reads none.
+    // Describes the file that may be named without an option; empty if the program reads no file.
     std::string reads = {};
-    // Whether render() calls Settings::explain when it is set; if not, there is no --explain.
+    // Whether render() calls Settings::explain when it is set; if not, the program has no
+    // --explain.
     bool explains = false;
     // Whether render() checks for an Interruption; if not, Ctrl-C ends the program at once.
     bool can_be_stopped = false;
-    // Whether stderr ends at a terminal even though it is a pipe, as it may under mpirun.
+    // Whether what goes to stderr reaches a terminal even though stderr is a pipe, as it may under
+    // mpirun.
     bool has_terminal = false;
 };
 
 // Runs the program as main() should. Every error is one line on stderr.
 int run(int argc, const char* const* argv, const Program& program);
 
-// Writes measurements to folder/CHAPTER.csv, and keeps those of the other precision in that file.
-// Throws std::system_error on failure.
+// Writes measurements to folder/CHAPTER.csv, and keeps the file's measurements in the other
+// precision. Throws std::system_error on failure.
 void write_study(const study::Report& report, const std::filesystem::path& folder);
 
-// What the hidden option --describe prints, for programs that run this one: its options, each with
+// What the hidden option --describe prints for other programs that run this one: its options, each
+// with its default, as a JSON object whose values are texts.
 // its default, as a JSON object of texts.
 std::string describe(const Program& program);
 

@@ -17,7 +17,7 @@ std::mutex changing;
 
 extern "C" void act(int signal) {
     const int error = errno;
-    std::signal(signal, act);  // which Windows sets back to the default before the call
+    std::signal(signal, act);  // again, because Windows resets it before the call
     for (const auto& action : actions[signal])
         if (const OnSignal::Action call = action; call && call(signal)) {
             errno = error;

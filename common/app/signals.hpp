@@ -7,7 +7,7 @@
 
 namespace app {
 
-// The signals by which a person or the system ends a program, as the system has them.
+// The signals with which a person or the system ends a program; systems differ in them.
 extern const std::initializer_list<int> ending_signals;
 
 // While an OnSignal exists, each of its signals first calls its action, and then ends the program
@@ -15,8 +15,8 @@ extern const std::initializer_list<int> ending_signals;
 // ignored (nohup) or has another handler stays as it is.
 class OnSignal {
   public:
-    // Returns true if the program is to go on; then no other action is called. It may do only what
-    // is allowed in a signal handler.
+    // Returns true if the program should go on; then no other action is called. An action may do
+    // only what is allowed in a signal handler.
     using Action = bool (*)(int signal);
 
     OnSignal(std::initializer_list<int> signals, Action action);

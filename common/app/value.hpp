@@ -15,8 +15,9 @@ struct Range {
     double low, high;
 };
 
-// A value of a JSON file and its position there. A function that asks for another kind of value
-// throws UsageError, which names the file, the position, what is allowed, and what the value is.
+// A value of a JSON file and its position there. If the value is not of the kind that a function
+// asks for, the function throws UsageError, which names the file, the position, what is allowed,
+// and what the value is.
 class Value {
   public:
     // The value in a text. Messages call it `whole`, such as "the scene".
@@ -56,7 +57,7 @@ class Value {
     std::string path_;
 };
 
-// A number as a person writes it.
+// A number in the form in which a person writes it.
 std::string number_text(double number);
 
 // What to say after "is not known": the word that was probably meant, or `otherwise` and all words.

@@ -3,9 +3,9 @@
 
 namespace rt {
 
-// A sum of many colors, for their mean (given). It is kept in double, whatever Real is: in float,
-// the mean of a million equal colors would be off by about 1 %, because adding a color to so large
-// a sum rounds off most of the color's digits, always in the same direction.
+// A sum of many colors, for their mean (given). It is kept in double, whatever Real is. In float,
+// the mean of a million equal colors would be off by about 1 %: when a color is added to so large a
+// sum, most of its digits are rounded off, always in the same direction.
 class ColorSum {
   public:
     void add(const Color& color) {

@@ -7,19 +7,19 @@
 #define RT_CALLER_FILE __builtin_FILE()
 #define RT_CALLER_LINE __builtin_LINE()
 
-// Makes the compiler believe that all of this value is read here, and that all of memory may have
-// changed. So it can neither leave out the computation of the value nor compute it once for all
-// repetitions.
+// Makes the compiler assume that this whole value is read here, and that all of memory may have
+// changed. So it can neither leave out the computation of the value nor compute it only once for
+// all repetitions.
 #define RT_KEEP(value) asm volatile("" : : "r"(&(value)) : "memory")
 
-// For a function of a few loops over arrays. Compilers turn such loops into wide instructions where
-// the function stands alone, but not always where it is inlined into a larger loop.
+// For a function of a few loops over arrays. Compilers turn such loops into wide instructions if
+// the function is compiled by itself, but not always if it is inlined into a larger loop.
 #define RT_NOT_INLINED [[gnu::noinline]]
 
 // For a small function in the middle of a loop: it is always inlined there, so that its results
 // stay in the processor's registers.
 #define RT_INLINED [[gnu::always_inline]] inline
 
-// For a function that consists of a hot loop: everything that it calls is inlined into it, however
-// many such loops the program has, so that none of them runs slower than it would alone.
+// For a function that consists of a hot loop: everything that it calls is inlined into it. So even
+// if the program has many such loops, each is as fast as it would be alone.
 #define RT_INLINES_ALL [[gnu::flatten]]

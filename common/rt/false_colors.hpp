@@ -47,10 +47,11 @@ inline Color direction_color(Vec3 d) {
     return Color{d.x + 1, d.y + 1, d.z + 1} / 2;
 }
 
-// A color for one of many: neighboring numbers get hues that are far apart.
+// A color for the thing with this number, among many: neighboring numbers get hues that are far
+// apart.
 inline Color number_color(int number) {
     // Equal steps around the circle of hues never come back to the same hue, because sqrt(2) is
-    // irrational. The golden ratio would not do: chapter 06 places its spheres by it, so that
+    // irrational. The golden ratio would not do: chapter 06 positions its spheres with it, so
     // neighboring spheres would look alike.
     const double hue = number * 1.4142135623730951;
     const auto channel = [&](double place) {
@@ -73,7 +74,7 @@ inline Color heat_color(Real x) {
     return mix(steps[step], steps[step + 1], place - static_cast<Real>(step));
 }
 
-// How amounts are spread: a twentieth of them are below `low`, and a twentieth above `high`.
+// How the amounts are spread: a twentieth of them are below `low`, and a twentieth above `high`.
 struct AmountScale {
     Real low = 0, median = 0, high = 0;
 
@@ -86,7 +87,7 @@ struct AmountScale {
         high = amounts[last - last / 20];
     }
 
-    // 0 at low, 1/2 at the median, 1 at high, and evenly in between.
+    // 0 at low, 1/2 at the median, 1 at high, and linear in between.
     Real place(Real amount) const {
         if (amount < median)
             return std::clamp((amount - low) / (median - low), Real(0), Real(1)) / 2;
@@ -96,7 +97,7 @@ struct AmountScale {
     }
 };
 
-// A picture in false colors, and the words that explain them, a line each.
+// A picture in false colors, and lines of text that explain the colors.
 struct FalseColors {
     Image image;
     std::string words;

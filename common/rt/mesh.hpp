@@ -6,7 +6,8 @@
 
 namespace rt {
 
-// A corner of a triangle, as indices into a mesh's lists; -1 if it has no normal or no place.
+// A corner of a triangle, as indices into a mesh's lists. An index is -1 if the corner has no
+// normal or no texture coordinates.
 struct Corner {
     int point = 0;
     int normal = -1;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_corners = 255;  // of a polygon: the library counts them in a byte
 
-// The first word of a line, which it takes away; empty if there is none.
+// Returns the first word of a line and removes it from the line; empty if the line has no word.
 std::string_view take_word(std::string_view& line) {
     constexpr std::string_view blanks = " \t\r\v\f";
     line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
@@ -26,7 +26,8 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
-// Of three digits at most in the exponent, because the library computes more of them in an int.
+// Whether this is a number with at most three digits in its exponent: the library computes the
+// exponent in an int.
 bool is_number(std::string_view word) {
     const std::string copy{word};
     char* end = nullptr;
@@ -35,7 +36,7 @@ bool is_number(std::string_view word) {
            std::isfinite(std::strtod(copy.c_str(), &end)) && *end == '\0';
 }
 
-// 7, 7/1, 7//3 or 7/1/3, all of them numbers that fit into an int and are not 0.
+// Whether this is a corner: 7, 7/1, 7//3 or 7/1/3, where each number fits into an int and is not 0.
 bool is_corner(std::string_view word) {
     for (int part = 0; part < 3; ++part) {
         const std::string_view text = word.substr(0, word.find('/'));
@@ -52,9 +53,10 @@ bool is_corner(std::string_view word) {
     return false;
 }
 
-// What the library gets: the lines of points and polygons, and empty ones in place of the others.
-// It does not look at what it reads: a word that is no number counts as 0, a polygon of 256 corners
-// as one of none, and the tag of a line may ask for any amount of memory.
+// What the library gets: the lines of points and polygons, with an empty line in place of every
+// other line. The library does not check what it reads: it takes a word that is not a number for 0
+// and a polygon of 256 corners for one without corners, and a tag, a line that begins with `t`, may
+// ask for any amount of memory.
 std::string checked(std::string_view bytes) {
     std::string lines;
     int number = 0;
@@ -86,7 +88,7 @@ std::string checked(std::string_view bytes) {
     return lines;
 }
 
-// The library's words, up to the end of their first line.
+// The first line of the library's message.
 std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }

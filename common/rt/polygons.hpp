@@ -5,8 +5,8 @@
 
 namespace rt {
 
-// A surface of polygons with any number of corners (given), as files of models describe it. Nothing
-// has been checked: a polygon may have too few corners, and an index may be out of range.
+// A surface of polygons with any number of corners (given), as model files describe it. Nothing has
+// been checked: a polygon may have too few corners, and an index may be out of range.
 struct Polygons {
     std::vector<Vec3> points;
     std::vector<Vec3> normals;  // of any length

@@ -21,9 +21,8 @@
 // double are within 5 units in the last place; results in float are computed in double and then
 // rounded. The exceptions:
 //
-// - If x is 2^20 or more, or -2^20 or less, sin, cos and tan of x are those of an angle less than
-//   half
-// a unit in the last place away from x.
+// - If x is 2^20 or more, or -2^20 or less, sin, cos and tan of x are those of an angle that is
+// less than half a unit in the last place away from x.
 // - pow takes x >= 0 only, and is within 5 + |y ln x| / 10 units: huge and tiny powers lose digits.
 // - The sign of a zero counts only for atan2, atan, asin and cbrt: sin(-0) is 0.
 
@@ -31,7 +30,7 @@ namespace rt::portable {
 
 namespace detail {
 
-// high + low, where low is what did not fit into high.
+// The number high + low, where low is the part that did not fit into high.
 struct Sum {
     double high = 0, low = 0;
 };
@@ -124,7 +123,7 @@ inline Sum logarithm(double x) {
     const auto m = std::bit_cast<double>(bits - (exponent << 52));
     const double k =
         static_cast<double>(static_cast<std::int64_t>(exponent)) - (is_subnormal ? 54 : 0);
-    // ln m = ln((1 + s) / (1 - s)). The remainder of the division tells what rounding took from s.
+    // ln m = ln((1 + s) / (1 - s)). The division's remainder gives the rounding error of s.
     const double f = m - 1, divisor = f + 2, s = f / divisor, square = s * s;
     const double remainder = std::fma(-s, divisor, f) - s * (f - (divisor - 2));
     const double tail = 2 * remainder / divisor + s * square * polynomial(logarithm_series, square);
@@ -135,7 +134,7 @@ inline Sum logarithm(double x) {
     return {high, (sum - high) + rest};
 }
 
-// For packs, and for angles in turns, rt/sine_cosine.hpp is faster.
+// rt/sine_cosine.hpp is faster; it also works for packs, and takes angles in turns.
 struct SineCosine {
     double sine = 0, cosine = 0;
 };
@@ -143,8 +142,8 @@ struct SineCosine {
 inline SineCosine sine_cosine(double angle) {
     constexpr double most = 0x1p20;
     if (!(std::abs(angle) < most)) {
-        // std::fmod is exact, but 2 pi is rounded, by less than 2^-54 of its value. The effect is
-        // the same as if the angle were off by less than 2^-54 of its value.
+        // std::fmod is exact, but 2 pi is rounded, with a relative error below 2^-54. The effect is
+        // the same as if the angle had a relative error below 2^-54.
         angle = std::fmod(angle, 2 * std::numbers::pi);
         if (std::isnan(angle)) return {angle, angle};
     }

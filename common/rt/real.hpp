@@ -19,7 +19,7 @@ inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
 // The distance from 1 to the next larger number: 2^-23 for float, 2^-52 for double.
 inline constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 
-// Turns degrees into radians. Angles are in radians everywhere else.
+// Converts degrees to radians. All other functions take angles in radians.
 constexpr Real radians(Real degrees) {
     return degrees * (pi / 180);
 }

@@ -25,7 +25,8 @@ class Rng {
     static constexpr result_type min() { return 0; }
     static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
 
-    // The generator with PCG's own state and stream numbers, as its author's check values use them.
+    // Seeded with a state and a stream number as in PCG's reference code, so that its author's
+    // check values apply.
     constexpr Rng(std::uint64_t state, std::uint64_t stream) : increment_{stream << 1 | 1} {
         (*this)();
         state_ += state;

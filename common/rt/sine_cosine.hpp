@@ -30,9 +30,9 @@ inline constexpr std::array cosine_series{1.0,
                                           0.282005968455791215070,
                                           -0.0363828411425456707718};
 
-// The sine and the cosine of 2 pi * turn, for a turn in [0, 1), to within epsilon. They are made of
-// sums and products alone, so they have the same bits with every compiler and library. If Number is
-// a Pack of chapter 10, many turns are computed at once.
+// The sine and the cosine of 2 pi * turn, for a turn in [0, 1), to within epsilon. They are
+// computed with sums and products alone, so they have the same bits with every compiler and
+// library. If Number is a Pack of chapter 10, many turns are computed at once.
 template <class Number>
 constexpr SineCosine<Number> sine_cosine_of_turn(Number turn) {
     // Adding this number and subtracting it again rounds to a whole number:

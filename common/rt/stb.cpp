@@ -1,8 +1,8 @@
-// The one place where the implementation of the image library is compiled, with the kinds of files
-// that are read.
+// The only source that compiles the implementation of the image library, and only for the file
+// formats that the course reads.
 #include <cstdlib>
 
-// A small file can claim to unpack to any size: room for 2^23 pixels of 16 bytes is enough.
+// A small file can claim to unpack to any size. The limit leaves room for 2^23 pixels of 16 bytes.
 constexpr std::size_t most_bytes = std::size_t{1} << 27;
 #define STBI_MALLOC(size) ((size) <= most_bytes ? std::malloc(size) : nullptr)
 #define STBI_REALLOC(old, size) ((size) <= most_bytes ? std::realloc(old, size) : nullptr)

@@ -4,7 +4,7 @@
 
 namespace rt {
 
-// Rows begin, begin + 1, ... end - 1 of a picture: none where begin == end.
+// Rows begin, begin + 1, ... end - 1 of a picture; no rows if begin == end.
 struct Rows {
     int begin = 0, end = 0;
 

@@ -4,7 +4,7 @@
 namespace rt {
 namespace {
 
-// Which text explains a chapter's exercises, as course.json has it.
+// The text that explains a chapter's exercises, according to course.json.
 constexpr struct {
     std::string_view chapter;
     const char* text;

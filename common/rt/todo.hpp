@@ -50,7 +50,7 @@ struct AnyValue {
 }  // namespace detail
 
 // The body of an exercise's stub: `return rt::todo("03.1", arguments...);`. Throws NotImplemented.
-// The arguments of the stub are passed along only so that the compiler does not call them unused.
+// The stub passes its arguments along only so that the compiler does not warn that they are unused.
 template <class... Args>
 [[noreturn]] detail::AnyValue todo(const detail::ExerciseId& exercise, const Args&...) {
     detail::throw_not_implemented(exercise);

@@ -2,8 +2,8 @@
 
 namespace rt {
 
-// A vector of numbers of another type than Real, such as packs, or numbers in twice the precision
-// of double. Its operations are those of chapter 01 in the same order.
+// A vector whose numbers are not of type Real, but packs, for example, or numbers in twice the
+// precision of double. Its operations are those of chapter 01 in the same order.
 template <class Number>
 struct Vec3Of {
     Number x{}, y{}, z{};

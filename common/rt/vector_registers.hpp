@@ -10,7 +10,8 @@
 #include <type_traits>
 
 // Vectors that fill the widest register that this program is compiled for; the size of that
-// register in bytes; and a mask of such a vector, whose lanes are -1 or 0, as bits.
+// register in bytes; and the mask of such a vector, whose lanes are -1 or 0, as an integer with one
+// bit per lane.
 #define RT_VECTOR_OF(bytes) __attribute__((vector_size(bytes)))
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #define RT_REGISTER_BYTES 64
@@ -26,7 +27,8 @@
 #ifdef __FMA__
 template <class Vector, class Number>
 RT_INLINED Vector rt_fused(Vector a, Number b, Number c) {
-    // x - Vector{} has x in all lanes, since x - 0 is x.
+    // x - Vector{} is a vector with x in every lane: the compiler copies x into all lanes, and
+    // subtracting 0 changes nothing.
     if constexpr (sizeof(Vector) == 32 && sizeof(Number) == sizeof(float))
         return __builtin_ia32_vfmaddps256(a, b - Vector{}, c - Vector{});
     else
@@ -41,7 +43,7 @@ template <class Mask>
 inline unsigned rt_vector_bits(const Mask& mask) {
     constexpr std::size_t size = sizeof(Mask), count = size / sizeof(mask[0]);
     [[maybe_unused]] constexpr bool is_short = sizeof(mask[0]) == 4;
-    // Each instruction takes the mask as a vector of a type of its own; the bits are the same.
+    // Each instruction takes the mask as a different vector type; the bits are the same.
 #ifdef __AVX512DQ__
     if constexpr (size == 64) {
         typedef int Short RT_VECTOR_OF(64);
@@ -78,14 +80,14 @@ inline unsigned rt_vector_bits(const Mask& mask) {
 }
 #define RT_VECTOR_BITS(mask) rt_vector_bits(mask)
 
-// RT_TOP_BITS_OF_EIGHT: the top bits of eight bytes that are shifted left first.
-// RT_STORE_EIGHT_ORDERED: stores eight 32-bit numbers in the order that `places` gives, in one
-// instruction, where the processor has one.
+// RT_TOP_BITS_OF_EIGHT: shifts eight bytes to the left and returns the top bit of each.
+// RT_STORE_EIGHT_ORDERED: stores eight 32-bit numbers in the order that `places` gives, with a
+// single instruction. Both exist only if the program is compiled for a processor with AVX2.
 #ifdef __AVX2__
 #define RT_HAS_EIGHT_ORDERED
 typedef char rt_bytes RT_VECTOR_OF(16);
 typedef long long rt_halves RT_VECTOR_OF(16);
-// Eight bytes, and eight more that are 0.
+// A register with these eight bytes, and eight more that are 0.
 RT_INLINED rt_halves rt_eight_bytes(const std::uint8_t* from) {
     long long bytes;
     std::memcpy(&bytes, from, sizeof bytes);

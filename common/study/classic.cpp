@@ -18,7 +18,8 @@ Vec ray_color(const Ray& ray, int depth, const Hittable& world) {
     return (1 - a) * Vec{1, 1, 1} + a * Vec{0.5, 0.7, 1};
 }
 
-// Its rays go through the pixels of a window in the world; their directions are not normalized.
+// The camera's rays go through the pixels of a window in the world; their directions are not
+// normalized.
 class Camera {
   public:
     Camera(int width, int height, double vertical_fov, const Vec& from, const Vec& at,
@@ -71,7 +72,7 @@ std::shared_ptr<const Hittable> make_world(const study::Cover& cover) {
 
 namespace {
 
-// shade(column, row) draws a pixel.
+// Returns shade, where shade(column, row) computes the color of a pixel.
 auto make_shade(const study::Cover& cover, const Hittable& world) {
     const Camera camera{cover.width,
                         cover.height,

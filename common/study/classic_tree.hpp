@@ -9,8 +9,8 @@ namespace study::classic {
 
 using Objects = std::vector<std::shared_ptr<Hittable>>;
 
-// Half of the objects, sorted along the longest axis, go to each side; left is visited before
-// right.
+// The objects are sorted along the longest axis, and each child gets half of them; the left child
+// is visited first.
 class Node : public Hittable {
   public:
     Node(Objects& objects, std::size_t first, std::size_t last) {
@@ -48,7 +48,7 @@ class Node : public Hittable {
     Bounds bounds_;
 };
 
-// A list of objects: the world is one with the tree as its only member.
+// A list of objects. The world is a list whose only member is the tree.
 class List : public Hittable {
   public:
     explicit List(Objects objects) : objects_{std::move(objects)} {}

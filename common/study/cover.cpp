@@ -8,7 +8,8 @@ using rt::Color, rt::Real, rt::Vec3;
 Cover make_cover() {
     Cover cover;
     rt::Rng rng{1, 7};
-    // As many bits as float has: the same scene in both precisions.
+    // A random number with as many bits as float has: then the scene is the same in both
+    // precisions.
     const auto uniform = [&] { return static_cast<Real>(rng() >> 8) / Real(1 << 24); };
     const auto add = [&](const CoverSphere& sphere) { cover.spheres.push_back(sphere); };
     using enum CoverMaterial;
@@ -21,11 +22,11 @@ Cover make_cover() {
                    column = static_cast<Real>(i % 22 - 11);
         const Real x = uniform(), z = uniform();
         const Vec3 center{row + Real(0.9) * x, Real(0.2), column + Real(0.9) * z};
-        // By components, because a library has no operators of Vec3: those
-        // are the learner's (01.1).
+        // Written component by component, because a library has no operators for Vec3: the learner
+        // writes those (01.1).
         const Real to_metal = center.x - 4;
         if (to_metal * to_metal + center.z * center.z <= Real(0.81)) continue;
-        // Four in five are matte, most others metal.
+        // Four in five are matte, and most of the others are metal.
         const Real kind = uniform(), r = uniform(), g = uniform(), b = uniform();
         if (kind < Real(0.8))
             add({center, Real(0.2), matte, {r * r, g * g, b * b}});

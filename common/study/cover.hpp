@@ -20,8 +20,8 @@ struct CoverSphere {
 
 constexpr rt::Real cover_glass_index = rt::Real(1.5);
 
-// The picture is as small as the tutorial's first pictures, and drawing some of its rows is enough
-// to time it.
+// The picture has the size of the tutorial's first pictures. For timing it, drawing some of its
+// rows is enough.
 struct Cover {
     std::vector<CoverSphere> spheres;
     rt::View view{{13, 2, 3}, {0, 0, 0}, {0, 1, 0}, rt::radians(20)};
@@ -30,14 +30,15 @@ struct Cover {
     int row_step = 9;  // every ninth row is drawn
 
     int rows_drawn() const { return (height + row_step - 1) / row_step; }
-    // The time of the whole picture, estimated from the time of the rows that are drawn.
+    // The time for the whole picture in milliseconds, estimated from the time for the drawn rows in
+    // nanoseconds.
     double whole_ms(double drawn_ns) const { return 1e-6 * drawn_ns * height / rows_drawn(); }
 };
 
 Cover make_cover();
 
-// The mean color of the rows that are drawn by shade(column, row). It uses every color, so the
-// compiler can leave out nothing.
+// The mean color of the rows that are drawn by shade(column, row). It depends on every color, so
+// the compiler cannot leave out any computation.
 template <class Shade>
 rt::Color mean_color(const Cover& cover, Shade shade) {
     rt::Color sum;

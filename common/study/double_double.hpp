@@ -1,13 +1,13 @@
 #pragma once
-// Numbers with twice the precision of double, for reference values that errors are measured
-// against. They are slow, and no picture is drawn with them.
+// Numbers with twice the precision of double, for the reference values from which errors are
+// measured. They are slow, and no picture is drawn with them.
 
 #include <cmath>
 #include <type_traits>
 
 namespace study {
 
-// The number high + low, where low is the part of it that did not fit into high: about 106 bits.
+// The number high + low, where low is the part that did not fit into high: about 106 bits.
 // Results have a relative error of at most 2^-98, as long as nothing overflows or underflows.
 // Source: Dekker, "A floating-point technique for extending the available precision", 1971; bounds
 // by Joldes, Muller and Popescu, ACM TOMS 44 (2017).

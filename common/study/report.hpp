@@ -1,5 +1,6 @@
 #pragma once
-// Measures what accuracy costs: rows of (error, cost), a table for the terminal, CSV for plots.
+// Measures what accuracy costs: rows with an error and a cost, printed as a table for the terminal
+// and written as CSV for plots.
 
 #include <cstdio>
 #include <iosfwd>
@@ -13,7 +14,7 @@ namespace study {
 // "largest error / ulp", "time / ns".
 struct Row {
     std::string study;         // which question the row helps to answer
-    std::string variant = {};  // which way of computing it measured
+    std::string variant = {};  // which way of computing was measured
     double x = 0;
     std::string x_name;
     double error = 0;
@@ -29,19 +30,19 @@ class Report {
 
     void add(Row row) { rows_.push_back(std::move(row)); }
 
-    // A row whose cost is the time of `work` in nanoseconds, divided by `parts`. It is not measured
-    // before time_in_turns() is called.
+    // Adds a row whose cost is the time of `work` in nanoseconds, divided by `parts`. The time is
+    // measured only when time_in_turns() is called.
     void add(Row row, Work work, double parts);
-    // Times the work of all rows that wait for it, in turns.
+    // Times the work of all rows that are still untimed, in turns.
     void time_in_turns(const Turns& turns = {.rounds = 21, .at_least_ms = 0.5});
 
-    // The rows. Like the table and the file, it throws std::logic_error while rows wait for their
-    // time.
+    // The rows. This function, the table and the file throw std::logic_error if rows are still
+    // untimed.
     const std::vector<Row>& rows() const;
 
-    // The name of the report's file, CHAPTER.csv, and its contents: these rows, and those of the
-    // other precision in an earlier file. So running the double and the float program one after the
-    // other gives one file with both.
+    // The name of the report's file, CHAPTER.csv, and its contents: these rows, and the rows that
+    // an earlier file has for the other precision. So running the double program and then the float
+    // program gives one file with both.
     std::string file() const { return chapter_ + ".csv"; }
     std::string csv(std::istream& earlier) const;
 

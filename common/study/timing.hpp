@@ -1,5 +1,5 @@
 #pragma once
-// How long pieces of work take, side by side and alone.
+// Measures the time of several pieces of work in turns, or of a single one.
 
 #include <functional>
 #include <limits>
@@ -16,8 +16,8 @@ void keep(const T& value) {
 
 using Work = std::function<void()>;
 
-// Processor time of this program, which other running programs affect less; or wall-clock time, for
-// work that several threads share.
+// Processor time of this program, because other running programs disturb it less; or wall-clock
+// time, for work that several threads share.
 enum class Clock { processor, wall };
 
 struct Turns {
@@ -34,7 +34,7 @@ struct Turns {
 // nanoseconds of one call: for each piece of work, one time per round.
 std::vector<std::vector<double>> rounds_ns(const std::vector<Work>& works, const Turns& turns = {});
 
-// The same, but for each piece of work only the median of its rounds.
+// The same, but returns only the median of the rounds for each piece of work.
 std::vector<double> in_turns_ns(const std::vector<Work>& works, const Turns& turns = {});
 
 // The nanoseconds of one call of a single piece of work.

@@ -16,14 +16,15 @@
 namespace companion {
 namespace {
 
-constexpr std::size_t most_words = std::size_t{4} << 20;  // bytes of what a build says
+constexpr std::size_t most_words = std::size_t{4} << 20;  // of a build's output
 
 bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-// "\n  the } in line 7 ends a struct: write }; there", where the error is that a struct's
-// end lacks it; empty otherwise. g++ shows what follows the struct.
+// "
+//   the } in line 7 ends a struct: write }; there", if the error is that the ; after a struct is
+// missing; otherwise empty. g++ shows what follows the struct.
 std::string missing_semicolon(const Course& course, const std::string& error) {
     std::smatch place;
     if (!has(error, "expected initializer before") ||
@@ -32,7 +33,7 @@ std::string missing_semicolon(const Course& course, const std::string& error) {
     const fs::path file = course.root / place[1].str();
     if (!fs::exists(file)) return "";
     const std::string text = read_file(file);
-    if (has(text, "/*")) return "";  // code_of() drops the lines within
+    if (has(text, "/*")) return "";  // code_of() drops the lines of such a comment
     std::istringstream in{code_of(text)};
     std::vector<std::string> lines;
     const auto before = static_cast<std::size_t>(std::stoul(place[2]) - 1);
@@ -42,7 +43,7 @@ std::string missing_semicolon(const Course& course, const std::string& error) {
     };
     while (!lines.empty() && is_blank(lines.back())) lines.pop_back();
     if (lines.empty() || lines.back()[lines.back().find_last_not_of(" \t\r")] != '}') return "";
-    // Up to the brace that it closes.
+    // Goes back to the brace that the last one closes.
     int open = 0;
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
         for (auto at = line->rbegin(); at != line->rend(); ++at)
@@ -67,7 +68,7 @@ std::string with_relative_paths(const Course& course, std::string line) {
         for (auto at = line.find(prefix); at != std::string::npos; at = line.find(prefix))
             line.erase(at, prefix.size());
     }
-    // The build runs in its own folder; compilers may name files relative to that.
+    // The build runs in its own folder, so compilers may name files relative to that folder.
     if (line.rfind("../", 0) == 0) line.erase(0, 3);
     return line;
 }
@@ -81,8 +82,8 @@ BuildResult build(const Course& course, const std::vector<std::string>& targets)
     if (fs::exists(course.build / "build.ninja")) {
         command.insert(command.end(), {"-k", "0"});
     } else {
-        // make builds one target at a time unless told otherwise, and does not configure again for
-        // a target that it does not know yet.
+        // make builds one target at a time unless told otherwise, and does not configure anew for a
+        // target that it does not know yet.
         command.insert(
             command.end(),
             {"-k", "-j" + std::to_string(std::max(1u, std::thread::hardware_concurrency()))});
@@ -108,19 +109,19 @@ void must_build(const Course& course, const std::string& target) {
 
 std::string first_error(const Course& course, const std::string& output,
                         const std::vector<fs::path>& files) {
-    // An error, with what a compiler shows around it: before it the way that led
-    // there, after it the source.
+    // An error, with what a compiler prints around it: before it, how the compiler got there; after
+    // it, the source.
     struct Error {
         std::string text;
-        std::string came_from;  // "file:line" of the learner's, if that led to it
+        std::string came_from;  // "file:line" in the learner's files, if that led to the error
         bool is_within = false;
-        std::string meant{};  // the learner's parameter that does not take a const, as an error
+        std::string meant{};  // the error to show instead: the learner's parameter takes no const
     };
     std::vector<Error> errors;
     std::string linker, came_from, open_brace;
-    int shown = 0;              // lines of source that were shown
-    bool takes_source = false;  // of the note before it
-    // The "file:line" of one of the files in a line of output.
+    int shown = 0;              // lines of source that have been kept
+    bool takes_source = false;  // the lines of source that follow belong to the note
+    // The "file:line" of one of the files, if this line of output contains it.
     const auto place_in = [&](const std::string& line) -> std::string {
         for (const fs::path& file : files)
             if (const auto at = line.find(file.string() + ':'); at != std::string::npos) {
@@ -203,8 +204,8 @@ std::string first_warning(const Course& course, const std::string& output,
             return line.substr(0, line.find(':', file->string().size() + 1));
         };
         if (at == std::string::npos) {
-            // g++ may warn of a variable where it is used, in the test that calls the learner's
-            // function, and only then note where it was declared.
+            // g++ may warn about a variable at the place where it is used, in the test that calls
+            // the learner's function, and only then note where the variable was declared.
             if (is_in_files && !elsewhere.empty() && has(line, ": note: "))
                 return place() + ": " + elsewhere;
             continue;

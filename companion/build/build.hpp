@@ -12,26 +12,27 @@ struct BuildResult {
     std::string output;  // everything that the build printed
 };
 
-// Builds targets, in one step of the build; if one fails, the others are still built. Only one
-// ./course builds at a time; another one waits. Nothing is printed.
+// Builds targets in one run of the build tool; if one target fails, the others are still built.
+// Only one ./course builds at a time; any other waits. Nothing is printed.
 BuildResult build(const Course& course, const std::vector<std::string>& targets);
 
-// The same for a target that must exist afterward. Throws app::Failure with the first error.
+// The same for one target, without which the caller cannot go on. Throws app::Failure with the
+// first error.
 void must_build(const Course& course, const std::string& target);
 
-// The line with its paths as the learner knows them: relative to the course.
+// The line, with its paths written as the learner knows them: relative to the course.
 std::string with_relative_paths(const Course& course, std::string line);
 
-// The most helpful error of a compiler or linker in a build's output: the first within these
-// files, else the first that came from them, else the first of all. "file:line:column: error:
-// what", and in further lines the source that the compiler shows. Paths inside the course are
-// relative to it. Empty if there is none.
+// The most helpful error of a compiler or linker in a build's output: the first in these files, or
+// else the first that code in these files led to, or else the first of all. It reads
+// "file:line:column: error: what"; further lines have the source that the compiler shows. Paths
+// inside the course are relative to it. Empty if there is no error.
 std::string first_error(const Course& course, const std::string& output,
                         const std::vector<fs::path>& files = {});
 
-// A compiler's warning within these files, "file:line: what": the first, but a warning about a
-// missing return, a value that no longer exists or not yet, or an endless recursion takes
-// precedence. Empty if there is none.
+// A compiler's warning about these files, "file:line: what". It is the first one, but a warning
+// about a missing return, a value that no longer exists or does not exist yet, or an endless
+// recursion takes precedence. Empty if there is no warning.
 std::string first_warning(const Course& course, const std::string& output,
                           const std::vector<fs::path>& files);
 

@@ -9,9 +9,9 @@
 namespace companion {
 namespace {
 
-// The words without the input, the output and the wish for an object. A wrong answer may be warned
-// of, and still runs. It runs for a second or two: compiling with -O3 would take longer than that
-// saves.
+// The compiler's words without the input, the output and the request for an object file. A known
+// mistake may cause warnings and must still run, so -Werror is dropped. It runs only for a second
+// or two: compiling with -O3 would take longer than that saves.
 std::vector<std::string> without_files(const std::vector<std::string>& words) {
     std::vector<std::string> kept;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -23,7 +23,7 @@ std::vector<std::string> without_files(const std::vector<std::string>& words) {
     return kept;
 }
 
-// Those that matter to a linker, too: headers that come first do not.
+// The words that the linker needs, too; it does not need the headers that are included first.
 std::vector<std::string> for_linking(const std::vector<std::string>& words) {
     std::vector<std::string> kept;
     for (std::size_t i = 0; i < words.size(); ++i) {

@@ -26,8 +26,8 @@ struct Source {
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Source, hash, time)
 
-// The sources that a learner changes, and their copies in build/yours: by group, "03_sphere" or
-// "yours", and by path.
+// The sources that a learner changes, and their copies in build/yours. They are grouped by chapter,
+// such as "03_sphere", or as "yours", and within a group by path.
 using Sources = std::map<std::string, std::map<std::string, Source>>;
 
 Sources sources_of(const Course& course) {
@@ -39,18 +39,18 @@ Sources sources_of(const Course& course) {
         }
     };
     for (const Chapter& chapter : chapters(course)) {
-        all[chapter.name];  // also where it is empty
+        all[chapter.name];  // even if the chapter has no files
         add(chapter.name, course.root / "exercises" / chapter.name);
     }
     add("yours", course.build / "yours");
     return all;
 }
 
-// What is known of the files that were compiled. Each is either the one from which everything
-// present was built, or newer than that.
+// What is known of the files that were compiled. Each is either the version from which everything
+// present was built, or newer than that version.
 struct Known {
     bool finished = false;                           // the last build ran to its end
-    Time latest = std::numeric_limits<Time>::min();  // nothing that was built is newer
+    Time latest = std::numeric_limits<Time>::min();  // no file of the build is newer
     Sources sources;
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Known, finished, latest, sources)
@@ -65,7 +65,8 @@ Known read_known(const Course& course) {
     const json text = json::parse(read_file(file), nullptr, false);
     if (!text.is_object()) return {};
     Known known = text;
-    // Everything that was built existed when this was written, whatever the clock did before.
+    // Everything that had been built already existed when this file was written, even if the clock
+    // was wrong.
     known.latest = std::max(known.latest, written(file));
     return known;
 }
@@ -103,8 +104,8 @@ bool compiles(const std::string& target, const std::string& group) {
             if (ends_with(target, end) || ends_with(target, end + "_electives")) return true;
     if (group == "yours" || ends_with(target, "_solution")) return false;
     const std::string number = group.substr(0, 2), certify = "certify.";
-    // The certificate's programs, and what electives add to 08, take the code of other chapters as
-    // well.
+    // The certificate's programs, and what the electives add to chapter 08, also compile code of
+    // other chapters.
     if (target.rfind(certify, 0) == 0) return target.compare(certify.size(), 2, number) >= 0;
     return target.rfind("yours." + number + '.', 0) == 0;
 }
@@ -139,8 +140,8 @@ void remove_stale(const Course& course) {
 
 void note_built(const Course& course) {
     Known known = read_known(course);
-    // If a file is saved during the build, nobody knows whether it was
-    // compiled before or after that.
+    // If a file is saved during the build, it is unknown whether the compiler read it before or
+    // after that.
     Sources now = sources_of(course);
     for (auto& [group, files] : now)
         for (auto& [name, source] : files)

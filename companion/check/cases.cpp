@@ -8,7 +8,7 @@
 namespace companion {
 namespace {
 
-// The most that a test program may print and allocate: an endless loop gets far in 20 seconds.
+// The most that a test program may print and allocate: an endless loop can do a lot in 20 seconds.
 constexpr std::size_t most_bytes = std::size_t{16} << 20, most_memory = std::size_t{2} << 30;
 
 // Why a program crashed, given the test case in which it crashed, if that is known.
@@ -38,7 +38,7 @@ std::string cause_of(const Result& result, const TestCase* test) {
     }
 }
 
-// The cases in Catch2's notation; empty if they are all.
+// The test cases in Catch2's notation; empty if all are meant.
 std::string in_catch_notation(const Cases& cases) {
     if (!cases.only.empty()) return cases.only;
     std::string words = cases.part == Cases::Part::core    ? "~[hard]"
@@ -54,7 +54,7 @@ bool asks_for(const Cases& cases, const TestCase& test) {
            !std::count(cases.without.begin(), cases.without.end(), test.name);
 }
 
-// A word that nobody can guess.
+// A word that the tested code cannot guess.
 std::string new_secret() {
     std::random_device random;
     char word[33];
@@ -118,7 +118,7 @@ std::vector<std::string> command_of(const Course& course, const Cases& cases,
 }
 
 Tested run_cases(const Course& course, const Cases& cases) {
-    // Sanitizers take address space by the terabyte.
+    // Sanitizers reserve terabytes of address space.
     const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
     const std::string secret = new_secret();
     Tested tested{run_process({.command = command_of(course, cases, secret),

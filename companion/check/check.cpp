@@ -10,7 +10,7 @@
 namespace companion {
 namespace {
 
-// The checkpoint, and the learner's answer behind it.
+// The targets of an exercise: the checkpoint, and the learner's answer that it tests.
 std::vector<std::string> targets_of(const Exercise& exercise, bool in_float) {
     const std::string id = exercise.id + (in_float ? ".float" : "");
     return {"check." + id, "yours." + id};
@@ -19,8 +19,9 @@ std::vector<std::string> targets_of(const Checked& checked) {
     return targets_of(checked.exercise, checked.in_float);
 }
 
-// Builds the targets of these exercises, and stores the compiler's warnings in them, and its errors
-// as the verdict in their precision. Another core compiles for float meanwhile.
+// Builds the targets of these exercises. Stores the compiler's warnings in each exercise, and its
+// errors as the verdict on that exercise in that precision. Another core compiles for float
+// meanwhile.
 void build_all(const Course& course, const std::vector<Checked*>& some) {
     if (some.empty()) return;
     std::vector<std::string> targets;
@@ -37,7 +38,8 @@ void build_all(const Course& course, const std::vector<Checked*>& some) {
             checked->warning = first_warning(course, together.output, exercise.files);
         checked->is_built = together.ok;
         if (together.ok) continue;
-        // What was built stays; an exercise that was built alone need not be built again.
+        // The parts that were built stay built; an exercise that was built alone need not be built
+        // again.
         const BuildResult alone = some.size() == 1 ? together : build(course, targets_of(*checked));
         if (alone.ok) continue;
         const std::string error = first_error(course, alone.output, exercise.files);
@@ -48,7 +50,7 @@ void build_all(const Course& course, const std::vector<Checked*>& some) {
     }
 }
 
-// The message that all test cases show besides the rt::todo that ended them.
+// The message that all test cases show, apart from the rt::todo that ended them.
 std::string said_by_all(const std::vector<TestCase>& tests) {
     std::string said;
     for (const TestCase& test : tests) {
@@ -72,7 +74,7 @@ Tested run_cases(const Course& course, const Checked& checked, Cases::Part part 
                               .without = without});
 }
 
-// The verdict on a run, which speaks of the core alone.
+// The verdict on a run; only the core decides it.
 Verdict judge(const Course& course, const Checked& checked, const Tested& tested) {
     const std::vector<TestCase>& tests = tested.tests;
     const auto fails = [&](bool hard) {
@@ -127,8 +129,8 @@ Verdict run_tests(const Course& course, const Checked& checked) {
         if (auto* const passed = std::get_if<Passed>(&whole)) note_stars(*passed, tested);
         return whole;
     }
-    // The core alone, which decides; then each hard case runs, even if an earlier one ends the
-    // program.
+    // First the core runs alone, because it decides. Then each hard case runs, even if an earlier
+    // one ends the program.
     Verdict core = judge(course, checked, run_cases(course, checked, Cases::Part::core));
     auto* const passed = std::get_if<Passed>(&core);
     if (!passed) return core;
@@ -136,15 +138,16 @@ Verdict run_tests(const Course& course, const Checked& checked) {
     std::vector<std::string> noted;
     for (; !tested.tests.empty(); tested = run_cases(course, checked, Cases::Part::stars, noted)) {
         note_stars(*passed, tested);
-        if (tested.was_stopped()) break;  // waiting for one of them is enough
+        if (tested.was_stopped()) break;  // waiting once is enough
         for (const TestCase& test : tested.tests)
             if (test.hard) noted.push_back(test.name);
     }
     return core;
 }
 
-// Notes when answers passed first. Where one check finds right ones in several chapters, they were
-// written some time before it, as after the remembered progress was lost.
+// Records when each answer first passed. If one check finds passing answers in several chapters,
+// they were written some time before, for example because the recorded progress was lost: then the
+// time is unknown.
 void note_first_passes(State& state, std::vector<Checked>& all) {
     std::set<std::string> chapters;
     for (Checked& checked : all)
@@ -158,7 +161,7 @@ void note_first_passes(State& state, std::vector<Checked>& all) {
             state.exercises[checked.exercise.id].first_passed = time;
 }
 
-// Adds the stars that are open in float alone.
+// Adds the stars that are open only in float.
 void add_float_stars(Passed& in_double, const Passed& in_float) {
     auto& open = in_double.open_stars;
     for (OpenStar star : in_float.open_stars) {
@@ -218,8 +221,8 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
             const Passed* const passed = all[i].passed();
             Record& record = state.exercises[all[i].exercise.id];
             record.passed = passed;
-            // Without its files, or if it waits for another exercise, nothing is known of its
-            // answer.
+            // If its files are missing, or if it waits for another exercise, nothing is known of
+            // its answer.
             const bool is_known = !all[i].is<NoFile>() && !all[i].is<Waiting>() &&
                                   hash_of(course, all[i].exercise) == hashes[i];
             record.hash = is_known ? hashes[i] : "";

@@ -10,12 +10,12 @@ namespace companion {
 // A hard test case that fails in an answer whose core passes.
 struct OpenStar {
     TestCase test;
-    bool in_float = false;  // it passes in double
-    std::string trouble{};  // what the program died of in it, or that it was stopped
+    bool in_float = false;  // only in float: it passes in double
+    std::string trouble{};  // what ended the program in this test case, or that it was stopped
 };
 
-// The verdicts on an answer, each with what is known of it. `tests` are those that were begun. What
-// a verdict says goes after the exercise's number, "01.3 fails".
+// The verdicts on an answer, each with what is known about the answer. `tests` are the test cases
+// that began to run. A verdict's `says` follows the exercise's number, as in "01.3 fails".
 
 struct Passed {  // the core; stars may be open
     static constexpr const char* says = "passes";
@@ -27,31 +27,31 @@ struct Passed {  // the core; stars may be open
 struct Failing {  // an assertion of the core does not hold, or an exception was thrown
     static constexpr const char* says = "fails";
     std::vector<TestCase> tests{};
-    std::string reason{};  // why the test cases do not call what was written; usually empty
+    std::string reason{};  // why the test cases do not call the learner's code; usually empty
 };
 struct Crashed {
     static constexpr const char* says = "crashes";
     std::vector<TestCase> tests{};
     std::string cause{};
 };
-struct Left {  // it ended the program, or kept it from reporting
+struct Left {  // the answer ended the program, or kept it from reporting
     static constexpr const char* says = "ends the program";
     std::vector<TestCase> tests{};
 };
-struct Endless {  // it was stopped
+struct Endless {  // the program was stopped
     static constexpr const char* says = "does not end";
     std::vector<TestCase> tests{};
     std::string cause{};
-    bool waits = false;  // it did not compute for most of the time
+    bool waits = false;  // the program spent most of the time waiting, not computing
 };
 struct NotCompiled {
     static constexpr const char* says = "does not compile";
-    std::string error{};  // the first
+    std::string error{};  // the first one
 };
-struct NotBegun {  // as it was shipped
+struct NotBegun {  // the files are as they were shipped
     static constexpr const char* says = "is still to be written";
 };
-struct Begun {  // some of its own rt::todo are still there
+struct Begun {  // some rt::todo of this exercise are still in the files
     static constexpr const char* says = NotBegun::says;
     std::vector<TestCase> tests{};
     std::vector<std::string> left{};  // the functions still to write
@@ -59,7 +59,7 @@ struct Begun {  // some of its own rt::todo are still there
 };
 struct Waiting {
     static constexpr const char* says = "needs another exercise first";
-    std::string missing{};  // that exercise
+    std::string missing{};  // the other exercise
 };
 struct NoFile {
     static constexpr const char* says = "has a missing file";
@@ -71,31 +71,32 @@ using Verdict = std::variant<NotBegun, Begun, Waiting, NoFile, NotCompiled, Cras
 struct Checked {
     Exercise exercise;
     Verdict verdict{};
-    bool in_float = false;  // the verdict is on its float build, after double passed
-    bool is_built = false;  // in every precision in which it is checked
-    std::string warning{};  // of the compiler, on its files
+    bool in_float = false;  // the verdict is on the float build; the double build passed
+    bool is_built = false;  // in every precision that is checked
+    std::string warning{};  // the compiler's warning about the exercise's files
 
-    // What is known if it passed; null otherwise.
+    // What is known of an answer that passed; null for any other.
     const Passed* passed() const { return std::get_if<Passed>(&verdict); }
     template <class Kind>
     bool is() const {
         return std::holds_alternative<Kind>(verdict);
     }
-    // Its test cases that were begun, and how many of them pass.
+    // The exercise's test cases that began to run, and how many of them pass.
     const std::vector<TestCase>& tests() const;
     int passed_cases() const;
 };
 
 // Checks these exercises, each in a program of its own, and remembers the verdicts. An exercise
-// that is not begun is not built. Throws app::Failure if the build itself is broken.
+// that the learner has not begun is not built. Throws app::Failure if the build itself is broken.
 std::vector<Checked> check_exercises(const Course& course, const std::vector<Exercise>& exercises);
 
-// Compiles the test cases of an exercise, in both precisions, so that its first check need only
-// compile the answer. What cannot be built is left for that check to say.
+// Compiles the test cases of an exercise in both precisions, so that its first check need only
+// compile the answer. If something cannot be built, that check will report it.
 void prepare_check(const Course& course, const Exercise& exercise);
 
-// Tries those that pass, and that compute with rt::Real, once more with Real as float. If the core
-// fails there, the verdict changes; a hard case that fails is an open star. Both are remembered.
+// Checks the exercises that pass and that compute with rt::Real once more, with Real as float. If
+// the core fails in float, the verdict changes; a hard case that fails is an open star. Both are
+// remembered.
 void check_in_float(const Course& course, std::vector<Checked>& all);
 
 }  // namespace companion

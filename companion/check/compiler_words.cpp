@@ -9,9 +9,10 @@ struct Meaning {
     const char* words;
 };
 
-// What people write who know Python: the line of source decides, so it is asked first.
+// Habits from Python. The line of source decides here, so these are tried before the meanings
+// below.
 struct Habit {
-    const char* error;  // as above; the line that is shown below it decides together with it
+    const char* error;  // as above; both this and the line shown below the error must match
     const char* line;   // a regular expression
     const char* words;
 };
@@ -38,8 +39,8 @@ const Habit habits[]{
      "std::cout << x to print."},
     {"invalid operands", "[\\w)] ?\\^ ?[\\w(]",
      "`^` does not compute powers in C++: multiply, x * x, or call std::pow(x, n)."},
-    // A literal of several characters, after none, or some of one character. Apostrophes within
-    // words and in comments are none.
+    // Several characters in single quotes. Before them may come literals of one character, but no
+    // other single quote: apostrophes within words and in comments are not quotes.
     {"conver|initialize|constant",
      "^([^'/]|/(?!/)|'([^'\\\\]|\\\\.)')*[^'\\w]'([^'\\\\]|\\\\.){2,}'",
      "Write text in double quotes, \"P3\\n\"; single quotes hold one character, 'x'."},
@@ -80,7 +81,7 @@ const Habit habits[]{
      "std::min and std::max take two values, or more than two in braces: `std::max({a, b, c})`."},
 };
 
-// The first match counts, so the special ones come before the general ones.
+// The first match counts, so special meanings come before general ones.
 const Meaning meanings[]{
     {"out of memory|signal terminated program|unable to execute command",
      "The compiler took too much time or memory and was stopped. Does a file include itself, or "

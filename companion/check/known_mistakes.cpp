@@ -21,7 +21,7 @@ std::vector<Mistake> mistakes_of(const Course& course, const Exercise& exercise)
     return fs::exists(file) ? read_mistakes(file) : std::vector<Mistake>{};
 }
 
-// A hash of everything that decides what fails.
+// A hash of everything on which the failures depend.
 std::string version_of(const Course& course, const Exercise& exercise) {
     std::string bytes;
     for (const Mistake& mistake : mistakes_of(course, exercise))
@@ -71,7 +71,7 @@ std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& 
 
 WhatFails what_fails(const Course& course, const MistakenAnswer& answer) {
     Cases cases = cases_of(answer);
-    cases.timeout = 10;  // half of the course's patience: some wait for ever
+    cases.timeout = 10;  // half of the course's patience: some never end
     const auto once = [&] { return run_cases(course, cases).tests; };
     WhatFails fails{.tests = once()};
     fails.always = signature_of(fails.tests);
@@ -80,7 +80,7 @@ WhatFails what_fails(const Course& course, const MistakenAnswer& answer) {
     fails.by_chance = true;
     for (const Signature& other : {second, signature_of(once())})
         keep_common(fails.always.where, other.where);
-    fails.always.what.clear();  // values that changed once will do so again
+    fails.always.what.clear();  // values that changed once may change again
     return fails;
 }
 
@@ -93,7 +93,7 @@ bool is_caught(const Course& course, const MistakenAnswer& answer,
         });
     };
     if (is_caught_in(tests)) return true;
-    // It may end the program before the test case that catches it had its turn.
+    // The mistake may end the program before the test case that catches it begins.
     Cases cases = cases_of(answer);
     cases.only = answer.mistake.caught_by;
     cases.timeout = 60;

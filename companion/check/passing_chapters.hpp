@@ -10,8 +10,8 @@ struct CheckedChapter {
     std::vector<Checked> exercises;
 
     bool passes() const;
-    // "yours: 7 exercises pass", or why the solution's is used: "01.3 fails", "02.1 to 02.4 are
-    // still to be written".
+    // "yours: 7 exercises pass", or why the solution's code is used: "01.3 fails", "02.1 to 02.4
+    // are still to be written".
     std::string why() const;
 };
 

@@ -4,10 +4,10 @@
 namespace companion {
 namespace {
 
-// All mistakes except one, whose failure depends on chance, are recognized as themselves or as one
-// with the same signature. A trial left each of the 247 mistakes of that time out of the list in
-// turn, and then made it: 4 were taken for another that differs little, none for a pair; 8 more had
-// a twin.
+// With these values, every mistake except one, whose failure depends on chance, is recognized as
+// itself or as one with the same signature. In a trial with the 247 mistakes of that time, each in
+// turn was left out of the list and then made: 4 were taken for a single mistake that differs
+// little, and none for a pair; 8 more had the same signature as another mistake.
 constexpr double alike_enough = 0.75, clearly_more = 0.1;
 
 // The mistakes of an exercise that share one signature, and how similar an answer is to it.
@@ -25,7 +25,7 @@ Signature together(const Signature& a, const Signature& b) {
     return both;
 }
 
-// The candidates for an exercise, the most alike first.
+// The candidates for an exercise, the most similar first.
 std::vector<Candidate> candidates(const Signatures& known, const std::string& exercise,
                                   const Signature& signature) {
     std::vector<Candidate> found;

@@ -10,11 +10,11 @@ namespace companion {
 
 using Signatures = std::map<std::string, Signature>;  // by the mistake's name
 
-// Mistakes that look the same from outside: it is one of them.
+// Mistakes with the same signature: an answer contains one of them, but nobody can tell which.
 using LookAlikes = std::vector<std::string>;
 
-// The mistake that an answer looks like; or the two that were made at once; or nothing, if no
-// mistake is similar enough or several are nearly as similar.
+// The mistake that an answer resembles, or the two mistakes that were made at once. Empty if no
+// mistake is similar enough, or if several are about equally similar.
 std::vector<LookAlikes> recognize(const Signatures& known, const std::string& exercise,
                                   const Signature& signature);
 

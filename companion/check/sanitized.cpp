@@ -25,8 +25,8 @@ SanitizerReport read_sanitizer_report(const std::string& output,
                 "the program was aborted by an exception, by a thread or by a check of a library";
         if (report.what.empty()) continue;
         for (const fs::path& file : files) {
-            // Sanitizers name files as they were given to the compiler: from the root of the disk,
-            // or from the folder of the build.
+            // Sanitizers name files as the compiler did: with a path from the root of the disk, or
+            // from the build folder.
             const std::string path = '/' + file.string() + ':';
             const auto at = line.find(path);
             if (at == std::string::npos) continue;
@@ -58,12 +58,12 @@ SanitizedRun run_sanitized(const Course& course, const Exercise& exercise, bool 
         print("The first time, building takes about a minute.\n");
     for (const char* const target : {"check.", "yours."}) must_build(side, target + exercise.id);
     const fs::path log = side.build / (exercise.id + ".txt");
-    // A plain answer leaves stars open, and they are allowed to overflow: so the core first.
+    // The core runs first: a simple answer leaves stars open, and there it is allowed to overflow.
     std::string said;
     for (const bool stars : {false, true}) {
         std::vector<std::string> command =
             threads ? at_fixed_addresses() : std::vector<std::string>{};
-        // If the library crashes, the learner's line is further up.
+        // If the crash is in a library, the learner's line is further up in the stack trace.
         command.insert(command.end(),
                        {"env", "UBSAN_OPTIONS=print_stacktrace=1", "ASAN_OPTIONS=handle_abort=2",
                         "TSAN_OPTIONS=handle_abort=2"});

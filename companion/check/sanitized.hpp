@@ -6,8 +6,8 @@
 
 namespace companion {
 
-// What a sanitizer's report says: what happened, and where in the learner's files. Empty if
-// the output holds no report.
+// What a sanitizer's report says: what happened, and where in the learner's files. Empty if the
+// output contains no report.
 struct SanitizerReport {
     std::string what;   // "heap-use-after-free ..."
     std::string where;  // "exercises/00_toolchain/rt/canvas.hpp:31", the first within these files
@@ -18,9 +18,9 @@ SanitizerReport read_sanitizer_report(const std::string& output,
 // "heap-use-after-free ... at exercises/00_toolchain/rt/canvas.hpp:31"
 std::string to_text(const SanitizerReport& report);
 
-// What comes before a program's name on the command line to run it at addresses that are not
-// randomized, if the system can do so: the thread sanitizer does not work with all the ways in
-// which newer kernels randomize them.
+// The words to put before a program's name on the command line so that it runs at addresses that
+// are not randomized, if the system allows that: the thread sanitizer does not work with every way
+// in which newer kernels randomize addresses.
 std::vector<std::string> at_fixed_addresses();
 
 // Builds and runs the checkpoints with the address and undefined-behavior sanitizers, or with the

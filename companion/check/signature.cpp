@@ -10,12 +10,12 @@ namespace {
 
 constexpr std::size_t most_kept = 32;
 
-// Eight digits are enough to tell one exercise's failures apart.
+// Eight digits are enough to tell the failures of one exercise apart.
 std::string short_hash(const std::string& text) {
     return hash_of(text).substr(8);
 }
 
-// Hints are advice and may be reworded: they are not part of what happened.
+// Hints are advice and may be reworded, so they do not belong to the signature.
 std::string without_hints(const std::string& message) {
     std::string kept;
     for (std::size_t at = 0; at < message.size();) {
@@ -27,7 +27,7 @@ std::string without_hints(const std::string& message) {
     return kept;
 }
 
-// The message nearest to the assertion: earlier ones may be about other functions.
+// The message closest to the assertion: earlier ones may be about other functions.
 std::string last_message(const FailedAssertion& failure) {
     for (auto message = failure.messages.rbegin(); message != failure.messages.rend(); ++message)
         if (const std::string kept = without_hints(*message); !kept.empty()) return kept;
@@ -46,8 +46,8 @@ double overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
     return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either);
 }
 
-// The same, estimated from the smallest hashes of each: together they are an even sample of the
-// union.
+// The same, but estimated from the smallest hashes of the two sets: together they are a fair sample
+// of the union.
 double sampled_overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
     if (a.size() < most_kept && b.size() < most_kept) return overlap(a, b);
     std::set<std::string> either = a;
@@ -89,8 +89,8 @@ Signature signature_of(const std::vector<TestCase>& tests) {
 }
 
 double similarity(const Signature& a, const Signature& b) {
-    // If the values are a matter of chance, the file records none of them, and only the assertions
-    // that always fail. Those must be there; whatever else fails counts less.
+    // If the values depend on chance, the file records no values, and only those assertions that
+    // always fail. These assertions must have failed; others that failed count less.
     if (a.what.empty() || b.what.empty()) {
         const auto fewest = static_cast<double>(std::min(a.where.size(), b.where.size()));
         if (fewest == 0) return 0;

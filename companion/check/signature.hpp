@@ -10,19 +10,20 @@
 namespace companion {
 
 struct Signature {
-    // Hashes of the assertions that failed: test case and expression, no line numbers.
+    // Hashes of the assertions that failed: of test case and expression, without line numbers.
     std::set<std::string> where;
-    // The same with the actual values, to three digits, so that the way an answer rounds does not
-    // matter. If there are many, the smallest hashes are kept: an even sample of them.
+    // Hashes that also cover the actual values, rounded to three digits so that different rounding
+    // errors do not matter. If there are many hashes, only the smallest are kept, as a fair sample.
     std::set<std::string> what;
 };
 
-// Test cases that an rt::todo ended are left out: they say nothing about what was written. So are
-// stars where the core fails: a plain answer leaves them open, whatever else is wrong with it.
+// Leaves out test cases that an rt::todo ended, because they say nothing about what was written. If
+// the core fails, stars are left out, too: a simple answer leaves them open, whatever else is wrong
+// with it.
 Signature signature_of(const std::vector<TestCase>& tests);
 
-// How similar two signatures are, from 0 to 1: what both have as a share of what either has, with
-// `where` and `what` weighted equally. 0 if one is empty.
+// How similar two signatures are, from 0 to 1: the number of hashes that they share, divided by the
+// number of hashes that either has, with `where` and `what` weighted equally. 0 if one is empty.
 double similarity(const Signature& a, const Signature& b);
 
 bool operator==(const Signature& a, const Signature& b);

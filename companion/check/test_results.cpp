@@ -16,7 +16,8 @@ std::string trimmed(const std::string& text) {
                : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-// "a\n      + b" as "a + b": how a test is laid out does not matter.
+// "a
+//       + b" as "a + b": line breaks and indents in a test do not matter.
 std::string one_line(const std::string& text) {
     std::istringstream words{text};
     std::string line;
@@ -80,10 +81,10 @@ Report read_report(const std::string& lines, const std::string& secret) {
     Report report;
     std::istringstream in{lines};
     for (std::string line; std::getline(in, line);) {
-        if (line.rfind(start, 0) != 0) continue;  // the tested code printed this
+        if (line.rfind(start, 0) != 0) continue;  // the tested code printed this line
         try {
             read_event(json::parse(line.substr(start.size() - 1)), report);
-        } catch (const json::exception&) {  // and this
+        } catch (const json::exception&) {  // and this one
         }
     }
     return report;

@@ -8,7 +8,7 @@
 namespace companion {
 namespace {
 
-// The text, padded with blanks to this many columns.
+// The text, with blanks added up to this many columns.
 std::string padded(std::string text, std::size_t width) {
     if (text.size() < width) text.resize(width, ' ');
     return text;
@@ -28,7 +28,7 @@ std::string functions_done(int all, const std::vector<std::string>& names_left) 
 
 constexpr const char* to_write = "It is still to be written: replace the lines with rt::todo.\n";
 
-// What is done with each kind of verdict.
+// One function for each kind of verdict.
 template <class... Cases>
 struct Kinds : Cases... {
     using Cases::operator()...;
@@ -37,7 +37,7 @@ template <class... Cases>
 Kinds(Cases...) -> Kinds<Cases...>;
 
 std::string failing_text(const Failing& failing, bool in_float) {
-    int all = 0, wrong = 0, missing = 0;  // of the core: the stars can wait
+    int all = 0, wrong = 0, missing = 0;  // test cases of the core; stars are not counted
     for (const TestCase& test : failing.tests) {
         if (test.hard) continue;
         ++all;
@@ -94,7 +94,7 @@ std::string first_lines(const std::string& text, int count) {
     return kept;
 }
 
-// Catch2 shows whole numbers in hexadecimal as well: "3210 (0xc8a)".
+// Removes the hexadecimal form that Catch2 adds to whole numbers: "3210 (0xc8a)".
 std::string without_hexadecimal(std::string text) {
     for (auto at = text.find(" (0x"); at != std::string::npos; at = text.find(" (0x", at)) {
         const auto end = text.find_first_not_of("0123456789abcdef", at + 4);
@@ -104,8 +104,8 @@ std::string without_hexadecimal(std::string text) {
     return text;
 }
 
-// Addresses as "address A", "address B": all that they can tell is which of them are equal. Numbers
-// of 32 bits, eight digits, are not addresses.
+// Replaces addresses by "address A", "address B" and so on, because all that matters is which of
+// them are equal. Eight digits, which are a number of 32 bits, are not an address.
 std::string without_addresses(std::string text) {
     const char* const digits = "0123456789abcdefABCDEF";
     std::vector<std::string> seen;
@@ -124,7 +124,7 @@ std::string without_addresses(std::string text) {
     return text;
 }
 
-// Numbers with more digits than are meaningful, as "5.31e+303".
+// Shortens numbers that have more digits than are meaningful, as in "5.31e+303".
 std::string without_long_numbers(std::string text) {
     constexpr std::size_t most = 30;
     const char* const digits = "0123456789";
@@ -153,8 +153,8 @@ bool is_unknown(const FailedAssertion& failure) {
     return failure.expression.find("{Unknown expression") != std::string::npos;
 }
 
-// Whether the values say what is wrong: not "false", nor "0.0 == 0.0" with digits that are not
-// shown, nor "{?} == {?}".
+// Whether the values say what is wrong. Values such as "false", "{?} == {?}", or "0.0 == 0.0",
+// where the digits that differ are not shown, do not.
 bool says_more(const FailedAssertion& failure) {
     const std::string& values = failure.expanded;
     if (values.empty() || values == "false" || values.find("{?}") != std::string::npos ||
@@ -185,20 +185,20 @@ std::string describe(const FailedAssertion& failure) {
     return text;
 }
 
-// The first failure of a test case that has something to show.
+// The text of a test case's first failure that has one.
 std::string describe_all(const TestCase& test) {
     for (const FailedAssertion& failure : test.failures)
         if (const std::string text = describe(failure); !text.empty()) return text;
     return "";
 }
 
-// What failed before a program crashed or was stopped.
+// Introduces what failed before a program crashed or was stopped.
 std::string before_that(const std::string& failing) {
     return failing.empty() ? "" : "\nBefore that, this failed:\n" + failing;
 }
 
-// The test cases of the core that fail: the first one with everything that is known, the others by
-// name. Stars can wait until the core passes.
+// The test cases of the core that fail: the first one in full detail, the others by name. Stars can
+// wait until the core passes.
 std::string failing_cases(const std::vector<TestCase>& tests) {
     std::string text, others;
     for (const TestCase& test : tests) {

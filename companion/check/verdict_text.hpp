@@ -10,15 +10,15 @@ namespace companion {
 // One line: symbol, exercise, title, verdict.
 std::string summary_line(const Checked& checked);
 
-// The lines of those in which the check in float found something.
+// The lines for those exercises in which the check in float found something.
 std::string float_lines(const std::vector<Checked>& all);
 
-// What is wrong with an answer that does not pass: expected and actual values, what it looks like,
-// where to read. Several lines.
+// What is wrong with an answer that does not pass: expected and actual values, the mistake that it
+// resembles, where to read. Several lines.
 std::string details(const Checked& checked, const LooksLike& looks_like);
 
-// For an exercise whose core passes: the stars that are open, all of them or the first, and what
-// the compiler warned of. Empty if none is open.
+// For an exercise whose core passes: its open stars, all of them or only the first, and the
+// compiler's warning. Empty if no star is open.
 std::string open_stars(const Checked& checked, const LooksLike& looks_like, bool all);
 
 // "2 stars open".

@@ -9,7 +9,7 @@
 namespace companion {
 namespace {
 
-// How far each of these exercises is, by its id.
+// The progress of each of these exercises, by its ID.
 std::map<std::string, Progress> checked(const Course& course,
                                         const std::vector<Exercise>& exercises) {
     std::vector<Exercise> unchecked;
@@ -26,7 +26,8 @@ std::map<std::string, Progress> checked(const Course& course,
     return progress;
 }
 
-// Neighbors as a range, "03.1 to 03.3", and a whole chapter as its number.
+// Writes exercises that follow each other as a range, "03.1 to 03.3", and a whole chapter as its
+// number.
 std::string ranges(const std::vector<std::string>& ids, const std::vector<std::string>& others) {
     const auto chapter_of = [](const std::string& id) { return id.substr(0, id.find('.')); };
     const auto number_of = [](const std::string& id) {
@@ -49,9 +50,9 @@ std::string ranges(const std::vector<std::string>& ids, const std::vector<std::s
     return text;
 }
 
-// Fills build/yours/rt. A file is the learner's if all exercises in it pass, or, with
-// `failing_too`, if one in it is begun or fails: what is still as it was shipped would only stop
-// the program.
+// Fills build/yours/rt. A file is the learner's if all of its exercises pass. With `failing_too`,
+// it is also the learner's if one of its exercises is begun or fails; a file that is still as it
+// was shipped would only stop the program.
 Yours put_in_place(const Course& course, const Chapter& last, bool failing_too,
                    const std::set<std::string>& except = {}) {
     std::vector<Exercise> all;
@@ -93,11 +94,11 @@ Yours put_in_place(const Course& course, const Chapter& last, bool failing_too,
         if (mine) yours.files.push_back(file);
         const fs::path source =
             mine ? file : fs::path{"solutions"} / file.lexically_relative("exercises");
-        // Compiler messages then name the file that the learner knows.
+        // Then compiler messages name the file that the learner knows.
         const std::string text = "#line 1 \"" + (course.root / source).generic_string() + "\"\n" +
                                  read_file(course.root / source);
         const fs::path target = course.build / "yours/rt" / file.filename();
-        // What has not changed is not compiled again.
+        // An unchanged file is not written again, so that it is not compiled again.
         if (!fs::exists(target) || read_file(target) != text) app::replace_file(target, text);
     }
     return yours;

@@ -30,7 +30,8 @@ std::FILE* open_for_reading(const fs::path& path) {
 }
 
 std::FILE* open_for_writing(const fs::path& path, bool only_new) {
-    // Opening a pipe must not wait for a reader, who may never come; writing to it may wait.
+    // Opening a pipe must not wait for a reader, because none may ever come; writing to the pipe
+    // may wait.
     const int descriptor = ::open(
         path.c_str(),
         O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK | (only_new ? O_EXCL : 0), 0666);

@@ -1,6 +1,6 @@
-// std::fma and std::sqrt, rounded once, as IEEE 754 has them. Those of MinGW's library round twice,
-// and they are called where the processor has no such instruction, or the compiler does not
-// optimize.
+// std::fma and std::sqrt, rounded once, as IEEE 754 requires. Those of MinGW's library round twice,
+// and they are called where the processor has no instruction for these functions, or the compiler
+// does not optimize.
 #include <emmintrin.h>
 
 #include <app/windows/exact_math.hpp>
@@ -13,7 +13,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-// A number as m 2^e, where m has 53 bits.
+// A number m 2^e, where m has 53 bits.
 struct Split {
     std::int64_t m;
     int e;
@@ -25,8 +25,8 @@ Split split(double x) {
     return {static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53};
 }
 
-// m 2^-count, rounded to odd: rounding it once more, to at least two bits fewer, gives what one
-// rounding of m gives.
+// m 2^-count, rounded to odd. If this result is rounded again, to at least two bits fewer, the
+// outcome is the same as if m were rounded once.
 Wide shifted_right(Wide m, int count) {
     if (count > 126) return m < 0 ? -1 : m > 0;
     const Wide shifted = m >> count;
@@ -45,7 +45,8 @@ double rounded(Wide m, int e) {
     }
     if (const int lost = least - e; lost > bits - of_double && lost > 0) {  // a subnormal number
         m = shifted_right(m << 2, lost);
-        const auto end = static_cast<int>(m & 7);  // its last bit, one half, and the rest
+        // The last bit that stays, the next bit, and whether any bit after that is 1.
+        const auto end = static_cast<int>(m & 7);
         m = (m >> 2) + (end == 3 || end > 5);
         e = least;
     }
@@ -59,8 +60,8 @@ double fma_of_integers(double x, double y, double z) {
     if (!std::isfinite(z)) return z;
     if (z == 0) return x * y;
     const Split a = split(x), b = split(y), c = split(z);
-    Wide product = Wide{a.m} * b.m, other = c.m;  // of 106 bits, of 53 bits
-    int e = a.e + b.e, up = c.e - e;              // other counts 2^up as much
+    Wide product = Wide{a.m} * b.m, other = c.m;  // with 106 bits and with 53 bits
+    int e = a.e + b.e, up = c.e - e;  // other is in units 2^up times as large as product's
     constexpr int product_room = 20, other_room = 73;
     if (up > other_room) {
         product = shifted_right(product, up - other_room);

@@ -1,6 +1,6 @@
 #pragma once
-// x y + z, rounded once, without an instruction for it: what std::fma calls on a processor that has
-// none.
+// x y + z, rounded once, in software: std::fma calls it on a processor that has no instruction for
+// that.
 
 namespace app {
 

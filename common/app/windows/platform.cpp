@@ -27,7 +27,8 @@ extern "C" void end_aborted(int) {
     std::_Exit(aborted);  // abort() itself ends with 3
 }
 
-// A crash ends the program with the number of its exception, whatever the C library makes of it.
+// A crash ends the program with the exception's own code, even if the C library would use another
+// one.
 LONG CALLBACK end_at_crash(EXCEPTION_POINTERS* what) {
     const DWORD code = what->ExceptionRecord->ExceptionCode;
     switch (code) {
@@ -70,7 +71,7 @@ void prepare_process() {
     DWORD mode = 0;
     if (!::GetConsoleMode(out, &mode)) return;
     ::SetConsoleOutputCP(CP_UTF8);
-    // Colors, and lines that are written again.
+    // Makes the console understand colors, and lines that are written over.
     ::SetConsoleMode(out, mode | ENABLE_PROCESSED_OUTPUT | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
 }
 
@@ -79,7 +80,7 @@ void end_by(int signal) {
 }
 
 SignalHandler handler_of(int signal) {
-    // It can be asked for only by setting another one.
+    // The handler can be read only by setting another one.
     const SignalHandler now = std::signal(signal, SIG_IGN);
     std::signal(signal, now);
     return now;
