@@ -18,7 +18,7 @@ struct Open {
     Chapter chapter;
     Question question;
     std::size_t number = 0, of = 0;
-    bool is_review = false;  // of an earlier chapter than the one that is asked about
+    bool is_review = false;  // its chapter is an earlier one than the chapter asked about
 };
 
 std::vector<Open> all_questions(const Course& course, const std::vector<Chapter>& chapters) {
@@ -31,7 +31,7 @@ std::vector<Open> all_questions(const Course& course, const std::vector<Chapter>
     return all;
 }
 
-// Those that are not answered yet.
+// The questions that are not answered yet.
 std::vector<Open> open_questions(const Course& course, const std::vector<Chapter>& chapters) {
     std::vector<Open> open = all_questions(course, chapters);
     std::erase_if(open, [state = read_state(course)](const Open& one) {
@@ -41,8 +41,8 @@ std::vector<Open> open_questions(const Course& course, const std::vector<Chapter
     return open;
 }
 
-// The questions of earlier chapters that are still to be asked with this chapter's. They are chosen
-// when there are some for the first time.
+// The questions of earlier chapters that still have to be asked with this chapter's. They are
+// chosen once: the first time that there are any.
 std::vector<Open> reviews(const Course& course, const Chapter& chapter) {
     std::vector<Chapter> earlier = chapters(course);
     std::erase_if(earlier, [&](const Chapter& other) { return other.name >= chapter.name; });
@@ -66,7 +66,7 @@ std::vector<Open> reviews(const Course& course, const Chapter& chapter) {
     return chosen;
 }
 
-// A chapter's own questions, with a review after each of the first.
+// A chapter's own questions; each of the first ones is followed by a review.
 std::vector<Open> mixed(std::vector<Open> own, const std::vector<Open>& reviews) {
     for (std::size_t i = 0; i < reviews.size(); ++i) {
         const auto place = static_cast<std::ptrdiff_t>(std::min(2 * i + 1, own.size()));
@@ -79,7 +79,7 @@ std::string letter(std::size_t choice) {
     return std::string(1, static_cast<char>('a' + static_cast<int>(choice))) + ") ";
 }
 
-// A copy of a question's picture whose name does not give the answer away.
+// A copy of a question's picture under a name that does not give the answer away.
 fs::path neutral_picture(const Course& course, const Open& open) {
     const fs::path copy = fs::path{"out"} / ("question-" + open.chapter.number() + ".png");
     fs::create_directories(course.root / "out");
@@ -112,8 +112,8 @@ std::string what_fits(const Question& question) {
     return question.choices.empty() ? "a number, such as 0.75 or 3/4" : "one of the letters";
 }
 
-// Judges and remembers an answer, and prints the verdict: after the first wrong answer a hint,
-// after the second the reason. Such a question is asked again another day.
+// Judges and remembers an answer, and prints the verdict: a hint after the first wrong answer, the
+// reason after the second. A question that was answered wrongly is asked again another day.
 Reply take(const Course& course, const Question& question, const std::string& answer, bool again) {
     const Reply reply = reply_to(question, answer);
     if (reply == Reply::not_understood) {
@@ -150,7 +150,7 @@ bool ask_until_told(const Course& course, const Open& open) {
         print("> ");
         std::string line;
         if (!std::getline(std::cin, line)) return false;
-        if (line.empty()) return true;  // the next one
+        if (line.empty()) return true;  // go on to the next question
         const Reply reply = take(course, open.question, line, wrong == 1);
         if (reply == Reply::right) return true;
         wrong += reply == Reply::wrong;

@@ -10,9 +10,9 @@
 namespace companion {
 namespace {
 
-// Fills build/mine/rt with the learner's headers that pass, and with nothing else: the book's
-// figures look there first, and its pages say whose code they run. Beside it, passed.txt lists the
-// exercises that pass.
+// Fills build/mine/rt with those of the learner's headers that pass, and nothing else. The book's
+// figures look for headers there first, and its pages say whose code they run. passed.txt, in
+// build/mine, lists the exercises that pass.
 void put_headers_in_place(const Course& course, const Yours& yours) {
     const fs::path folder = course.build / "mine/rt";
     app::make_folder(folder);
@@ -29,7 +29,7 @@ void put_headers_in_place(const Course& course, const Yours& yours) {
 
 }  // namespace
 
-// The learner's part of it: the page to share, and the headers for the book's figures.
+// The learner's part of the book: the page to share, and the headers for the figures.
 int book(const Course& course, const Given& given) {
     if (!given.has("--mine")) throw app::UsageError("book: ./course makes the book by itself");
     const Yours yours = put_yours_in_place(course, core_chapters(course).back());

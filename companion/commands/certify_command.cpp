@@ -66,7 +66,8 @@ class Examination {
         note({holds ? Held::holds : Held::fails, exercise, what, figure, bound, star});
     }
 
-    // True when all exercises are written.
+    // Checks the exercises of these chapters and adds their lines. True when all exercises are
+    // written.
     bool check_exercises_of(const std::vector<CheckedChapter>& all) {
         bool written = true;
         for (const CheckedChapter& one : all) {
@@ -83,7 +84,8 @@ class Examination {
         return written;
     }
 
-    // Shown for information only. Builds only the exercises that are begun.
+    // Adds the electives' lines, which are only for information. Builds only the exercises that are
+    // begun.
     void show_electives() {
         const State state = read_state(course_);
         for (const Chapter& chapter : chapters(course_)) {
@@ -102,8 +104,8 @@ class Examination {
         }
     }
 
-    // The verdict on the learner's own program: if it passed, it is judged once more, on other
-    // scenes.
+    // The verdict on the learner's own program. If it passed before, it is judged once more, on
+    // different scenes.
     void judge_own_again() {
         const auto rungs = chapter_of_rungs(course_);
         if (!rungs) return;
@@ -120,7 +122,7 @@ class Examination {
              "every line passes", true);
     }
 
-    // Collects the proofs for the eight questions, once all lines are there.
+    // Collects the proofs for the eight questions, once all lines are known.
     void prove(const std::vector<CheckedChapter>& all) {
         for (const Ability& ability : self_assessment()) {
             Proof proof{ability.words, {}};
@@ -138,7 +140,8 @@ class Examination {
         }
     }
 
-    // Builds all of the learner's code from scratch with -O3: any warning from exercises/ counts.
+    // Builds all of the learner's code from scratch with -O3; every warning about a file in
+    // exercises/ counts.
     void build_with_warnings(const std::vector<Chapter>& all) {
         fs::remove_all(course_.build / "certify");
         std::string folders;

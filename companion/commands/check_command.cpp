@@ -13,7 +13,8 @@
 namespace companion {
 namespace {
 
-// The exercises that are meant by "03.2", by "3" or "sphere", or by no name: all that are begun.
+// The exercises that are meant: "03.2" is one exercise, "3" or "sphere" are those of a chapter, and
+// no name means all that are begun.
 std::vector<Exercise> chosen(const Course& course, const std::optional<std::string>& name) {
     if (name && name->find('.') != std::string::npos) return {find_exercise(course, *name)};
     if (name) return exercises(course, find_chapter(course, *name));
@@ -36,7 +37,7 @@ LooksLike what_it_looks_like(const Course& course, const Checked& checked) {
     return what_it_looks_like(course, checked.exercise, checked.tests());
 }
 
-// The chapters among these whose exercises all pass.
+// Those chapters of these exercises in which all exercises pass.
 std::vector<Chapter> chapters_done(const Course& course, const std::vector<Checked>& all) {
     const State state = read_state(course);
     std::vector<Chapter> done;
@@ -62,8 +63,8 @@ void print_chapters_done(const Course& course, const std::vector<Chapter>& done)
     print("\n" + green("Done:" + numbers) + (open ? ", " + yellow(stars_open(open)) : "") + '\n');
 }
 
-// Prints the open stars of these exercises: the first one if there is a single exercise, all of
-// them if --stars asks for them.
+// Prints the open stars of these exercises: all of them with --stars; otherwise only the first, and
+// only if a single exercise is checked.
 void print_stars(const Course& course, const std::vector<Checked>& all, bool every_star) {
     for (const Checked& checked : all)
         if (checked.passed() && (every_star || all.size() == 1))
@@ -73,7 +74,7 @@ void print_stars(const Course& course, const std::vector<Checked>& all, bool eve
                 print('\n' + text);
 }
 
-// Runs the checkpoints of one exercise under the thread sanitizer, or the others.
+// Runs the checkpoints of one exercise under the sanitizers: the thread sanitizer or the others.
 int check_sanitized(const Course& course, const Given& given) {
     std::string name = given.named.value_or(""), sanitizer = given.options.at("--sanitize");
     if (name.empty()) std::swap(name, sanitizer);  // check --sanitize 01.3
@@ -109,8 +110,8 @@ int check(const Course& course, const Given& given) {
     check_in_float(course, all);
     print(float_lines(all));
 
-    // Shown in detail is the one that helps most: the first exercise that is wrong, else the first
-    // that waits for another or is to be written.
+    // The details are about the exercise where they help most: the first one that is wrong, or else
+    // the first one that waits for another or is still to be written.
     auto shown = std::find_if(all.begin(), all.end(), is_wrong);
     const bool wrong = shown != all.end();
     if (!wrong)

@@ -1,5 +1,5 @@
 #pragma once
-// The commands of the companion, as commands.inc declares them, each in a file of its own.
+// The commands of the companion, which commands.inc declares, each in a file of its own.
 
 #include <companion/model/course.hpp>
 #include <map>

@@ -13,7 +13,7 @@ int compare(const Course& course, const Given& given) try {
     const Chapter chapter = find_chapter(course, *given.named);
     const ComparedPicture picture = compare_picture(course, chapter);
     auto words = picture.found.words();
-    // Of a right answer, only where it differs: "too dark" would call it wrong.
+    // If the answer is right, say only where it differs: "too dark" would call it wrong.
     if (!picture.excused.empty()) {
         words = picture.excused;
         if (const std::string regions = picture.found.regions(); !regions.empty())

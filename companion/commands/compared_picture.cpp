@@ -12,9 +12,10 @@ Comparison compared(const Course& course, const Chapter& chapter) {
                                 course.program(chapter.name + "_solution")));
 }
 
-// Whether right answers alone make the difference: open stars, or another right answer than ours.
-// Then it is gone with the solution's code for them. Those with several right answers are tried
-// first, then those of this chapter, then all. Empty if they do not explain it.
+// The reasons why the picture differs although all answers are right: open stars, or right answers
+// that differ from the solution. The picture is drawn again with the solution's code for some of
+// these exercises: first for those with several right answers, then for those of this chapter, then
+// for all. If it no longer differs, they are the reason. Empty if it always differs.
 std::vector<std::string> explained(const Course& course, const Chapter& chapter,
                                    const Yours& yours) {
     std::set<std::string> several, here, all;

@@ -1,5 +1,5 @@
 #pragma once
-// A chapter's picture as the learner's code draws it, compared with the solution's.
+// A chapter's picture drawn by the learner's code, compared with the one that the solution draws.
 
 #include <companion/check/yours.hpp>
 #include <companion/compare/comparison.hpp>
@@ -9,7 +9,8 @@ namespace companion {
 struct ComparedPicture {
     Yours yours;  // whose code drew it
     Comparison found;
-    // Why it differs although all that runs is right, in lines; empty if it need not be excused.
+    // Why it differs although all code that runs is right, line by line; empty if there is no such
+    // reason.
     std::vector<std::string> excused;
 
     bool is_right() const { return found.same || !excused.empty(); }

@@ -12,8 +12,8 @@
 namespace companion {
 namespace {
 
-// The program of the chapter of rungs does not have the course's options: it draws a scene file
-// and writes PPM.
+// The program of chapter 09 does not have the course's options: it draws a scene file and writes
+// PPM.
 std::string render_scene(const Course& course, const Chapter& chapter) {
     const fs::path ppm = course.out() / (chapter.name + ".ppm");
     const Result result =
@@ -32,10 +32,10 @@ std::string render_scene(const Course& course, const Chapter& chapter) {
 
 // Renders a chapter's picture and returns what the program printed about it. Throws app::Failure.
 std::string render(const Course& course, const Chapter& chapter) {
-    // An older picture must not be taken for this one.
+    // Otherwise an older picture might be taken for the new one.
     fs::remove(course.out() / chapter.picture());
     if (!chapter.has_exercises()) return render_scene(course, chapter);
-    // In out/, so that the program prints the picture's name without a folder.
+    // Runs in out/, so that the program prints the picture's name without a folder.
     const Result result =
         run_process({.command = {course.program(chapter.name + "_solution").string(), "--out",
                                  chapter.picture()},

@@ -18,7 +18,7 @@ std::string solution_of(const Exercise& exercise) {
     return files;
 }
 
-// Markdown's code marks are not needed on a terminal.
+// Removes Markdown's code marks, which a terminal does not need.
 std::string words_of(std::string hint) {
     std::erase(hint, '`');
     return hint;
@@ -38,7 +38,7 @@ int hint(const Course& course, const Given& given) {
         number = shown;
         if (shown < static_cast<int>(all.size())) ++shown;
     });
-    // A star is out of sight until the core passes.
+    // A star's hints are not shown until the core passes.
     const bool stars =
         exercise.is_star() || passes(progress_of(course, read_state(course), exercise));
     if (number < 0 || number >= static_cast<int>(all.size())) {

@@ -28,7 +28,7 @@ void JudgedLines::operator()(const JudgedLine& line) {
 bool judge_own(const Course& course, const fs::path& folder, std::uint64_t seed,
                const std::string& part, JudgedLines& lines) {
     must_build(course, "09_own_solution");
-    // Of what is judged, whatever is typed meanwhile.
+    // The hash of the sources that are judged, even if they are edited meanwhile.
     const std::string hash = fs::exists(folder / "build.sh") ? hash_of_own(folder) : "";
     JudgeRequest request{folder, course.program("09_own_solution"), seed, part,
                          app::physical_cores()};
@@ -36,7 +36,7 @@ bool judge_own(const Course& course, const fs::path& folder, std::uint64_t seed,
     bool core = true;
     judge(request, [&](const JudgedLine& line) {
         lines(line);
-        // Without build.sh's program, there are no other lines.
+        // If build.sh fails, there are no other lines.
         if (is_core(line) || line.what == "build.sh") core = core && line.passed;
     });
     if (part.empty())

@@ -1,12 +1,13 @@
 #pragma once
-// What a judge finds, line by line, as a person sees it.
+// Shows a judge's lines on the terminal.
 
 #include <companion/commands/commands.hpp>
 #include <companion/own/judge.hpp>
 
 namespace companion {
 
-// Prints each line when it is known, and on a terminal what is being looked at.
+// Prints each line as soon as it is known. On a terminal, it also shows what is being judged at the
+// moment.
 class JudgedLines {
   public:
     JudgedLines();
@@ -19,12 +20,12 @@ class JudgedLines {
     bool on_terminal_;
 };
 
-// Judges the learner's own ray tracer in a folder, or one part of it, and remembers a whole
-// verdict. Returns whether the core passes.
+// Judges the learner's own ray tracer in a folder, or one part of it. Remembers the verdict if it
+// covers the whole. Returns whether the core passes.
 bool judge_own(const Course& course, const fs::path& folder, std::uint64_t seed,
                const std::string& part, JudgedLines& lines);
 
-// The seed that --seed asks for, or any.
+// The seed that --seed asks for, or a random one.
 std::uint64_t scenes_seed(const Given& given);
 
 }  // namespace companion

@@ -40,7 +40,7 @@ std::string hours(double minutes) {
     return text;
 }
 
-// "stars: 5 of 7, 1.5 hours". Stars are counted where the core passes.
+// "stars: 5 of 7, 1.5 hours". Only exercises whose core passes count here.
 std::string stars_of(const Work& work) {
     std::string text = "stars: ";
     if (work.stars > 0)
@@ -49,13 +49,13 @@ std::string stars_of(const Work& work) {
     return text + hours(work.star_minutes);
 }
 
-// In a column.
+// The chapter's name, padded to the width of its column.
 std::string name_of(const Chapter& chapter) {
     return bold(chapter.name +
                 std::string(16 - std::min<std::size_t>(16, chapter.name.size()), ' '));
 }
 
-// The reading is assumed to be done in proportion to the exercises that pass.
+// The share of the reading that is done is assumed to be the share of the exercises that pass.
 Work work_of(const Course& course, const State& state, const Chapter& chapter,
              const std::vector<Exercise>& all) {
     Work result;

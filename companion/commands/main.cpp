@@ -14,7 +14,7 @@ using companion::Course;
 using companion::Given;
 using Words = std::vector<std::string>;
 
-// A line of commands.inc: a command, or an option of the one before it.
+// A line of commands.inc: a command, or an option of the command before it.
 struct Declared {
     std::string name, takes;
     int (*run)(const Course&, const Given&) = nullptr;  // null: an option
@@ -34,7 +34,7 @@ Words words_of(const Declared& command) {
     return words;
 }
 
-// The parser that the declarations make.
+// The parser that is made from the declarations.
 class CommandLine {
   public:
     explicit CommandLine(const Course& course) {
@@ -52,7 +52,7 @@ class CommandLine {
 
     // Runs what these words ask for. Throws CLI::ParseError if they do not fit the declarations.
     int obey(Words words) {
-        std::reverse(words.begin(), words.end());  // as the parser wants them
+        std::reverse(words.begin(), words.end());  // the parser expects them in reverse
         parser_.parse(words);
         return exit_code_;
     }

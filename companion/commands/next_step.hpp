@@ -6,11 +6,12 @@
 
 namespace companion {
 
-// What to do next, if this is the step for it; none: all steps of the core are done.
+// What to do next, in words, if `next` is the next step. If it is none, all steps of the core are
+// done.
 std::string next_step(const Course& course, const std::optional<Step>& next);
 std::string next_step(const Course& course, const Exercise& next);
 
-// When the core of a chapter is done.
+// What to say when the core of a chapter is done.
 std::string chapter_done(const Chapter& chapter, int open_stars);
 
 }  // namespace companion

@@ -9,7 +9,7 @@
 namespace companion {
 namespace {
 
-// Which part --rung or --part asks for; empty: everything.
+// The part that --rung or --part asks for; empty means everything.
 std::string asked_part(const Given& given) {
     const bool is_rung = given.has("--rung");
     if (!is_rung && !given.has("--part")) return "";

@@ -11,7 +11,7 @@
 namespace companion {
 namespace {
 
-// Whether the options say where the picture goes, or ask for no picture.
+// Whether the options say where to write the picture, or ask for no picture.
 bool says_where(const std::vector<std::string>& options) {
     return std::any_of(options.begin(), options.end(), [](const std::string& option) {
         return option == "--out" || option.rfind("--out=", 0) == 0 || option == "--study" ||
@@ -19,7 +19,8 @@ bool says_where(const std::vector<std::string>& options) {
     });
 }
 
-// A picture's bare name, as in "--out mine.png", is meant in out/, where the other pictures are.
+// Puts a picture that is given by its bare name, as in "--out mine.png", into out/, where the other
+// pictures are.
 void place_in_out(const Course& course, std::vector<std::string>& options) {
     const auto placed = [&](const std::string& name) {
         if (name.empty() || name.find('/') != std::string::npos) return name;
@@ -35,7 +36,7 @@ void place_in_out(const Course& course, std::vector<std::string>& options) {
     }
 }
 
-// Whether code from an elective helps to draw the picture.
+// Whether code from an elective takes part in drawing the picture.
 bool draws_by_elective(const std::vector<std::string>& options) {
     return std::any_of(options.begin(), options.end(), [](const std::string& option) {
         const std::string name = option.substr(0, option.find('='));
@@ -52,8 +53,9 @@ std::string picture_name(const Chapter& chapter, const std::vector<std::string>&
     return chapter.name + "_mine.png";
 }
 
-// What a program that was built before says against these options; empty if it takes them, or if
-// there is none yet. So a slip need not wait for the build.
+// What is wrong with these options, according to a program that was built earlier; empty if it
+// accepts them, or if there is no such program yet. So the learner learns of a slip before the
+// build.
 std::string objection(const Course& course, const Chapter& chapter,
                       const std::vector<std::string>& options) {
     for (const char* const whose : {"_mine", "_solution"}) {
@@ -71,7 +73,8 @@ std::string objection(const Course& course, const Chapter& chapter,
 
 int run(const Course& course, const Given& given) {
     std::vector<std::string> options = given.rest;
-    // It may stand among the program's options, too, of which none has its name.
+    // --mine may also stand among the program's options, because no program has an option of that
+    // name.
     const bool all = given.has("--mine") || std::erase(options, "--mine") > 0;
     const Chapter chapter = find_chapter(course, *given.named);
     if (const std::string why = objection(course, chapter, options); !why.empty()) {

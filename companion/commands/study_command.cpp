@@ -13,7 +13,7 @@ std::vector<Measurement> measured(const Course& course, const Chapter& chapter, 
     return read_measurements(study_folder(course, whose) / chapter.table());
 }
 
-// Draws docs/plots from docs/studies.
+// Draws the plots of the texts, docs/plots, from the tables in docs/studies.
 int study_of_texts(const Course& course, const Given& given) {
     if (given.named || given.options.size() > 1)
         throw app::UsageError("study --docs: takes nothing else");
@@ -44,8 +44,8 @@ int study(const Course& course, const Given& given) {
     };
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Chapter& chapter = chosen[i];
-        // Yours is measured between two runs of the solution: a difference no larger
-        // than theirs does not count.
+        // The learner's code is measured between two runs of the solution: a difference that is no
+        // larger than the one between those two runs does not count.
         std::printf("study %s, %zu of %zu, about %d s\n", chapter.name.c_str(), i + 1,
                     chosen.size(), (mine ? 3 : 1) * chapter.study_seconds);
         std::fflush(stdout);

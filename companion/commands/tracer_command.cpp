@@ -18,7 +18,7 @@
 namespace companion {
 namespace {
 
-// The tracer begins as the program of 00.1.
+// At first, the tracer is the program of 00.1.
 void begin_tracer(const Course& course) {
     const fs::path file = tracer_file(course);
     if (fs::exists(file)) return;
@@ -31,7 +31,7 @@ void begin_tracer(const Course& course) {
           course.relative(file) + "\n");
 }
 
-// Puts the program that a graft leads to in the tracer's place.
+// Replaces the tracer by our answer to a graft.
 int begin_from(const Course& course, const std::string& name) {
     const Chapter chapter = find_chapter(course, name);
     if (!chapter.graft)
@@ -53,7 +53,7 @@ int begin_from(const Course& course, const std::string& name) {
     return app::done;
 }
 
-// Draws the learner's scene, or what the program draws without one, or says why it cannot.
+// Draws the learner's scene, or what the program draws without a scene, or says why it cannot.
 void draw(const Course& course, const Chapter& chapter) {
     const Graft& graft = *chapter.graft;
     app::make_folder(course.out());
@@ -66,7 +66,7 @@ void draw(const Course& course, const Chapter& chapter) {
     app::replace_file(shown, rt::encode_png(mean_of({picture})));
     print("Your picture: " + course.relative(shown) + '\n');
     if (graft.reads != Graft::Reads::scene) return;
-    // A tracer that follows no paths yet draws other light than the whole program.
+    // A tracer that does not follow paths yet draws different light than the whole program does.
     const std::string answer = graft.still ? "tracer." + chapter.number() : "09_own_solution";
     must_build(course, answer);
     const fs::path other = course.out() / "tracer_ours.ppm";
@@ -78,7 +78,7 @@ void draw(const Course& course, const Chapter& chapter) {
     print("Beside ours:  " + course.relative(beside) + '\n');
 }
 
-// Draws the learner's scene in the false colors that a word of --show asks for.
+// Draws the learner's scene in false colors, in the way that a word of --show asks for.
 int draw_false_colors(const Course& course, const std::string& word) {
     const std::vector<std::string> headers = headers_of_tracer(course);
     if (std::find(headers.begin(), headers.end(), "false_color_image.hpp") == headers.end())
@@ -96,7 +96,7 @@ int draw_false_colors(const Course& course, const std::string& word) {
     return app::done;
 }
 
-// The graft that is named, or the first that has not passed, or the last one.
+// The graft that is named, or else the first one that has not passed, or else the last one.
 Chapter chosen(const Course& course, const Given& given) {
     const std::vector<Chapter> all = grafts(course);
     if (given.has("--graft")) {

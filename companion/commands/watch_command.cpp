@@ -63,9 +63,9 @@ class Watch {
     }
 
   private:
-    // Finds the next exercise that does not pass, from the current one on, and says what to do. One
-    // that is already written is checked first, and skipped if it passes. If all pass, the current
-    // one stays, for its stars.
+    // Finds the next exercise that does not pass, from the current one on, and says what to do. An
+    // exercise that is already written is checked first, and skipped if it passes. If all pass, the
+    // current one stays current, for its stars.
     void go_on() {
         for (;;) {
             const State state = read_state(course_);
@@ -95,13 +95,13 @@ class Watch {
     bool has_changed() {
         Written now = written(course_, all_);
         if (now == seen_) return false;
-        // An editor may still be writing.
+        // An editor may not have finished writing.
         for (Written later; later != now;) {
             if (!later.empty()) now = later;
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
             later = written(course_, all_);
         }
-        // An editor may be about to write a file anew that it has removed.
+        // An editor may have removed a file in order to write it anew.
         const auto is_gone = [&](const auto& file) { return !now.count(file.first); };
         for (int i = 0; i < 10 && std::any_of(seen_.begin(), seen_.end(), is_gone); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
@@ -124,7 +124,7 @@ class Watch {
         return found;
     }
 
-    // True if it passes.
+    // Returns whether the current exercise passes.
     bool check_current() {
         if (on_terminal_) print("\033[2J\033[H" + dim("checking " + all_[current_].id + " ..."));
         std::vector<Checked> checked;
@@ -162,7 +162,7 @@ class Watch {
             print('\n' + chapter_done(chapter, open_stars_of(course_, chapter)));
     }
 
-    // False if the learner quits.
+    // Obeys a key. Returns false if the learner quits.
     bool obey(char key) {
         const Exercise& exercise = all_[current_];
         const std::string number = exercise.chapter.number();
@@ -190,7 +190,8 @@ class Watch {
         return true;
     }
 
-    // Runs a command of the companion in a process of its own, so that its errors stay there.
+    // Runs a command of the companion in a separate process, so that an error in it does not end
+    // this one.
     void call(std::vector<std::string> command) {
         command.insert(command.begin(), course_.program("course").string());
         if (on_terminal_) print("\n");
@@ -213,14 +214,15 @@ class Watch {
         prepare();
     }
 
-    // Prepares the check of the current exercise while the learner reads and writes.
+    // Prepares the check of the current exercise in the background, while the learner reads and
+    // writes.
     void prepare() {
         if (preparing_.joinable()) preparing_.join();
         preparing_ = std::thread{[this, exercise = all_[current_]] {
             try {
                 prepare_check(course_, exercise);
             } catch (const std::exception&) {
-                // The check itself will say what is wrong.
+                // The check itself will report what is wrong.
             }
         }};
     }
@@ -249,7 +251,7 @@ int watch(const Course& course, const Given& given) {
     std::vector<Exercise> all = exercises_on_route(course);
     std::optional<Chapter> chapter;
     if (given.named) chapter = find_chapter(course, *given.named);
-    // It does not go on to an elective by itself.
+    // An elective is watched only if its chapter is named.
     if (chapter && !chapter->core)
         for (Exercise& exercise : exercises(course, *chapter)) all.push_back(std::move(exercise));
     std::size_t first = 0;

@@ -8,13 +8,13 @@
 namespace companion {
 namespace {
 
-// The number of pictures of each program. Where many tests are suspicious, the short second step is
-// enough.
+// How many pictures of each program a step draws. If many tests look suspicious, the short second
+// step is enough.
 constexpr int first_step = 8, second_step = 16, short_second_step = 8;
-constexpr double screening = 1.0 / 1000;  // of each test of the first step
-constexpr double wronged = 1.0 / 1000;    // share of right programs that the second step rejects
+constexpr double screening = 1.0 / 1000;  // for each test of the first step
+constexpr double wronged = 1.0 / 1000;  // the share of right programs that the second step rejects
 
-// Unrelated seeds, so that no simple way of using them makes two pictures alike.
+// Unrelated seeds: however simply a program uses its seed, no two pictures become alike.
 class Seeds {
   public:
     explicit Seeds(std::uint64_t start) : next_{start << 20} {}
@@ -28,7 +28,8 @@ bool same_size(const Picture& a, const Picture& b) {
     return a.width == b.width && a.height == b.height;
 }
 
-// The tests of all tiles and blocks in one order: light and noise, in three channels.
+// A test of a tile or block, of its light or its noise, in one channel. local_tests() lists all of
+// them in a fixed order.
 struct LocalTest {
     const TileStatistics* tile;
     bool of_noise;
@@ -48,8 +49,8 @@ std::vector<LocalTest> local_tests(const PictureStatistics& statistics) {
 
 // What the first step suspects.
 struct Suspects {
-    std::vector<std::size_t> tests;  // of local_tests
-    bool many = false;               // of all tests
+    std::vector<std::size_t> tests;  // indices into local_tests()
+    bool many = false;               // whether more than a tenth of all tests are suspected
     bool pixels = false, pixel_noise = false, tile_noise = false;
 
     bool any() const { return !tests.empty() || pixels || pixel_noise || tile_noise; }
@@ -72,16 +73,16 @@ bool contains(const Tile& outer, const Tile& inner) {
            outer.top <= inner.top && inner.top < outer.top + outer.height;
 }
 
-// Adds a tile that differs, unless it contains one that is already there: the same tile, or a tile
-// of this block, which says more.
+// Adds a tile that differs, unless it contains a tile that is already in the list: the same tile,
+// or one of this block's tiles, which says more.
 void add_tile(std::vector<TileStatistics>& tiles, const TileStatistics& tile) {
     for (const TileStatistics& other : tiles)
         if (contains(tile.tile, other.tile)) return;
     tiles.push_back(tile);
 }
 
-// The allowed chance of a false alarm is split: four tenths for the tiles, and two tenths for each
-// of the three tests of the picture as a whole.
+// The allowed probability of a false alarm is divided: four tenths are for the tiles, and two
+// tenths for each of the three tests of the whole picture.
 void confirm(Comparison& comparison, const Suspects& suspected) {
     const PictureStatistics& statistics = comparison.statistics;
     const auto tests = local_tests(statistics);
@@ -102,7 +103,7 @@ void add_still_tiles(Comparison& comparison) {
         if (tile.still_differing > 0) comparison.light_differs_in.push_back(tile);
 }
 
-// Draws both at the same time: most programs use one core.
+// Draws with both programs at the same time, because most programs use a single core.
 std::pair<Picture, Picture> draw_both(const TwoPrograms& programs, std::uint64_t my_seed,
                                       std::uint64_t solutions_seed) {
     auto solution = std::async(std::launch::async, programs.solution, solutions_seed);
@@ -110,7 +111,7 @@ std::pair<Picture, Picture> draw_both(const TwoPrograms& programs, std::uint64_t
     return {std::move(mine), solution.get()};
 }
 
-// Draws one step's pictures of both programs and appends them. False if the sizes differ.
+// Draws both programs' pictures for one step and appends them. False if their sizes differ.
 bool draw_step(const TwoPrograms& programs, Seeds& seeds, int pictures, Comparison& comparison) {
     comparison.pictures = pictures;
     for (int i = 0; i < pictures; ++i) {
@@ -128,7 +129,7 @@ PictureStatistics test_last_step(const Comparison& comparison) {
         {comparison.solution.end() - comparison.pictures, comparison.solution.end()});
 }
 
-// With the same random numbers, equal code draws equal pictures.
+// Whether both programs draw the same pictures, bit for bit, from the same random numbers.
 bool bit_for_bit(const TwoPrograms& programs, Seeds& seeds, Comparison& comparison) {
     for (int i = 0; i < 2; ++i) {
         const std::uint64_t seed = seeds();
@@ -140,7 +141,7 @@ bool bit_for_bit(const TwoPrograms& programs, Seeds& seeds, Comparison& comparis
     return true;
 }
 
-// The region whose pixels differ most beyond noise.
+// The region whose pixels differ most, beyond what the noise explains.
 std::vector<std::string> pixel_regions(const Comparison& comparison) {
     const auto& tiles = comparison.statistics.tiles;
     const auto most = std::max_element(

@@ -16,12 +16,12 @@ Real sum(Color c) {
     return c.r + c.g + c.b;
 }
 
-// Black where nothing differs. The hue says how it differs, the strength by how much: full at half
-// of the light.
+// The color of the heat map, black where nothing differs. The hue says how the light differs, and
+// the strength by how much; it is full if the difference is half of the light or more.
 Color heat(Color mine, Color solution) {
     const Color d = mine - solution;
     const Real apart = std::abs(d.r) + std::abs(d.g) + std::abs(d.b);
-    // In dark regions, small differences are visible, too.
+    // Relative to the light, so that small differences in dark regions are visible, too.
     const Real relative = apart / (std::max(sum(mine), sum(solution)) + Real(0.02));
     const Real strength = std::sqrt(std::min(Real(1), 2 * relative));
     const Real way = apart > 0 ? sum(d) / apart : 0;
@@ -45,7 +45,7 @@ Image heat_map(const Comparison& comparison, const Image& mine, const Image& sol
               [&](int x, int y) { return heat(mine.at(x, y), solution.at(x, y)); });
         return map;
     }
-    // A pixel's own difference would be mostly noise.
+    // Compares the means of tiles, because the difference of a single pixel would be mostly noise.
     const auto color = [](const std::array<double, 3>& light) {
         return Color{static_cast<Real>(light[0]), static_cast<Real>(light[1]),
                      static_cast<Real>(light[2])};
@@ -94,7 +94,7 @@ Image comparison_sheet(const Comparison& comparison) {
     const int width = solution.width(), height = solution.height();
     const Image map = comparison.sizes_differ ? Image{width, height, neither}
                                               : heat_map(comparison, mine, solution);
-    const int scale = (479 + width) / width;  // small pictures are shown with large pixels
+    const int scale = (479 + width) / width;  // small pictures are enlarged
     const Image* const shown[] = {&mine, &solution, &map};
     const char* const names[] = {"Yours", "Solution",
                                  comparison.same ? "No difference" : "Difference"};

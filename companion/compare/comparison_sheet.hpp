@@ -4,11 +4,11 @@
 
 namespace companion {
 
-// Both pictures side by side, and the solution's in gray with a heat map on it: orange where yours
-// is too bright, blue where it is too dark, violet where its color or noise differs.
+// Both pictures side by side, and the solution's picture in gray under a heat map: orange where
+// yours is too bright, blue where it is too dark, violet where its color or noise differs.
 rt::Image comparison_sheet(const Comparison& comparison);
 
-// Two pictures of one size beside each other, the learner's on the left.
+// Two pictures of the same size side by side, the learner's on the left.
 rt::Image side_by_side(const rt::Image& mine, const rt::Image& ours);
 
 }  // namespace companion

@@ -17,10 +17,10 @@ std::string percent(double part) {
     return text;
 }
 
-// The light of some tiles, in both programs.
+// The total light of some tiles, in each program.
 struct Light {
     std::array<double, 3> mine{}, solution{};
-    double apart = 0;  // sum of the tiles' differences, whatever their sign
+    double apart = 0;  // sum of the tiles' absolute differences
 
     explicit Light(const std::vector<TileStatistics>& tiles) {
         for (const TileStatistics& tile : tiles)
@@ -47,7 +47,7 @@ std::string brightness(const Light& light) {
     return percent(relative) + (relative < 0 ? " too dark" : " too bright");
 }
 
-// The channel that differs from both others, if one does.
+// The channel that differs from both others, if there is one, in words.
 std::string cast(const Light& light) {
     for (std::size_t i = 0; i < 3; ++i) {
         const double own = light.relative(i), next = light.relative((i + 1) % 3),
@@ -84,7 +84,7 @@ std::string describe_difference(const std::vector<TileStatistics>& tiles) {
     const double all = Light::sum(light.solution);
     const double apart = all > 0 ? light.apart / all : 1;
     const std::string color = cast(light);
-    // Light and dark balance each other: shapes have moved.
+    // Too bright and too dark tiles balance each other, so shapes have moved.
     if (std::abs(Light::sum(light.mine) - all) < light.apart / 3 && color.empty())
         return "drawn differently, by " + percent(apart) + " on average";
     std::string text;

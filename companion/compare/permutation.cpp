@@ -39,7 +39,7 @@ double Products::between(const std::vector<bool>& mine) const {
 double permutation_p(const Products& products, std::size_t mine, std::size_t all) {
     std::vector<bool> dealt(all);
     std::fill(dealt.begin(), dealt.begin() + static_cast<long>(mine), true);
-    // Distances that differ only by rounding count as equal.
+    // Distances that differ only by rounding errors count as equal.
     const double observed = products.between(dealt) * (1 - 4096 * double{rt::epsilon});
     if (!(observed > 0)) return 1;
     long tried = 0, as_far = 0;

@@ -56,7 +56,8 @@ Picture parse_ppm(const std::string& text) {
                                " bytes; expected " + std::to_string(start + size));
         picture.bytes.assign(text.end() - static_cast<std::ptrdiff_t>(size), text.end());
     } else {
-        // A number takes two characters at least: a short file must not ask for much memory.
+        // A number takes at least two characters. So a short file cannot claim to hold a large
+        // picture and use up memory.
         if (text.size() < 2 * size) throw app::Failure("the .ppm file has too few pixels");
         for (std::size_t i = 0; i < size; ++i)
             picture.bytes.push_back(static_cast<std::uint8_t>(reader.number("color", 0, 255)));

@@ -16,9 +16,9 @@ struct Picture {
     friend bool operator==(const Picture&, const Picture&) = default;
 };
 
-// Reads a .ppm file's text, with numbers (P3) or binary (P6), and values up to 255.
-// Chapter 03 writes the one; whoever writes a file by hand may choose. Throws
-// app::Failure, which says what is wrong.
+// Reads the text of a .ppm file, with decimal numbers (P3) or binary (P6), and values up to 255.
+// Chapter 03 writes P3; other programs may write either. Throws app::Failure, which says what is
+// wrong.
 Picture parse_ppm(const std::string& text);
 
 // The linear light, 0 to 1, that a byte stands for.

@@ -9,7 +9,7 @@ namespace {
 
 using Pictures = std::vector<Picture>;
 
-// Both programs' pictures, with what each byte means.
+// Both programs' pictures, and the light that each byte stands for.
 struct Both {
     const Pictures& mine;
     const Pictures& solution;
@@ -29,7 +29,7 @@ bool is_constant(const Pictures& pictures, std::size_t pixel) {
     });
 }
 
-// The numbers of a tile's pixels.
+// The indices of a tile's pixels.
 std::vector<std::size_t> pixels_of(const Tile& tile, int width) {
     std::vector<std::size_t> pixels;
     for (int y = tile.top; y < tile.top + tile.height; ++y)
@@ -46,13 +46,13 @@ Sample solution_of(const Both& both, const std::vector<double>& values) {
     return describe({values.begin() + static_cast<long>(both.mine.size()), values.end()});
 }
 
-// How much each picture differs from the mean of all, over everything that is added.
+// How much each picture differs from the mean of all, summed over the pixels that are added.
 class Variation {
   public:
     explicit Variation(std::size_t pictures) : of_picture_(pictures) {}
 
-    // Squared distances from the mean, one per picture. Dark and light, calm and noisy regions
-    // count the same: what matters is how the pictures share the variance.
+    // Adds squared distances from the mean, one per picture. Dark and bright, calm and noisy
+    // regions count the same: what matters is how the variance is divided among the pictures.
     void add(const std::vector<double>& squares) {
         double sum = 0;
         for (const double square : squares) sum += square;
@@ -78,8 +78,8 @@ std::vector<double> squared_distances(const std::vector<double>& values) {
     return squares;
 }
 
-// Handles the tile's still pixels: counts those that differ, and returns
-// the others, the noisy ones.
+// Handles the tile's still pixels: counts those that differ, and returns the other pixels of the
+// tile, which are noisy.
 std::vector<std::size_t> sort_out_still(const Both& both, TileStatistics& test,
                                         PictureStatistics& all) {
     std::vector<std::size_t> noisy;
@@ -97,11 +97,11 @@ std::vector<std::size_t> sort_out_still(const Both& both, TileStatistics& test,
     return noisy;
 }
 
-// Sums over the noisy pixels of a tile or block, for each channel.
+// For each channel, sums over the noisy pixels of a tile or block.
 struct Sums {
     struct Channel {
-        std::vector<double> light, squares;  // of each picture; squared distances from the mean
-        double rounding = 0;                 // the variance of a picture's light from rounding
+        std::vector<double> light, squares;  // for each picture; squares: distances from the mean
+        double rounding = 0;                 // the part of the variance that rounding causes
     };
     std::array<Channel, 3> channels;
     Products products;
@@ -161,8 +161,8 @@ double excess(const Both& both, const Products& products) {
     std::vector<bool> mine(both.count());
     std::fill(mine.begin(), mine.begin() + static_cast<long>(both.mine.size()), true);
     const double between = products.between(mine);
-    // The variance within is the total minus the variance between; the mean of n pictures has 1/n
-    // of it.
+    // The variance within the two sets is the total variance minus that between them; the mean of n
+    // pictures has 1/n of it.
     const auto a = static_cast<double>(both.mine.size()),
                b = static_cast<double>(both.solution.size());
     const double within = (products.total() - between * a * b / (a + b)) / (a + b - 2);

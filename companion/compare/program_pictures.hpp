@@ -9,7 +9,8 @@
 
 namespace companion {
 
-// A program that should have drawn failed. what() says how it ended, and holds what it printed.
+// Thrown if a program that should draw has failed. what() says how it ended, and contains what it
+// printed.
 struct DrawingFailed : app::Failure {
     DrawingFailed(const std::string& what, Result how)
         : app::Failure{what}, result{std::move(how)} {}
@@ -22,19 +23,20 @@ struct DrawingOptions {
     bool has_seed = false;
 };
 
-// Reads what a program prints about itself when asked to --describe its options.
+// Reads what a program prints about its options when it gets --describe.
 DrawingOptions options_from(const std::string& description);
 
-// The size and the samples with which pictures of a program are compared. Programs
-// without randomness draw once, as they always do; the others draw many times, and
-// therefore small and with few samples.
+// The size and the number of samples for comparing a program's pictures. Programs without
+// randomness draw once, as usual. The others draw many times, so their pictures are small and have
+// few samples.
 DrawingOptions for_comparison(DrawingOptions options);
 
 // Runs a program and reads the picture that it writes.
 Picture draw_with(const std::filesystem::path& program, const DrawingOptions& options,
                   std::uint64_t seed);
 
-// Two programs as compare() needs them. The solution tells whether there is randomness.
+// The two programs in the form that compare() needs. The solution tells whether they use
+// randomness.
 TwoPrograms two_programs(const std::filesystem::path& mine, const std::filesystem::path& solution);
 
 }  // namespace companion

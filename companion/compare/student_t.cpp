@@ -42,7 +42,7 @@ double incomplete_beta(double a, double b, double x) {
 double two_sided_p(double t, double degrees) {
     if (std::isinf(t)) return 0;
     const double square = t * t;
-    // Near the middle of the distribution x is close to 1, and only 1 - x is known exactly.
+    // Near the middle of the distribution, x is close to 1, and only 1 - x is known exactly.
     if (square < degrees) return 1 - incomplete_beta(0.5, degrees / 2, square / (degrees + square));
     return incomplete_beta(degrees / 2, 0.5, degrees / (degrees + square));
 }

@@ -15,7 +15,8 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
         text.replace(at, what.size(), with);
 }
 
-// The text with a section after that of an exercise: before the next heading that is not code.
+// The text with `section` inserted after the section of an exercise: before the next heading that
+// is not in a code block.
 std::string with_section(const std::string& text, const std::string& last,
                          const std::string& section) {
     const std::regex its_heading{"#+ " + last + "\\b.*"};
@@ -36,7 +37,7 @@ std::string with_section(const std::string& text, const std::string& last,
     return is_added ? result : result + '\n' + section;
 }
 
-// course.json with a line after that of an exercise, indented alike.
+// course.json with `line` inserted after the line of an exercise, with the same indent.
 std::string with_line(const std::string& text, const std::string& last, std::string line) {
     const auto start = text.find("{\"id\": \"" + last + '"');
     const auto end = std::min(text.find('\n', start), text.size());
@@ -49,7 +50,7 @@ std::string with_line(const std::string& text, const std::string& last, std::str
            (has_comma ? "," : "") + text.substr(end);
 }
 
-// The route with a step after the last of its chapter; an elective is not on it.
+// The route with a step inserted after the last step of its chapter; electives have no steps.
 std::string with_step(std::string text, const std::string& id) {
     const auto end = text.find("\"chapters\"");
     const auto at = text.rfind('"' + id.substr(0, id.find('.') + 1), end);
@@ -59,7 +60,7 @@ std::string with_step(std::string text, const std::string& id) {
 }
 
 // Throws app::UsageError if this is not the number of a chapter's next exercise. Returns the last
-// one.
+// exercise that the chapter has.
 Exercise last_before(const CourseFile& file, const std::string& id) {
     Exercise last;
     for (const Exercise& exercise : file.exercises)

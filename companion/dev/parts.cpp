@@ -28,7 +28,7 @@ fs::path solution_of(const fs::path& stub) {
     return fs::path{"solutions"} / stub.lexically_relative("exercises");
 }
 
-// tests/NN_topic/NN.k_NAME.cpp and all that is in tests/NN_topic/NN.k.
+// The files tests/NN_topic/NN.k_NAME.cpp, and all files in tests/NN_topic/NN.k.
 std::vector<fs::path> checkpoint_files(const Course& course, const Exercise& exercise) {
     std::vector<fs::path> found;
     const fs::path folder = course.root / "tests" / exercise.chapter.name;
@@ -154,7 +154,7 @@ std::string quoted_cases(const std::vector<TestCase>& tests) {
     return names;
 }
 
-// What the solution's run says.
+// Adds what is wrong with the solution's run.
 void judge_solution(const Exercise& exercise, const Tested& tested, const std::string& precision,
                     Lines& wrong) {
     std::vector<TestCase> failing = tested.tests;

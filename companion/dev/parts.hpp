@@ -7,14 +7,15 @@
 
 namespace companion {
 
-// The files that it needs and has not, a line each.
+// The files that the exercise needs but does not have, one per line.
 std::vector<std::string> missing_files(const Course& course, const Exercise& exercise);
 
-// What is missing or wrong in the files of an exercise as they are written, a line each, with what
-// would be right. Builds nothing.
+// What is missing or wrong in the files of an exercise as they are written, one line each, with
+// what would be right. Builds nothing.
 std::vector<std::string> wrong_parts(const Course& course, const Exercise& exercise);
 
-// The same of what is built from them: solution, stub, checkpoint, mistakes. Takes a few seconds.
+// The same for what is built from the files: solution, stub, checkpoint, mistakes. Takes a few
+// seconds.
 std::vector<std::string> wrong_when_run(const Course& course, const Exercise& exercise);
 
 }  // namespace companion
