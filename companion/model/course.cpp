@@ -11,7 +11,7 @@ fs::path Course::program(const std::string& name) const {
 }
 
 Course this_course() {
-    // The tests try the companion on a small course of their own, and do not wait as long.
+    // The tests of the companion use a small course of their own and a shorter timeout.
     if (const char* const folder = std::getenv("COURSE_TEST_FOLDER"))
         return {folder, fs::path{folder} / "build", 4};
     return {COURSE_ROOT, COURSE_BUILD};

@@ -10,7 +10,7 @@ namespace companion {
 
 namespace fs = std::filesystem;
 
-// A copy of the course and the folder that it was built in.
+// A copy of the course and its build folder.
 struct Course {
     fs::path root;
     fs::path build;
@@ -18,7 +18,7 @@ struct Course {
 
     fs::path program(const std::string& name) const;  // of the build
     fs::path out() const { return root / "out"; }
-    // A path from the root, with slashes on all systems.
+    // A path relative to the root, with slashes on all systems.
     std::string relative(const fs::path& path) const {
         return path.lexically_relative(root).generic_string();
     }
@@ -27,39 +27,41 @@ struct Course {
 // The copy of the course that this program was built from.
 Course this_course();
 
-// What a chapter's end changes in the learner's own program, exercises/tracer/tracer.cpp.
+// A graft, the end of a chapter: what it changes in the learner's own program,
+// exercises/tracer/tracer.cpp.
 struct Graft {
     std::string title = {};  // "Any scene"
     int minutes = 0;
-    std::vector<std::string> headers = {};  // that it must use, such as "nearest_sphere.hpp"
-    // What the program is called with: nothing; a position of the eye; a scene and a picture file.
+    std::vector<std::string> headers = {};  // which it must use, such as "nearest_sphere.hpp"
+    // The arguments of the program: none; a position of the eye; or a scene file and a picture
+    // file.
     enum class Reads { nothing, eye, scene } reads = Reads::scene;
     bool still = false;           // its pictures have no noise
-    std::vector<int> rungs = {};  // of chapter 09, whose scenes it must draw
+    std::vector<int> rungs = {};  // of chapter 09; the program must draw their scenes
 };
 
-// A chapter as course.json describes it. Paths are within the course. A chapter of
-// exercises has hints; one of rungs has a scene instead: there the learner writes a whole
-// program, in a folder of their own.
+// A chapter as course.json describes it. Paths are relative to the course. A chapter of exercises
+// has hints. A chapter of rungs has a scene instead: the learner writes a whole program for it, in
+// a separate folder.
 struct Chapter {
     std::string name = {};   // "03_sphere"
     std::string title = {};  // "The sphere"
     bool core = true;        // if not, it is an elective
     int reading = 0;         // minutes for the text
-    int minutes = 0;         // for the core, with reading
-    int star_minutes = 0;    // beyond that
+    int minutes = 0;         // for the core, including the reading
+    int star_minutes = 0;    // for the stars, in addition
     int study_seconds = 1;   // how long its study takes, in both precisions
     fs::path text = {}, hints = {};
     std::string caption = {};  // what its picture shows
-    bool uses_real = true;     // it uses rt::Real, so its exercises are checked in float, too
+    bool uses_real = true;     // whether its exercises use rt::Real and are checked in float, too
     fs::path scene = {};       // the scene that its picture shows, in the build folder
 
     std::optional<Graft> graft = {};
 
-    std::string needs = {};  // what it cannot be built without: "MPI"; empty if nothing
+    std::string needs = {};  // what it cannot be built without, such as "MPI"; empty if nothing
 
     bool has_exercises() const { return scene.empty(); }
-    // What it needs is missing, so that it was not built.
+    // Whether the chapter was not built because something that it needs is missing.
     bool is_left_out() const;
 
     std::string number() const { return name.substr(0, name.find('_')); }  // "03"
@@ -73,14 +75,14 @@ std::vector<Chapter> every_chapter(const Course& course);
 // The chapters of exercises, without those that are left out.
 std::vector<Chapter> chapters(const Course& course);
 
-// Those among them that belong to the 35 hours: no electives.
+// The chapters of exercises that belong to the core, not the electives.
 std::vector<Chapter> core_chapters(const Course& course);
 
 // The chapter of rungs; null if the course has none.
 std::optional<Chapter> chapter_of_rungs(const Course& course);
 
-// The chapter of exercises (or of rungs, too) that is meant by "3", "03", "03_sphere" or "sphere".
-// Throws app::UsageError, which lists the chapters, or says what the chapter needs.
+// The chapter of exercises (with `rungs_too`, of rungs as well) that "3", "03", "03_sphere" or
+// "sphere" means. Throws app::UsageError, which lists the chapters, or says what the chapter needs.
 Chapter find_chapter(const Course& course, const std::string& name, bool rungs_too = false);
 
 // Throws app::UsageError if the chapter is left out, and says what it needs.

@@ -47,7 +47,7 @@ Graft read_graft(const Value& value) {
     return graft;
 }
 
-// The exercises of the core and the grafts, chapter by chapter.
+// The steps of the route, chapter by chapter: the core's exercises and the grafts.
 std::vector<std::string> steps_of(const CourseFile& file) {
     std::vector<std::string> steps;
     for (const Chapter& chapter : file.chapters) {
@@ -59,7 +59,7 @@ std::vector<std::string> steps_of(const CourseFile& file) {
     return steps;
 }
 
-// The route, which has each of these steps once.
+// The route. It must contain each of these steps once.
 std::vector<std::string> read_route(const Value& value, std::vector<std::string> steps) {
     std::vector<std::string> route;
     for (const Value& step : value.list("steps", 1)) {
@@ -122,7 +122,7 @@ CourseFile parse_course(const std::string& json) {
 }  // namespace
 
 CourseFile read_course_file(const Course& course) {
-    // A command asks many times, and nobody should wait for that.
+    // The last file read is remembered, because a command asks for it many times.
     thread_local std::string known;
     thread_local CourseFile file;
     const std::string json = read_file(course.root / "course.json");

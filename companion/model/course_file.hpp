@@ -1,5 +1,5 @@
 #pragma once
-// course.json, which holds the facts of the course: its chapters and exercises.
+// Reads course.json, which holds the facts of the course: its chapters and exercises.
 
 #include <companion/model/exercise.hpp>
 
@@ -7,12 +7,12 @@ namespace companion {
 
 struct CourseFile {
     std::vector<Chapter> chapters;
-    std::vector<Exercise> exercises;  // of all chapters; what was shipped of them is not filled in
-    std::vector<std::string> route;   // "NN.k" or "graft NN": each of the core's once
+    std::vector<Exercise> exercises;  // of all chapters, without the members about shipped stubs
+    std::vector<std::string> route;   // "NN.k" or "graft NN": each step of the core once
 };
 
-// Throws app::Failure if there is no such file, and app::UsageError, with the position in the file
-// and what would be right, if its content is wrong.
+// Throws app::Failure if there is no such file. If its content is wrong, throws app::UsageError,
+// which names the position in the file and what would be right.
 CourseFile read_course_file(const Course& course);
 
 }  // namespace companion

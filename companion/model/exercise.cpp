@@ -22,7 +22,7 @@ std::string present(const Course& course, const fs::path& file) {
     return why_no_file(course.root / file).empty() ? read_text(course.root / file) : "";
 }
 
-// Fills in the stubs of a chapter's exercises as they were shipped.
+// Fills in the members about the stubs, as they were shipped, of a chapter's exercises.
 void add_shipped(const Course& course, std::vector<Exercise>& exercises) {
     const auto read = [&](const fs::path& file) { return shipped_stub(course, file); };
     std::map<fs::path, int> users;
@@ -111,7 +111,8 @@ std::string trouble_with_files(const Course& course, const Exercise& exercise) {
                "./course reset " + exercise.id + " restores the stub, and git checkout -- " +
                file.string() + " restores what you last committed";
     }
-    // Other files of the chapter may be included: a compiler would wait at a pipe.
+    // The learner's code may include other files of the chapter, and a compiler would wait at a
+    // pipe.
     for (const fs::path& file : exercise.chapter_files)
         if (const fs::path path = course.root / file;
             fs::exists(path) && !why_no_file(path).empty())

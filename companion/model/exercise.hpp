@@ -1,5 +1,5 @@
 #pragma once
-// The exercises: what course.json says about them, and how far the learner's files are.
+// The exercises: what course.json says about them, and how far the learner has come in each.
 
 #include <companion/model/course.hpp>
 #include <string>
@@ -11,15 +11,15 @@ struct Exercise {
     std::string id;                // "01.3"
     std::string title;             // "Length and unit vectors"
     int minutes = 0;               // for the core; 0: the whole exercise is a star
-    int star_minutes = 0;          // beyond that
-    bool several_answers = false;  // right ones that draw different pictures
+    int star_minutes = 0;          // for its stars, in addition
+    bool several_answers = false;  // different right answers draw different pictures
     Chapter chapter;
     std::vector<fs::path>
         files;              // that the learner writes, such as exercises/01_vectors/rt/dot.hpp
-    int shipped_todos = 0;  // in these files, for this exercise
-    int functions = 0;      // that the learner writes: those with an rt::todo
-    // Of these files as they were shipped; empty if nobody knows, or if they also hold another
-    // exercise.
+    int shipped_todos = 0;  // calls of rt::todo for this exercise in the shipped files
+    int functions = 0;      // how many the learner writes: those with an rt::todo
+    // A hash over these files as they were shipped; empty if they are unknown, or if one of them
+    // also belongs to another exercise.
     std::string shipped_hash{};
     std::vector<fs::path> chapter_files{};  // of all exercises of its chapter
 
@@ -37,24 +37,24 @@ std::vector<Exercise> exercises(const Course& course, const Chapter& chapter);
 std::vector<Exercise> exercises(const Course& course);
 std::vector<Exercise> exercises(const Course& course, const std::vector<Chapter>& some);
 
-// The exercise "NN.k", or the one to which a file belongs: relative to the course's folder, or with
-// its full path. Throws app::UsageError, which lists the exercises.
+// The exercise whose ID, "NN.k", or one of whose files is given. The file's path may be relative to
+// the course's folder or absolute. Throws app::UsageError, which lists the exercises.
 Exercise find_exercise(const Course& course, const std::string& id);
 
-// What the learner has written for an exercise: a hash over its files as they are now, and over
-// those that the learner has added to the chapter's folder, where the compiler finds them.
+// A hash over what the learner has written for an exercise: its files as they are now, and files
+// that the learner has added to the chapter's folder, where the compiler finds them.
 std::string hash_of(const Course& course, const Exercise& exercise);
 
-// What is wrong with its files, in one line, if one is missing, a folder or a pipe:
-// "exercises/... is missing; ..."; otherwise empty. If a file of the learner's were missing, the
-// compiler would find the solution's.
+// What is wrong with the exercise's files, in one line, if one of them is missing, a folder or a
+// pipe: "exercises/... is missing; ..."; otherwise empty. If one of the learner's files were
+// missing, the compiler would find the solution's file instead.
 std::string trouble_with_files(const Course& course, const Exercise& exercise);
 
-// Whether the learner has begun it: an rt::todo is gone, or a file that it has
-// alone is not as it was shipped.
+// Whether the learner has begun the exercise: an rt::todo is gone, or a file that belongs to no
+// other exercise has changed since it was shipped.
 bool is_begun(const Course& course, const Exercise& exercise);
 
-// Those of its functions that still have an rt::todo, by name.
+// The names of the exercise's functions that still contain an rt::todo.
 std::vector<std::string> functions_left(const Course& course, const Exercise& exercise);
 
 // How many calls of rt::todo for this exercise are left in its files.

@@ -7,8 +7,8 @@ namespace companion {
 // "## NN.k". None if the file or the heading is missing.
 std::vector<std::string> hints(const Course& course, const Exercise& exercise);
 
-// A hint in two parts: what is for the core, and what is for the stars, which begins with the first
-// paragraph that begins with ★. Either may be empty.
+// A hint in two parts: one for the core, and one for the stars, which starts at the first paragraph
+// that begins with ★. Either part may be empty.
 struct HintParts {
     std::string core, star;
 };

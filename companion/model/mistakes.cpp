@@ -9,15 +9,15 @@
 namespace companion {
 namespace {
 
-// The optional lines, which the build reads, too: see cmake/Mistakes.cmake.
+// The optional lines of a mistake. The build reads them, too: see cmake/Mistakes.cmake.
 const std::set<std::string> yes_only{"changes picture",
                                      "certificate fails"};  // a line of `course certify`
 const std::set<std::string> with_value{
     "address sanitizer reports",  // a pattern of its report
     "compare says",               // a pattern of the words of `course compare`
-    "only if the answer has",     // a pattern of its code, without which the mistake is no guess
+    "only if the answer has",     // a pattern of its code; without it, the mistake is not suggested
     "data race in",               // the test case in which the thread sanitizer reports one
-    "also fails"};                // of a program of chapter 09: further lines of the verdict
+    "also fails"};                // for programs of chapter 09: further lines of the verdict
 
 class Reader {
   public:
@@ -46,7 +46,8 @@ class Reader {
     [[noreturn]] void fail(const std::string& what) const {
         throw app::Failure(place() + ": " + what);
     }
-    // The part of the line between this start and this end; empty if the line has other ones.
+    // The part of the line between this start and this end; empty if the line does not start and
+    // end so.
     std::string between(const std::string& start, const std::string& end) const {
         const std::string text = line();
         const bool fits = text.size() >= start.size() + end.size() && starts_with(start) &&
@@ -115,7 +116,7 @@ class Reader {
     // The edits of one file.
     void read_edits(std::vector<Edit>& edits) {
         const std::string file = between("```diff ", "");
-        // In rt/, except for a separate program, which is in the chapter's folder.
+        // The file is in rt/, or it is a program by itself in the chapter's folder.
         if (file.empty() || (file.rfind("rt/", 0) != 0 && file.find('/') != std::string::npos))
             fail("expected '```diff rt/file.hpp', actual: '" + line() + '\'');
         do {
@@ -148,7 +149,7 @@ class Reader {
     std::set<std::string> names_;
 };
 
-// Where these whole lines start in a text.
+// The positions in a text at which these whole lines start.
 std::vector<std::size_t> places(const std::string& text, const std::string& lines) {
     std::vector<std::size_t> found;
     for (auto at = text.find(lines); at != std::string::npos; at = text.find(lines, at + 1))

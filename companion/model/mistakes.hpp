@@ -1,6 +1,6 @@
 #pragma once
 // The known mistakes of the exercises. tests/mistakes/NN_topic/NN.k.md holds those of one exercise:
-// words for the learner, and how each is made from the solution.
+// an explanation of each for the learner, and the edits that make it from the solution.
 //
 //   # Mistakes of NN.k
 //
@@ -19,7 +19,7 @@
 //   -the lines of another edit of this file
 //   ```
 //
-// A mistake may have several edits, each of which starts from the result of the one before.
+// A mistake may have several edits; each edit starts from the result of the edit before it.
 
 #include <companion/model/course.hpp>
 #include <map>
@@ -37,14 +37,14 @@ struct Edit {
 struct Mistake {
     std::string name;                            // "01.3_overflows"
     std::string title;                           // in one line
-    std::string caught_by;                       // the name of a test case
+    std::string caught_by;                       // the name of the test case that fails
     std::string explanation;                     // in one line, however long
     std::map<std::string, std::string> remarks;  // the optional lines: "changes picture" is "yes"
     std::vector<Edit> edits;                     // at least one
 };
 
-// The mistakes that a file holds. Throws app::Failure, which says file and line, if it
-// is not written as above.
+// The mistakes in a file. Throws app::Failure, which names file and line, if the file is not in the
+// format above.
 std::vector<Mistake> read_mistakes(const fs::path& file);
 
 // All mistakes of a chapter, by exercise.
@@ -53,18 +53,18 @@ std::vector<Mistake> read_mistakes(const Course& course, const Chapter& chapter)
 // A mistake by its name. Throws app::Failure if there is none.
 Mistake read_mistake(const Course& course, const Chapter& chapter, const std::string& name);
 
-// Whether code can be this mistake, given the answer's code without comments: a mistake in what it
-// does not have is none.
+// Whether code can contain this mistake, given the answer's code without comments: a mistake in
+// something that the code does not use is impossible.
 bool may_be(const Mistake& mistake, const std::string& code);
 
-// Whether what has failed speaks against this mistake, given the names of the test cases that
-// failed, in their order, and of those that passed: the one that catches it passed, or it is about
-// a later step ("00.1 step 4 ...") than the first one that failed.
+// Whether the results speak against this mistake, given the names of the test cases that failed, in
+// their order, and of those that passed. They do if the test case that catches the mistake passed,
+// or if the mistake is in a later step ("00.1 step 4 ...") than the first failure.
 bool is_refuted(const Mistake& mistake, const std::vector<std::string>& failed,
                 const std::vector<std::string>& passed);
 
-// The files that a mistake changes, by name ("rt/refract.hpp"), made from those in a folder. Throws
-// app::Failure if the lines to be replaced do not occur exactly once.
+// The files that a mistake changes, by name ("rt/refract.hpp"), made from the files in this folder.
+// Throws app::Failure if the lines to replace do not occur exactly once.
 std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs::path& solution);
 
 }  // namespace companion

@@ -1,5 +1,5 @@
 #pragma once
-// How far an exercise is, from its files and what is remembered, without building anything.
+// How far an exercise is, according to its files and to what is remembered; nothing is built.
 
 #include <companion/model/exercise.hpp>
 #include <companion/model/state.hpp>
@@ -7,16 +7,16 @@
 namespace companion {
 
 enum class Progress {
-    no_file,    // the learner's file is missing, or something else is in its place
-    to_write,   // as it was shipped, or nothing of it written yet
-    begun,      // some of it written, some still rt::todo
+    no_file,    // the learner's file is missing, or is not a file
+    to_write,   // as it was shipped, or nothing written yet
+    begun,      // some of it is written, some is still rt::todo
     unchecked,  // written, and changed since the last check
     failing,
     core,  // the core passes, and stars are open
     done
 };
 
-// Whether the core passes: then the learner goes on, and the learner's code runs.
+// Whether the core passes: then the learner may go on, and the learner's code is used in programs.
 bool passes(Progress progress);
 
 Progress progress_of(const Course& course, const State& state, const Exercise& exercise);
@@ -25,14 +25,14 @@ Progress progress_of(const Course& course, const State& state, const Exercise& e
 // file is missing"
 const char* text(Progress progress);
 
-// A character that says the same without colors.
+// A character for each state, so that colors are not needed.
 char symbol(Progress progress);
 
-// The first of these exercises whose core does not pass; null if all pass.
+// The first of these exercises whose core does not pass; null if every core passes.
 const Exercise* first_open(const Course& course, const State& state,
                            const std::vector<Exercise>& exercises);
 
-// How many stars are open in a chapter's exercises whose core passes.
+// How many stars are open in those exercises of a chapter whose core passes.
 int open_stars_of(const Course& course, const Chapter& chapter);
 
 }  // namespace companion

@@ -1,5 +1,5 @@
 #pragma once
-// The questions of a chapter, chapters/NN_topic/questions.json, and what an answer is worth.
+// The questions of a chapter, chapters/NN_topic/questions.json, and the judging of answers.
 //
 //   {"questions": [
 //     {"kind": "predict",            or "find the fault"
@@ -25,28 +25,29 @@ struct Question {
     double number = 0, tolerance = 0;
     std::size_t right_choice = 0;
 
-    std::string key() const;  // under which its answer is remembered: changes with the question
+    std::string key() const;  // under which its answer is stored; changes if the question changes
 };
 
-// The questions of a chapter; none if it has no file of them. Throws app::UsageError, with the
-// position in the file, if that is not as above.
+// The questions of a chapter; none if it has no such file. Throws app::UsageError, with the
+// position in the file, if the file is not in the format above.
 std::vector<Question> questions(const Course& course, const Chapter& chapter);
 
 enum class Reply { right, wrong, not_understood };
 
-// To what a person writes: a number such as 0.75, .75, 3/4 or 75 %, where anything after the number
-// is ignored; or a choice, by its letter or its text.
+// The reply to what a person writes: a number such as 0.75, .75, 3/4 or 75 %, where everything
+// after the number is ignored; or a choice, named by its letter or its text.
 Reply reply_to(const Question& question, const std::string& answer);
 
 // Remembers an answer, right or wrong.
 void remember(State& state, const Question& question, const std::string& answer, bool right);
 
-// Whether a wrong answer to this question would be the second in a row.
+// Whether the last answer to this question was wrong, so that another wrong one would be the second
+// in a row.
 bool was_wrong(const State& state, const Question& question);
 
-// Those of these questions to ask once more, two at most: first those that were answered wrongly,
-// and of these, and then of the others, those that were answered longest ago. Questions that were
-// never answered are not among them.
+// Those of these questions to ask once more, two at most. Questions that were answered wrongly come
+// before the others; among each kind, those that were answered longest ago come first. Questions
+// that were never answered are left out.
 std::vector<std::string> to_review(const State& state, const std::vector<Question>& earlier);
 
 }  // namespace companion

@@ -37,7 +37,7 @@ std::optional<Step> next_on_route(const Course& course, const std::string& after
     const auto open = [&](const Step& step) { return is_open(course, state, step); };
     const auto here = std::find_if(steps.begin(), steps.end(),
                                    [&](const Step& step) { return step.id() == after; });
-    // What was tried and is wrong comes first, and what is missing.
+    // Exercises that fail and missing files come first.
     auto next = std::find_if(steps.begin(), here, [&](const Step& step) {
         if (!step.exercise) return false;
         const Progress progress = progress_of(course, state, *step.exercise);

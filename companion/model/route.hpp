@@ -1,13 +1,13 @@
 #pragma once
-// The order in which the course is done: exercises of the core by need, and the grafts, by which
-// the learner's own program grows.
+// The order in which the course is done: the core's exercises in the order in which they need each
+// other, and the grafts, with which the learner's own program grows.
 
 #include <companion/model/exercise.hpp>
 #include <companion/model/state.hpp>
 
 namespace companion {
 
-// A stop on the route: an exercise, or else a chapter's graft.
+// A step on the route: an exercise, or a chapter's graft if there is no exercise.
 struct Step {
     std::optional<Exercise> exercise = {};
     Chapter chapter = {};
@@ -15,7 +15,7 @@ struct Step {
     std::string id() const { return exercise ? exercise->id : "graft " + chapter.number(); }
 };
 
-// The steps in the order of course.json; without one there, chapter by chapter.
+// The steps in the order of course.json; if it has no route, chapter by chapter.
 std::vector<Step> route(const Course& course);
 
 // The exercises among the steps.
@@ -23,8 +23,8 @@ std::vector<Exercise> exercises_on_route(const Course& course);
 
 bool is_open(const Course& course, const State& state, const Step& step);
 
-// An exercise that fails and comes before the step with this id; else the first open step after
-// that one, else the first of all. None: all is done.
+// An exercise that fails and comes before the step with this ID; or else the first open step after
+// that one; or else the first open step of all. None if all is done.
 std::optional<Step> next_on_route(const Course& course, const std::string& after = "");
 
 }  // namespace companion

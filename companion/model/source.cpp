@@ -47,8 +47,8 @@ std::vector<std::string> signatures(const std::string& text) {
     code = std::regex_replace(
         code, std::regex{"\\b(inline|constexpr|static)\\b|\\[\\[[^\\]]*\\]\\]"}, " ");
     std::vector<std::string> found;
-    std::string head;  // since the last ; or }
-    int skipped = 0;   // braces that are open within a body
+    std::string head;  // the code since the last ; or }
+    int skipped = 0;   // open braces within a body
     for (const char c : code) {
         if (skipped > 0) {
             skipped += (c == '{') - (c == '}');

@@ -9,7 +9,7 @@
 
 namespace companion {
 
-// What an older state does not have keeps its default.
+// A member that an older state does not have keeps its default.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Record, passed, hash, hints, warning, stars,
                                                 open_stars, first_passed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Answered, right, tries, answer, turn)
@@ -34,8 +34,8 @@ void add_time(json& record, bool passed) {
     if (!record.contains("first_passed")) record["first_passed"] = passed ? unknown_time : 0;
 }
 
-// Whether each number is one that a course writes: a whole number, and a small one unless it is a
-// time.
+// Whether each number is one that the companion would write: a whole number, and a small one unless
+// it is a time.
 bool has_fitting_numbers(const json& value, bool is_time = false) {
     if (value.is_number()) {
         constexpr std::int64_t most = 1'000'000'000, latest = std::int64_t{1} << 40;
@@ -79,7 +79,8 @@ void set_aside(const Course& course, const fs::path& file, const char* why) {
         if (fs::exists(aside)) continue;
         std::error_code error;
         fs::rename(file, aside, error);
-        // Another ./course may have moved it first; a file that cannot be moved is overwritten.
+        // Another ./course may have moved the file first. If the file cannot be moved, it is
+        // overwritten later.
         if (!error)
             std::fprintf(stderr,
                          "course: the saved progress cannot be read (%s); it is now in %s, and "

@@ -20,15 +20,16 @@ std::string text_of(const fs::path& file) {
     return why_no_file(file).empty() ? read_text(file) : "";
 }
 
-// Whether the file is as the course's repository has it: then it is a stub, even if it differs from
-// the one kept.
+// Whether the file is the same as in the course's repository: then it is a stub, even if it differs
+// from the copy.
 bool is_as_committed(const Course& course, const fs::path& file) {
     return run_process({.command = {"git", "diff", "--quiet", "HEAD", "--", file.string()},
                         .folder = course.root})
         .ok();
 }
 
-// Where the code calls todo("NN.k" for this exercise, or for any if its name is empty.
+// The positions at which the code calls todo("NN.k" for this exercise, or for any exercise if its
+// name is empty.
 std::vector<std::size_t> todos(const std::string& code, const std::string& exercise) {
     std::vector<std::size_t> found;
     for (auto at = code.find("todo"); at != std::string::npos; at = code.find("todo", at + 4)) {
@@ -57,14 +58,15 @@ std::string function_around(const std::string& code, std::size_t place) {
         if (code[at] == '}') ++depth;
         if (code[at] != '{' || depth-- > 0) continue;
         depth = 0;
-        // A constructor's members may have braces: a blank line or a ; ends the look back.
+        // A constructor's member list may contain braces, so the search backward ends only at a
+        // blank line or a ;.
         const auto start = code.find_last_of(';', at), blank = code.rfind("\n\n", at);
         const std::size_t from = std::max(start == std::string::npos ? 0 : start,
                                           blank == std::string::npos ? 0 : blank);
         std::string before = code.substr(from, at - from);
         if (const auto brace = before.rfind("{\n"); brace != std::string::npos)
             before.erase(0, brace + 1);
-        // "fill = {}" has no body.
+        // The braces of "fill = {}" are not a body.
         for (auto pair = before.find("{}"); pair != std::string::npos; pair = before.find("{}"))
             before.erase(pair, 2);
         std::smatch found;

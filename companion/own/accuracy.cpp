@@ -9,10 +9,10 @@
 namespace companion {
 namespace {
 
-constexpr std::uint64_t fixed_seed = 1;  // figures that were written down must hold next time, too
+constexpr std::uint64_t fixed_seed = 1;  // the page's figures must be reproducible
 
-// The root mean square difference, in linear light, between the mean pictures that both
-// draw with the same seeds.
+// The root mean square difference, in linear light, between the mean pictures of both programs,
+// drawn with the same seeds.
 double difference(const OwnProgram& a, const OwnProgram& b, const std::string& scene) {
     std::vector<Picture> of_a, of_b;
     for (int seed = 1; seed <= 8; ++seed) {

@@ -1,5 +1,5 @@
 #pragma once
-// The learner's page accuracy.md.
+// Reads and judges the learner's page accuracy.md.
 
 #include <optional>
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace companion {
 
-// What the page says about a choice: an option for the compiler, and the
-// figures that the learner wrote.
+// What the page says about a choice: the compiler option that makes it, and the figures that the
+// learner wrote.
 struct AccuracyChoice {
     std::string option;
     std::optional<double> time, error;

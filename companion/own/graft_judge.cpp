@@ -13,7 +13,7 @@
 namespace companion {
 namespace {
 
-// The largest difference of two pixels in a channel, in steps of a byte.
+// The largest difference between two pixels in any channel, in byte values.
 int difference(const Picture& picture, int x, int y, const Picture& other, int other_x,
                int other_y) {
     const auto at = [](const Picture& p, int column, int row) {
@@ -26,7 +26,8 @@ int difference(const Picture& picture, int x, int y, const Picture& other, int o
     return most;
 }
 
-// The largest difference among the pixels at most `reach` pixels from here, to their neighbors.
+// The largest difference between neighbors among the pixels that are at most `reach` pixels from
+// here.
 int edge(const Picture& picture, int x, int y, int reach) {
     int most = 0;
     for (int row = std::max(0, y - reach); row <= std::min(picture.height - 2, y + reach); ++row)
@@ -37,10 +38,10 @@ int edge(const Picture& picture, int x, int y, int reach) {
     return most;
 }
 
-// Of the outlines in one picture, the share in percent where the other has none. Colors do not
+// The percentage of the outlines in one picture at which the other picture has none. Colors do not
 // matter; learners choose their own.
 double outlines_missing(const Picture& in, const Picture& from) {
-    constexpr int outline = 28, nothing = 5;  // steps of a byte between neighbors
+    constexpr int outline = 28, nothing = 5;  // difference between neighbors, in byte values
     long all = 0, missing = 0;
     for (int y = 0; y + 1 < in.height; ++y)
         for (int x = 0; x + 1 < in.width; ++x)
@@ -51,7 +52,8 @@ double outlines_missing(const Picture& in, const Picture& from) {
     return all == 0 ? 0 : 100.0 * static_cast<double>(missing) / static_cast<double>(all);
 }
 
-// Pictures of the two balls of 00.1, with nothing to read and perhaps a position of the eye.
+// Judges pictures of the two balls of 00.1. The program reads no scene, but may get a position of
+// the eye.
 void look_at_outlines(const Course& course, const GraftRequest& request,
                       const std::vector<std::string>& words, JudgedLine& line) {
     const fs::path file = course.build / ("tracer." + request.chapter.number() + ".ppm");
@@ -72,7 +74,8 @@ void look_at_outlines(const Course& course, const GraftRequest& request,
     line.actual = line.passed ? "the same outlines" : text;
 }
 
-// Scenes whose pictures have no noise: a few pixels on outlines may round to the other side.
+// Judges pictures without noise. A few pixels on outlines may differ, because they may be rounded
+// to the other side.
 void look_at_still(const OwnProgram& own, const OwnProgram& ours, const OwnScene& scene,
                    JudgedLine& line) {
     const Picture mine = own.picture(scene.text, {}).picture,
@@ -145,8 +148,8 @@ void judge_graft(const Course& course, const GraftRequest& request,
     std::vector<std::string> parts;
     for (const int rung : graft.rungs) parts.push_back("rung" + std::to_string(rung));
     JudgeRequest asked{{}, request.reference, request.seed, {}, app::physical_cores()};
-    asked.crowd = 300;    // so that a program without a tree is soon done
-    asked.tree_gain = 5;  // the list of chapter 03 is fast
+    asked.crowd = 300;    // so that a program without a tree also ends soon
+    asked.tree_gain = 5;  // chapter 03's list is fast, so the gain is smaller
     asked.only_line = request.only_line;
     asked.begins = request.begins;
     judge_program(own, asked, parts, report);

@@ -15,8 +15,8 @@ namespace {
 
 using Options = std::vector<std::string>;
 
-// The variance of a pixel and of a tile may be this many times ours. Independent samples have our
-// variance; samples that are spread on purpose have less.
+// The variance of a pixel or a tile may be this many times as large as ours. Independent samples
+// have the same variance as ours; samples that are deliberately spread have less.
 constexpr double most_pixel_noise = 2, most_tile_noise = 4;
 
 // What is wrong with a picture; empty if it equals ours within the noise.
@@ -24,7 +24,7 @@ std::string what_differs(const Comparison& compared) {
     if (compared.sizes_differ) return "a picture of a different size from what the scene asks for";
     const PictureStatistics& found = compared.statistics;
     auto differing = compared.light_differs_in;
-    // Pixels without randomness, such as the sky's, may differ by a step of rounding.
+    // Pixels without randomness, such as the sky's, may differ by one rounding step.
     if (found.still_differs())
         for (const TileStatistics& tile : found.tiles)
             if (tile.still_differing > 0) differing.push_back(tile);
@@ -45,8 +45,8 @@ std::string what_differs(const Comparison& compared) {
     return words;
 }
 
-// The program's picture equals the reference's within what chance explains. The false-alarm rate of
-// one comparison is 1 in 1000, so a fault must show in two.
+// The program's picture must equal the reference's, within what chance explains. The false-alarm
+// rate of one comparison is 1 in 1000, so a fault counts only if two comparisons show it.
 void look_at_picture(const Trial& trial, const OwnScene& scene, JudgedLine& line) {
     const auto with = [&](const OwnProgram& program) {
         return [&](std::uint64_t seed) {
@@ -126,7 +126,7 @@ void judge_sanitized(const Trial& trial) {
                    });
 }
 
-// One line that says what is wrong, and no crash.
+// The program must print one line that says what is wrong, and must not crash.
 void look_at_refusal(const Result& result, JudgedLine& line) {
     const auto lines = std::count(result.output.begin(), result.output.end(), '\n');
     line.passed = result.exit_code > 0 && !result.timed_out && result.signal == 0 && lines == 1 &&
@@ -155,7 +155,7 @@ void judge_broken(const Trial& trial) {
                    [&](JudgedLine& line) { look_at_refusal(trial.own.call(call.words), line); });
 }
 
-// No ray slips between triangles that share an edge.
+// No ray may slip between triangles that share an edge.
 void judge_edges(const Trial& trial) {
     trial.line({false, "rung 10: no ray between two triangles", "", "only black pixels",
                 "Both triangles of an edge must decide from the same numbers on which side of it "
@@ -228,7 +228,7 @@ void judge_program(const OwnProgram& own, const JudgeRequest& request,
     const OwnProgram reference{OwnProgram::Existing{}, request.reference};
     bool left_out = false;
     const Trial trial{request, own, reference, [&](JudgedLine line, const auto& look) {
-                          left_out = own.times_out() > 1;  // the next one would not end, either
+                          left_out = own.times_out() > 1;  // the next run would not end, either
                           if (left_out) return;
                           if (!request.only_line.empty() && line.what != request.only_line) return;
                           request.begins(line.what);

@@ -12,26 +12,26 @@ namespace companion {
 
 namespace fs = std::filesystem;
 
-// One line: what was looked at, what was found, what was asked for.
+// One line of a verdict: what was judged, what was found, and what was expected.
 struct JudgedLine {
     bool passed = false;
     std::string what;           // "rung 3: one matte ball on the ground"
     std::string actual;         // "the same within the noise", "0.8 times as fast"
     std::string expected;       // "our picture", "at least 10 times as fast"
-    std::string suggestion;     // where to look when it failed
-    bool busy_machine = false;  // busy with other things, so that the time says little
+    std::string suggestion;     // where to look if the line failed
+    bool busy_machine = false;  // other programs ran, so that times say little
 };
 
 struct JudgeRequest {
     fs::path folder, reference;  // the learner's folder, and the course's own program
     std::uint64_t seed = 1;      // of the scenes
-    std::string part{};          // only this part; empty: all that are not optional
-    int cores = 2;               // physical ones
+    std::string part{};          // judge only this part; empty: all except the optional ones
+    int cores = 2;               // physical cores
     double patience = 60;        // seconds for one picture
     int crowd = 10'000;          // spheres in the scenes on which all cores are measured
     double tree_gain = 10;       // how many times as fast as --list a tree must be; 0: any
-    std::string only_line{};     // only this line; empty: all
-    // Called when a line is begun, which may take long.
+    std::string only_line{};     // judge only this line; empty: all lines
+    // Called when the judging of a line begins, because it may take long.
     std::function<void(const std::string& what)> begins = [](const std::string&) {};
 };
 
@@ -39,16 +39,17 @@ struct JudgeRequest {
 // "broken", "accuracy". A line's name begins with its part: "rung 1: ...", "hard: ...".
 std::vector<std::string> judge_parts();
 
-// Parts that are judged only if somebody asks for them: "rung10", triangles and meshes.
+// Parts that are judged only on request: "rung10", triangles and meshes.
 std::vector<std::string> optional_parts();
 
-// Judges, and reports each line as soon as it is known. A program that cannot be built is one line
-// that fails; so is everything that was not looked at because the program did not end.
+// Judges a program, and reports each line as soon as it is known. If the program cannot be built,
+// there is one line, which fails. If the program times out twice, a single line, which fails,
+// stands for all that were not judged.
 void judge(const JudgeRequest& request, const std::function<void(const JudgedLine&)>& report);
 
 class OwnProgram;
 
-// The same of a program that is built already, and of these parts.
+// The same for a program that is built already, and only for these parts.
 void judge_program(const OwnProgram& own, const JudgeRequest& request,
                    const std::vector<std::string>& parts,
                    const std::function<void(const JudgedLine&)>& report);

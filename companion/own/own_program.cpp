@@ -11,13 +11,13 @@
 namespace companion {
 namespace {
 
-constexpr std::size_t most_said = 300;  // bytes of what it printed, in a line
+constexpr std::size_t most_said = 300;  // bytes of the program's output that fit into a line
 
 std::string first_line(const std::string& said) {
     return printable(said.substr(0, said.find('\n')), most_said);
 }
 
-// A name for the copy of a folder that can be built.
+// A name for the copy of a folder. Throws app::Failure if the folder cannot be built.
 std::string name_of_copy(const fs::path& folder) {
     if (!fs::is_directory(folder))
         throw app::Failure("there is no folder " + folder.string() +
@@ -28,7 +28,7 @@ std::string name_of_copy(const fs::path& folder) {
     return "own";
 }
 
-// What a compiler or linker said, in one line: its first error.
+// The first error of a compiler or linker, in one line.
 std::string first_error_of(const std::string& output) {
     if (output.find("undefined reference to `main'") != std::string::npos ||
         output.find("_main") != std::string::npos)
@@ -52,7 +52,8 @@ OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& o
         fs::create_directories((work_ / "copy" / source).parent_path());
         fs::copy_file(folder / source, work_ / "copy" / source);
     }
-    // What a compiler leaves behind when it is interrupted goes with the copy.
+    // Temporary files go next to the copy: if the compiler is interrupted, they are removed
+    // together.
     std::vector<std::string> command{"env", "TMPDIR=" + work_.string(), "sh", "build.sh"};
     command.insert(command.end(), options.begin(), options.end());
     const Result built = run_process({.command = command,

@@ -18,9 +18,9 @@ inline constexpr std::size_t most_picture = std::size_t{64} << 20;
 
 class OwnProgram {
   public:
-    // Copies the folder's sources and runs `sh build.sh` in the copy with these
-    // options for the compiler. The copy is removed with this object. Throws
-    // app::Failure with the compiler's words.
+    // Copies the folder's sources and runs `sh build.sh` in the copy, with these options for the
+    // compiler. The copy is removed when this object is destroyed. Throws app::Failure with the
+    // compiler's message.
     OwnProgram(const fs::path& folder, const std::vector<std::string>& options = {});
     // A program that already exists.
     struct Existing {};
@@ -29,28 +29,28 @@ class OwnProgram {
     struct Drawn {
         Result result;
         Picture picture;    // none if the program failed
-        std::string bytes;  // of the file
+        std::string bytes;  // of the picture's file
     };
-    // Draws a scene, given as its text, with this text in the file shape.obj beside it if it is not
-    // empty. The result says how it ended; throws app::Failure only if it succeeded and yet wrote
-    // no picture.
+    // Draws a scene, given as its text. If `mesh` is not empty, it is the text of the file
+    // shape.obj beside the scene. The result says how the program ended. Throws app::Failure only
+    // if the program succeeded but wrote no picture.
     Drawn draw(const std::string& scene, const std::vector<std::string>& options,
                const std::string& mesh = {}) const;
-    // The same for a scene that it must draw: throws app::Failure if it does not.
+    // The same for a scene that the program must be able to draw: throws app::Failure if it cannot.
     Drawn picture(const std::string& scene, const std::vector<std::string>& options,
                   const std::string& mesh = {}) const;
-    // Calls it with any words. The folder that it runs in is empty. It may start no other process,
-    // and write no file larger than 64 MB.
+    // Calls the program with any arguments, in an empty folder. It may not start other processes,
+    // nor write a file larger than 64 MB.
     Result call(const std::vector<std::string>& words) const;
 
     double patience = 60;                         // seconds that a call may take
-    std::vector<std::string> before{};            // its name on the command line
+    std::vector<std::string> before{};            // words before its name on the command line
     bool may_start_others = false;                // as sanitizers do
-    int times_out() const { return times_out_; }  // how often it did not end
+    int times_out() const { return times_out_; }  // how often a call did not end
 
   private:
-    ScratchFolder scratch_;  // for the copy, scenes and pictures
-    fs::path work_;          // its path
+    ScratchFolder scratch_;  // for the copy, the scenes and the pictures
+    fs::path work_;          // the folder's path
     fs::path program_;
     mutable std::atomic<int> times_out_ = 0;
 };

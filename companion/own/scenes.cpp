@@ -7,7 +7,7 @@
 namespace companion {
 namespace {
 
-// A scene file that grows line by line; `scale` multiplies all lengths.
+// Writes a scene file line by line; `scale` multiplies all lengths.
 class Writer {
   public:
     explicit Writer(double scale = 1) : scale_{scale} { text_.precision(12); }
@@ -59,7 +59,7 @@ class Writer {
     std::ostringstream text_;
 };
 
-// Random numbers for a scene: any number in a range, never round ones.
+// Random numbers for a scene, from anywhere in a range, so that they are never round.
 class Any {
   public:
     Any(std::uint64_t seed, std::uint64_t scene) : random_{seed, scene} {}
@@ -89,7 +89,7 @@ Writer& metal(Writer& scene, Any& any, double fuzz) {
     return scene.word("metal", {c[0], c[1], c[2], fuzz});
 }
 
-// A ball on a large one, in front of a camera somewhere; its material is the line before.
+// Adds a ball that lies on the ground. The line before it in the file sets its material.
 Writer& on_ground(Writer& scene, Any& any) {
     return scene.sphere({any(-0.4, 0.4), 1, any(-0.4, 0.4)}, 1);
 }
@@ -103,7 +103,7 @@ Writer begin(Any& any, double scale = 1) {
     return scene;
 }
 
-// A dark ground under a bright sky: metal and glass differ most there, so an error shows most, too.
+// A dark ground under a bright sky: there metal and glass differ most, so errors show most clearly.
 Writer stage(Any& any, double scale = 1) {
     Writer scene{scale};
     scene.picture().camera({any(-1.5, 1.5), any(1, 1.8), any(3.4, 4)}, {0, 0.9, 0}, any(36, 44));
@@ -118,12 +118,12 @@ std::string sky_only(Any& any) {
     return sky(scene, any).text();
 }
 
-// Black balls show where things are, but not how light is scattered.
+// Black balls, which show where things are, but not how light is scattered.
 std::string silhouettes(Any& any, bool tilted) {
     Writer scene;
     const std::array<double, 3> from{any(-9, 9), any(-5, 5), any(5, 9)},
         at{any(-1, 1), any(-1, 1), 0};
-    if (tilted)  // higher than it is wide, and not upright
+    if (tilted)  // a picture that is higher than wide, with a tilted camera
         scene.picture(54, 96).camera(from, at, any(25, 70), 0, 1, {any(0.5, 1), any(1, 2), 0.3});
     else
         scene.picture(96, 54).camera(from, at, any(25, 70));
@@ -138,7 +138,7 @@ std::string one_matte(Any& any) {
     return on_ground(scene, any).text();
 }
 
-// A ball on the ground, with these radii.
+// A ball on the ground; `ground` and `ball` are their radii.
 std::string ball_on_ground(Any& any, std::array<double, 3> from, std::array<double, 3> at,
                            double ground, double ball) {
     Writer scene;
@@ -148,7 +148,7 @@ std::string ball_on_ground(Any& any, std::array<double, 3> from, std::array<doub
     return matte(scene, any).sphere({0, ball, 0}, ball).text();
 }
 
-// A valley of bright balls: most light comes after several bounces.
+// A valley of bright balls: most light arrives only after several bounces.
 std::string valley(Any& any, int depth) {
     Writer scene;
     scene.picture(64, 36, 32, depth).camera({0, 1.2, 5}, {0, 0.8, 0}, any(35, 50));
@@ -157,7 +157,7 @@ std::string valley(Any& any, int depth) {
     return scene.text();
 }
 
-// Whatever the file leaves out has a default; comments and empty lines are allowed.
+// A file that leaves out all lines with a default, and has comments and empty lines.
 std::string sparse(Any& any) {
     Writer scene;
     scene.line("# camera, sky and material are left out").picture().line("");
@@ -221,7 +221,7 @@ std::string crowd_of(std::uint64_t seed, int width, int height, int spheres, boo
     return scene.text();
 }
 
-// Triangles of all shapes; every second one is seen from behind.
+// Triangles of various shapes; every second one is seen from behind.
 std::string black_triangles(Any& any) {
     Writer scene;
     scene.picture().camera({any(-2, 2), any(-2, 2), 7}, {0, 0, 0}, any(35, 50));
@@ -247,7 +247,7 @@ Writer sheets(Any& any) {
     return scene;
 }
 
-// Triangles without area, of the kinds that divide 0 by 0.
+// Triangles without area, of the kinds in which a program may divide 0 by 0.
 std::string without_area(Any& any) {
     Writer scene = sheets(any);
     const std::array<double, 3> a{any(-1, 1), 1, any(0, 1)}, b{any(-1, 1), 0.5, any(0, 1)};
@@ -256,10 +256,11 @@ std::string without_area(Any& any) {
     return scene.triangle(a, a, b).triangle(a, b, a).triangle(a, b, on_line).text();
 }
 
-// How a file names a point: by its number, with numbers of other things behind it, or from the end.
+// How a file names a point: by its index, by its index followed by slashes and other indices, or by
+// its index counted from the end.
 enum class Index { plain, slashes, from_the_end };
 
-// A closed vase around the y axis, of polygons whose corners run counterclockwise, seen from
+// A closed vase around the y axis, made of polygons whose corners run counterclockwise as seen from
 // outside: quadrilaterals, and a lid and a bottom with as many corners as the vase has sides.
 std::string vase(Any& any, int sides, int rings, Index index) {
     std::ostringstream text;
@@ -323,7 +324,7 @@ OwnScene shared_corner(std::uint64_t seed) {
     Any any{seed, 110};
     const std::array<double, 3> corner{any(-1, 1), any(-1, 1), any(-1, 1)},
         from{corner[0] + any(-2, 2), corner[1] + any(-2, 2), corner[2] + any(4, 6)};
-    Writer scene;  // the corner is the top of a pyramid that points at the camera
+    Writer scene;  // the corner is the tip of a pyramid that points at the camera
     scene.picture(64, 36, 16, 1).camera(from, corner, 1e-12);
     scene.word("sky", {1, 1, 1, 1, 1, 1}).word("matte", {0, 0, 0});
     const int sides = 7;
@@ -388,7 +389,7 @@ std::string accuracy_scene(std::uint64_t seed) {
 std::vector<Rung> own_rungs(std::uint64_t seed) {
     std::vector<Rung> rungs;
     std::uint64_t number = 0;
-    // A scene with numbers of its own.
+    // Makes a scene with its own random numbers.
     const auto scene = [&](const char* name, auto make, const char* suggestion, auto... more) {
         Any any{seed, ++number};
         return OwnScene{name, make(any, more...), suggestion};
@@ -520,7 +521,7 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
     }
     {
         Any any{seed, 107};
-        Writer scene;  // all light comes back: only light that was lost or created can be seen
+        Writer scene;  // no light is absorbed, so any light lost or created shows
         scene.picture().camera({0, 0.5, 4}, {0, 0, 0}, any(35, 45));
         scene.word("sky", {0.7, 0.7, 0.7, 0.7, 0.7, 0.7});
         scene.word("matte", {1, 1, 1}).sphere({-1.1, 0, 0}, 0.6);

@@ -26,7 +26,8 @@ SceneOfWidth crowds(std::uint64_t seed, int spheres) {
     return [=](int width) { return OwnScene{"", crowd(seed, width, width * 9 / 16, spheres), ""}; };
 }
 
-// A scene that takes longer than the wanted seconds, by its width.
+// The first scene that takes longer than the wanted seconds, or is 2048 pixels wide, while the
+// width grows.
 OwnScene wide_enough(const Timed& timed, Clock clock, double wanted, int width,
                      const SceneOfWidth& scene_of) {
     for (;; width = width * 3 / 2) {
@@ -102,8 +103,8 @@ void judge_cores(const Trial& trial) {
                 all{"--threads", std::to_string(cores)};
             const std::string scene = long_enough({trial.own, one}, trial.request.seed, Clock::wall,
                                                   0.5, trial.request.crowd);
-            // A program that is fast enough once is fast enough; a busy machine gets another
-            // chance.
+            // A program that is fast enough once is fast enough; if the machine was busy, the
+            // program gets another chance.
             for (int attempt = 0; attempt < 3 && !line.passed; ++attempt) {
                 const Turns mine =
                     in_turns({trial.own, one}, {trial.own, all}, scene, Clock::wall, 5);
@@ -113,7 +114,7 @@ void judge_cores(const Trial& trial) {
                     line.busy_machine = false;
                     return;
                 }
-                // Is it the program, or is the machine busy with other things?
+                // Is the program slow, or is the machine busy with other things?
                 const Turns ours =
                     in_turns({trial.reference, one}, {trial.reference, all}, scene, Clock::wall, 5);
                 line.busy_machine = ours.ratio < asked;
@@ -155,7 +156,7 @@ void judge_mesh_tree(const Trial& trial) {
                     " times as fast, in processor time, for 10,000 triangles",
                 "Are the triangles of a mesh in the tree, as the spheres are?"},
                [&](JudgedLine& line) {
-                   // After a second, reading the file does not count.
+                   // In a run of a second, the time for reading the file hardly matters.
                    const auto scene_of = [&](int width) {
                        return fine_mesh(trial.request.seed, width);
                    };

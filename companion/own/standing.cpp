@@ -11,7 +11,7 @@ constexpr int most_entries = 10'000;              // of a folder
 constexpr std::uintmax_t most_in_file = 1 << 20;  // bytes
 constexpr std::uintmax_t most_in_all = 64 * most_in_file;
 
-// Whether a file is named as a picture or a program is, or is too large.
+// Whether a file has the name of a picture or of the program, or is too large.
 bool is_left_out(const fs::path& file) {
     static const std::set<fs::path> pictures{".ppm", ".png", ".jpg"};
     std::error_code gone;

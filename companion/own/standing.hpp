@@ -8,10 +8,10 @@
 
 namespace companion {
 
-// The files of a folder that a person wrote, relative to it. The program, pictures, hidden files,
-// folders named build, files of more than a megabyte, and files that hold a zero byte, such as
-// object files, are not among them. Throws app::Failure if the folder holds too much to be that of
-// one program.
+// The files in a folder that a person wrote, relative to the folder. Left out are the program,
+// pictures, hidden files, folders named build, files of more than a megabyte, and files that
+// contain a zero byte, such as object files. Throws app::Failure if the folder holds too much for a
+// single program.
 std::vector<fs::path> own_sources(const fs::path& folder);
 
 // A hash over these files; empty if the folder is gone or holds too much.
@@ -20,7 +20,7 @@ std::string hash_of_own(const fs::path& folder);
 // Whether a line of a verdict belongs to the core: rungs 1 to 6.
 bool is_core(const JudgedLine& line);
 
-// Whether the core passed in its last verdict, or every line, and nothing has changed since.
+// Whether the core, or every line, passed in the last verdict, and nothing has changed since then.
 bool own_passes(const OwnRecord& own);
 bool own_stars_pass(const OwnRecord& own);
 

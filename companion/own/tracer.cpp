@@ -15,9 +15,9 @@
 namespace companion {
 namespace {
 
-constexpr std::size_t most_words = std::size_t{1} << 20;  // of the compiler, in bytes
+constexpr std::size_t most_words = std::size_t{1} << 20;  // of the compiler's messages, in bytes
 
-// The command without its input and output, as the preprocessor wants it, too.
+// The compiler's command without input and output; the preprocessor needs these words, too.
 std::vector<std::string> compiler_words(const Course& course, const Chapter& last) {
     const std::string compiler = fs::path{cached(course, "CMAKE_CXX_COMPILER")}.filename().string();
     std::vector<std::string> words{compiler.empty() ? "c++" : compiler, "-std=c++20", "-O3",

@@ -57,7 +57,7 @@ std::size_t letters(const std::string& text) {
 }
 
 std::string px(double length) {
-    // Not the nearest: a half is rounded up on every machine.
+    // Not simply the nearest: this way a half is rounded up on every machine.
     return printed("%g", std::floor(10 * length + 0.500001) / 10);
 }
 
@@ -106,7 +106,7 @@ double Axis::at(double value) const {
 
 std::vector<Axis::Mark> Axis::named(const std::vector<double>& values) const {
     std::vector<Mark> marks;
-    // Powers of ten look alike, from one end of a long axis to the other.
+    // On a long axis all names are powers of ten, so that it looks the same from end to end.
     const bool as_powers = is_logarithmic_ && values_.empty() && most_ - least_ > 5;
     for (const double value : values) {
         const int exponent = as_powers ? static_cast<int>(std::lround(std::log10(value))) : 0;

@@ -10,7 +10,8 @@ using Quantity = double study::Row::*;
 // Whether this row measured the quantity: an error or a cost without a name was not measured.
 bool measured(const Measurement& row, Quantity quantity);
 
-// A value as a person writes it, with three digits: "0.021", "19,620", "7.3·10⁻¹²", "∞".
+// A value in the form in which a person writes it, with three digits: "0.021", "19,620",
+// "7.3·10⁻¹²", "∞".
 std::string shown(double value);
 
 // How many letters a text has.
@@ -19,25 +20,25 @@ std::size_t letters(const std::string& text);
 // A length in a picture, with one decimal at most.
 std::string px(double length);
 
-// Where a picture shows the values of one quantity: by their logarithm if they span more than a
-// factor of 16. Values that do not fit such an axis have places of their own: 0 on a logarithmic
-// axis; infinity and NaN on any.
+// The positions in a picture that stand for the values of one quantity. The scale is logarithmic if
+// the values span more than a factor of 16. Values that do not fit on such an axis have a separate
+// position: 0 on a logarithmic axis; infinity and NaN on any axis.
 class Axis {
   public:
     struct Mark {
         double at;
         std::string name;
-        bool is_apart;  // a place of its own
+        bool is_apart;  // has a separate position
     };
 
-    // From left to right, or from the bottom up to the top.
+    // The axis runs from left to right, or from bottom to top.
     Axis(const Measurements& rows, Quantity quantity, double from, double to);
 
     double from() const { return from_; }
     double to() const { return to_; }
     double at(double value) const;
 
-    // As many values as fit beside the axis: round ones, or all that an x takes.
+    // As many marks as fit beside the axis: at round values, or at all values that x takes.
     std::vector<Mark> marks() const;
 
   private:
@@ -47,7 +48,7 @@ class Axis {
 
     double from_, to_;
     bool is_logarithmic_, has_zero_ = false, has_infinite_ = false;
-    double least_, most_;  // on a logarithmic axis their logarithms
+    double least_, most_;  // their logarithms if the axis is logarithmic
     double zero_, infinite_, low_, high_;
     std::vector<double> values_;  // of x
 };

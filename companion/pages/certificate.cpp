@@ -44,7 +44,7 @@ std::string number_of(const CertifiedFigure& one) {
     return one.exercise + (one.star ? "*" : "");
 }
 
-// How many lines of a grade fail.
+// How many lines of this grade fail.
 long failing(const Certificate& certificate, bool star) {
     return std::count_if(
         certificate.measurements.begin(), certificate.measurements.end(),
@@ -83,7 +83,7 @@ std::vector<std::string> fields_of(const std::string& line) {
     return fields;
 }
 
-// Fields with tabs between them; an error of a compiler may take several lines.
+// Joins fields with tabs between them. A field may have several lines, like a compiler's error.
 std::string line_of_fields(std::vector<std::string> fields) {
     std::string line;
     for (std::string& field : fields) {

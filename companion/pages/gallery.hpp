@@ -5,7 +5,7 @@
 
 namespace companion {
 
-// One chapter's part of the gallery. What is missing (a picture that failed, a text that is not
+// One chapter's part of the gallery. Whatever is missing (a picture that failed, a text that is not
 // written yet) is left out.
 struct Exhibit {
     Chapter chapter;
@@ -14,7 +14,7 @@ struct Exhibit {
     std::vector<std::string> plots;  // paths from out/
 };
 
-// What out/ and docs/ hold about a chapter.
+// Collects what out/ and docs/ hold about a chapter.
 Exhibit collect(const Course& course, const Chapter& chapter, const std::string& rendered);
 
 // The page out/index.html, with paths relative to out/, and a link to the web book if it exists.

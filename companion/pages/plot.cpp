@@ -11,8 +11,9 @@ namespace {
 
 constexpr double width = 760;
 
-// Colors that people with any color vision tell apart, the first and sixth lighter on dark. Source:
-// Okabe and Ito, "Color universal design", 2008. A page that holds the picture may set other ones.
+// Colors that people can tell apart with any type of color vision; on a dark page the first and
+// sixth are lighter. Source: Okabe and Ito, "Color universal design", 2008. A page that contains
+// the picture may set other colors.
 constexpr const char* style = R"(<style>
 .plot{--paper:#fff;--ink:#1c2026;--muted:#57606a;--line:#dfe2e7;--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#e69f00;--c5:#56b4e9;--c6:#666;font:12px system-ui,sans-serif}
 @media(prefers-color-scheme:dark){.plot{--paper:#16181d;--ink:#dfe2e7;--muted:#a2abb6;--line:#353a43;--c0:#3d8fd9;--c5:#96d3f7;--c6:#aaa}}
@@ -26,7 +27,7 @@ constexpr std::size_t color_count = 7;
 
 // ---- What is drawn ---------------------------------------------------------------------------
 
-// Whether a quantity changes with x: for any variant, by more than times fluctuate.
+// Whether a quantity changes with x: in any variant, by more than the usual fluctuation of times.
 bool depends_on_x(const Measurements& rows, Quantity quantity) {
     std::map<std::pair<std::string, std::string>, std::pair<double, double>> spans;
     for (const Measurement& row : rows) {
@@ -64,8 +65,8 @@ std::vector<Panel> all_panels(const Measurements& rows, bool over_x) {
     if (!any_measured(rows, &Row::error)) return {cost};
     if (!any_measured(rows, &Row::cost)) return {error};
     if (!over_x) return {{&Row::cost, &Row::error}};
-    // Level lines tell no more than a table does. If the cost is level, the error gets all the
-    // room.
+    // Horizontal lines tell no more than a table does. If the cost does not change with x, the
+    // error gets all the room.
     if (!depends_on_x(rows, &Row::cost) && depends_on_x(rows, &Row::error)) return {error};
     return {error, cost};
 }
@@ -89,7 +90,7 @@ std::vector<std::string> precisions(const Measurements& rows) {
     return found;
 }
 
-// A row's variant and x.
+// The name of a row's variant together with its x.
 std::string with_x(const Measurement& row) {
     return row.variant + ", " + row.x_name + ' ' + shown(row.x);
 }
@@ -99,9 +100,9 @@ struct Look {
     double line, dot;  // their sizes
 };
 
-// How each variant looks, or each x of a variant if x has no axis. The first has the widest line,
-// so that none hides another that runs along it. If there are more names than colors, those that
-// begin with the same word share one, and differ in shape.
+// How each variant looks, or each x of a variant if x has no axis. The first line is the widest, so
+// that a later line along it does not hide it. If there are more names than colors, those that
+// begin with the same word have the same color, but different shapes.
 class Looks {
   public:
     Looks(const Measurements& rows, bool is_with_x) : is_with_x_{is_with_x} {
@@ -144,7 +145,7 @@ std::string text(double x, double y, const std::string& words, const std::string
 }
 const std::string in_the_middle = " text-anchor='middle'", to_the_left = " text-anchor='end'";
 
-// What is said when the pointer is on a part.
+// The text that appears when the pointer is on a part.
 std::string title(const std::string& says) {
     return says.empty() ? "" : "<title>" + escape_html(says) + "</title>";
 }
@@ -181,14 +182,15 @@ std::string bar(double left, double right, double top, const Measurement& row, d
            text(right + 6, top + 11, shown(value));
 }
 
-// A value with its unit, if the quantity's name ends with one: "5.1 ns" of "time / ns".
+// A value with its unit, if the quantity's name ends with a unit: "5.1 ns" for "time / ns".
 std::string with_unit(double value, const std::string& name) {
     const auto slash = name.rfind(" / ");
     if (slash == std::string::npos || name.size() - slash > 6) return shown(value);
     return shown(value) + ' ' + name.substr(slash + 3);
 }
 
-// The lines, values and name of an axis along the bottom, with room above it up to `top`.
+// The lines, values and name of a horizontal axis at the bottom of a panel, whose lines go up to
+// `top`.
 std::string axis_below(const Axis& x, double bottom, double top, const std::string& name) {
     std::string lines[2], words;
     for (const Axis::Mark& mark : x.marks()) {
@@ -200,7 +202,8 @@ std::string axis_below(const Axis& x, double bottom, double top, const std::stri
            text((x.from() + x.to()) / 2, bottom + 38, name, " class='name'" + in_the_middle) + '\n';
 }
 
-// The same on the left. Its name is above it, so that it is read as other text.
+// The same for a vertical axis on the left. Its name stands above it, so that it can be read like
+// any text.
 std::string axis_beside(const Axis& y, double left, double right, const std::string& name) {
     std::string lines[2], words;
     for (const Axis::Mark& mark : y.marks()) {
@@ -239,7 +242,8 @@ std::string curves(const Measurements& rows, const Panel& panel, const Axis& x, 
     return result;
 }
 
-// Names below the panels, side by side as far as they fit. Moves `y` to their end.
+// Adds the names below the panels, side by side as far as they fit. Moves `y` to the end of the
+// names.
 std::string key(const Looks& looks, const Measurements& rows, double& y) {
     struct Name {
         Look look;
@@ -282,7 +286,7 @@ std::string picture(const std::string& name, const std::string& parts, double he
            ">\n" + style + "<rect class='paper' width='" + size + "/>\n" + parts + "</svg>\n";
 }
 
-// The variants, that with the largest value first.
+// The variants, sorted by their largest value, from the largest on.
 std::vector<std::string> by_largest(const Measurements& rows, Quantity quantity) {
     std::map<std::string, double> largest;
     for (const Measurement& row : rows) {
@@ -297,7 +301,7 @@ std::vector<std::string> by_largest(const Measurements& rows, Quantity quantity)
     return order;
 }
 
-// One quantity alone as bars: the largest on top, double above float.
+// A single quantity as bars: the largest on top, double above float.
 std::string bars(const Measurements& rows, Quantity quantity) {
     const std::vector<std::string> order = by_largest(rows, quantity), both = precisions(rows);
     std::size_t longest = 0;
@@ -332,7 +336,8 @@ std::string bars(const Measurements& rows, Quantity quantity) {
     return picture(rows.front().study, parts, bottom + 54);
 }
 
-// The rows that no other beats in both error and cost. A gain of less than 3 % is chance.
+// The rows that no other row beats in both error and cost. A gain of less than 3 % counts as
+// chance.
 std::string frontier(Measurements rows, const Axis& x, const Axis& y) {
     std::sort(rows.begin(), rows.end(), [](const Measurement& a, const Measurement& b) {
         return std::pair{a.cost, a.error} < std::pair{b.cost, b.error};
@@ -362,7 +367,7 @@ std::string plot_svg(const Measurements& rows) {
     std::string parts = heading(22, rows.front().study);
     double left = 58;
     for (const Panel& panel : panels) {
-        Measurements drawn;  // without what was not measured
+        Measurements drawn;  // only the rows that were measured
         for (const Measurement& row : rows)
             if (measured(row, panel.y)) drawn.push_back(row);
         const Axis x{drawn, panel.x, left, left + each - 72}, y{drawn, panel.y, bottom, top};
@@ -384,7 +389,7 @@ std::string trade_svg(const std::vector<Measurements>& studies) {
     std::string parts;
     double top = 66;
     for (const Measurements& rows : studies) {
-        // The same axes for all, so that the panels can be compared.
+        // All panels have the same axes, so that they can be compared.
         const double bottom = top + 364;
         const Axis x{all, &Row::cost, 58, width - 14}, y{all, &Row::error, bottom, top};
         parts += heading(top - 44, rows.front().study) +
@@ -405,7 +410,7 @@ std::string plot_file(const std::filesystem::path& table, const std::string& stu
 std::map<std::string, std::string> plots_of(const std::filesystem::path& table) {
     std::vector<Measurements> studies = by_study(read_measurements(table));
     if (table.filename() == "accuracy.csv") {
-        // The other studies say more about the same pictures.
+        // The other studies of this table repeat these pictures in more detail.
         std::erase_if(studies, [](const Measurements& rows) {
             return rows.front().error_name != "RMSE in a pixel" ||
                    rows.front().cost_name != "time / ms";

@@ -6,21 +6,22 @@
 
 namespace companion {
 
-// An SVG picture of the rows of one study: one color per variant, double solid and float dashed. If
-// x takes three values or more, error and cost are drawn over x side by side, or the error alone if
-// the cost does not depend on x; otherwise error over cost. Where only one of the two was measured,
-// it is drawn over x, or as bars if each variant has a single value in each precision.
+// An SVG picture of the rows of one study: one color per variant, solid lines for double and dashed
+// lines for float. If x takes three values or more, error and cost are drawn over x side by side,
+// or only the error if the cost does not depend on x; otherwise error is drawn over cost. If only
+// one of the two was measured, it is drawn over x, or as bars if each variant has a single value in
+// each precision.
 std::string plot_svg(const Measurements& rows);
 
-// What an error costs in several studies of the same variants: a panel each, error over cost, with
-// the frontier, the rows that no other beats in both.
+// What a smaller error costs in several studies of the same variants: one panel for each study,
+// error over cost, with the frontier, which is made of the rows that no other row beats in both.
 std::string trade_svg(const std::vector<Measurements>& studies);
 
-// The file for the plot of a study: NN_topic-STUDY.svg for one of NN_topic.csv.
+// The name of the file for a study's plot: NN_topic-STUDY.svg for a study in NN_topic.csv.
 std::string plot_file(const std::filesystem::path& table, const std::string& study);
 
-// The plots of a table, by their files: one for each study, but a single one for accuracy.csv,
-// which compares all settings on three scenes.
+// The plots of a table, by file name: one for each study, but only one for accuracy.csv, which
+// compares all settings on three scenes.
 std::map<std::string, std::string> plots_of(const std::filesystem::path& table);
 
 }  // namespace companion

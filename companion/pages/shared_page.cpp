@@ -152,7 +152,8 @@ std::string how_long(const TimeTaken& time, bool finished) {
            std::to_string(time.days) + " of them.</p>\n";
 }
 
-// The lines with figures. What passes is in the table of chapters.
+// The certificate's lines about exercises, with their figures. What passes is in the table of
+// chapters.
 std::string measured(const Certificate& certificate) {
     std::vector<CertifiedFigure> lines = certificate.measurements;
     std::erase_if(lines, [](const CertifiedFigure& one) { return one.exercise.empty(); });
@@ -165,7 +166,7 @@ std::string measured(const Certificate& certificate) {
            table_html(lines) + "</div>\n";
 }
 
-// The newer of the pictures of the final scene that `mine` and `certify` draw.
+// The pictures of the final scene that `mine` and `certify` draw: takes the newer one.
 void take_picture(const Course& course, const State& state, SharedPage& page) {
     const Chapter last = core_chapters(course).back();
     const fs::path mine = course.out() / "mine.png",
@@ -178,7 +179,7 @@ void take_picture(const Course& course, const State& state, SharedPage& page) {
     if (has_certified &&
         (!has_mine || fs::last_write_time(certified) > fs::last_write_time(mine))) {
         page.picture = read_file(certified);
-        page.caption = Yours{{last.name}, {}, {}}.caption();  // certify draws with nothing else
+        page.caption = Yours{{last.name}, {}, {}}.caption();  // all code that certify runs
         return;
     }
     page.picture = read_file(mine);
@@ -196,7 +197,7 @@ void take_picture(const Course& course, const State& state, SharedPage& page) {
 }  // namespace
 
 int days_between(std::int64_t first, std::int64_t last) {
-    // At noon, so that daylight saving time makes no difference.
+    // Compares the days at noon, so that daylight saving time makes no difference.
     const auto noon = [](std::time_t time) {
         std::tm day = *std::localtime(&time);
         day.tm_hour = 12;

@@ -20,7 +20,7 @@ std::vector<std::string> study_programs(const Chapter& chapter, Whose whose) {
 void measure(const Course& course, const Chapter& chapter, bool show_tables, Whose whose) {
     const fs::path folder = study_folder(course, whose);
     app::make_folder(folder);
-    fs::remove(folder / chapter.table());  // an older one must not be taken for this one
+    fs::remove(folder / chapter.table());  // otherwise an old table might be taken for the new one
     for (const std::string& program : study_programs(chapter, whose)) {
         Run run{.command = {course.program(program).string(), "--study", folder.string()},
                 .output = show_tables ? Output::printable : Output::errors_shown};
@@ -37,7 +37,7 @@ void draw_plots(const fs::path& table, const fs::path& folder) {
 
 void draw_plots_of_texts(const Course& course) {
     const fs::path folder = course.root / "docs/plots";
-    fs::remove_all(folder);  // a study may be there no longer
+    fs::remove_all(folder);  // some of the old plots may be of studies that no longer exist
     app::make_folder(folder);
     for (const auto& entry : fs::directory_iterator(course.root / "docs/studies"))
         if (entry.path().extension() == ".csv") draw_plots(entry, folder);

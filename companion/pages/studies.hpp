@@ -11,19 +11,19 @@ enum class Whose { solution, mine };
 // The programs that measure a chapter, in both precisions.
 std::vector<std::string> study_programs(const Chapter& chapter, Whose whose);
 
-// Runs the studies of a chapter in both precisions, into NN_topic.csv. With show_tables, what they
-// print is shown. Throws app::Failure if a program fails.
+// Runs the studies of a chapter in both precisions and writes NN_topic.csv. With show_tables, what
+// the programs print is shown. Throws app::Failure if a program fails.
 void measure(const Course& course, const Chapter& chapter, bool show_tables,
              Whose whose = Whose::solution);
 
 // Draws the plots of a table into a folder.
 void draw_plots(const fs::path& table, const fs::path& folder);
 
-// Draws docs/plots, the plots of the texts, again from the tables in docs/studies.
+// Draws docs/plots, the plots in the texts, anew from the tables in docs/studies.
 void draw_plots_of_texts(const Course& course);
 
 // The plots of a chapter, as paths from out/: those that were drawn here, in the order of its
-// table; or those of docs/plots if it was never measured here.
+// table; or those of docs/plots if the chapter was never measured here.
 std::vector<std::string> plots(const Course& course, const Chapter& chapter);
 
 // Where the tables and plots are.

@@ -31,7 +31,7 @@ struct Figures {
     }
 };
 
-// The learner's, and two runs of the solution's.
+// The figures of the learner's run, and those of two runs of the solution.
 struct Variant {
     Figures mine, solution, again;
     std::string error_name, cost_name;
@@ -45,16 +45,17 @@ bool differs(double a, double b, double factor) {
     return !same(a, b) && !(a <= factor * b && b <= factor * a);
 }
 
-// Whether mine differs by more than this factor times the difference between the solution's runs.
+// Whether `mine` differs from both solution runs by more than this factor, multiplied by the ratio
+// of those two runs.
 bool differs(double mine, double solution, double again, double factor) {
     const double wander =
         same(solution, again) ? 1 : std::max(solution, again) / std::min(solution, again);
-    if (!(wander > 0 && std::isfinite(wander))) return false;  // it is all chance
+    if (!(wander > 0 && std::isfinite(wander))) return false;  // the runs tell nothing
     return differs(mine, solution, factor * wander) && differs(mine, again, factor * wander);
 }
 
-// An error that is itself a time tells no more than the cost does, and fluctuates more. Other
-// errors are a matter of chance, and their names say so.
+// Whether an error fluctuates by itself. A time tells no more than the cost does, and fluctuates
+// more; and the name of an error that is a matter of chance says so.
 bool wanders(const std::string& error_name) {
     return error_name.find("time") != std::string::npos ||
            error_name.find("by chance") != std::string::npos;
