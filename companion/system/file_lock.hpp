@@ -4,8 +4,8 @@
 
 namespace companion {
 
-// While a FileLock exists, no other process holds the lock of this file, which is created if it is
-// missing, and stays. Throws app::Failure if the file cannot be created.
+// While a FileLock exists, no other process holds the lock of this file. The file is created if it
+// is missing, and is never removed. Throws app::Failure if the file cannot be created.
 class FileLock {
   public:
     explicit FileLock(const std::filesystem::path& path);
@@ -14,7 +14,7 @@ class FileLock {
     FileLock& operator=(const FileLock&) = delete;
 
   private:
-    std::intptr_t file_;  // as the system names it
+    std::intptr_t file_;  // the system's handle for it
 };
 
 }  // namespace companion

@@ -5,23 +5,23 @@
 
 namespace companion {
 
-// Why there is no file to read at a path, "is missing", "is a folder, not a file"; empty if there
-// is one. Opening a pipe would wait until somebody writes into it.
+// Why there is no file to read at a path: "is missing", "is a folder, not a file"; empty if there
+// is a file. Pipes count as no file, because opening one would wait until somebody writes into it.
 std::string why_no_file(const std::filesystem::path& path);
 
 // The contents of a file. Throws app::Failure if it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-// The contents of a text file, with the line ends of Unix: editors and Git for Windows may put a
-// carriage return before each.
+// The contents of a text file with Unix line ends: editors and Git for Windows may put a carriage
+// return at the end of each line, which is left out.
 std::string read_text(const std::filesystem::path& path);
 
-// The files in a folder and in its folders, in order; none if the folder does not exist. An
-// editor's own files, whose names start with . or # or end with ~, are left out.
+// The files in a folder and its subfolders, sorted; none if the folder does not exist. An editor's
+// temporary files, whose names start with . or # or end with ~, are left out.
 std::vector<std::filesystem::path> source_files(const std::filesystem::path& folder);
 
-// A number that differs, almost certainly, if the bytes do: 16 hexadecimal digits. Source:
-// Fowler, Noll and Vo's FNV-1a.
+// A hash of the bytes, 16 hexadecimal digits: if the bytes differ, it almost certainly differs,
+// too. Source: Fowler, Noll and Vo's FNV-1a.
 std::string hash_of(const std::string& bytes);
 
 }  // namespace companion

@@ -4,26 +4,26 @@
 
 namespace companion {
 
-// Single keys from the standard input. On a terminal they arrive without Enter and are not
-// shown, as long as this object exists; however the program ends, even by a signal, the terminal
-// is then as it was before.
+// Single keys from the standard input. On a terminal, while this object exists, they arrive without
+// Enter and are not shown. However the program ends, even by a signal, the terminal is then as it
+// was before.
 class Keyboard {
   public:
-    // immediately: keys arrive without Enter, if the standard input is a terminal.
+    // If `immediately` is true and the standard input is a terminal, keys arrive without Enter.
     explicit Keyboard(bool immediately);
     ~Keyboard();
     Keyboard(const Keyboard&) = delete;
     Keyboard& operator=(const Keyboard&) = delete;
 
-    // The next key, after waiting for at most this long. None if there was none.
+    // The next key. Waits for it for at most this long; none if no key came.
     std::optional<char> key(int milliseconds);
 
-    // No more keys will come.
+    // True if no more keys can come.
     bool at_end() const { return at_end_; }
 
   private:
     bool at_end_ = false;
-    std::optional<app::OnSignal> on_signal_;  // if the terminal was changed
+    std::optional<app::OnSignal> on_signal_;  // set if the terminal was changed
 };
 
 }  // namespace companion

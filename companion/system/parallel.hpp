@@ -8,8 +8,8 @@
 
 namespace companion {
 
-// Calls work(0) ... work(count - 1), as many at a time as there are cores. Throws what the first of
-// them threw.
+// Calls work(0) ... work(count - 1), as many at a time as there are cores. If a call throws, no
+// further call begins, and the first exception is thrown again.
 template <class Work>
 void in_parallel(std::size_t count, const Work& work) {
     std::atomic<std::size_t> next = 0;

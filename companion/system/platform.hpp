@@ -1,31 +1,32 @@
 #pragma once
-// What operating systems name or ask for in different ways: posix/platform.cpp and
-// windows/platform.cpp have the same functions.
+// What operating systems name or provide in different ways: posix/platform.cpp and
+// windows/platform.cpp define the same functions.
 
 #include <filesystem>
 #include <string>
 
 namespace companion {
 
-// The file of a program, such as "check.03.2" or "check.03.2.exe".
+// The file name of a program, such as "check.03.2" or "check.03.2.exe".
 std::string program_name(const std::string& name);
 
-// The file of a shared library, such as "libanswer.03.2.so".
+// The file name of a shared library, such as "libanswer.03.2.so".
 std::string library_name(const std::string& name);
 
-// For the command env: "NAME=VALUE", by which a program finds its shared libraries in this folder.
+// An argument for the command env, "NAME=VALUE", so that a program finds its shared libraries in
+// this folder.
 std::string libraries_in(const std::filesystem::path& folder);
 
 // Sets a variable of the environment, for this program and those that it runs.
 void set_variable(const char* name, const char* value);
 
-// Whether a terminal, as TERM names it, understands escape sequences for colors.
+// Whether a terminal of this type, as TERM names it, understands escape sequences for colors.
 bool has_escapes(const char* terminal);
 
-// What to do where compilers have no sanitizers; empty where they have them.
+// What to do where compilers have no sanitizers; empty if they have sanitizers.
 std::string instead_of_sanitizers();
 
-// "AMD Ryzen 7 5800X, 16 cores, Linux".
+// A description of the machine: "AMD Ryzen 7 5800X, 16 cores, Linux".
 std::string machine();
 
 }  // namespace companion

@@ -5,9 +5,9 @@
 
 namespace companion {
 
-// A new folder for files that nobody needs later, in the system's folder for such files. It is
-// removed with this object, and also if the program ends in any other way: a process waits for
-// that, or the next program that makes such a folder does it.
+// A new folder for files that are needed only for a while, in the system's folder for temporary
+// files. It is removed when this object is destroyed. If the program ends in any other way, a
+// process that waits for that removes it, or else the next program that makes such a folder.
 class ScratchFolder {
   public:
     // Throws app::Failure if it cannot be made.
@@ -20,7 +20,7 @@ class ScratchFolder {
 
   private:
     std::filesystem::path path_;
-    std::intptr_t held_ = -1;     // what ends with this program, as the system names it
+    std::intptr_t held_ = -1;     // a handle that is closed when this program ends
     std::intptr_t remover_ = -1;  // the process that waits for that, if the system needs one
 };
 

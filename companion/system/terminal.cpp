@@ -20,7 +20,7 @@ std::string colored(const char* code, const std::string& text) {
     return has_colors() ? std::string{"\033["} + code + 'm' + text + "\033[0m" : text;
 }
 
-// Bytes of UTF-8 that begin a character.
+// Counts the bytes of UTF-8 that begin a character.
 std::size_t characters(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
@@ -65,7 +65,7 @@ std::string printable(const std::string& text, std::size_t most) {
         } else if (byte(i) == 0x1b) {
             ++i;
         } else if (byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xa0) {
-            ++i;  // the control characters of Unicode's second row
+            ++i;  // skip Unicode's second set of control characters
         } else if (text[i] == '\n' || text[i] == '\t' || (byte(i) >= 0x20 && byte(i) != 0x7f)) {
             kept += text[i];
         }

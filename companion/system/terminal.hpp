@@ -5,22 +5,22 @@
 
 namespace companion {
 
-// Prints to the standard output, at once.
+// Prints to the standard output, without delay.
 void print(const std::string& text);
 
-// Colors, if the standard output is a terminal that has them and NO_COLOR is not set; otherwise the
-// text as it is. Nothing is said by color alone.
+// The text in color, if the standard output is a terminal that has colors and NO_COLOR is not set;
+// otherwise the unchanged text. Color never carries information by itself.
 std::string green(const std::string& text);
 std::string red(const std::string& text);
 std::string yellow(const std::string& text);
 std::string bold(const std::string& text);
 std::string dim(const std::string& text);
 
-// A text that somebody else wrote, without what a terminal would obey: escape sequences and control
-// characters other than the line's end and the tab. Of more than this many bytes the rest is cut.
+// A text that somebody else wrote, without what a terminal would obey: escape sequences and all
+// control characters except for line end and tab. After this many bytes the text is cut off.
 std::string printable(const std::string& text, std::size_t most = 4000);
 
-// Shows what a program prints, line by line, as far as it is printable and not too much.
+// Shows what a program prints, line by line, made printable and cut off if it is too long.
 class Shown {
   public:
     void add(const char* bytes, std::size_t count);
@@ -34,7 +34,8 @@ class Shown {
 // "[#####.....]": how much of a whole is done.
 std::string bar(int part, int whole, int width);
 
-// The text in lines of at most this many characters, each after an indent. Its own line ends stay.
+// The text, broken into lines of at most this many characters, each after an indent. Existing line
+// breaks stay.
 std::string wrapped(const std::string& text, const std::string& indent, std::size_t width = 98);
 
 }  // namespace companion

@@ -23,17 +23,17 @@ constexpr std::uint32_t this_processor = AUDIT_ARCH_X86_64;
 constexpr std::uint32_t this_processor = AUDIT_ARCH_AARCH64;
 #endif
 
-// Its options are out of this filter's reach. Told that there is no such call, the C library takes
-// clone.
+// The options of clone3 are in memory that this filter cannot read. If the call is said not to
+// exist, the C library uses clone instead.
 constexpr std::uint32_t clone3 = 435;
 
-// Where the halves of a system call's first argument are.
+// The offsets of the two halves of a system call's first argument.
 constexpr std::uint32_t low = offsetof(seccomp_data, args), high = low + 4;
 
 constexpr sock_filter load(std::uint32_t from) {
     return {BPF_LD | BPF_W | BPF_ABS, 0, 0, from};
 }
-// Goes on with the next step if the comparison holds, and leaves out `skipped` steps if not.
+// Goes on with the next step if the comparison holds; if not, skips this many steps.
 constexpr sock_filter compare(int how, std::uint32_t with, std::uint8_t skipped) {
     return {static_cast<std::uint16_t>(BPF_JMP | how | BPF_K), 0, skipped, with};
 }
@@ -52,7 +52,7 @@ void confine_to(const char* program) {
         end_with(SECCOMP_RET_KILL_PROCESS),
         load(offsetof(seccomp_data, nr)),
 #ifdef __x86_64__
-        compare(BPF_JGE, 0x40000000, 1),  // the same calls with short pointers
+        compare(BPF_JGE, 0x40000000, 1),  // the x32 variants of the system calls
         end_with(SECCOMP_RET_KILL_PROCESS),
         compare(BPF_JEQ, __NR_fork, 1),
         end_with(SECCOMP_RET_KILL_PROCESS),
@@ -63,7 +63,8 @@ void confine_to(const char* program) {
         end_with(SECCOMP_RET_KILL_PROCESS),
         compare(BPF_JEQ, clone3, 1),
         end_with(SECCOMP_RET_ERRNO | ENOSYS),
-        // What shares the memory is a thread, or the leak sanitizer at work.
+        // A clone that shares the memory is allowed, except for a vfork: it is a thread, or a
+        // helper of the leak sanitizer.
         compare(BPF_JEQ, __NR_clone, 6),
         load(low),
         compare(BPF_JSET, CLONE_VFORK, 1),

@@ -3,9 +3,9 @@
 
 namespace companion {
 
-// From here on this process may become the program at this address, and start threads. What else
-// it starts, it or that program, ends it with SIGSYS. Where the system has no such means, nothing
-// happens. Calls nothing but the system, so it may stand between fork and exec.
+// From now on, this process may start threads, and may become the program at this address. If it,
+// or that program, starts anything else, SIGSYS ends it. Where the system has no such means,
+// nothing happens. Calls only the system, so it may be called between fork and exec.
 void confine_to(const char* program);
 
 }  // namespace companion

@@ -9,10 +9,12 @@
 namespace companion {
 namespace {
 
-// The terminal's settings before and while reading: for the signal handler, and set before it is.
+// The terminal's settings before and while reading. The signal handler uses them, so they are set
+// before the handler is.
 termios before, while_reading;
 
-// Ends, or at Ctrl-Z stops, with the terminal as it was; continues after fg.
+// Restores the terminal. Then the signal takes effect: the program ends or, at Ctrl-Z, stops. After
+// fg it continues.
 bool restore_terminal(int signal) {
     ::tcsetattr(STDIN_FILENO, TCSANOW, &before);
     if (signal != SIGTSTP) return false;
@@ -29,7 +31,7 @@ Keyboard::Keyboard(bool immediately) {
     while_reading.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
     while_reading.c_cc[VMIN] = 1;
     while_reading.c_cc[VTIME] = 0;
-    // Ctrl-C and Ctrl-\ are keys, too, even if a script ignored these signals.
+    // Ctrl-C and Ctrl-\ must work, even if a script ignored these signals.
     for (const int signal : {SIGINT, SIGQUIT}) std::signal(signal, SIG_DFL);
     on_signal_.emplace(
         std::initializer_list<int>{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT, SIGSEGV, SIGTSTP},
@@ -47,7 +49,7 @@ std::optional<char> Keyboard::key(int milliseconds) {
     char key = 0;
     const ssize_t count = ::read(STDIN_FILENO, &key, 1);
     if (count == 1) return key;
-    // An error, for example if the terminal is gone, would not go away either.
+    // An error, for example because the terminal is gone, would happen again each time.
     if (count == 0 || errno != EINTR) at_end_ = true;
     return std::nullopt;
 }

@@ -35,11 +35,12 @@ using Clock = std::chrono::steady_clock;
     throw std::system_error(errno, std::generic_category(), what);
 }
 
-// The keepers of the programs to which signals are passed on; 0 is none.
+// The keepers of the programs to which signals are passed on; 0 marks a free place.
 std::atomic<pid_t> passing[4];
 std::atomic<int> passed_on = 0;
 
-// True if a program is left to end by itself. The others end when the companion does: see Keeper.
+// Passes a signal on. True if at least one program is left to end by itself. All other programs end
+// when the companion does: see Keeper.
 bool pass_on_to_programs(int signal) {
     bool passed = false;
     for (const auto& keeper : passing) {
@@ -74,7 +75,7 @@ class PassesSignals {
     std::atomic<pid_t>* one_ = nullptr;
 };
 
-// Closes what it holds.
+// A file descriptor, which is closed when this object is destroyed.
 struct Descriptor {
     int value = -1;
     Descriptor() = default;
@@ -87,24 +88,25 @@ struct Descriptor {
     }
 };
 
-// What the processes between this one and the program need to know, made before the fork.
+// What the processes between this one and the program need to know; it is prepared before the fork.
 struct Start {
     const Run& run;
     std::vector<char*> command;
     const char* folder;
     int out = -1, err = -1, events = -1;
-    sigset_t signals{};  // that were blocked before
+    sigset_t signals{};  // those that were blocked before
 };
 
 void limit(int what, rlim_t most) {
-    const rlimit both{most, most + 1};  // the first is told by a signal of its own
+    const rlimit both{most, most + 1};  // reaching the lower limit raises its own signal
     if (most > 0) ::setrlimit(what, &both);
 }
 
-// The last step to the program. Between fork and exec, only system calls are allowed.
+// The last step: this process becomes the program. Between fork and exec, only system calls are
+// allowed.
 [[noreturn]] void become(const Start& start) {
-    // Whose group and session are its own: it is ended with all its group, and cannot open the
-    // terminal.
+    // The program gets a group and a session of its own: so it can be ended together with its whole
+    // group, and cannot open the terminal.
     ::setsid();
     const int nothing = ::open("/dev/null", O_RDONLY);
     if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
@@ -117,7 +119,7 @@ void limit(int what, rlim_t most) {
     limit(RLIMIT_DATA, start.run.most_memory);
     limit(RLIMIT_FSIZE, start.run.most_file);
 #ifdef __linux__
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // if its keeper is killed
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // ends the program if its keeper is killed
 #endif
     if (::chdir(start.folder) == 0) {
         if (!start.run.may_start_others) confine_to(start.command[0]);
@@ -130,9 +132,10 @@ void limit(int what, rlim_t most) {
     ::_exit(127);
 }
 
-// A process between the companion and a program. What the program starts and leaves behind becomes
-// a child of the keeper, whatever group or session it went to, and ends with the program. If the
-// companion ends, even killed, the keeper's end of their socket says so, and everything ends.
+// A keeper is a process between the companion and a program. Whatever the program starts and leaves
+// behind becomes a child of the keeper, in whatever group or session it is, and is ended with the
+// program. If the companion ends, even because it was killed, the keeper's end of their socket is
+// closed; the keeper then ends everything.
 namespace keeper {
 
 pid_t program = 0;
@@ -141,7 +144,7 @@ extern "C" void pass_on(int signal) {
     if (signal != SIGCHLD && ::kill(-program, signal) != 0) ::kill(program, signal);
 }
 
-// Closes all that was inherited, but for these.
+// Closes all inherited descriptors except these.
 void close_others(int one, int two, int three, int four) {
     rlimit most{};
     ::getrlimit(RLIMIT_NOFILE, &most);
@@ -174,7 +177,7 @@ void kill_children() {
     }
 }
 
-// Kills the program and all that it started. Returns how the program ended.
+// Kills the program and all that it started. Returns the program's wait status.
 int end_all() {
     int ended = SIGKILL;
     for (int tries = 0; tries < 2000; ++tries) {
@@ -190,7 +193,7 @@ int end_all() {
     return ended;
 }
 
-// Starts the program, waits for its end or the companion's, and tells the companion its status.
+// Starts the program, waits until it or the companion ends, and sends its status to the companion.
 [[noreturn]] void keep(const Start& start, int companion) {
     ::setsid();
     close_others(start.out, start.err, start.events, companion);
@@ -220,14 +223,14 @@ int end_all() {
 
 }  // namespace keeper
 
-// A running program, seen through its keeper, and the ends of the pipes from which its output is
-// read.
+// A running program, known through its keeper, and the pipes from which its output is read.
 class Child {
   public:
     Child(pid_t keeper, int socket, int out, int events, bool is_shown)
         : keeper_{keeper}, pipes_{socket, out, events}, is_shown_{is_shown}, start_{Clock::now()} {}
 
-    // Waits until it ends, the time is over or its output is too much, and collects its output.
+    // Waits until the program ends, the time is over or there is too much output; collects the
+    // output.
     Result wait(double timeout, std::size_t most_output) {
         Result result;
         while (!is_over_) {
@@ -244,7 +247,7 @@ class Child {
             read_for(timeout > 0 ? static_cast<int>(std::min(1000 * left + 1, 1e6)) : -1, result);
         }
         while (read_for(0, result)) {
-        }  // what was still in the pipes
+        }  // reads what is still in the pipes
         if (is_shown_) shown_.end();
         rusage used{};
         while (::wait4(keeper_, nullptr, 0, &used) < 0 && errno == EINTR) {
@@ -261,7 +264,8 @@ class Child {
   private:
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-    // Asks it to end, so that it can say what it was doing, and waits for that for half a second.
+    // Asks the program to end, so that it can say what it was doing, and waits for its end for half
+    // a second.
     void end_politely(Result& result) {
         ::kill(keeper_, SIGTERM);
         for (const auto start = Clock::now();
@@ -269,11 +273,11 @@ class Child {
             read_for(10, result);
     }
 
-    // Waits for output or the end, for at most this many milliseconds. True if there was output;
-    // beyond this much, if it is not 0, it is lost.
+    // Waits for output or the end, for at most this many milliseconds. True if there was output.
+    // Output beyond `most` bytes is lost; 0 means no limit.
     bool read_for(int milliseconds, Result& result, std::size_t most = 0) {
         pollfd from[3]{};
-        for (int i = 0; i < 3; ++i) from[i] = {pipes_[i], POLLIN, 0};  // -1 is left out
+        for (int i = 0; i < 3; ++i) from[i] = {pipes_[i], POLLIN, 0};  // poll ignores -1
         if (::poll(from, 3, milliseconds) <= 0) return false;
         bool some = false;
         std::string* const texts[]{nullptr, &result.output, &result.events};
@@ -290,7 +294,7 @@ class Child {
         }
         if (from[0].revents != 0 && !is_over_) {
             is_over_ = true;
-            // If even the keeper was killed, it says nothing.
+            // If the keeper itself was killed, it sends no status.
             if (::read(pipes_[0], &status_, sizeof status_) != sizeof status_) status_ = SIGKILL;
             pipes_[0] = -1;
         }
@@ -299,7 +303,7 @@ class Child {
 
     pid_t keeper_;
     int pipes_[3];
-    bool is_shown_;  // the output is, and not kept
+    bool is_shown_;  // output is shown, and not kept
     Shown shown_;
     Clock::time_point start_;
     bool is_over_ = false;
@@ -336,8 +340,8 @@ Result run_process(const Run& run) {
     start.err = run.output == Output::captured ? into.value : nowhere.value;
     start.events = events_into.value;
 
-    std::fflush(nullptr);  // otherwise parts of the output would swap positions
-    // The keeper does not run the companion's handlers.
+    std::fflush(nullptr);  // otherwise buffered output could come too late
+    // All signals are blocked, so that the keeper does not run the companion's handlers.
     sigset_t all;
     sigfillset(&all);
     ::pthread_sigmask(SIG_SETMASK, &all, &start.signals);

@@ -46,7 +46,7 @@ ScratchFolder::~ScratchFolder() {
            errno == EINTR) {
     }
     std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);  // if there was no process
+    std::filesystem::remove_all(path_, ignored);  // needed if no process could be started
 }
 
 }  // namespace companion

@@ -7,7 +7,8 @@
 namespace companion {
 namespace {
 
-// The console's settings before reading: for the signal handler, and set before it is.
+// The console's settings before reading. The signal handler uses them, so they are set before the
+// handler is.
 DWORD before = 0;
 
 bool restore_console(int) {
@@ -17,7 +18,7 @@ bool restore_console(int) {
 
 using Clock = std::chrono::steady_clock;
 
-// The key of the console's next event; none if that is no key.
+// The key of the console's next event; none if the event is not a key.
 std::optional<char> key_of_event(HANDLE console) {
     INPUT_RECORD event{};
     DWORD count = 0;
@@ -56,11 +57,12 @@ std::optional<char> Keyboard::key(int milliseconds) {
             if (const auto key = key_of_event(in)) return key;
             continue;
         }
-        // Nobody can wait for a pipe, so it is looked at often.
+        // A program cannot wait for input from a pipe here, so it looks often.
         DWORD waiting = 0;
         if (::GetFileType(in) == FILE_TYPE_PIPE) {
             const bool is_known = ::PeekNamedPipe(in, nullptr, 0, nullptr, &waiting, nullptr);
-            // Wine cannot look into a pipe that begins in Linux: there, no keys come.
+            // Wine cannot look into a pipe that was made by a Linux program: no keys come from such
+            // a pipe.
             if (!is_known && ::GetLastError() != ERROR_NOT_SUPPORTED) {
                 at_end_ = true;
             } else if (waiting == 0) {

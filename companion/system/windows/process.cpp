@@ -27,14 +27,14 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// What Linux calls the signals that this system does not have.
+// The numbers that Linux gives to signals that this system does not have.
 constexpr int too_much_time = 24, not_allowed = 31;
 
 [[noreturn]] void fail(const char* what) {
     throw std::system_error(static_cast<int>(::GetLastError()), std::system_category(), what);
 }
 
-// Closes what it holds.
+// A handle, which is closed when this object is destroyed.
 class Handle {
   public:
     Handle() = default;
@@ -57,7 +57,8 @@ class Handle {
     HANDLE value_ = nullptr;
 };
 
-// How many programs want to hear of Ctrl-C themselves. They are on the same console, so they do.
+// How many running programs handle Ctrl-C themselves. They are on the same console, so they receive
+// it.
 std::atomic<int> listening = 0;
 std::atomic<int> passed_on = 0;
 
@@ -79,7 +80,7 @@ class Listening {
     Listening& operator=(const Listening&) = delete;
 };
 
-// A word as the usual C library takes it apart again.
+// Appends a word, quoted so that the usual C library reads the same word.
 void add_word(std::wstring& line, const std::wstring& word) {
     if (!line.empty()) line += L' ';
     if (!word.empty() && word.find_first_of(L" \t\n\v\"") == word.npos) {
@@ -87,7 +88,7 @@ void add_word(std::wstring& line, const std::wstring& word) {
         return;
     }
     line += L'"';
-    std::size_t backslashes = 0;  // which are doubled before a quotation mark alone
+    std::size_t backslashes = 0;  // those before a quotation mark are doubled
     for (const wchar_t c : word) {
         if (c == L'\\') {
             ++backslashes;
@@ -106,7 +107,7 @@ bool is_file(const fs::path& path) {
     return fs::is_regular_file(path, none);
 }
 
-// The file of a program, with or without its .exe; empty if there is none.
+// The file of a program, with .exe added if necessary; empty if there is none.
 fs::path with_end(const fs::path& path) {
     if (is_file(path)) return path;
     fs::path longer = path;
@@ -130,7 +131,7 @@ fs::path find_program(const std::string& name, const fs::path& folder) {
     return with_end(fs::absolute(path.has_root_directory() ? path : folder / path));
 }
 
-// What a program finds in its environment: this one's, with changes, as the system takes it.
+// The environment for a program: this program's, with changes, in the form that the system expects.
 std::wstring environment_with(const std::vector<std::string>& changes) {
     const auto less = [](const std::wstring& a, const std::wstring& b) {
         return ::CompareStringOrdinal(a.data(), static_cast<int>(a.size()), b.data(),
@@ -138,7 +139,7 @@ std::wstring environment_with(const std::vector<std::string>& changes) {
     };
     std::map<std::wstring, std::wstring, decltype(less)> all{less};
     const auto add = [&](const std::wstring& variable) {
-        const auto equals = variable.find(L'=', 1);  // names of drives begin with one
+        const auto equals = variable.find(L'=', 1);  // a drive's variable starts with one
         if (equals != variable.npos) all[variable.substr(0, equals)] = variable.substr(equals + 1);
     };
     wchar_t* const mine = ::GetEnvironmentStringsW();
@@ -150,7 +151,7 @@ std::wstring environment_with(const std::vector<std::string>& changes) {
     return block + L'\0';
 }
 
-// A pipe: this program reads from one end, and others inherit the other.
+// A pipe: this program reads from one end, and programs that it starts inherit the other.
 struct Pipe {
     Handle from, into;
 };
@@ -177,7 +178,7 @@ Handle inherited(HANDLE of_this_program) {
     return Handle{copy};
 }
 
-// What the C library of a program reads at its start: its descriptors, of which 3 is this pipe.
+// The descriptors that a program's C library reads when it starts; descriptor 3 is this pipe.
 std::string descriptors(HANDLE events) {
     constexpr unsigned char is_open = 0x01, is_pipe = 0x08;
     const std::int32_t count = 4;
@@ -191,8 +192,8 @@ std::string descriptors(HANDLE events) {
     return bytes;
 }
 
-// All that a program starts belongs to its job. When the last handle of the job is closed, even
-// because this program was killed, all of it ends.
+// All that a program starts belongs to the program's job. When the last handle of the job is
+// closed, for example because this program was killed, the whole job ends.
 class Job {
   public:
     explicit Job(const Run& run)
@@ -221,7 +222,7 @@ class Job {
 
     void end() { ::TerminateJobObject(job_.get(), static_cast<UINT>(STATUS_CONTROL_C_EXIT)); }
 
-    // Whether a program tried to start one more than it may.
+    // Whether a program tried to start more processes than it may.
     bool reached_limit() {
         DWORD message = 0;
         ULONG_PTR key = 0;
@@ -257,7 +258,7 @@ class Reader {
 
     std::size_t size() const { return size_; }
 
-    // All of it, once the other end is closed.
+    // All that came, once the other end is closed.
     std::string text() {
         join();
         return std::move(text_);
@@ -296,7 +297,7 @@ double cpu_seconds_of(HANDLE process) {
     return seconds(kernel) + seconds(user);
 }
 
-// The signal by which the same crash is told elsewhere; 0 if the program ended by itself.
+// The signal that a crash like this would raise on other systems; 0 if the program ended by itself.
 int signal_of(DWORD code) {
     switch (code) {
         case EXCEPTION_ACCESS_VIOLATION:
@@ -310,8 +311,8 @@ int signal_of(DWORD code) {
         case EXCEPTION_ILLEGAL_INSTRUCTION:
         case EXCEPTION_PRIV_INSTRUCTION:
             return SIGILL;
-        case 0xc0000374:  // the heap is damaged
-        case 0xc0000409:  // the C library's check failed
+        case 0xc0000374:  // heap corruption
+        case 0xc0000409:  // a check of the C library failed
             return SIGABRT;
         case static_cast<DWORD>(STATUS_CONTROL_C_EXIT):
             return SIGINT;
@@ -320,8 +321,8 @@ int signal_of(DWORD code) {
     }
 }
 
-// An attribute of a new process: the handles that it inherits, and no others, so that threads may
-// start programs at the same time.
+// An attribute for a new process: it inherits these handles and no others. So threads may start
+// programs at the same time.
 class Attributes {
   public:
     explicit Attributes(std::vector<HANDLE> handles) : handles_{std::move(handles)} {
@@ -347,7 +348,8 @@ class Attributes {
     std::string room_;
 };
 
-// Asks a test program to say what it was doing: see tests/support/windows. True if it listens.
+// Asks a test program to say what it was doing: see tests/support/windows. True if the program
+// listens for that.
 bool ask_to_end(DWORD process) {
     const std::wstring name = L"Local\\course-end-" + std::to_wstring(process);
     const Handle event{::OpenEventW(EVENT_MODIFY_STATE, FALSE, name.c_str())};
@@ -433,7 +435,7 @@ Result run_process(const Run& run) {
     Reader output{std::move(out.from), run.most_output, is_shown ? &shown : nullptr};
     Reader of_events{std::move(events.from), run.most_output, nullptr};
 
-    // Whether it has ended, after at most this many milliseconds.
+    // Whether the program ends within this many milliseconds.
     const auto has_ended = [&](double milliseconds) {
         return ::WaitForSingleObject(process.get(), static_cast<DWORD>(milliseconds)) ==
                WAIT_OBJECT_0;

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Held open as long as its folder is used, and removed by the system when this program ends.
+// A file that is held open while its folder is used. The system removes it when this program ends.
 constexpr const char* held_file = ".held";
 
 HANDLE hold(const fs::path& folder) {
@@ -20,8 +20,8 @@ HANDLE hold(const fs::path& folder) {
                          FILE_ATTRIBUTE_NORMAL | FILE_FLAG_DELETE_ON_CLOSE, nullptr);
 }
 
-// What a program that was killed left behind goes with the next one of its name. The age leaves
-// time to those that are just being made.
+// Removes folders that killed programs of the same name left behind. Recent folders stay, because a
+// program may just be making them.
 void remove_abandoned(const fs::path& below, const std::string& start) {
     std::error_code none;
     for (const auto& entry : fs::directory_iterator{below, none}) {

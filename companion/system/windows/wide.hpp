@@ -1,15 +1,15 @@
 #pragma once
-// Texts as this system's functions take them.
+// Texts in the form that Windows functions expect.
 
 #include <string>
 
 namespace companion {
 
-// From UTF-8, and into it.
+// Converts from UTF-8, and to UTF-8.
 std::wstring wide(const std::string& text);
 std::string narrow(const std::wstring& text);
 
-// What went wrong in the system's last function, in its words.
+// The system's message about the last function that failed.
 std::string last_error();
 
 }  // namespace companion
