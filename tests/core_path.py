@@ -33,7 +33,7 @@ EDITS = {
     "00_toolchain/rt/canvas.hpp": [
         ("Canvas(Canvas&& other) noexcept", "Canvas(Canvas&& other)"),
         ("operator=(Canvas other) noexcept", "operator=(Canvas other)"), (
-        "        // Before any memory is allocated: an object whose constructor throws is never destroyed.\n"
+        "        // Checked before any memory is allocated: if a constructor throws, no destructor runs.\n"
         "        if (width < 1 || height < 1)\n"
         '            throw std::invalid_argument("a canvas needs at least 1x1 pixels");\n', "")],
     "03_sphere/rt/ppm.hpp": [(

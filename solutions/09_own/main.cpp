@@ -131,7 +131,7 @@ void read_mesh(const std::filesystem::path& path, const Material& material, Scen
     }
 }
 
-// Files that the line names are in this folder.
+// `folder` is the folder that contains the files that the line names.
 void read_line(const std::string& line, const std::filesystem::path& folder, Scene& scene,
                Material& material) {
     std::istringstream in{line};
@@ -193,9 +193,9 @@ Scene read_scene(const std::string& path) {
     return scene;
 }
 
-// A ray that leaves a sphere knows which one. It meets that sphere at t = 0, exactly, and at most
-// at one other point. So it needs no tolerance to leave the sphere, near or far, large or small.
-// A triangle that it leaves it never meets again. Triangles are numbered after the spheres.
+// A ray that leaves a sphere knows which one. It meets that sphere exactly at t = 0, and at most at
+// one other point. So it needs no tolerance to leave the sphere, near or far, large or small. It
+// never meets a triangle that it leaves again. Triangles are numbered after the spheres.
 struct Ray {
     Vec3 origin, direction;  // of length 1
     int leaves = -1;         // the number of the surface that it starts on
@@ -276,7 +276,8 @@ struct Box {
     }
 };
 
-// Wider by what rounding may do, so that no sphere that touches its box is lost.
+// Wider than the sphere by more than any rounding error, so that no ray hits the sphere and misses
+// its box.
 Box box_of(const Sphere& sphere) {
     const Vec3 c = sphere.center;
     const double r = sphere.radius + 8 * epsilon * (sphere.radius + length(c));
@@ -452,7 +453,7 @@ class Renderer {
         return {sphere.center + sphere.radius * normal, normal, sphere.material};
     }
 
-    // The light that comes back along a ray. A path that has bounced `depth` times brings none.
+    // The light that comes back along a ray. A path that has bounced `depth` times brings no light.
     Vec3 light(Ray ray, Random& random) const {
         Vec3 throughput{1, 1, 1};
         for (int bounce = 0; bounce <= scene_.depth; ++bounce) {

@@ -29,7 +29,7 @@ inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     return rt::todo("12.3", smooth, flat, incoming);
 }
 
-// Exercise 12.3. Corrects the direction of scattered light, which a material has chosen by the
+// Exercise 12.3. Corrects the direction of scattered light, which a material has chosen with the
 // smooth normal. If the direction is above `smooth` (a positive dot product), it must be above
 // `flat`, too; if it is below `smooth`, it must be below `flat`. A direction on the wrong side is
 // mirrored at the triangle; any other direction is returned unchanged. All have length 1.

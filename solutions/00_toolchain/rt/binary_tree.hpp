@@ -10,16 +10,17 @@ namespace rt {
 // empty tree is nullptr.
 
 // A balanced tree over the numbers first, first + 1, ... last - 1. If last equals first, the tree
-// is empty; last is never less, and last - first fits an int. The root is made from Node(first,
-// last). If there is more than one number, the left child is the tree over their first half, and
-// the right child the tree over the rest, which has one number more than the left half if their
+// is empty; last is never less than first, and last - first fits an int. The root is made from
+// Node(first, last). If there is more than one number, the left child is the tree over their first
+// half, and the right child the tree over the rest, which has one number more than the left half if
+// their count is odd.
 // count is odd.
 template <class Node>
 std::unique_ptr<Node> make_tree(int first, int last) {
     if (first >= last) return nullptr;
     auto root = std::make_unique<Node>(first, last);
     if (last - first > 1) {
-        // Not (first + last) / 2, whose sum may not fit an int.
+        // Not (first + last) / 2, because the sum may not fit an int.
         const int middle = first + (last - first) / 2;
         root->left = make_tree<Node>(first, middle);
         root->right = make_tree<Node>(middle, last);
@@ -64,9 +65,9 @@ int depth_of(const Node* root) {
     return deepest;
 }
 
-// Destroys a tree node by node, so that no destructor runs inside another. Left to itself, a node's
+// Destroys a tree node by node, so that no destructor runs inside another. By default, a node's
 // destructor destroys its children, their destructors destroy the grandchildren, and so on: the
-// calls pile up on the stack again.
+// calls pile up on the stack.
 template <class Node>
 void take_apart(std::unique_ptr<Node> root) {
     std::vector<std::unique_ptr<Node>> to_do;

@@ -16,7 +16,7 @@ class Canvas {
     // All pixels have the color `fill`. Throws std::invalid_argument unless both sides are at
     // least 1.
     Canvas(int width, int height, const Pixel& fill = {}) {
-        // Before any memory is allocated: an object whose constructor throws is never destroyed.
+        // Checked before any memory is allocated: if a constructor throws, no destructor runs.
         if (width < 1 || height < 1)
             throw std::invalid_argument("a canvas needs at least 1x1 pixels");
         width_ = width;

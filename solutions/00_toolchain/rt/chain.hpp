@@ -18,7 +18,7 @@ inline Real sum_along(const Link* first) {
 inline std::vector<Link> gathered(const Link* first) {
     std::vector<Link> links;
     for (const Link* link = first; link; link = link->next) links.push_back({link->value, nullptr});
-    // Only now: while a vector grows, its links may move, and then their addresses change.
+    // Only now, because a vector that grows may move its links to new addresses.
     for (std::size_t i = 1; i < links.size(); ++i) links[i - 1].next = &links[i];
     return links;
 }

@@ -9,12 +9,12 @@ namespace rt {
 
 // The map that undoes m. Throws std::domain_error if m flattens space (is singular), or comes so
 // close to it that rounding decides the result, or if a number in it is not finite.
-// A number of the inverse that is too large for Real becomes infinite.
-// Each number of the linear part is within 4 + 6 k units in the last place. Here k is the sum of
-// the absolute values of the determinant's terms divided by the determinant, the largest such
-// quotient over the columns and rows that the determinant may be expanded along: 1 where nothing
-// cancels. All rows share one k, because one determinant divides them all. No number of a column,
-// unless it is 0, may be 10^140 (float: 10^15) times smaller than the column's largest.
+// A number of the inverse that is too large for Real becomes infinite. Each number of the linear
+// part is within 4 + 6 k units in the last place, where k measures how much the determinant
+// cancels. Expand the determinant along a row or a column, and divide the sum of its terms'
+// absolute values by its own absolute value: k is the largest such quotient, and 1 where nothing
+// cancels. All rows share one k, because one determinant divides them all. Each number of a column
+// must be 0, or less than 10^140 times (float: 10^15 times) smaller than the column's largest.
 inline Mat4 inverse(const Mat4& m) {
     // Columns of the linear part, each scaled so that no product of three can overflow.
     const auto [a, a_exponent] = split_scale({m(0, 0), m(1, 0), m(2, 0)});
@@ -28,8 +28,8 @@ inline Mat4 inverse(const Mat4& m) {
     const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
     const Real determinant = dot(a, bc);
 
-    // Each component of `bc` carries 3 roundings' worth of error, and the dot product adds 3 more.
-    // A determinant within that bound of zero may well be zero. NaN fails the test, too.
+    // Each component of `bc` has 3 rounding errors, and the dot product adds 3 more. A determinant
+    // no farther from zero than that may well be zero. NaN fails the test, too.
     const Real size = std::abs(a.x * bc.x) + std::abs(a.y * bc.y) + std::abs(a.z * bc.z);
     if (!(std::abs(determinant) > rounding_bound(6) * size) || !is_finite(origin))
         throw std::domain_error("inverse: the matrix is singular, it cannot be undone");
@@ -39,7 +39,7 @@ inline Mat4 inverse(const Mat4& m) {
         const Vec3 r{std::scalbn(scaled.x, -exponent), std::scalbn(scaled.y, -exponent),
                      std::scalbn(scaled.z, -exponent)};
         Real move = -dot(r, origin);
-        // Infinity times 0, or infinity minus infinity: so add up before undoing the scale.
+        // Undoing the scale first could give infinity times 0, or infinity minus infinity.
         if (!std::isfinite(move)) {
             const auto [o, o_exponent] = split_scale(origin);
             move = std::scalbn(-dot(scaled, o), o_exponent - exponent);

@@ -23,8 +23,8 @@ inline Real length(Vec3 v) {
     return std::scalbn(std::sqrt(dot(scaled.v, scaled.v)), scaled.exponent);
 }
 
-// What normalize does if squares overflow or lose digits. This is rare, and is kept apart so that
-// normalize itself stays small.
+// What normalize does if squares overflow or lose digits. This is rare, and its code is separate so
+// that normalize itself stays small.
 RT_NOT_INLINED inline Vec3 normalize_scaled(Vec3 v) {
     const Vec3 scaled = split_scale(v).v;
     const Real squared = dot(scaled, scaled);

@@ -20,9 +20,9 @@ inline Basis look_at(Vec3 from, Vec3 at, Vec3 up) {
     if (up == Vec3{} || !is_finite(up))
         throw std::domain_error("look_at: up must be a direction, not zero");
     const Vec3 w = normalize(back);
-    // Not normalize(up) and w: rounding them to length 1 turns each a little, and if the two
-    // are nearly parallel, that little is all the angle between them. Scaling by powers of
-    // two rounds nothing.
+    // normalize(up) and w are not used here: rounding to length 1 turns each vector a little, and
+    // if the two are nearly parallel, the angle between them is no larger than that. Scaling by
+    // powers of two rounds nothing.
     const Vec3 right = cross(split_scale(up).v, split_scale(back).v);
     if (right == Vec3{}) return orthonormal_basis(w);
     const Vec3 u = normalize(right);

@@ -9,7 +9,7 @@ namespace rt {
 // the last place.
 inline Vec2 pixel_to_viewport(const Camera& camera, int column, int row, Vec2 offset) {
     const Real width = static_cast<Real>(camera.width), height = static_cast<Real>(camera.height);
-    // How far from the middle, in pixels. Whole and half numbers come first: they round nothing.
+    // The distance from the middle in pixels. Subtracting half of the size first is exact.
     const Real right = (static_cast<Real>(column) - width / 2) + offset.x;
     const Real down = (static_cast<Real>(row) - height / 2) + offset.y;
     return {right / width * camera.viewport.width, -down / height * camera.viewport.height};

@@ -10,7 +10,7 @@
 namespace rt {
 
 // The sphere that the ray meets at the smallest t within the interval, and this t. If several
-// are equally near, it is the last of them in the list. None if the ray meets no sphere
+// spheres are equally near, it is the last of them in the list. None if the ray meets no sphere
 // within the interval.
 inline std::optional<NearestSphere> nearest_sphere(std::span<const SceneSphere> spheres,
                                                    const Ray& ray, Interval within) {

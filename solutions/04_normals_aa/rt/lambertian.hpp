@@ -8,7 +8,7 @@
 
 namespace rt {
 
-// A matte material: it looks equally bright from everywhere.
+// A matte material: it looks equally bright from every direction.
 struct Lambertian {
     Color albedo;  // the share of light that comes back, each channel in [0, 1]
 };
@@ -22,7 +22,7 @@ std::optional<Scatter> scatter(const Lambertian& material, [[maybe_unused]] Vec3
     return Scatter{material.albedo, cosine_direction(facing_normal(hit), random_place(random))};
 }
 
-// The materials of a scene, all of one type (given). scatter() is found by the material's type.
+// The materials of a scene, all of one type (given). The compiler finds scatter() by this type.
 template <class Material>
 struct MaterialList {
     std::vector<Material> materials;

@@ -10,7 +10,7 @@
 namespace rt {
 
 // The light that comes back along a ray. Its path is followed from bounce to bounce until it meets
-// the sky, is absorbed, or has bounced `depth` times, 1 or more: then `ending` decides. The
+// the sky, is absorbed, or has bounced `depth` times (at least 1): then `ending` decides. The
 // function is written over types:
 //   ray        has an origin and a direction; whatever else it carries stays as it is
 //   world      world.hit(ray, interval) gives the nearest hit as std::optional<Hit>

@@ -7,13 +7,14 @@ namespace rt {
 
 // The direction of v, folded to the normal's side of the surface: if v points below, it is mirrored
 // at the surface. v may have any length that is far from the smallest and the largest numbers; the
-// result has length 1, and its computed dot product with the normal is greater than 0, whatever was
-// rounded. A zero v has no direction, so it gives the normal.
+// result has length 1, and its computed dot product with the normal is greater than 0, whatever the
+// rounding. A zero v has no direction, so it gives the normal.
 inline Vec3 above_horizon(Vec3 v, Vec3 normal) {
     if (v == Vec3{}) return normal;
     const Real height = dot(v, normal);
-    // The height rounds 3 times, its correction once, the division of normalize once, and the
-    // caller's dot product 3 times. Twice these 8 leave no doubt; the sum is at least v's length.
+    // There are 3 roundings in the height, 1 in its correction, 1 in the division of normalize and
+    // 3 in the caller's dot product. Twice these 8 leave no doubt. The sum of the absolute values
+    // is at least the length of v.
     const Real least = rounding_bound(16) * (std::abs(v.x) + std::abs(v.y) + std::abs(v.z));
     return normalize(v + (std::max(std::abs(height), least) - height) * normal);
 }

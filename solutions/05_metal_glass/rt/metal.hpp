@@ -22,8 +22,7 @@ inline Vec3 metal_direction(Vec3 incoming, Vec3 normal, Real fuzz, Vec2 place) {
     return above_horizon(mirrored + fuzz * uniform_direction(place), normal);
 }
 
-// No path ends at metal, and none is brighter than another: each path's light is multiplied
-// by the albedo.
+// No path ends at metal, and all are dimmed alike: the light of each is multiplied by the albedo.
 template <class Random>
 std::optional<Scatter> scatter(const Metal& material, Vec3 incoming, const Hit& hit,
                                Random& random) {

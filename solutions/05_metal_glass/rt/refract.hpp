@@ -17,8 +17,8 @@ inline std::optional<Vec3> refract(Vec3 incoming, Vec3 normal, Real eta) {
     const Real cosine = -dot(incoming, normal);
     const Vec3 along = eta * (incoming + cosine * normal);
     Real squared_cosine = 1 - dot(along, along);
-    // Too close to call: the 3 roundings of each component of `along` and the 6 of the sum could
-    // decide the sign.
+    // Too close to call: 3 roundings in each component of `along` and 6 in the sum could decide the
+    // sign.
     if (std::abs(squared_cosine) <= rounding_bound(8) * (1 + eta)) {
         // The sine again, from a cross product, in which nothing cancels. eta * sine - 1 is rounded
         // only once, so its sign is right.

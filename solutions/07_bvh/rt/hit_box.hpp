@@ -20,8 +20,8 @@ inline bool hit_box(const Box& box, const SlabRay& ray, Interval within) {
         const bool forward = !std::signbit(inverse);
         const Real enters = ((forward ? low : high) - origin) * inverse;
         const Real leaves = ((forward ? high : low) - origin) * inverse;
-        // In a face of the box, 0 * infinity is NaN. std::max and std::min then return their first
-        // argument, so this plane does not count.
+        // For a ray in a face of the box, 0 * infinity is NaN. std::max and std::min then return
+        // their first argument, so this plane does not count.
         within.min = std::max(within.min, enters);
         within.max = std::min(within.max, leaves);
     }

@@ -15,10 +15,10 @@ inline Real surface_area(const Box& box) {
 
 // Sorts the numbers of spheres so that the best split is between the first k of them and the rest,
 // and returns k, or 0 if no split is cheaper than a leaf. The cost of a split is the work to expect
-// for a ray that meets the box around all of them: one unit for the two boxes, and one unit for
-// each sphere of a child, times the probability that the ray meets the child: its area over the
-// area of the whole box.
-// Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
+// for a ray that meets the box around all these spheres: one unit for testing the two children's
+// boxes, and for each child one unit per sphere, times the probability that the ray meets the
+// child. This probability is the area of the child's box over that of the whole box. Source:
+// MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     const auto box_of = [&](std::size_t place) -> const Box& {
         return boxes[static_cast<std::size_t>(order[place])];

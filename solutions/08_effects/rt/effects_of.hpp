@@ -4,7 +4,7 @@
 
 namespace rt {
 
-// The effects that change the picture of this scene, without effects that cannot be seen: a
+// The effects that change the picture of this scene. Effects that cannot be seen are left out: a
 // material that no sphere is made of, a light without light, fog without density, a lens without an
 // opening, motion while the shutter is closed.
 inline Effects effects_of(const SceneDescription& scene) {

@@ -33,7 +33,7 @@ inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
 
 // The box around an instance, grown by margin_factor times hit_margin times the largest coordinate
 // in it. Along x, the half width of the box is the length of the matrix's first row: the largest x
-// that the matrix gives to a point of the unit sphere, less the middle's.
+// that the matrix gives to a point of the unit sphere, minus the x of the box's center.
 inline Box bounds_of(const Instance& instance) {
     const Mat4& m = instance.object_to_world;
     const auto reach = [&](int row) { return length(Vec3{m(row, 0), m(row, 1), m(row, 2)}); };

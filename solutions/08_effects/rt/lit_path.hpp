@@ -7,11 +7,10 @@
 namespace rt {
 
 // Next-event estimation: the light that comes straight from one of the lights, chosen at random,
-// and that this place scatters toward the eye. `ray` brings everything but the origin and the
-// direction.
-// Star: if the path goes on, it may find the light by itself, and the two samples share the light
-// by their weights. The core has no weights: a light that a path finds counts in full where no
-// light was sampled, and otherwise not at all.
+// and that this place scatters toward the eye. `ray` provides what a ray has besides an origin and
+// a direction. Star: if the path goes on, it may find the light by itself, and the two samples
+// share the light according to their weights. In the core there are no weights: a light that a path
+// finds counts in full where no light was sampled, and otherwise not at all.
 template <class AnyRay, class World, class Lights, class Materials, class Medium, class Random>
 Color direct_light(AnyRay ray, const World& world, const Lights& lights,
                    const Place<Materials, Medium>& place, [[maybe_unused]] bool goes_on,
@@ -40,8 +39,8 @@ Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materia
                         const Lights& lights, const Medium& fog, const Ending& ending, int depth,
                         Random& random) {
     Color throughput{1, 1, 1}, light;
-    // Where the ray comes from, and the density with which its direction was drawn: 0 if no light
-    // was sampled. Then a light that the path finds counts in full.
+    // Where the ray comes from, and the density with which its direction was drawn. The density is
+    // 0 if no light was sampled; then a light that the path finds counts in full.
     Vec3 from;
     Real drawn = 0;
     for (int bounces = 1;; ++bounces) {

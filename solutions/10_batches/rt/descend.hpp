@@ -6,9 +6,10 @@
 
 namespace rt {
 
-// Takes the list of rays that meet a node down the tree. For each child, in the order of
-// tree.order(node), which is nearest first for these rays, the list of the rays that meet its box
-// goes on: to tree.leaf(its number, list), or farther down.
+// Takes a list of rays, which all meet a node, down the tree. For each child, in the order of
+// tree.order(node), which is nearest first for these rays, the rays that meet the child's box form
+// a list. If the child is a leaf, tree.leaf(its number, list) gets this list; otherwise the list is
+// taken farther down.
 //   tree.test(node, list, masks)   tells which children's boxes each ray meets, one bit each, and
 //                                  returns the bits that any of the rays has
 //   tree.order(node)               the children's numbers, nearest first

@@ -32,7 +32,7 @@ inline Real bilateral_weight(int across, int down, const Features& a, const Feat
 // The picture, with the light of each pixel averaged over the pixels around it. Pixel a uses all
 // pixels b of the picture that are at most `radius` columns and at most `radius` rows away,
 // including itself: the sum of weight times light, divided by the sum of the weights. At the border
-// of the picture there are fewer of them.
+// of the picture there are fewer such pixels.
 //
 // The average is over the light that falls on the surfaces: in each channel, the picture divided by
 // the albedo of b. The result is multiplied by the albedo of a, so a texture stays as sharp as it

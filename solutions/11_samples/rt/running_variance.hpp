@@ -5,9 +5,9 @@
 
 namespace rt {
 
-// Updates the count, mean and squares in `known` to include one more number. It stores no number.
-// The digits of squares survive even if the numbers are far from 0 and close together (no
-// cancellation). The number and its square are finite.
+// Updates the count, mean and squares in `known` to include one more number. The numbers themselves
+// are not stored. The digits of squares survive even if the numbers are far from 0 and close
+// together (no cancellation). The number and its square are finite.
 // Source: Welford, "Note on a method for calculating corrected sums of squares and products",
 // Technometrics 1962.
 inline void add(RunningVariance& known, Real number) {

@@ -56,7 +56,7 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     std::uint32_t x = reversed_bits(fraction);
     // The factors are even: a bit is changed by the bits before it, and not by itself, which could
-    // undo the change. Three parts of the seed meet the first bits, each in another way.
+    // undo the change. Three parts of the seed meet the first bits, each in a different way.
     x ^= x * 0x3d20adeau;
     x += seed;
     x ^= x * (seed >> 16 & ~1u);

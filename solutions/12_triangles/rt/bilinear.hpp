@@ -12,7 +12,7 @@ struct PixelPair {
     Real share;
 };
 
-// The pair for a place along a side of this many pixels, which repeats outside of [0, 1].
+// The pair for a position along a side of this many pixels. Outside of [0, 1] the side repeats.
 inline PixelPair pixels_at(Real place, int count) {
     const Real within = (place - std::floor(place)) * static_cast<Real>(count) - Real(0.5);
     const Real first = std::floor(within);  // from -1 on

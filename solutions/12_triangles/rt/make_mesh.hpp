@@ -12,8 +12,8 @@
 namespace rt {
 
 // The corner from which a polygon is best cut into triangles, like a fan: all triangles of the fan
-// from there face the same way as the polygon, and have an area. The first corner, if there is no
-// such corner.
+// from there face the same way as the polygon, and have an area. If there is no such corner, it is
+// the first.
 inline std::size_t fan_start(const std::vector<Vec3>& corners) {
     const std::size_t count = corners.size();
     // Twice the area of triangle i of the fan from a corner, along its normal.

@@ -17,9 +17,10 @@ inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Ve
     return dot(normal, flat) < 0 ? -normal : normal;
 }
 
-// The smooth normal. It is bent if a mirror with this normal would send light below the triangle;
-// the mirror direction then runs along the triangle. All have length 1; `flat` is on the side of
-// `smooth`. The result is `flat` for light that runs along the triangle itself.
+// The normal to use for a mirror: `smooth` itself, if a mirror with this normal reflects `incoming`
+// to the side of the triangle that the light came from. Otherwise `smooth` is bent until the mirror
+// direction runs along the triangle. All have length 1; `flat` is on the side of `smooth`. The
+// result is `flat` if `incoming` runs along the triangle itself.
 inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     const Real side = dot(incoming, flat) > 0 ? Real(-1) : Real(1);  // where the light comes from
     const Vec3 up = side * flat, mirrored = reflect(incoming, smooth);
@@ -31,7 +32,7 @@ inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     return dot(bent, up) > 0 ? side * normalize(bent) : flat;
 }
 
-// Corrects the direction of scattered light, which a material has chosen by the smooth normal:
+// Corrects the direction of scattered light, which a material has chosen with the smooth normal:
 // reflected light stays above the triangle, and refracted light gets below it. A direction on the
 // wrong side is mirrored at the triangle. All have length 1.
 inline Vec3 keep_side(Vec3 direction, Vec3 smooth, Vec3 flat) {

@@ -21,8 +21,9 @@ inline Hit surface_hit(const SceneTriangle& triangle, const Ray& ray, Real t) {
     hit.point = a + (met.u * ab + met.v * ac);
     hit.normal = normalize(cross(ab, ac));
     hit.front = dot(ray.direction, hit.normal) <= 0;
-    // One rounding of each coordinate of the point. In proportion to the size: the rounding of the
-    // two steps from the corner, and that of hit_triangle when a ray leaves from here.
+    // The bound has one rounding of each coordinate of the point. The rest is in proportion to the
+    // size: the rounding of the two steps from the corner, and that of hit_triangle when a ray
+    // leaves from here.
     const Real size = std::max(max_component(ab), max_component(ac));
     hit.point_error =
         rounding_bound(1) * dot(abs(hit.point), abs(hit.normal)) + rounding_bound(40) * size;
