@@ -36,7 +36,7 @@ std::string nearest_word(const std::string& wrong, const std::vector<std::string
     std::size_t best = most;
     if (wrong.size() > 40) return {};  // a text longer than a word is not a slip
     for (const std::string& word : words) {
-        // A word without its end still means the word.
+        // The beginning of a word still means the word.
         if (wrong.size() >= 3 && word.rfind(wrong, 0) == 0) return word;
         const std::size_t count = slips(wrong, word);
         if (count < best || (count == best && nearest.empty())) {

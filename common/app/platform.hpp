@@ -36,7 +36,7 @@ void remove_now(const std::filesystem::path::value_type* path);
 // True if this file, or files in this folder, may be written. If not, errno says why.
 bool is_writable(const std::filesystem::path& path);
 
-// True if a person sees what is written there.
+// True if what is written there appears on a terminal, where a person reads it.
 bool is_terminal(std::FILE* file);
 
 }  // namespace app

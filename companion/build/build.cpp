@@ -22,8 +22,7 @@ bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-// "
-//   the } in line 7 ends a struct: write }; there", if the error is that the ; after a struct is
+// "\n  the } in line 7 ends a struct: write }; there", if the error is that the ; after a struct is
 // missing; otherwise empty. g++ shows what follows the struct.
 std::string missing_semicolon(const Course& course, const std::string& error) {
     std::smatch place;

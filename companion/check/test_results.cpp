@@ -16,8 +16,7 @@ std::string trimmed(const std::string& text) {
                : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-// "a
-//       + b" as "a + b": line breaks and indents in a test do not matter.
+// "a\n      + b" as "a + b": line breaks and indents in a test do not matter.
 std::string one_line(const std::string& text) {
     std::istringstream words{text};
     std::string line;

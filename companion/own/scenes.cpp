@@ -438,8 +438,8 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                "a random number choose between reflection and refraction?",
                false, 1.3, 1.7, 1.0),
          scene("a hollow glass ball", glass,
-               "Inside the inner ball there is air: the file gives its index as a ratio.", true,
-               1.3, 1.7, 1.0),
+               "The inner ball is air in glass: its index is that of air divided by that of glass.",
+               true, 1.3, 1.7, 1.0),
          scene("glass of an index near 1", glass,
                "Schlick's formula reflects far too much here. Use the Fresnel equations, and the "
                "mean of both polarizations.",
@@ -507,7 +507,7 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
         for (int i = 0; i < 4; ++i)
             scene.word("glass", {i % 2 == 0 ? index : 1 / index}).sphere({0, 1, 0}, 1 - 0.2 * i);
         add("glass in air in glass in air", scene.text(),
-            "A ray enters and leaves each ball by that ball's own ratio of indices.");
+            "At each ball, a ray is refracted with that ball's own ratio of indices.");
     }
     {
         Any any{seed, 106};

@@ -139,8 +139,9 @@ TEST_CASE("12.4 a ray leaves a triangle of ordinary size", "[12.4]") {
             REQUIRE(!again);
         }
         if (!(hit.point_error < real(1e-3))) {
-            INFO("point_error is " << text(hit.point_error)
-                                   << ".\nHint: point_error is a rounding error, not a thousandth");
+            INFO("point_error is "
+                 << text(hit.point_error)
+                 << ".\nHint: point_error bounds rounding errors; a fixed 0.001 is far too large");
             REQUIRE(hit.point_error < real(1e-3));
         }
     }
