@@ -41,7 +41,7 @@ rt::Color average_of_nine(int column, int row,
                           const std::function<rt::Color(rt::Real x, rt::Real y)>& shade);
 
 // An image, or a part of it, to draw on. It does not own the image, which must outlive it. Colors
-// are mixed in by their `share`: 1 covers what is there, 0 leaves it as it is.
+// are mixed in according to a `share`: 1 covers what is there, 0 leaves it as it is.
 class Figure {
   public:
     // All of the image; a unit is a pixel.
