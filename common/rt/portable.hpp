@@ -22,7 +22,7 @@
 // rounded. The exceptions:
 //
 // - If x is 2^20 or more, or -2^20 or less, sin, cos and tan of x are those of an angle that is
-// less than half a unit in the last place away from x.
+//   less than half a unit in the last place away from x.
 // - pow takes x >= 0 only, and is within 5 + |y ln x| / 10 units: huge and tiny powers lose digits.
 // - The sign of a zero counts only for atan2, atan, asin and cbrt: sin(-0) is 0.
 

@@ -15,7 +15,7 @@ class Keyboard {
     Keyboard(const Keyboard&) = delete;
     Keyboard& operator=(const Keyboard&) = delete;
 
-    // The next key. Waits for it for at most this long; none if no key came.
+    // The next key, or none if no key comes within this many milliseconds.
     std::optional<char> key(int milliseconds);
 
     // True if no more keys can come.
