@@ -34,8 +34,8 @@ inline double uniform(rt::Rng& random, double low, double high) {
     return low + (high - low) * uniform(random);
 }
 
-// True if two balls overlap. Touching is no overlap: a thousandth of the smaller radius may be
-// rounding.
+// True if two balls overlap. Balls that touch do not overlap: an overlap of up to a thousandth of
+// the smaller radius counts as rounding.
 bool overlap(const Ball& a, const Ball& b);
 
 // Says whether a sphere keeps clear of those placed so far. It looks only at spheres nearby, which

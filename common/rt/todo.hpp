@@ -26,7 +26,8 @@ struct ExerciseId {
     const char* id;
     const char* file;
     int line;
-    // Not explicit: todo("03.1") must record the line on which it is written.
+    // Not explicit, so that todo("03.1") converts the text where it is written, and records that
+    // line.
     ExerciseId(const char* exercise, const char* f = RT_CALLER_FILE, int l = RT_CALLER_LINE)
         : id{exercise}, file{f}, line{l} {}
 };

@@ -18,7 +18,7 @@ int study_of_texts(const Course& course, const Given& given) {
     if (given.named || given.options.size() > 1)
         throw app::UsageError("study --docs: takes nothing else");
     draw_plots_of_texts(course);
-    std::puts("The plots in docs/plots are drawn again from docs/studies.");
+    std::puts("The plots in docs/plots have been redrawn from docs/studies.");
     return app::done;
 }
 

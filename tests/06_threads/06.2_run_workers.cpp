@@ -308,7 +308,7 @@ TEST_CASE("06.2 workers may throw at the same moment", "[06.2][hard]") {
         }
         return name_of(0);
     });
-    INFO("all of 2, 8 or 64 workers throw at once.\nHint: " << how_to_keep);
+    INFO("2, 8 or 64 workers all throw at once.\nHint: " << how_to_keep);
     CHECK(actual == name_of(0));
 }
 

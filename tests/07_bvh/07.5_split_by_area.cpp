@@ -190,7 +190,7 @@ TEST_CASE("07.5 two groups are kept apart", "[07.5]") {
             REQUIRE(left == 9);
         }
         const auto is_far = [&](int i) { return i % 4 == 0; };
-        INFO("9 spheres to the left is the best split, along axis "
+        INFO("the best split has 9 spheres on the left, along axis "
              << axis
              << ", but the nine near spheres do not come first.\n"
                 "Hint: after all three axes the numbers are "

@@ -203,7 +203,8 @@ TEST_CASE("12.1 rays from straight above hit a grid once at corners and edges", 
                 if (hits == 1) continue;
                 INFO(text(ray) << ": expected one hit of the grid, actual " << hits);
                 INFO(
-                    "Hint: treat a ray through a corner as moved a little, in the same way for all "
+                    "Hint: treat a ray through a corner as if it were moved a little, in the same "
+                    "way for all "
                     "triangles around it");
                 REQUIRE(hits == 1);
             }

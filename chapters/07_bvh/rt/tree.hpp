@@ -30,7 +30,7 @@ struct TreeNode {
 // has at most 64 + 20 levels, and no recursion over it can overflow the stack.
 inline constexpr int most_levels = 64;
 
-// The most shapes in a leaf when nodes are split in half.
+// The largest number of shapes in a leaf when nodes are split in half.
 inline constexpr int leaf_size = 4;
 
 // How many times `things` must be halved, rounding up, until `few` or fewer are left.

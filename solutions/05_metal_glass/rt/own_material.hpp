@@ -9,14 +9,14 @@
 
 namespace rt {
 
-// A material of your own. This one is a lacquer: a clear coat over a matte ground.
+// A material of your own. This one is a lacquer: a clear coat over a matte base.
 struct OwnMaterial {
-    Color color;      // of the ground, each channel in [0, 1]
-    Real amount = 0;  // how much of the ground is coated, from 0 to 1
+    Color color;      // of the base, each channel in [0, 1]
+    Real amount = 0;  // how much of the base is coated, from 0 to 1
 };
 
 // The coat reflects like glass of index 1.5 and absorbs nothing. The light that it lets through
-// comes back from the ground. The random choice already weights both.
+// comes back from the base. The random choice already weights both.
 template <class Random>
 std::optional<Scatter> scatter(const OwnMaterial& material, [[maybe_unused]] Vec3 incoming,
                                [[maybe_unused]] const Hit& hit, [[maybe_unused]] Random& random) {

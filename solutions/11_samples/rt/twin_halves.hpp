@@ -6,12 +6,12 @@
 
 namespace rt {
 
-// How many samples a part of the picture needs if the mean square error of the whole picture is to
-// be error^2 with the fewest samples: spread * mean_spread / error^2, rounded up and kept within
-// the limits. spread is the standard deviation of the part's samples, and mean_spread the mean of
-// all parts' spreads; both are 0 or more. A spread of 0 gets limits.least, whatever the mean is;
-// otherwise an infinite spread or mean gets limits.most. error is greater than 0 and finite; its
-// square need not fit into a Real.
+// How many samples a part of the picture needs so that the whole picture has a mean square
+// error of error^2 with the fewest samples: spread * mean_spread / error^2, rounded up and kept
+// within the limits. spread is the standard deviation of the part's samples, and mean_spread the
+// mean of all parts' spreads; both are 0 or more. A spread of 0 gets limits.least, whatever the
+// mean is; otherwise an infinite spread or mean gets limits.most. error is greater than 0 and
+// finite; its square need not fit into a Real.
 // Source: Neyman, "On the two different aspects of the representative method", 1934.
 inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limits) {
     const Real wanted = spread == 0 ? Real(0) : std::ceil(spread / error * (mean_spread / error));
@@ -23,7 +23,7 @@ inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limit
 // How many samples of a part of the picture each half takes in all. What one half has seen, its
 // spread and mean_spread, decides for the other half: no sample decides when its own mean is good
 // enough, so both means stay unbiased. The mean of both halves is to have this error. Each half may
-// then have sqrt(2) times that error, because the halves err independently.
+// then have sqrt(2) times that error, because the halves err almost independently.
 inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error,
                                   CountLimits limits) {
     const Real of_each = error * std::numbers::sqrt2_v<Real>;
