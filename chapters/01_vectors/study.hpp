@@ -1,5 +1,5 @@
 #pragma once
-// What accuracy costs: five ways to give a vector length 1.
+// What accuracy costs: five ways to scale a vector to length 1.
 
 #include <array>
 #include <cmath>

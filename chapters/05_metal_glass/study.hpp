@@ -41,7 +41,7 @@ inline Real schlick_by_inner_cosine(Real cosine, Real eta) {
     return r * r + (1 - r * r) * (x * x) * (x * x) * x;
 }
 
-// Fresnel's equations in twice the digits of double.
+// Fresnel's equations, computed with twice the digits of double.
 inline double exact_reflectance(Real cosine, Real eta) {
     const DoubleDouble c = wide(cosine), e = wide(eta), one = 1;
     const DoubleDouble squared = one - e * e * (one - c) * (one + c);

@@ -152,7 +152,7 @@ Finding sky(const Drawn& drawn) {
     const int last = drawn.last_of_sky(), side = drawn.picture.width / 5;
     const char* const hint =
         "In C++ row / height is 0, since both are whole numbers; (row + 0.5) / height has a "
-        "fraction. And up must be calculated from the row, not from the column";
+        "fraction. And calculate `up` from the row, not from the column";
     if (drawn.difference(0, 0, 0, last) < 12)
         return {"a sky whose color changes from the top to the horizon",
                 "row 0 has the color " + color(drawn, 0, 0) + ", and row " + number(last) +

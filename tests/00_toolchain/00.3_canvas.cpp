@@ -83,7 +83,7 @@ void check_memory() {
         CHECK(Watch::byte_copies == 0);
     }
     INFO("uses of destroyed pixels: " << Watch::dead_uses
-                                      << ".\nHint: a pointer or a reference still led to the "
+                                      << ".\nHint: a pointer or a reference still referred to the "
                                          "pixels after they had been destroyed");
     CHECK(Watch::dead_uses == 0);
 }
@@ -331,7 +331,8 @@ TEST_CASE("00.3 a vector of canvases grows without copies", "[00.3][hard]") {
             canvases.push_back(std::move(canvas));
             INFO("the number of pixels made when canvas number "
                  << i
-                 << " moved in.\nHint: a vector that grows moves its elements only if their move "
+                 << " was moved into the vector.\nHint: a vector that grows moves its elements "
+                    "only if their move "
                     "constructor is noexcept: Canvas(Canvas&& other) noexcept");
             check_equal(Watch::made - made, 0);
         }

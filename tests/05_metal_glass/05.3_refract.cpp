@@ -28,7 +28,7 @@ Vec3 refract_or_fail(Vec3 incoming, Vec3 normal, Real eta) {
 
 }  // namespace
 
-TEST_CASE("05.3 head on light goes straight on", "[05.3]") {
+TEST_CASE("05.3 light that arrives head on goes straight on", "[05.3]") {
     for (const double eta : {0.4, 1 / 1.5, 1.5, 2.5}) {
         const Vec3 computed = refract_or_fail({0, -1, 0}, floor_normal, real(eta));
         INFO("eta = " << eta);
@@ -182,7 +182,7 @@ TEST_CASE("05.3 any ratio of indices bends light by the right amount", "[05.3][h
             UNSCOPED_INFO(describe());
             UNSCOPED_HINT(expected, *refracted,
                           "eta (d + c n) is the part along the surface, for any eta greater than "
-                          "0. The direction stays unchanged only if eta == 1 exactly");
+                          "0. Return d unchanged only if eta == 1 exactly");
         }
         REQUIRE(off_over_allowed <= 1);
     }

@@ -79,7 +79,8 @@ void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, cons
         same_bits(pack.origin, before.origin) && same_bits(pack.direction, before.direction);
     if (!rest_is_same) {
         INFO(
-            "Hint: change only t and sphere of the rays: the next sphere needs the other members "
+            "Hint: change only the members t and sphere of the pack: the next sphere needs the "
+            "other members "
             "unchanged");
         REQUIRE(same_bits(pack.origin, before.origin));
         REQUIRE(same_bits(pack.direction, before.direction));
@@ -177,7 +178,7 @@ TEST_CASE("10.3 the same sphere at the same t counts as met", "[10.3]") {
     rt::Rng rng{103, 8};
     for (int round = 0; round < 300; ++round)
         check_ties(rng, 7, 7, 1,
-                   "the ray keeps its old hit only if that sphere has a higher number");
+                   "the ray keeps its old hit only if the sphere of that hit has a higher number");
 }
 
 TEST_CASE("10.3 one ray of a pack hits or misses unlike the others", "[10.3]") {

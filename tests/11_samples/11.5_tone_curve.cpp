@@ -242,7 +242,7 @@ TEST_CASE("11.5 light that is far too bright or too dark", "[11.5][hard]") {
     }
 }
 
-TEST_CASE("11.5 with an infinite white nothing becomes white", "[11.5][hard]") {
+TEST_CASE("11.5 with an infinite white the curve is L / (1 + L)", "[11.5][hard]") {
     rt::Rng rng{115, 6};
     for (int i = 0; i < 200; ++i) {
         const Real light = any_size(rng, -3, 10);

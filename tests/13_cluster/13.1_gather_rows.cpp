@@ -59,7 +59,7 @@ int MPI_Gatherv(const void* send, int count, MPI_Datatype type, void* receive, c
     return MPI_SUCCESS;
 }
 
-TEST_CASE("13.1 the rows of all ranks arrive in their order", "[13.1]") {
+TEST_CASE("13.1 the rows of all ranks arrive in the right order", "[13.1]") {
     for (const int count : {1, 2, 3, 4})
         on_ranks(count, [](MPI_Comm ranks) {
             for (const auto& [width, height] :

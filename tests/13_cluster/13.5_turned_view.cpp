@@ -72,7 +72,7 @@ TEST_CASE("13.5 height and distance stay", "[13.5]") {
     }
 }
 
-TEST_CASE("13.5 a whole turn is no turn", "[13.5][hard]") {
+TEST_CASE("13.5 a whole turn changes nothing", "[13.5][hard]") {
     rt::Rng random{135, 3};
     for (int i = 0; i < 100; ++i) {
         const View view = some_view(random);

@@ -26,7 +26,7 @@ struct WideLeaf {
         count = place + 1;
     }
 
-    // The Hit of a ray that meets the shape at this place at t.
+    // The Hit of a ray that meets shape number `place` of the leaf at t.
     Hit hit(std::int32_t place, const Ray& ray, Real t) const {
         return surface_hit(shapes[static_cast<std::size_t>(place)], ray, t);
     }

@@ -45,7 +45,7 @@ struct Place {
         return collision ? fog.density(incoming, direction)
                          : scatter_density(materials, incoming, *hit, direction);
     }
-    // Where a ray that leaves in this direction begins.
+    // The starting point of a ray that leaves in this direction.
     Vec3 origin(Vec3 direction) const { return collision ? point : leave_surface(*hit, direction); }
 };
 

@@ -25,7 +25,8 @@ inline int rank_count(MPI_Comm ranks) {
     return count;
 }
 
-// MPI's type for a Color: three Reals, one after the other. With it, all counts are in colors.
+// MPI's type for a Color: three Reals, one after the other. With this type, every count in a call
+// to MPI is a number of colors.
 inline MPI_Datatype mpi_color() {
     static_assert(sizeof(Color) == 3 * sizeof(Real));
     static const MPI_Datatype type = [] {

@@ -8,10 +8,10 @@
 
 namespace rt {
 
-// Exercise 13.5. The view in frame 0 ... frames - 1 of a turntable: the camera goes once around the
-// point that it looks at, about the direction `up`, counterclockwise as seen from above. Frame 0 is
-// `view`. There is 1 frame or more.
-// Star: frame 0 is `view` bit for bit, and so are the frames `frames`, 2 * `frames` and so on.
+// Exercise 13.5. The view in one frame of a turntable; `frame` goes from 0 to frames - 1. The
+// camera goes once around the point that it looks at, about the direction `up`, counterclockwise as
+// seen from above. Frame 0 is `view`. There is 1 frame or more.
+// Star: every frame whose number is 0 or another multiple of `frames` is `view`, bit for bit.
 inline View turned_view(View view, int frame, int frames) {
     return rt::todo("13.5", view, frame, frames);
 }

@@ -7,9 +7,10 @@
 
 namespace rt {
 
-// The view in frame 0 ... frames - 1 of a turntable: the camera goes once around the point that it
-// looks at, about the direction `up`, counterclockwise as seen from above. Frame 0 is `view` bit
-// for bit, and so are the frames `frames`, 2 * `frames` and so on. There is 1 frame or more.
+// The view in one frame of a turntable; `frame` goes from 0 to frames - 1. The camera goes once
+// around the point that it looks at, about the direction `up`, counterclockwise as seen from above.
+// Frame 0 is `view` bit for bit, and so is every frame whose number is a multiple of `frames`.
+// There is 1 frame or more.
 inline View turned_view(View view, int frame, int frames) {
     if (frame % frames == 0) return view;
     const Vec3 axis = normalize(view.up), away = view.from - view.at;
