@@ -48,6 +48,11 @@ EDITS = {
         ("return sum.mean(samples)", "return sum / static_cast<Real>(samples)")],
     "07_bvh/rt/build.hpp": [(
         "level < most_levels ? split(order, boxes) : split_in_half(order, boxes)", "split(order, boxes)")],
+    "08_effects/rt/effects_of.hpp": [
+        ("        if (const auto* emitter = std::get_if<Emitter>(&material))\n"
+         "            if (emitter->radiance != Color{}) effects.lights = true;\n",
+         "        if (std::get_if<Emitter>(&material)) effects.lights = true;\n"),
+        ("scene.camera.shutter > 0 && ", ""), ("scene.fog && scene.fog->density > 0", "scene.fog.has_value()")],
     "13_cluster/rt/saved_tiles.hpp": [(
         "    std::error_code error;\n"
         "    if (out) std::filesystem::rename(unfinished, file, error);\n"

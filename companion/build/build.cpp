@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
+#include <companion/build/missing_include.hpp>
 #include <companion/build/stale.hpp>
 #include <companion/model/source.hpp>
 #include <companion/model/state.hpp>
@@ -114,7 +115,14 @@ std::string first_error(const Course& course, const std::string& output,
         std::string text;
         std::string came_from;  // "file:line" in the learner's files, if that led to the error
         bool is_within = false;
-        std::string meant{};  // the error to show instead: the learner's parameter takes no const
+        std::string meant{};   // the error to show instead: the learner's parameter takes no const
+        std::string remedy{};  // the standard library's header that g++ names
+    };
+    const auto with_remedy = [&](const Error& error) {
+        const std::string add =
+            error.remedy.empty() ? missing_include(course, error.text) : error.remedy;
+        return error.text + missing_semicolon(course, error.text) +
+               (add.empty() ? "" : "\n  " + add);
     };
     std::vector<Error> errors;
     std::string linker, came_from, open_brace;
@@ -148,6 +156,12 @@ std::string first_error(const Course& course, const std::string& output,
             ++shown;
         } else {
             shown = 2;
+            std::smatch header;
+            if (!errors.empty() &&
+                std::regex_search(line, header,
+                                  std::regex{": note: .*'(.+)' is defined in header '(<\\w+>)'"}))
+                errors.back().remedy =
+                    "add #include " + header[2].str() + ", which declares " + header[1].str();
             if (is_within && has(line, "to match this")) open_brace = line;
             const bool is_refusal = has(line, "would lose const") ||
                                     (has(line, "initializing argument") && !errors.empty() &&
@@ -170,7 +184,7 @@ std::string first_error(const Course& course, const std::string& output,
             linker = "the linker says: " + line.substr(line.find_first_of("uUm", line.rfind(": ")));
     }
     for (const Error& error : errors)
-        if (error.is_within) return error.text + missing_semicolon(course, error.text);
+        if (error.is_within) return with_remedy(error);
     // After a brace that is never closed, every error is misleading, and this is the last message.
     if (!open_brace.empty())
         return open_brace.substr(0, open_brace.find(": note: ")) +

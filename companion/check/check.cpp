@@ -77,11 +77,9 @@ Tested run_cases(const Course& course, const Checked& checked, Cases::Part part 
 // The verdict on a run; only the core decides it.
 Verdict judge(const Course& course, const Checked& checked, const Tested& tested) {
     const std::vector<TestCase>& tests = tested.tests;
-    const auto fails = [&](bool hard) {
-        return std::any_of(tests.begin(), tests.end(), [&](const TestCase& test) {
-            return test.hard == hard && is_failing(test);
-        });
-    };
+    const bool core_fails = std::any_of(tests.begin(), tests.end(), [](const TestCase& test) {
+        return !test.hard && is_failing(test);
+    });
     if (tested.was_stopped()) return Endless{tests, tested.trouble(), tested.waited()};
     constexpr int not_started = 127;
     if (tests.empty() && tested.result.exit_code == not_started)
@@ -89,10 +87,13 @@ Verdict judge(const Course& course, const Checked& checked, const Tested& tested
                            " ran no test case: " + how_it_ended(tested.result));
     if (tested.left_early) return Left{tests};
     if (tested.crashed()) return Crashed{tests, tested.trouble()};
-    if (fails(false)) return Failing{tests};
+    if (core_fails) return Failing{tests};
+    // Another exercise that only a star calls, such as 07.1 in the star of 07.2, can wait.
     std::string missing;
     for (const TestCase& test : tests)
-        if (missing.empty()) missing = missing_exercise(test);
+        if (const std::string here = missing_exercise(test);
+            missing.empty() && (!test.hard || here == checked.exercise.id))
+            missing = here;
     if (missing == checked.exercise.id) {
         const int todos = todos_left(course, checked.exercise);
         const bool has_all = todos == checked.exercise.shipped_todos;
@@ -106,7 +107,9 @@ Verdict judge(const Course& course, const Checked& checked, const Tested& tested
                                     "const and &."};
     }
     if (!missing.empty()) return Waiting{missing};
-    if (tested.result.ok() || fails(true)) return Passed{tests};
+    const bool stars_open =
+        std::any_of(tests.begin(), tests.end(), [](const TestCase& test) { return !test.passed; });
+    if (tested.result.ok() || stars_open) return Passed{tests};
     return Crashed{tests, how_it_ended(tested.result)};
 }
 

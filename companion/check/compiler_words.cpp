@@ -229,6 +229,8 @@ const Meaning meanings[]{
 }  // namespace
 
 std::string plain_words(const std::string& error) {
+    // What to do is known: see first_error().
+    if (error.find("\n  add #include <") != std::string::npos) return "";
     // With some language settings, compilers use other quotes.
     const std::string first_line =
         std::regex_replace(error.substr(0, error.find('\n')), std::regex{"\u2018|\u2019"}, "'");

@@ -27,8 +27,9 @@ std::string version_of(const Course& course, const Exercise& exercise) {
     for (const Mistake& mistake : mistakes_of(course, exercise))
         for (const Edit& edit : mistake.edits)
             bytes += mistake.name + edit.file + edit.before + edit.after;
-    for (const fs::path& file : source_files(course.root / "solutions" / exercise.chapter.name))
-        bytes += read_file(file);
+    for (const char* const kind : {"solutions", "tests/plain"})
+        for (const fs::path& file : source_files(course.root / kind / exercise.chapter.name))
+            bytes += read_file(file);
     std::error_code missing;
     const auto checkpoint =
         fs::last_write_time(course.build / "check" / program_name("check." + exercise.id), missing);
@@ -60,7 +61,7 @@ std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& 
     in_parallel(answers.size(), [&](std::size_t i) {
         MistakenAnswer& answer = answers[i];
         for (const auto& [name, text] :
-             edited_files(answer.mistake, course.root / "solutions" / exercise.chapter.name)) {
+             edited_files(course, exercise.chapter.name, answer.mistake)) {
             app::make_folder((answer.folder / name).parent_path());
             app::replace_file(answer.folder / name, text);
         }
@@ -72,6 +73,8 @@ std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& 
 WhatFails what_fails(const Course& course, const MistakenAnswer& answer) {
     Cases cases = cases_of(answer);
     cases.timeout = 10;  // half of the course's patience: some never end
+    // A plain answer leaves the stars open, and a core that fails says nothing of them.
+    if (answer.mistake.remarks.count("edits")) cases.part = Cases::Part::core;
     const auto once = [&] { return run_cases(course, cases).tests; };
     WhatFails fails{.tests = once()};
     fails.always = signature_of(fails.tests);

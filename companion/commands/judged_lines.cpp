@@ -1,16 +1,37 @@
 #include <app/cores.hpp>
+#include <app/files.hpp>
 #include <app/platform.hpp>
+#include <cctype>
 #include <companion/build/build.hpp>
 #include <companion/commands/judged_lines.hpp>
+#include <companion/compare/comparison_sheet.hpp>
 #include <companion/model/state.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/terminal.hpp>
 #include <ctime>
 #include <random>
+#include <rt/image_file.hpp>
 
 namespace companion {
+namespace {
 
-JudgedLines::JudgedLines() : on_terminal_{app::is_terminal(stdout)} {
+// "rung 9: --list draws the same bytes" as "rung_9_list_draws_the_same_bytes".
+std::string folder_of(const std::string& line) {
+    std::string name;
+    for (const char c : line)
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            name += c;
+        else if (!name.empty() && name.back() != '_')
+            name += '_';
+    return name;
+}
+
+}  // namespace
+
+JudgedLines::JudgedLines(const Course& course, std::string program)
+    : course_{course}, program_{std::move(program)}, on_terminal_{app::is_terminal(stdout)} {
+    fs::remove_all(course_.out() / "judge");
+    if (program_.find(' ') != std::string::npos) program_ = '"' + program_ + '"';
     if (on_terminal_) begins = [](const std::string& what) { print(dim("  " + what + " ...")); };
 }
 
@@ -23,6 +44,33 @@ void JudgedLines::operator()(const JudgedLine& line) {
     if (line.passed) return;
     print(wrapped("expected: " + line.expected, "    ") + '\n');
     if (!line.suggestion.empty()) print(wrapped(line.suggestion, "    ") + '\n');
+    keep(line);
+}
+
+void JudgedLines::keep(const JudgedLine& line) const {
+    const Looked& looked = line.looked;
+    const fs::path folder = course_.out() / "judge" / folder_of(line.what);
+    const std::string name = course_.relative(folder);
+    if (looked.scene.empty() && !looked.pictures) return;
+    app::make_folder(folder);
+    if (looked.pictures) {
+        const auto put = [&](const char* file, const rt::Image& image) {
+            app::replace_file(folder / file, rt::encode_png(image));
+        };
+        put("yours.png", mean_of({looked.pictures->mine.back()}));
+        put("ours.png", mean_of({looked.pictures->solution.back()}));
+        put("beside.png", comparison_sheet(*looked.pictures));
+        print("    Yours beside ours: " + name + "/beside.png\n");
+    }
+    std::string command = program_;
+    if (!looked.scene.empty()) {
+        app::replace_file(folder / "scene.txt", looked.scene);
+        command += ' ' + name + "/scene.txt " + name + "/again.ppm";
+    }
+    if (!looked.mesh.empty()) app::replace_file(folder / "shape.obj", looked.mesh);
+    for (const std::string& word : looked.words) command += ' ' + word;
+    if (looked.scene.empty()) command += " > " + name + "/again.ppm";
+    print("    Draw it again:     " + command + "\n\n");
 }
 
 bool judge_own(const Course& course, const fs::path& folder, std::uint64_t seed,

@@ -7,16 +7,22 @@
 namespace companion {
 
 // Prints each line as soon as it is known. On a terminal, it also shows what is being judged at the
-// moment.
+// moment. If a line fails, what it looked at is kept in out/judge, in a folder of its own, until
+// the next verdict.
 class JudgedLines {
   public:
-    JudgedLines();
+    // `program` is the judged program's name on the command line.
+    JudgedLines(const Course& course, std::string program);
     std::function<void(const std::string& what)> begins = [](const std::string&) {};
     void operator()(const JudgedLine& line);
 
     int lines = 0, passed = 0;
 
   private:
+    void keep(const JudgedLine& line) const;
+
+    Course course_;
+    std::string program_;
     bool on_terminal_;
 };
 

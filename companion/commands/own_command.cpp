@@ -4,6 +4,7 @@
 #include <companion/commands/judged_lines.hpp>
 #include <companion/own/judge.hpp>
 #include <companion/own/standing.hpp>
+#include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
 
 namespace companion {
@@ -49,7 +50,7 @@ int own_judge(const Course& course, const Given& given) {
           (part.empty() ? "; this takes a few minutes" : "") + ".\n");
 
     const fs::path path = fs::absolute(folder).lexically_normal();
-    JudgedLines lines;
+    JudgedLines lines{course, (fs::path{folder} / program_name("own")).generic_string()};
     const bool core = judge_own(course, path, seed, part, lines);
     print("\n" + std::to_string(lines.passed) + " of " + std::to_string(lines.lines) +
           " lines pass. To repeat the same scenes: --seed " + std::to_string(seed) + "\n");

@@ -49,8 +49,19 @@ int begin_from(const Course& course, const std::string& name) {
             if (earlier.name <= chapter.name) state.grafts.emplace(earlier.number(), 0);
     });
     print("begun  " + course.relative(file) + ", from our answer to graft " + chapter.number() +
-          '\n');
+          ", " + chapter.graft->title + "\n\n" +
+          next_step(course, next_on_route(course, "graft " + chapter.number())));
     return app::done;
+}
+
+// What may be typed by somebody who is stuck at this graft.
+std::string ways_out(const Course& course, const Chapter& chapter) {
+    std::string again;
+    for (const Chapter& earlier : grafts(course))
+        if (earlier.name < chapter.name)
+            again = "  ./course tracer --from " + earlier.number() + "  to do this graft again\n";
+    return "Stuck? Begin from our answer to a graft; your file is kept elsewhere:\n" + again +
+           "  ./course tracer --from " + chapter.number() + "  to go on without doing this graft\n";
 }
 
 // Draws the learner's scene, or what the program draws without a scene, or says why it cannot.
@@ -135,14 +146,14 @@ int tracer(const Course& course, const Given& given) {
     print("\n");
     const std::uint64_t seed = scenes_seed(given);
     must_build(course, "tracer." + chapter.number());
-    JudgedLines lines;
+    JudgedLines lines{course, course.relative(tracer_program(course))};
     judge_graft(course,
                 {chapter, tracer_program(course), course.program("tracer." + chapter.number()),
                  headers_of_tracer(course), seed, lines.begins},
                 std::ref(lines));
     if (lines.passed < lines.lines) {
-        print("The same scenes again: ./course tracer --seed " + std::to_string(seed) +
-              "\nStuck? ./course tracer --from NN begins again from our answer to graft NN.\n");
+        print("The same scenes again: ./course tracer --seed " + std::to_string(seed) + '\n' +
+              ways_out(course, chapter));
         return app::could_not;
     }
     change_state(course,

@@ -21,15 +21,20 @@ std::string percent(double part) {
 struct Light {
     std::array<double, 3> mine{}, solution{};
     double apart = 0;  // sum of the tiles' absolute differences
+    long still_differing = 0;
+    double largest_step = 0;  // as in TileStatistics
 
     explicit Light(const std::vector<TileStatistics>& tiles) {
-        for (const TileStatistics& tile : tiles)
+        for (const TileStatistics& tile : tiles) {
+            still_differing += tile.still_differing;
+            largest_step = std::max(largest_step, tile.largest_step);
             for (std::size_t i = 0; i < 3; ++i) {
                 const double pixels = tile.tile.width * tile.tile.height;
                 mine[i] += tile.mine[i] * pixels;
                 solution[i] += tile.solution[i] * pixels;
                 apart += std::abs(tile.mine[i] - tile.solution[i]) * pixels;
             }
+        }
     }
     static double sum(const std::array<double, 3>& light) { return light[0] + light[1] + light[2]; }
     double relative() const { return sum(mine) / sum(solution) - 1; }
@@ -60,6 +65,21 @@ std::string cast(const Light& light) {
     return {};
 }
 
+// What differs where the light of each tile is the same but for less than 0.1 %.
+std::string faint_difference(const Light& light) {
+    char text[120];
+    if (light.still_differing > 0)
+        std::snprintf(text, sizeof text, "%ld %s without noise %s, by up to %.0f of 255 steps",
+                      light.still_differing, light.still_differing == 1 ? "pixel" : "pixels",
+                      light.still_differing == 1 ? "differs" : "differ", light.largest_step);
+    else
+        std::snprintf(text, sizeof text,
+                      "the light differs by less than 0.1 %%, but by more than noise explains; a "
+                      "pixel's mean by up to %.1f of 255 steps",
+                      light.largest_step);
+    return text;
+}
+
 }  // namespace
 
 std::string region_of(const Tile& tile, int width, int height) {
@@ -84,6 +104,7 @@ std::string describe_difference(const std::vector<TileStatistics>& tiles) {
     const double all = Light::sum(light.solution);
     const double apart = all > 0 ? light.apart / all : 1;
     const std::string color = cast(light);
+    if (apart < 0.001 && color.empty()) return faint_difference(light);
     // Too bright and too dark tiles balance each other, so shapes have moved.
     if (std::abs(Light::sum(light.mine) - all) < light.apart / 3 && color.empty())
         return "drawn differently, by " + percent(apart) + " on average";

@@ -16,7 +16,8 @@ std::vector<std::string> regions_of(const std::vector<TileStatistics>& tiles, in
 
 // How the light of a region differs: "3.1 % too dark", "twice as bright as it should be", "drawn
 // differently, by 12 % on average". If one channel stands out, it is named: "3.1 % too dark, 8.0 %
-// too little blue". All tiles must be in the same region.
+// too little blue". If the light differs by less than 0.1 %: "12 pixels without noise differ, by up
+// to 3 of 255 steps". All tiles must be in the same region.
 std::string describe_difference(const std::vector<TileStatistics>& tiles);
 
 // A line for each region with differing tiles, the largest difference first, at most four lines; or

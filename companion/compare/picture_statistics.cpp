@@ -177,9 +177,19 @@ double mean_light(const Pictures& pictures, const Tile& tile, std::size_t channe
     return sum / static_cast<double>(pixels.size() * pictures.size());
 }
 
+double mean_byte(const Pictures& pictures, std::size_t i) {
+    double sum = 0;
+    for (const Picture& picture : pictures) sum += picture.bytes[i];
+    return sum / static_cast<double>(pictures.size());
+}
+
 TileStatistics untested(const Both& both, const Tile& tile) {
     TileStatistics test;
     test.tile = tile;
+    for (const std::size_t pixel : pixels_of(tile, both.width()))
+        for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
+            test.largest_step = std::max(
+                test.largest_step, std::abs(mean_byte(both.mine, i) - mean_byte(both.solution, i)));
     for (std::size_t channel = 0; channel < 3; ++channel) {
         test.mine[channel] = mean_light(both.mine, tile, channel);
         test.solution[channel] = mean_light(both.solution, tile, channel);

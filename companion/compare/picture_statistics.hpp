@@ -40,6 +40,7 @@ struct TileStatistics {
     // the solution's pixels.
     std::array<double, 3> noise_p{1, 1, 1}, noise_ratio{1, 1, 1};
     long still_differing = 0;  // still pixels that differ
+    double largest_step = 0;   // of a pixel, between the programs' mean values, 0 to 255
     // The mean square difference between the programs' mean pictures, pixel by pixel, minus what
     // the noise explains, divided by the noise of a single picture. About 0 for right programs.
     double pixel_excess = 0;

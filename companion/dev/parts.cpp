@@ -132,7 +132,7 @@ void look_into_texts(const Course& course, const Exercise& exercise, Lines& wron
 // Why the known mistakes cannot be made; empty if they can.
 std::string trouble_with_mistakes(const Course& course, const Exercise& exercise) try {
     for (const Mistake& mistake : read_mistakes(course.root / mistakes_file(exercise)))
-        edited_files(mistake, course.root / "solutions" / exercise.chapter.name);
+        edited_files(course, exercise.chapter.name, mistake);
     return "";
 } catch (const app::Failure& failure) {
     return with_relative_paths(course, failure.what());

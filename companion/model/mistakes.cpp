@@ -16,6 +16,7 @@ const std::set<std::string> with_value{
     "address sanitizer reports",  // a pattern of its report
     "compare says",               // a pattern of the words of `course compare`
     "only if the answer has",     // a pattern of its code; without it, the mistake is not suggested
+    "edits",                      // "plain answer", see mistakes.hpp
     "data race in",               // the test case in which the thread sanitizer reports one
     "also fails"};                // for programs of chapter 09: further lines of the verdict
 
@@ -96,6 +97,8 @@ class Reader {
             const std::string value = line().substr(colon + 2);
             if (yes_only.count(key) && value != "yes")
                 fail("expected '" + key + ": yes' or no such line, actual: '" + line() + '\'');
+            if (key == "edits" && value != "plain answer")
+                fail("expected 'edits: plain answer' or no such line, actual: '" + line() + '\'');
             if (!values.insert({key, value}).second) fail("'" + key + "' appears twice");
         }
         for (const char* const key : {"title", "caught by"})
@@ -214,6 +217,12 @@ std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs
         text.replace(found[0], edit.before.size(), edit.after);
     }
     return files;
+}
+
+std::map<std::string, std::string> edited_files(const Course& course, const std::string& chapter,
+                                                const Mistake& mistake) {
+    const bool is_plain = mistake.remarks.count("edits") > 0;
+    return edited_files(mistake, course.root / (is_plain ? "tests/plain" : "solutions") / chapter);
 }
 
 }  // namespace companion

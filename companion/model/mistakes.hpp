@@ -19,7 +19,10 @@
 //   -the lines of another edit of this file
 //   ```
 //
-// A mistake may have several edits; each edit starts from the result of the edit before it.
+// A mistake may have several edits; each edit starts from the result of the edit before it. With
+// the line "edits: plain answer", the first starts from the plain answer in tests/plain: if a slip
+// is in the core, the values that the checkpoints print also depend on whether the answer has the
+// star.
 
 #include <companion/model/course.hpp>
 #include <map>
@@ -66,5 +69,9 @@ bool is_refuted(const Mistake& mistake, const std::vector<std::string>& failed,
 // The files that a mistake changes, by name ("rt/refract.hpp"), made from the files in this folder.
 // Throws app::Failure if the lines to replace do not occur exactly once.
 std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs::path& solution);
+
+// The same, made from the chapter's solutions or plain answers.
+std::map<std::string, std::string> edited_files(const Course& course, const std::string& chapter,
+                                                const Mistake& mistake);
 
 }  // namespace companion

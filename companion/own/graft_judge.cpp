@@ -57,8 +57,10 @@ double outlines_missing(const Picture& in, const Picture& from) {
 void look_at_outlines(const Course& course, const GraftRequest& request,
                       const std::vector<std::string>& words, JudgedLine& line) {
     const fs::path file = course.build / ("tracer." + request.chapter.number() + ".ppm");
+    line.looked.words = words;
     const Picture mine = draw_by_tracer(course, request.program, words, file).picture,
                   ours = draw_by_tracer(course, request.reference, words, file).picture;
+    line.looked.pictures = compare_still(mine, ours);
     if (mine.width != ours.width || mine.height != ours.height) {
         line.actual = std::to_string(mine.width) + " x " + std::to_string(mine.height) + " pixels";
         line.expected = std::to_string(ours.width) + " x " + std::to_string(ours.height);
@@ -78,8 +80,10 @@ void look_at_outlines(const Course& course, const GraftRequest& request,
 // to the other side.
 void look_at_still(const OwnProgram& own, const OwnProgram& ours, const OwnScene& scene,
                    JudgedLine& line) {
+    line.looked = {scene.text, scene.mesh, {}, {}};
     const Picture mine = own.picture(scene.text, {}).picture,
                   wanted = ours.picture(scene.text, {}).picture;
+    line.looked.pictures = compare_still(mine, wanted);
     if (mine.width != wanted.width || mine.height != wanted.height) {
         line.actual = "a picture of a different size from what the scene asks for";
         return;

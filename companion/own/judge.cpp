@@ -34,9 +34,15 @@ std::string what_differs(const Comparison& compared) {
     for (const std::string& where :
          describe_by_region(differing, found.tiles, picture.width, picture.height))
         add(where);
-    if (differing.empty() && compared.pixels_differ)
-        add("the light of each tile is right, but single pixels differ");
-    if (found.pixel_noise.ratio > most_pixel_noise)
+    if (differing.empty() && compared.pixels_differ) {
+        double most = 0;
+        for (const TileStatistics& tile : found.tiles) most = std::max(most, tile.largest_step);
+        add("the light of each tile is right, but single pixels differ, by up to " +
+            number(most, "%.1f") + " of 255 steps");
+    }
+    // Less noise is no fault, but it may explain one: a sample that never moves has none.
+    if (found.pixel_noise.ratio > most_pixel_noise ||
+        (!words.empty() && 2 * found.pixel_noise.ratio < 1))
         add("the variance of a pixel's noise is " + number(found.pixel_noise.ratio, "%.1f") +
             " times ours");
     else if (found.tile_noise.ratio > most_tile_noise)
@@ -45,9 +51,19 @@ std::string what_differs(const Comparison& compared) {
     return words;
 }
 
+// Where to look if the light is right, and only the noise is wrong.
+bool only_noise_differs(const Comparison& compared) {
+    return !compared.sizes_differ && compared.light_differs_in.empty() && !compared.pixels_differ &&
+           !compared.statistics.still_differs();
+}
+const char* const about_noise =
+    "The light is right, so the formulas are. Does each sample of each pixel get random numbers of "
+    "its own, and is the pixel the mean of as many samples as the scene asks for?";
+
 // The program's picture must equal the reference's, within what chance explains. The false-alarm
 // rate of one comparison is 1 in 1000, so a fault counts only if two comparisons show it.
 void look_at_picture(const Trial& trial, const OwnScene& scene, JudgedLine& line) {
+    line.looked = {scene.text, scene.mesh, {}, {}};
     const auto with = [&](const OwnProgram& program) {
         return [&](std::uint64_t seed) {
             return program
@@ -59,6 +75,8 @@ void look_at_picture(const Trial& trial, const OwnScene& scene, JudgedLine& line
     for (std::uint64_t time : {1, 2}) {
         const Comparison compared = compare({with(trial.own), with(trial.reference), true}, time);
         line.actual = what_differs(compared);
+        line.looked.pictures = compared;
+        line.suggestion = only_noise_differs(compared) ? about_noise : scene.suggestion;
         if (!line.actual.empty()) continue;
         line.passed = true;
         line.actual = "the same within the noise, in each of " +
@@ -81,6 +99,7 @@ void judge_seed(const Trial& trial, const OwnScene& scene) {
          "a different seed gives different noise, and the same seed gives the same bytes",
          "The random numbers must depend on the seed, the pixel and the sample, and nothing else."},
         [&](JudgedLine& line) {
+            line.looked = {scene.text, scene.mesh, {"--seed", "2"}, {}};
             const auto bytes = [&](const char* seed) {
                 return trial.own.picture(scene.text, {"--seed", seed}).bytes;
             };
@@ -144,6 +163,7 @@ void judge_refusals(const Trial& trial, const std::string& part,
     for (const OwnScene& scene : scenes)
         trial.line({false, part + ": " + scene.name, "", refusal, scene.suggestion},
                    [&](JudgedLine& line) {
+                       line.looked = {scene.text, scene.mesh, {}, {}};
                        look_at_refusal(trial.own.draw(scene.text, {}, scene.mesh).result, line);
                    });
 }
@@ -165,6 +185,7 @@ void judge_edges(const Trial& trial) {
                    long bright = 0, all = 0;
                    for (const std::uint64_t more : {0, 1, 2, 3}) {
                        const OwnScene scene = shared_corner(4 * trial.request.seed + more);
+                       if (bright == 0) line.looked = {scene.text, {}, {}, {}};
                        const Picture picture = trial.own.picture(scene.text, {}).picture;
                        for (long i = 0; i < picture.pixels(); ++i, ++all)
                            bright += picture.bytes[3 * i] != 0;

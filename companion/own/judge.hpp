@@ -2,15 +2,24 @@
 // The verdict on a ray tracer of the learner's own, from the pictures that it draws
 // and the time that it takes.
 
+#include <companion/compare/comparison.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace companion {
 
 namespace fs = std::filesystem;
+
+// What a line looked at, so that a person can look at it, too.
+struct Looked {
+    std::string scene{}, mesh{};           // the file, and shape.obj beside it; empty: none
+    std::vector<std::string> words{};      // what the program is called with, besides the files
+    std::optional<Comparison> pictures{};  // its pictures and ours
+};
 
 // One line of a verdict: what was judged, what was found, and what was expected.
 struct JudgedLine {
@@ -20,6 +29,7 @@ struct JudgedLine {
     std::string expected;       // "our picture", "at least 10 times as fast"
     std::string suggestion;     // where to look if the line failed
     bool busy_machine = false;  // other programs ran, so that times say little
+    Looked looked{};
 };
 
 struct JudgeRequest {

@@ -37,6 +37,7 @@ OwnScene wide_enough(const Timed& timed, Clock clock, double wanted, int width,
 }
 
 void look_at_list(const Trial& trial, const OwnScene& scene, JudgedLine& line) {
+    line.looked = {scene.text, scene.mesh, {"--list"}, {}};
     line.passed = trial.own.picture(scene.text, {}, scene.mesh).bytes ==
                   trial.own.picture(scene.text, {"--list"}, scene.mesh).bytes;
     line.actual = line.passed ? "the same bytes" : "different bytes";
@@ -82,6 +83,7 @@ void judge_cores(const Trial& trial) {
          "same memory?"},
         [&](JudgedLine& line) {
             const std::string scene = crowd(trial.request.seed, 160, 90, trial.request.crowd);
+            line.looked = {scene, {}, {"--threads", "1"}, {}};
             const std::string one = trial.own.picture(scene, {"--threads", "1"}).bytes;
             line.passed = true;
             line.actual = "the same bytes";
@@ -90,6 +92,7 @@ void judge_cores(const Trial& trial) {
                     if (trial.own.picture(scene, {"--threads", threads}).bytes != one) {
                         line.passed = false;
                         line.actual = std::string{"different bytes with "} + threads + " threads";
+                        line.looked.words[1] = threads;
                     }
         });
     const int cores = std::max(2, trial.request.cores);

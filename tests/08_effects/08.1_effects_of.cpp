@@ -80,13 +80,22 @@ TEST_CASE("08.1 the effects of all spheres count", "[08.1]") {
     SceneDescription scene = ball_of(rt::Dielectric{});
     scene.materials.push_back(rt::Metal{{1, 1, 1}, 0});
     scene.materials.push_back(rt::Metal{{1, 1, 1}, 1});
+    scene.materials.push_back(rt::OwnMaterial{{1, 1, 1}, 1});
     scene.materials.push_back(matte);
-    for (const int material : {1, 2, 3}) scene.spheres.push_back({{{1, 1, 1}, 1}, material});
+    for (const int material : {1, 2, 3, 4}) scene.spheres.push_back({{{1, 1, 1}, 1}, material});
+    scene.maps = {rt::scaling({2, 1, 1})};
     scene.camera.shutter = 1;
     scene.spheres[1].velocity = {0, 1, 0};
-    check(scene, {.mirror = true, .fuzz = true, .glass = true, .motion = true},
-          "glass, a mirror that moves, rough metal and a matte sphere: the last sphere must not "
-          "reset the effects of those before it");
+    scene.spheres[1].map = 0;
+    check(scene,
+          {.mirror = true,
+           .fuzz = true,
+           .glass = true,
+           .motion = true,
+           .instances = true,
+           .own = true},
+          "glass, a mirror with a map that moves, rough metal, your own material and a matte "
+          "sphere: the last sphere must not reset the effects of those before it");
 }
 
 TEST_CASE("08.1 a material that no sphere is made of calls for no effect", "[08.1][hard]") {

@@ -96,6 +96,15 @@ struct OneSample : rt::SceneLights {
     }
 };
 
+// Lights of a scene that has none: nobody may ask for one.
+struct NoneToChoose : rt::SceneLights {
+    template <class Random>
+    std::optional<rt::ChosenLight> choose(Vec3, Random&) const {
+        FAIL("lights.empty() is true.\nHint: then do not call direct_light");
+        return {};
+    }
+};
+
 // A material that absorbs whatever arrives.
 struct Absorbing {};
 template <class Random>
@@ -110,9 +119,11 @@ std::optional<rt::Scatter> scatter(const Absorbing&, Vec3, const rt::Hit&, Rando
 struct AtThatTime {
     const rt::SphereList& world;
     mutable int asked = 0;
+    mutable Ray last{};
 
     std::optional<rt::Hit> hit(const rt::TimedRay& ray, rt::Interval within) const {
         ++asked;
+        last = {ray.origin, ray.direction};
         REQUIRE(ray.time == Real(0.25));
         return world.hit(ray, within);
     }
@@ -158,7 +169,19 @@ struct Direct {
         INFO("lights.choose must be called with place.point");
         CHECK(lights.asked_from == place.point);
         asked = world.asked;
+        if (asked > 0) check_shadow_ray(world.last, place);
         return color;
+    }
+    template <class Place>
+    void check_shadow_ray(const Ray& ray, const Place& place) const {
+        const Vec3 direction = lights.sample->sample.direction, origin = place.origin(direction);
+        const auto check = [](Vec3 found, Vec3 expected, const char* hint) {
+            if (rt::length(found - expected) <= 64 * rt::epsilon) return;
+            INFO("Hint: before you call sees_light, set " << hint);
+            CHECK(checkpoint::text(found) == checkpoint::text(expected));
+        };
+        check(ray.direction, direction, "ray.direction to the direction of the sample");
+        check(ray.origin, origin, "ray.origin to place.origin(direction of the sample)");
     }
 };
 
@@ -178,11 +201,21 @@ TEST_CASE("08.4 one sample of direct light has the value of the formula", "[08.4
     for (const Real density : {Real(0.1), Real(0.5), Real(40)}) {
         Direct direct{up, 5, density};
         direct.goes_on = false;
+        const Color found = direct();
         INFO("the place has the density " << text(toward) << ", the sample " << text(density));
-        check_direct(direct(), toward / density * radiance,
+        {
+            INFO(
+                "Hint: the light is above the floor, and nothing is in the way. Ask place.density "
+                "for the direction of the sample, and then sees_light, once");
+            REQUIRE(direct.asked == 1);
+        }
+        if (found == Color{})
+            check_direct(found, toward / density * radiance,
+                         "nothing is in the way, but no light arrives: set both members of the ray "
+                         "before you call sees_light");
+        check_direct(found, toward / density * radiance,
                      "divide the place's density by the sample's density, and multiply by the "
                      "radiance; if you use weights, the weight is 1 if the path does not go on");
-        CHECK(direct.asked == 1);
     }
 }
 
@@ -208,8 +241,13 @@ TEST_CASE("08.4 a light that is hidden or behind the surface gives no light", "[
     behind.lit.world.spheres.push_back({{{0, 8, 0}, Real(0.5)}, 0});
     check_direct(behind(), Color{2, 3, 4} / rt::pi, "an object behind the light is not in the way");
     Direct below{{1, Real(-0.5), 0}, 5, 1};
-    check_direct(below(), black, "the light lies below the floor: the place's density is 0 there");
-    CHECK(below.asked == 0);
+    const char* const behind_the_surface =
+        "the light lies below the floor: the place's density is 0 there, so return black at once";
+    check_direct(below(), black, behind_the_surface);
+    {
+        INFO("Hint: " << behind_the_surface << ", without a call of sees_light");
+        CHECK(below.asked == 0);
+    }
     Direct none{{0, 1, 0}, 5, 1};
     none.lights.sample.reset();
     check_direct(none(), black, "lights.choose gave no sample, so there is no direct light");
@@ -233,8 +271,11 @@ TEST_CASE("08.4 light that was collected is never lost", "[08.4]") {
     const double expected = 2 / 1600.0;
     const auto check = [&](const auto& ending, int depth, const char* name) {
         const Mean mean = lit.mean(down, lit.lights, ending, depth, 4000, 5);
-        INFO("the paths end " << name << " after " << depth << " bounces; mean of the light: "
-                              << mean.mean() << ", expected " << expected);
+        INFO(
+            "the paths end " << name << " after " << depth << " bounces; mean of the light: "
+                             << mean.mean() << ", expected " << expected
+                             << ".\nHint: a path adds the direct light before it ends, in black or "
+                                "in the sky, times the throughput from before the ending");
         CHECK(std::abs(mean.mean() - expected) <= limit * mean.standard_error() + 0.01 * expected);
     };
     check(rt::SkyEnding{}, 1, "in the sky");
@@ -302,7 +343,7 @@ TEST_CASE("08.4 without lights and fog it is the loop of 04.7 bit for bit", "[08
             const Color without = rt::lit_path_radiance(
                 ray, lit.world, lit.materials, sky, rt::NoLights{}, rt::NoFog{}, ending, 5, second);
             const Color empty = rt::lit_path_radiance(ray, lit.world, lit.materials, sky,
-                                                      lit.lights, lit.fog, ending, 5, third);
+                                                      NoneToChoose{}, lit.fog, ending, 5, third);
             REQUIRE((expected == without));
             REQUIRE((expected == empty));
             // The same numbers were drawn.
@@ -438,4 +479,32 @@ TEST_CASE("08.4 a light that is seen in a mirror counts in full", "[08.4]") {
         "mirror gives a density of 0, so no light is sampled there: a light that the path meets "
         "after it counts in full");
     check_same(direct, pure);
+}
+
+TEST_CASE("08.4 a light behind glass is added to the light that was collected", "[08.4]") {
+    // A white floor under a bulb, glass of index 1 around both, and a lamp around everything. Every
+    // path meets the floor, where the bulb is sampled, the glass, where nothing is, and the lamp.
+    const rt::Sphere bulb{{0, 5, 0}, Real(0.001)};
+    const rt::SphereList world{
+        {{floor_ball, 0}, {{{0, 0, 0}, 30}, 1}, {{{0, 0, 0}, 50}, 2, 0}, {bulb, 2, 1}}};
+    const rt::MaterialSet<rt::Lambertian, rt::Dielectric> materials{
+        {white, rt::Dielectric{1}, rt::Lambertian{{0, 0, 0}}}};
+    OneSample lights;
+    lights.add({rt::Sphere{{0, 0, 0}, 50}, {1, 2, 3}, 0});
+    lights.add({bulb, {20000, 20000, 20000}, 1});
+    // Of a density so large that the star's weight is 1.
+    const Real density = 10000;
+    lights.sample =
+        rt::ChosenLight{{{0, 1, 0}, 5, density}, {20000, 20000, 20000}, &lights.all()[1]};
+    rt::Rng random{8, 4};
+    const Color found = rt::lit_path_radiance(down, world, materials, rt::UniformSky{{0, 0, 0}},
+                                              lights, rt::NoFog{}, rt::SkyEnding{}, 9, random);
+    const Color expected = Color{1, 2, 3} + 2 / rt::pi * Color{1, 1, 1};
+    INFO("light "
+         << text(found) << ", expected " << text(expected)
+         << ": 0.637 from the bulb above the floor, and (1, 2, 3) from the lamp behind the "
+            "glass.\nHint: at glass no light is sampled, so `sampled` is false again there, "
+            "and the lamp that the path then meets is added in full to what was collected");
+    CHECK(rt::max_component(Vec3{found.r - expected.r, found.g - expected.g,
+                                 found.b - expected.b}) < Real(0.001));
 }

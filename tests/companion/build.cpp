@@ -103,6 +103,33 @@ TEST_CASE("a struct that lacks its semicolon is named by the line of its brace",
     CHECK_FALSE(has_words(told("int f() {\n    return 1;\n}\nVec operator+(Vec a);\n", 4)));
 }
 
+TEST_CASE("the missing include of a name that is not known is told", "[build]") {
+    const Course course = this_course();
+    const fs::path file = "solutions/03_sphere/rt/hit_sphere.hpp";
+    const auto told = [&](const std::string& what, const std::string& notes = {}) {
+        const std::string error = first_error(
+            course, file.string() + ":3:5: error: " + what + "\n    3 | it\n" + notes, {file});
+        const auto at = error.find("\n  ", error.find("3 | it"));
+        CHECK(plain_words(error).empty() == (at != std::string::npos));
+        return at == std::string::npos ? "" : error.substr(at + 3);
+    };
+    const std::string length = "add #include <rt/length.hpp>, which declares length";
+    CHECK(told("'length' was not declared in this scope; did you mean 'tenth'?") == length);
+    CHECK(told("use of undeclared identifier 'length'") == length);
+    CHECK(told("there are no arguments to 'length' that depend on a template parameter") == length);
+    CHECK(told("no member named 'length' in namespace 'rt'") == length);
+    CHECK(told("'Camera' does not name a type") ==
+          "add #include <rt/camera.hpp>, which declares Camera");
+    // It is not in a header, in a later chapter's, in the file itself, or in one that is included.
+    for (const char* const name : {"lenght", "refract", "hit_sphere", "dot"}) {
+        INFO(name);
+        CHECK(told("'" + std::string{name} + "' was not declared in this scope").empty());
+    }
+    CHECK(told("'vector' is not a member of 'std'",
+               "a.hpp:1:1: note: 'std::vector' is defined in header '<vector>'; this is\n") ==
+          "add #include <vector>, which declares std::vector");
+}
+
 TEST_CASE("of the warnings the one that explains a crash goes first", "[build]") {
     const std::string file = "/c/exercises/01_x/rt/a.hpp";
     const std::string unused = file + ":3:5: warning: unused variable 'x' [-Wunused-variable]\n";

@@ -91,6 +91,12 @@ mkdir -p check
             say 'exec sleep 60 ;; esac'
             continue
         fi
+        if grep -q "star $name awaits 01.2" "$file"; then
+            event '{"event":"failed","exception":"01.2 is still to be written","missing":"01.2","messages":[]}'
+            event '{"event":"ends","passed":false,"output":""}'
+            say ';; esac'
+            continue
+        fi
         passed=true
         ! grep -q "star $name open$" "$file" || passed=false
         case $id in *.float) ! grep -q "star $name open in float$" "$file" || passed=false ;; esac
@@ -104,7 +110,7 @@ mkdir -p check
     grep -q '^crash\|, then crash' "$file" && echo 'kill -SEGV $$'
     grep -q '^computes' "$file" && event '{"event":"computes","seconds":3}' && echo 'kill -TERM $$'
     grep -q '^endless' "$file" && echo 'sleep 60'
-    grep -q wrong "$file" && echo 'exit 1'
+    grep -q 'wrong\|awaits' "$file" && echo 'exit 1'
     [ $narrow = no ] || echo 'exit 1'
     echo 'exit 0'
 } >check/check.$id
@@ -296,6 +302,12 @@ class Companion(unittest.TestCase):
         self.assertRegex(said, r"(\d+ of \d+ lines) pass")
         lines = re.search(r"(\d+ of \d+ lines) pass", said)[1]
         self.assertIn("x rung 3: --seed\n    two different seeds give the same bytes", said)
+        # What it looked at is kept until the next verdict.
+        again = '"%s/own" out/judge/rung_3_seed/scene.txt out/judge/rung_3_seed/again.ppm --seed 2' % folder
+        self.assertIn("    Draw it again:     %s\n" % again, said)
+        self.assertIn("picture ", (self.root / "out/judge/rung_3_seed/scene.txt").read_text())
+        self.course("own", "judge", str(folder), "--rung", "1")
+        self.assertFalse((self.root / "out/judge").exists())
         self.assertIn("09_own           [", self.course())
         self.assertIn("] %s pass, 1.0 hours" % lines, self.course())
         self.put("tracer/main.cpp", "changed\n")
@@ -502,6 +514,13 @@ class Companion(unittest.TestCase):
         self.assertIn("needs 01.2 first", self.course("check", "01.1", code=3))
         self.write("two", "needs 01.2\n")  # the linker took the definition that throws
         self.assertIn("the checkpoints do not call your function", self.course("check", "01.2", code=1))
+
+    def test_check_waits_for_no_exercise_that_only_a_star_calls(self):
+        self.write("one", "right\nstar one awaits 01.2\n")
+        said = self.course("check", "01.1")
+        self.assertRegex(said, r"\* 01.1 .* core passes, 1 star open\n")
+        self.assertIn("Star: 01.1 star one\n    it threw: 01.2 is still to be written\n", said)
+        self.assertNotIn("It calls your function", said)
 
     def test_check_tells_of_code_that_ends_the_program(self):
         for word, where in (("leaves", " in the test case\n  01.1 the answer is right\n"), ("at once", "\n")):
@@ -1072,14 +1091,28 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
             return done.stdout + done.stderr
 
-        self.assertIn("Beside ours:  out/tracer_beside_ours.png", tracer())
+        said = tracer()
+        self.assertIn("Beside ours:  out/tracer_beside_ours.png", said)
         self.assertTrue((self.root / "out/tracer_beside_ours.png").exists())
+        kept = "out/judge/a_sky_and_nothing_else"
+        self.assertIn("    Yours beside ours: %s/beside.png\n" % kept, said)
+        self.assertIn("    Draw it again:     build/tracer %s/scene.txt %s/again.ppm\n" % (kept, kept), said)
+        for name in ("scene.txt", "yours.png", "ours.png", "beside.png"):
+            self.assertTrue((self.root / kept / name).exists())
+        self.assertIn("  ./course tracer --from 01  to go on without doing this graft\n", said)
+        self.assertNotIn("to do this graft again", said)
         self.assertIn("your tracer has no --show yet", tracer("--show", "normal"))
         self.put("chapters/01_tiny/rt/false_color_image.hpp", "#pragma once\n")
         self.put("exercises/tracer/tracer.cpp", "#include <rt/false_color_image.hpp>\n" + program)
         said = tracer("--show", "normal")
         self.assertIn("Your picture: out/tracer_show.png", said)
         self.assertNotIn("Graft", said)
+        # Begun from our answer, with what comes next.
+        self.put("solutions/tracer/01.cpp", "ours\n")
+        self.assertRegex(tracer("--from", "1"),
+                         r"^kept   .*/tracer.cpp\nbegun  exercises/tracer/tracer.cpp, from our answer to graft 01, Any\n"
+                         r"\nNext: 01.1 Number one")
+        self.assertEqual((self.root / "exercises/tracer/tracer.cpp").read_text(), "ours\n")
 
     def test_study_measures_what_passes(self):
         self.write("one", "right\n")

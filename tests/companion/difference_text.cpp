@@ -52,6 +52,21 @@ TEST_CASE("light and dark that make up for each other are shapes that moved", "[
           "drawn differently, by 20 % on average");
 }
 
+TEST_CASE("a difference that is too faint for percent names its pixels", "[difference_text]") {
+    TileStatistics faint = tile({0.50001, 0.50001, 0.50001}, {0.5, 0.5, 0.5});
+    faint.largest_step = 0.3;
+    CHECK(
+        describe_difference({faint}) ==
+        "the light differs by less than 0.1 %, but by more than noise explains; a pixel's mean by "
+        "up to 0.3 of 255 steps");
+    faint.largest_step = 3;
+    faint.still_differing = 1;
+    CHECK(describe_difference({faint}) == "1 pixel without noise differs, by up to 3 of 255 steps");
+    faint.still_differing = 12;
+    CHECK(describe_difference({faint, faint}) ==
+          "24 pixels without noise differ, by up to 3 of 255 steps");
+}
+
 TEST_CASE("places are named region by region, the largest first", "[difference_text]") {
     const TileStatistics slight = tile({0.9, 0.9, 0.9}, {1, 1, 1}),
                          strong = tile({0.1, 0.1, 0.1}, {1, 1, 1}, 304, 160);

@@ -124,6 +124,21 @@ TEST_CASE("what is wrong with a mistake is said with file and line", "[mistakes]
     CHECK(error(with_heading(keys + "changes picture: no\n" + words + edit)) ==
           "01.1.md:6: expected 'changes picture: yes' or no such line, actual: 'changes picture: "
           "no'");
+    CHECK(error(with_heading(keys + "edits: stub\n" + words + edit)) ==
+          "01.1.md:6: expected 'edits: plain answer' or no such line, actual: 'edits: stub'");
+}
+
+TEST_CASE("a mistake is made from the solution or from the plain answer", "[mistakes]") {
+    const Written written{with_heading(keys + "\nWords.\n\n" + edit + "\n## 01.1_plain\n" + keys +
+                                       "edits: plain answer\n\nWords.\n\n" + edit)};
+    const fs::path root = written.folder.path();
+    checkpoint::write_file(root / "solutions/01_x/rt/f.hpp", solution);
+    checkpoint::write_file(root / "tests/plain/01_x/rt/f.hpp", "int f() {\n}\n");
+    const auto made = [&](std::size_t i) {
+        return edited_files({root, root}, "01_x", written.read().at(i)).at("rt/f.hpp");
+    };
+    CHECK(made(0) == written.edited().at("rt/f.hpp"));
+    CHECK(made(1) == "int f(int) {\n}\n");
 }
 
 TEST_CASE("a mistake in code that the answer does not have is no guess", "[mistakes]") {

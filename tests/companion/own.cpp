@@ -28,12 +28,13 @@ std::string small(const std::string& scene) {
 }
 
 // What is said of a program that is this shell script.
-std::vector<JudgedLine> verdict_on(const std::string& build, const std::string& part) {
+std::vector<JudgedLine> verdict_on(const std::string& build, const std::string& part,
+                                   double patience = 60) {
     const TemporaryFolder folder;
     if (!build.empty()) write_file(folder / "build.sh", build);
     std::vector<JudgedLine> lines;
     JudgeRequest request{folder.path(), our_program(), 1, part};
-    request.patience = 0.2;
+    request.patience = patience;
     judge(request, [&](const JudgedLine& line) { lines.push_back(line); });
     return lines;
 }
@@ -116,8 +117,12 @@ TEST_CASE("a program that draws nothing fails line by line", "[own]") {
                 "own: exit code 4: too hard"));
     CHECK(holds(verdict_on(program("echo picture >$2"), "rung1").at(0).actual, "P3 or P6"));
     CHECK(holds(verdict_on(program("kill -SEGV $$"), "rung1").at(0).actual, "signal 11"));
-    CHECK(holds(verdict_on(program("printf \"P3 1 1 255 0 0 0\" >$2"), "rung1").at(0).actual,
-                "different size"));
+    const JudgedLine small = verdict_on(program("printf \"P3 1 1 255 0 0 0\" >$2"), "rung1").at(0);
+    CHECK(holds(small.actual, "different size"));
+    // A person may look at it, too.
+    CHECK(small.looked.scene == own_rungs(1)[0].scenes[0].text);
+    REQUIRE(small.looked.pictures);
+    CHECK(small.looked.pictures->mine.back().pixels() == 1);
 }
 
 #ifdef __linux__
@@ -135,7 +140,7 @@ TEST_CASE("a program cannot write a picture of any size", "[own]") {
 }
 
 TEST_CASE("a program that does not end is not waited for forever", "[own]") {
-    const auto lines = verdict_on(program("while :; do :; done"), "hard");
+    const auto lines = verdict_on(program("while :; do :; done"), "hard", 0.2);
     REQUIRE(lines.size() == 3);
     CHECK(holds(lines[0].actual, "it timed out"));
     CHECK(holds(lines[1].actual, "it timed out"));

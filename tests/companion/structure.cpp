@@ -363,7 +363,7 @@ TEST_CASE("every mistake explains itself and is caught by a test case", "[struct
             CHECK(mistake.explanation.size() > 40);
             const auto race = mistake.remarks.find("data race in");
             CHECK((race == mistake.remarks.end() || cases.count(race->second) == 1));
-            CHECK_NOTHROW(edited_files(mistake, root / "solutions" / chapter.name));
+            CHECK_NOTHROW(edited_files(companion::this_course(), chapter.name, mistake));
         }
         for (const std::string& id : ids) {
             INFO("exercise " << id);

@@ -124,8 +124,7 @@ int try_in_program(const std::string& chapter, const std::string& remark, const 
     const Remake remake{course, target};
     in_parallel(answers.size(), [&](std::size_t i) {
         const fs::path folder = answers[i].folder, program = folder / "program";
-        for (const auto& [name, text] :
-             edited_files(answers[i].mistake, course.root / "solutions" / chapter)) {
+        for (const auto& [name, text] : edited_files(course, chapter, answers[i].mistake)) {
             app::make_folder((folder / name).parent_path());
             app::replace_file(folder / name, text);
         }
@@ -220,8 +219,7 @@ int program(const std::string& names, const std::string& target, const fs::path&
         }
         const Chapter chapter = find_chapter(course, name.substr(0, 2));
         const Mistake mistake = read_mistake(course, chapter, name);
-        for (const auto& [header, text] :
-             edited_files(mistake, course.root / "solutions" / chapter.name)) {
+        for (const auto& [header, text] : edited_files(course, chapter.name, mistake)) {
             app::make_folder((folder / header).parent_path());
             app::replace_file(folder / header, text);
         }

@@ -11,15 +11,16 @@ inline Effects effects_of(const SceneDescription& scene) {
     Effects effects;
     for (const SphereDescription& sphere : scene.spheres) {
         const auto& material = scene.materials[static_cast<std::size_t>(sphere.material)];
-        if (const auto* const metal = std::get_if<Metal>(&material))
-            (metal->fuzz == 0 ? effects.mirror : effects.fuzz) = true;
-        if (std::holds_alternative<Dielectric>(material)) effects.glass = true;
-        if (std::holds_alternative<CheckeredMatte>(material) ||
-            std::holds_alternative<PictureMatte>(material))
-            effects.texture = true;
-        if (std::holds_alternative<OwnMaterial>(material)) effects.own = true;
-        if (const auto* const emitter = std::get_if<Emitter>(&material))
+        if (const auto* metal = std::get_if<Metal>(&material)) {
+            if (metal->fuzz == 0) effects.mirror = true;
+            if (metal->fuzz > 0) effects.fuzz = true;
+        }
+        if (std::get_if<Dielectric>(&material)) effects.glass = true;
+        if (std::get_if<CheckeredMatte>(&material)) effects.texture = true;
+        if (std::get_if<PictureMatte>(&material)) effects.texture = true;
+        if (const auto* emitter = std::get_if<Emitter>(&material))
             if (emitter->radiance != Color{}) effects.lights = true;
+        if (std::get_if<OwnMaterial>(&material)) effects.own = true;
         if (sphere.map >= 0) effects.instances = true;
         if (scene.camera.shutter > 0 && sphere.velocity != Vec3{}) effects.motion = true;
     }
