@@ -60,9 +60,19 @@ void draw(const ProductsControls& c, Drawing& out) {
         out.line(at.to_page(-1 * far), at.to_page(far), {muted, 1, 3});
         out.line(at.to_page(a), at.to_page(foot), {muted, 1.5, 4});
         out.line(origin, at.to_page(foot), {green, 7});
-        if (rt::length(in_space(a)) > 0)
-            draw_arc(out, origin, 30, std::atan2(b.y, b.x),
-                     std::atan2(b.y, b.x) - std::atan2(area, product), {ink, 1.5});
+        if (rt::length(in_space(a)) > 0) {
+            const double from = std::atan2(b.y, b.x), turn = -std::atan2(area, product),
+                         middle = from + turn / 2;
+            draw_arc(out, origin, 30, from, from + turn, {ink, 1.5});
+            out.text(origin + 43 * Point{std::cos(middle), -std::sin(middle)}, "θ", ink);
+        }
+        // Beside the shadow, where a is not.
+        const double side = area < 0 ? -1 : 1;
+        const Point across{-side * b.y / b_length, side * b.x / b_length};
+        if (std::abs(product / b_length) > 0.8)
+            out.text(at.to_page(0.5 * foot) +
+                         (16 + 24 * std::abs(across.x)) * Point{across.x, -across.y},
+                     "|a| cos θ", green);
     }
     draw_vector(out, origin, at.to_page(b), "b", pink);
     draw_vector(out, origin, at.to_page(a), "a", accent);
@@ -136,6 +146,11 @@ void draw(const MatrixControls& c, Drawing& out) {
     const rt::Mat4 m = matrix_of(c);
     draw_grid(out, at);
     draw_house(out, at, {}, muted, 0.7);
+    out.arrow(at.to_page({0, 0}), at.to_page({1, 0}), {thin(orange, 0.6), 2});
+    out.arrow(at.to_page({0, 0}), at.to_page({0, 1}), {thin(green, 0.6), 2});
+    out.text(at.to_page({1, 0}) + Point{0, 13}, "x axis", orange);
+    out.text(at.to_page({0, 1}) + Point{-8, 0}, "y axis", green, Align::right);
+    out.text(at.to_page({0, 0}) + Point{-8, 12}, "the old origin", muted, Align::right);
     for (int i = -5; i <= 5; ++i) {  // the grid, transformed as well
         const auto place = [&](double x, double y) {
             return at.to_page(in_plane(rt::transform_point(m, {x, y, 0})));
@@ -157,8 +172,9 @@ void draw(const MatrixControls& c, Drawing& out) {
     const Point corner{2, 1};
     const rt::Vec3 moved = rt::transform_point(m, in_space(corner));
     out.dot(at.to_page(corner), muted, 4);
+    out.text(at.to_page(corner) + Point{10, 0}, "(2, 1)", muted, Align::left);
     out.dot(at.to_page(in_plane(moved)), ink, 4);
-    out.text(at.to_page(in_plane(moved)) + Point{10, 0}, "2u + v + t", ink, Align::left);
+    out.text(at.to_page(in_plane(moved)) + Point{10, 0}, "M (2, 1) = 2u + v + t", ink, Align::left);
     const double determinant = product_of_steps(u, v, 20, cross_z);
     out.say(determinant == 0
                 ? "The point (2, 1) goes to ({.2}, {.2}). The determinant is {}: everything is "
@@ -256,14 +272,27 @@ void draw(const NormalsControls& c, Drawing& out) {
     tangent(before, n, along);
     tangent(after, rt::transform_point(m, n), surface);
     const auto [right, wrong] = normals_at(c.angle, 1);
+    const auto name = [&](const Frame& at, rt::Vec3 place, rt::Vec3 along_it, double far,
+                          std::string_view letters, Ink color) {
+        out.text(at.to_page(in_plane(place + (far + 16 / at.scale) * along_it)), letters, color);
+    };
+    const rt::Vec3 moved = rt::transform_point(m, n);
+    out.bold = true;
+    name(before, n, n, 0.75, "n", ink);
+    name(before, n, along, 1.1, "s", muted);
+    name(after, moved, surface, 1.1, "M s", muted);
+    name(after, moved, right, 0.75, "n′", blue);
+    if (rt::dot(right, wrong) < 0.94) name(after, moved, wrong, 0.75, "M n", orange);
+    out.bold = false;
     out.handle(before.to_page(in_plane(n)));
     out.dot(after.to_page(in_plane(rt::transform_point(m, n))), ink, 4);
     out.handle(after.to_page({c.stretch, 0}));
     out.handle(after.to_page({c.shear, 1}));
 
     const double bottom = after.at.y + 1.95 * after.scale - (out.is_narrow() ? 8 : 0);
-    out.text({after.at.x - 6, bottom}, "transposed inverse", blue, Align::right);
-    out.text({after.at.x + 6, bottom}, "the matrix itself", orange, Align::left);
+    out.text({before.at.x, before.at.y + bottom - after.at.y}, "a ball", ink);
+    out.text({after.at.x - 6, bottom}, "by the transposed inverse", blue, Align::right);
+    out.text({after.at.x + 6, bottom}, "by the matrix M: wrong", orange, Align::left);
     out.say(
         "Angle to the surface: {.1}° with the transposed inverse, {.1}° with the matrix itself.",
         in_degrees(std::acos(std::clamp(rt::dot(right, surface), -1.0, 1.0))),

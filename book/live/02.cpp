@@ -187,6 +187,9 @@ void draw_space(const ChosenPixel& chosen, const Space& space, Drawing& out) {
     axis(chosen.camera.basis.v, "v", green);
     axis(chosen.camera.basis.w, "w", blue);
     out.dot(eye, ink, 5);
+    out.text(eye + Point{0, 18}, "eye", ink);
+    out.text(space.to_page(chosen.on_viewport(pixel_columns / 2.0, pixel_rows)) + Point{0, 16},
+             "viewport", muted);
 }
 
 // The viewport as the eye sees it, sharp: many rays a pixel.

@@ -31,9 +31,14 @@ rt::Ray far_ray(const RootsControls& c) {
 void draw_line(const RootsControls& c, const Frame& at, Drawing& out) {
     const Point start = at.to_page({start_x, c.height}),
                 tip = at.to_page({tip_x, c.height + (tip_x - start_x) * c.slope});
-    out.arrow(start, tip, {accent, 2.5});
+    const Point edge{out.width, tip.y - (out.width - tip.x) * c.slope};
+    out.line(tip, edge, {muted, 1.5, 5});
+    if (!out.is_narrow()) out.text(edge + Point{-6, 20}, "the line goes on", muted, Align::right);
+    out.arrow(start, tip, {accent, 1.5});
+    const Point along = at.to_page({start_x + 1, c.height + c.slope});
+    out.arrow(start, along, {accent, 3.5});
     if (c.far > 0.61) {  // a gap: the ray starts far to the left
-        const Point cut = start + 0.1 * (tip - start);
+        const Point cut = start + 0.28 * (tip - start);
         for (const double side : {-4.0, 4.0})
             out.line(cut + Point{side - 4, 9}, cut + Point{side + 4, -9}, {muted, 1.5});
         out.text(start + Point{0, 26}, "{} radii away", muted, Align::left, std::pow(10, c.far));
@@ -41,7 +46,7 @@ void draw_line(const RootsControls& c, const Frame& at, Drawing& out) {
     out.handle(start);
     out.handle(tip);
     out.text(start + Point{0, -24}, "O", ink);
-    out.text(tip + Point{2, -22}, "d", accent);
+    out.text(0.5 * (start + along) + Point{0, -15}, "d", accent);
 }
 
 }  // namespace
@@ -61,11 +66,14 @@ void draw(const RootsControls& c, Drawing& out) {
 
     out.disc(center, at.scale, thin(blue, quarter >= 0 ? 0.16 : 0.06));
     out.circle(center, at.scale, {quarter >= 0 ? blue : muted, 2});
+    const Point start = at.to_page({start_x, c.height}), middle = at.to_page(foot);
+    out.arrow(center, start, {pink, 2});
+    out.text(0.55 * start + 0.45 * center + Point{0, 16}, "f", pink);
     draw_line(c, at, out);
-    out.line(center, at.to_page(foot), {muted, 1.5, 4});
-    out.text(center + 0.5 * (at.to_page(foot) - center) + Point{12, 0}, "p", muted);
+    out.line(center, middle, {ink, 2});
+    if (distance(center, middle) > 16) out.text(0.5 * (center + middle) + Point{-10, 0}, "p", ink);
     out.dot(center, ink, 3);
-    out.text(center + Point{-12, 10}, "C", ink);
+    out.text(center + Point{4, 16}, "C", ink);
 
     const auto low = hit_sphere(sphere, ray, {-rt::infinity, rt::infinity});
     if (!low) {
@@ -80,12 +88,21 @@ void draw(const RootsControls& c, Drawing& out) {
     const double high = above.value_or(*low);
     const Point one = at.to_page(in_plane(ray.at(*low))),
                 other = at.to_page(in_plane(ray.at(high)));
+    // The triangle of p, h and r, with its right angle.
+    out.polygon({center, middle, other}, thin(amber, 0.15));
+    out.line(center, other, {amber, 2});
     out.line(one, other, {blue, 4});
-    out.text(0.5 * (at.to_page(foot) + other) + Point{0, -12}, "h", blue);
+    const double half = distance(middle, other), away = distance(middle, center);
+    if (half > 24 && away > 24) {
+        const Point x = (10 / half) * (other - middle), y = (10 / away) * (center - middle);
+        out.path({middle + x, middle + x + y, middle + y}, {ink, 1});
+    }
+    out.text(0.5 * (center + other) + Point{8, 12}, "r", amber);
+    if (half > 12) out.text(0.5 * (middle + other) + Point{0, -12}, "h", blue);
     out.dot(one, blue, 6);
     out.dot(other, blue, 6);
-    out.text(one + Point{-10, 16}, "t₁", blue, Align::right);
-    out.text(other + Point{12, 16}, "t₂", blue, Align::left);
+    out.text(one + Point{-10, -16}, "low", blue, Align::right);
+    out.text(other + Point{12, -16}, "high", blue, Align::left);
 
     // The same in float: crosses at the points that it finds.
     const Meetings in_float = meetings_in_float(ray.origin.x, ray.origin.y, d.x, d.y);
@@ -110,7 +127,7 @@ void draw(const RootsControls& c, Drawing& out) {
               "float, this chapter: a miss");
     say_error(out.height - 13, orange, textbook, "× float, textbook: off by {e}, {e}",
               "float, textbook: a miss");
-    out.say("D/4 = {+}, so the equation has two solutions: t₁ = {.3}, t₂ = {.3}.", quarter, *low,
+    out.say("D/4 = {+}, so the equation has two solutions: low = {.3}, high = {.3}.", quarter, *low,
             high);
 }
 

@@ -214,7 +214,11 @@ void draw(const RaysControls& c, Drawing& out) {
     out.line(at.at + Point{-wide, 0}, at.at + Point{wide, 0}, {sky, 2.5});
     out.line(at.to_page({0, -1}), at.to_page({0, 1}), {muted, 1.2, 5});
     out.text(at.at + Point{wide - 6, -14}, "air", muted, Align::right);
-    out.text(at.at + Point{wide - 6, 14}, "index {.2}", muted, Align::right, c.index);
+    out.text(at.at + Point{wide - 6, 14}, "glass, index {.2}", muted, Align::right, c.index);
+    const double sine = now.eta * std::sin(rt::radians(c.angle));
+    out.text(at.at + Point{6 - wide, 14 * side},
+             now.refracted ? "{.2} · sin {.1}° = {.2}" : "{.2} · sin {.1}° = {.2} > 1", muted,
+             Align::left, now.eta, c.angle, sine);
 
     // Its footprint on the surface must fit the drawing.
     const double width = std::min(0.36, 1.1 * now.cosine), wave = 0.085;

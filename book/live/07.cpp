@@ -490,6 +490,15 @@ void draw(const SplitControls& given, Drawing& out) {
         out.disc(at.to_page(in_plane(sphere.center)), at.scale * sphere.radius, thin(color, 0.75));
         out.disc(at.to_page(in_plane(sphere.center)), 1.8, paper);
     }
+    const auto name_box = [&](const rt::Box& box, std::string_view letter, Ink color) {
+        const Point low = at.to_page(in_plane(box.low)), high = at.to_page(in_plane(box.high));
+        out.text({low.x + 14, high.y + 12}, letter, color);
+    };
+    out.bold = true;
+    out.text(at.to_page(in_plane(splits.whole.high)) + Point{-12, -11}, "A", muted);
+    if (left > 0) name_box(splits.part(0, left), "B₁", blue);
+    if (left < count) name_box(splits.part(left, count), "B₂", orange);
+    out.bold = false;
     const Point grip = on_plane(c, c.plane),
                 far = c.axis > 0 ? Point{-4.6, c.plane} : Point{c.plane, -2.0};
     out.line(at.to_page(far), at.to_page(c.axis > 0 ? Point{4.6, c.plane} : Point{c.plane, 2.0}),

@@ -258,7 +258,8 @@ rt::Ray ray_of(const InstanceControls& c) {
 // The part of the ray that its panel shows, with a mark at each whole t, the ellipse that the
 // matrix makes of the unit circle, and what is met at t.
 void draw_space(Drawing& out, const Frame& at, const InstanceLayout& layout, const rt::Mat4& m,
-                const rt::Ray& ray, std::optional<double> t, rt::Vec3 normal) {
+                const rt::Ray& ray, std::optional<double> t, rt::Vec3 normal,
+                const std::array<std::string_view, 2>& names) {
     const auto page = [&](rt::Vec3 p) { return at.to_page(in_plane(p)); };
     const auto is_in = [&](Point p) {
         return std::abs(p.x - at.at.x) < layout.panel / 2 - 6 &&
@@ -274,7 +275,11 @@ void draw_space(Drawing& out, const Frame& at, const InstanceLayout& layout, con
     for (double along = 0; along < 16; along += 0.02)
         if (const Point p = page(ray.at(along)); is_in(p)) seen.push_back(p);
     out.path(seen, {thin(accent, 0.7), 1.5});
-    if (is_in(page(ray.origin))) out.arrow(page(ray.origin), page(ray.at(1)), {accent, 3.5});
+    if (is_in(page(ray.origin))) {
+        out.arrow(page(ray.origin), page(ray.at(1)), {accent, 3.5});
+        out.text(page(ray.origin) + Point{0, 18}, names[0], ink);
+        out.text(page(ray.at(0.5)) - Point{0, 15}, names[1], accent);
+    }
     for (int whole = 1; whole < 16; ++whole)
         if (const Point p = page(ray.at(whole)); is_in(p)) {
             out.disc(p, 2.5, ink);
@@ -283,6 +288,7 @@ void draw_space(Drawing& out, const Frame& at, const InstanceLayout& layout, con
     if (t) {
         const Point hit = page(ray.at(*t));
         out.arrow(hit, page(ray.at(*t) + 0.8 * normal), {blue, 2.5});
+        out.text(page(ray.at(*t) + normal), "n", blue);
         out.dot(hit, green, 5);
     }
 }
@@ -300,9 +306,9 @@ void draw(const InstanceControls& c, Drawing& out) {
     const auto t = rt::hit_instance(instance, ray, {0, rt::infinity});
     const auto t_there = rt::hit_sphere(rt::unit_sphere, there, {0, rt::infinity});
     draw_space(out, layout.world, layout, instance.object_to_world, ray, t,
-               t ? surface_hit(instance, ray, *t).normal : rt::Vec3{});
+               t ? surface_hit(instance, ray, *t).normal : rt::Vec3{}, {"O", "d"});
     draw_space(out, layout.object, layout, {}, there, t_there,
-               t_there ? there.at(*t_there) : rt::Vec3{});
+               t_there ? there.at(*t_there) : rt::Vec3{}, {"M⁻¹O", "M⁻¹d"});
     if (c.way == 1 && t_there) {
         const Point wrong = layout.world.to_page(in_plane(ray.at(*t_there)));
         out.dot(wrong, orange, 5);
