@@ -2,13 +2,16 @@
 #include <array>
 #include <bit>
 #include <rt/jitter.hpp>
+#include <rt/lambertian.hpp>
 #include <rt/lit_path.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/material_set.hpp>
 #include <rt/rng.hpp>
 #include <rt/running_variance.hpp>
 #include <rt/sample_rng.hpp>
+#include <rt/sky.hpp>
 #include <rt/sobol_samples.hpp>
+#include <rt/sphere_list.hpp>
 #include <rt/twin_halves.hpp>
 
 #include "controls.hpp"
@@ -220,8 +223,8 @@ namespace {
 
 constexpr int columns = 72, rows = 48, tile_side = 6, tiles_across = columns / tile_side,
               tile_count = tiles_across * rows / tile_side;
-constexpr int pilot = 2;                                    // samples of a pixel, in each half
-constexpr int budget_step = 4, budgets = 64 / budget_step;  // samples of a pixel, in both halves
+constexpr int pilot = 4;                                    // samples of a pixel, in each half
+constexpr int budget_step = 8, budgets = 64 / budget_step;  // samples of a pixel, in both halves
 
 std::size_t tile_of(int x, int y) {
     return static_cast<std::size_t>(y / tile_side * tiles_across + x / tile_side);
@@ -240,7 +243,7 @@ struct FoundByChance : rt::SceneLights {
 // one.
 struct Lamplight {
     rt::SphereList world;
-    rt::MaterialSet<rt::Lambertian, rt::Metal> materials;
+    rt::MaterialSet<rt::Lambertian> materials;
     rt::SceneLights lights;
     FoundByChance by_chance;
     rt::Camera camera =
@@ -249,7 +252,7 @@ struct Lamplight {
     explicit Lamplight(double lamp_radius) {
         materials.materials = {rt::Lambertian{rt::from_hex(0xb9b2a8)},
                                rt::Lambertian{rt::from_hex(0xe9e2d4)},
-                               rt::Metal{rt::from_hex(0xe8c890), 0.25},
+                               rt::Lambertian{rt::from_hex(0xe8b060)},
                                rt::Lambertian{rt::from_hex(0x4f7fb0)}, rt::Lambertian{}};
         const rt::Sphere lamp{{-2, 4.2, 2}, lamp_radius};
         world.spheres = {{{{0, -600, 0}, 600}, 0},
@@ -357,12 +360,16 @@ struct Spent {
     void find_spreads(const Sample& sample) {
         std::array<rt::Halves<double>, tile_count> sum{};
         const auto variances = [&](int half, int x, int y) {
-            std::array<rt::RunningVariance, 3> known{};
-            for (int i = 0; i < pilot; ++i) {
-                const rt::Color color = sample(half, x, y, i);
-                add(known[0], color.r), add(known[1], color.g), add(known[2], color.b);
+            std::array<rt::Color, pilot> seen{};
+            for (int i = 0; i < pilot; ++i)
+                seen[static_cast<std::size_t>(i)] = sample(half, x, y, i);
+            rt::Real all = 0;
+            for (const auto channel : {&rt::Color::r, &rt::Color::g, &rt::Color::b}) {
+                rt::RunningVariance known;
+                for (const rt::Color& color : seen) add(known, color.*channel);
+                all += variance(known);
             }
-            return variance(known[0]) + variance(known[1]) + variance(known[2]);
+            return all;
         };
         for (int y = 0; y < rows; ++y)
             for (int x = 0; x < columns; ++x) {
@@ -469,7 +476,7 @@ void draw_errors(Drawing& out, const AdaptiveLayout& layout, const Spent& all, s
             out.line(at(budget_step, error), {opposite.x, at(1, error).y}, {faint, 1});
             out.text(at(budget_step, error) + Point{-6, 0}, "{}", muted, Align::right, error);
         }
-    for (const int samples : {4, 8, 16, 32, 64})
+    for (const int samples : {8, 16, 32, 64})
         out.text({layout.x(samples), opposite.y + 14}, "{}", muted, Align::middle, samples);
     out.line({corner.x, opposite.y}, opposite, {muted, 1});
     out.text({corner.x - 30, corner.y - 14},
@@ -496,7 +503,8 @@ void draw_errors(Drawing& out, const AdaptiveLayout& layout, const Spent& all, s
     const Point equal = at(budget(now), all.equal[now].error),
                 adaptive = at(budget(now), all.adaptive[now].error);
     out.line({adaptive.x, corner.y}, {adaptive.x, opposite.y}, {muted, 1, 3});
-    out.line(adaptive, {std::min(layout.x(needed), opposite.x), adaptive.y}, {blue, 1.5, 4});
+    out.line(adaptive, {std::clamp(layout.x(needed), corner.x, opposite.x), adaptive.y},
+             {blue, 1.5, 4});
     out.dot(equal, orange, 4);
     out.dot(adaptive, blue, 4);
     out.handle({adaptive.x, opposite.y});
@@ -550,12 +558,17 @@ void draw(const AdaptiveControls& c, Drawing& out) {
              Align::left, least, most);
     out.bold = false;
     out.say(
-        "Samples per pixel: {}. If all pixels get the same number, the error is {.4}; if each tile "
-        "gets its share, {.4}, for which {.0} in each pixel would be needed. In the marked tile "
-        "the "
-        "halves have seen spreads of {.3} and {.3}, and so take {} and {} samples.",
-        c.budget, equal.error, adaptive.error, needed, all.spread[chosen].first,
-        all.spread[chosen].second, adaptive.counts[chosen].first, adaptive.counts[chosen].second);
+        adaptive.error < equal.error
+            ? "With the same number in each pixel the error is {.4}; if each tile gets its share, "
+              "it "
+              "is {.4}, for which {.0} in each pixel would be needed. In the marked tile, the "
+              "halves’ pilots saw the spreads {.3} and {.3}, so the halves took {} and {} samples."
+            : "With the same number in each pixel the error is {.4}; by the pilots it is {.4}, as "
+              "with {.0} in each pixel: where no pilot met the lamp, tiles got the fewest. In the "
+              "marked tile, they saw the spreads {.3} and {.3}, so the halves took {} and {} "
+              "samples.",
+        equal.error, adaptive.error, needed, all.spread[chosen].first, all.spread[chosen].second,
+        adaptive.counts[chosen].first, adaptive.counts[chosen].second);
 }
 
 void drag(AdaptiveControls& c, const Drag& to) {
