@@ -148,8 +148,9 @@ void draw(const MatrixControls& c, Drawing& out) {
     draw_house(out, at, {}, muted, 0.7);
     out.arrow(at.to_page({0, 0}), at.to_page({1, 0}), {thin(orange, 0.6), 2});
     out.arrow(at.to_page({0, 0}), at.to_page({0, 1}), {thin(green, 0.6), 2});
-    out.text(at.to_page({1, 0}) + Point{0, 13}, "x axis", orange);
-    out.text(at.to_page({0, 1}) + Point{-8, 0}, "y axis", green, Align::right);
+    out.text(at.to_page({0.5, 0}) + Point{0, 13}, out.is_narrow() ? "x" : "x axis", orange);
+    out.text(at.to_page({0, 1}) + Point{-8, 0}, out.is_narrow() ? "y" : "y axis", green,
+             Align::right);
     out.text(at.to_page({0, 0}) + Point{-8, 12}, "the old origin", muted, Align::right);
     for (int i = -5; i <= 5; ++i) {  // the grid, transformed as well
         const auto place = [&](double x, double y) {
@@ -174,7 +175,11 @@ void draw(const MatrixControls& c, Drawing& out) {
     out.dot(at.to_page(corner), muted, 4);
     out.text(at.to_page(corner) + Point{10, 0}, "(2, 1)", muted, Align::left);
     out.dot(at.to_page(in_plane(moved)), ink, 4);
-    out.text(at.to_page(in_plane(moved)) + Point{10, 0}, "M (2, 1) = 2u + v + t", ink, Align::left);
+    const Point end = at.to_page(in_plane(moved));
+    if (out.is_narrow())
+        out.text({std::clamp(end.x, 76.0, out.width - 76), end.y - 16}, "M (2, 1) = 2u + v + t");
+    else
+        out.text(end + Point{10, 0}, "M (2, 1) = 2u + v + t", ink, Align::left);
     const double determinant = product_of_steps(u, v, 20, cross_z);
     out.say(determinant == 0
                 ? "The point (2, 1) goes to ({.2}, {.2}). The determinant is {}: everything is "
@@ -291,8 +296,11 @@ void draw(const NormalsControls& c, Drawing& out) {
 
     const double bottom = after.at.y + 1.95 * after.scale - (out.is_narrow() ? 8 : 0);
     out.text({before.at.x, before.at.y + bottom - after.at.y}, "a ball", ink);
-    out.text({after.at.x - 6, bottom}, "by the transposed inverse", blue, Align::right);
-    out.text({after.at.x + 6, bottom}, "by the matrix M: wrong", orange, Align::left);
+    const bool narrow = out.is_narrow();
+    out.text({after.at.x - 6, bottom}, narrow ? "transposed inverse" : "by the transposed inverse",
+             blue, Align::right);
+    out.text({after.at.x + 6, bottom}, narrow ? "matrix M: wrong" : "by the matrix M: wrong",
+             orange, Align::left);
     out.say(
         "Angle to the surface: {.1}° with the transposed inverse, {.1}° with the matrix itself.",
         in_degrees(std::acos(std::clamp(rt::dot(right, surface), -1.0, 1.0))),

@@ -188,7 +188,7 @@ void draw_space(const ChosenPixel& chosen, const Space& space, Drawing& out) {
     axis(chosen.camera.basis.w, "w", blue);
     out.dot(eye, ink, 5);
     out.text(eye + Point{0, 18}, "eye", ink);
-    out.text(space.to_page(chosen.on_viewport(pixel_columns / 2.0, pixel_rows)) + Point{0, 16},
+    out.text(space.to_page(chosen.on_viewport(pixel_columns / 2.0, pixel_rows)) + Point{14, 24},
              "viewport", muted);
 }
 
@@ -234,7 +234,7 @@ void draw(const PixelControls& c, Drawing& out) {
     draw_seen(chosen, layout, out);
     const rt::Vec3 direction = chosen.ray.direction;
     out.say(
-        "Column {}, row {}, offset ({.2}, {.2}): the ray's direction, normalized, is ({.3}, {.3}, "
+        "Column {}, row {}, offset ({.2}, {.2}): the ray’s direction, normalized, is ({.3}, {.3}, "
         "{.3}).",
         chosen.column, chosen.row, chosen.offset.x, chosen.offset.y, direction.x, direction.y,
         direction.z);

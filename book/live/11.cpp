@@ -442,7 +442,7 @@ AdaptiveLayout adaptive_layout(double width) {
         const double chart = 2 * (above + high) + above + 14;
         return {{{{0, above}, {wide + gap, above}, {0, 2 * above + high + 4}}},
                 pixel,
-                {40, chart},
+                {46, chart},
                 {width - 12, chart + 150},
                 chart + 186};
     }
@@ -471,7 +471,7 @@ void draw_errors(Drawing& out, const AdaptiveLayout& layout, const Spent& all, s
             corner.y + (opposite.y - corner.y) * std::log(high / error) / std::log(high / low)};
     };
     for (double power = 1e-4; power < 100; power *= 10)
-        for (const double error : {power, 2 * power, 5 * power}) {
+        for (const double error : {power, 2 * power, 3 * power, 5 * power, 7 * power}) {
             if (error < low || error > high) continue;
             out.line(at(budget_step, error), {opposite.x, at(1, error).y}, {faint, 1});
             out.text(at(budget_step, error) + Point{-6, 0}, "{}", muted, Align::right, error);
@@ -506,8 +506,8 @@ void draw_errors(Drawing& out, const AdaptiveLayout& layout, const Spent& all, s
     out.line(adaptive, {std::clamp(layout.x(needed), corner.x, opposite.x), adaptive.y},
              {blue, 1.5, 4});
     out.dot(equal, orange, 4);
+    out.handle(adaptive);
     out.dot(adaptive, blue, 4);
-    out.handle({adaptive.x, opposite.y});
 }
 
 }  // namespace
@@ -536,17 +536,17 @@ void draw(const AdaptiveControls& c, Drawing& out) {
             better.set(x, y, adaptive.pixels[pixel]);
         }
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
-        const double bright =
-            most > least ? std::log(1.0 * adaptive.in(tile) / least) / std::log(1.0 * most / least)
-                         : 0;
+        const double bright = 1.0 * (adaptive.in(tile)-least) / std::max(1, most - least);
         map.set(static_cast<int>(tile) % tiles_across, static_cast<int>(tile) / tiles_across,
                 rt::mix(rt::from_hex(0x14213d), rt::from_hex(0xffd166), bright));
     }
     const std::array<const Bytes*, 3> pictures{&same, &better, &map};
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         out.show(*pictures[i], layout.corner[i], layout.corner[i] + layout.size(), false);
-        out.frame(layout.tile(i, c.column - 1, c.row - 1), layout.tile(i, c.column, c.row),
-                  {pink, 2.5});
+        const Point tile = layout.tile(i, c.column - 1, c.row - 1),
+                    end = layout.tile(i, c.column, c.row);
+        out.frame(tile, end, {paper, 5});
+        out.frame(tile, end, {pink, 2.5});
         out.handle(layout.corner[i] + 0.5 * layout.size(),
                    0.5 * std::hypot(layout.size().x, layout.size().y), false);
     }
@@ -554,9 +554,14 @@ void draw(const AdaptiveControls& c, Drawing& out) {
     out.bold = true;
     out.text(title(0), "{} in each pixel", orange, Align::left, c.budget);
     out.text(title(1), "{} on average", blue, Align::left, c.budget);
-    out.text(title(2), out.is_narrow() ? "from {} to {}" : "from {} to {} in a tile’s pixels", ink,
+    out.text(title(2), out.is_narrow() ? "in each tile" : "in each tile: from {} to {}", ink,
              Align::left, least, most);
     out.bold = false;
+    if (out.is_narrow()) {
+        const Point beside = layout.corner[2] + Point{layout.size().x + 12, 14};
+        out.text(beside, "dark: {} samples", muted, Align::left, least);
+        out.text(beside + Point{0, 20}, "bright: {} samples", muted, Align::left, most);
+    }
     out.say(
         adaptive.error < equal.error
             ? "With the same number in each pixel the error is {.4}; if each tile gets its share, "
