@@ -436,7 +436,8 @@ void draw_costs(const SplitControls& c, const SplitLayout& layout, const Splits&
     for (const double cost : {0.0, 5.0, 10.0, 15.0, 20.0}) {
         out.line(place(layout.low, cost), place(layout.high, cost),
                  {cost == splits.count() ? muted : faint, 1, cost == splits.count() ? 4.0 : 0.0});
-        out.text(place(layout.low, cost) + Point{-8, 0}, "{}", muted, Align::right, cost);
+        const Point mark = place(layout.low, cost);
+        out.text({std::max(mark.x - 8, 22.0), mark.y}, "{}", muted, Align::right, cost);
     }
     std::vector<Point> steps{place(layout.low, splits.count())};
     for (int left = 0; left < splits.count(); ++left) {
@@ -490,14 +491,16 @@ void draw(const SplitControls& given, Drawing& out) {
         out.disc(at.to_page(in_plane(sphere.center)), at.scale * sphere.radius, thin(color, 0.75));
         out.disc(at.to_page(in_plane(sphere.center)), 1.8, paper);
     }
-    const auto name_box = [&](const rt::Box& box, std::string_view letter, Ink color) {
+    const auto name_box = [&](const rt::Box& box, double x, double y, std::string_view letter,
+                              Ink color) {
         const Point low = at.to_page(in_plane(box.low)), high = at.to_page(in_plane(box.high));
-        out.text({low.x + 14, high.y + 12}, letter, color);
+        out.text({x < 0 ? high.x - 12 : low.x + 12, y < 0 ? low.y + 12 : high.y - 11}, letter,
+                 color);
     };
     out.bold = true;
-    out.text(at.to_page(in_plane(splits.whole.high)) + Point{-12, -11}, "A", muted);
-    if (left > 0) name_box(splits.part(0, left), "B₁", blue);
-    if (left < count) name_box(splits.part(left, count), "B₂", orange);
+    name_box(splits.whole, 1, 1, "A", muted);
+    if (left > 0) name_box(splits.part(0, left), 1, -1, "B₁", blue);
+    if (left < count) name_box(splits.part(left, count), -1, -1, "B₂", orange);
     out.bold = false;
     const Point grip = on_plane(c, c.plane),
                 far = c.axis > 0 ? Point{-4.6, c.plane} : Point{c.plane, -2.0};
