@@ -277,7 +277,8 @@ void draw_space(Drawing& out, const Frame& at, const InstanceLayout& layout, con
     out.path(seen, {thin(accent, 0.7), 1.5});
     if (is_in(page(ray.origin))) {
         out.arrow(page(ray.origin), page(ray.at(1)), {accent, 3.5});
-        out.text(page(ray.origin) + Point{0, 18}, names[0], ink);
+        const Point start = page(ray.origin), along = page(ray.at(1)) - start;
+        out.text(start - (22 / std::hypot(along.x, along.y)) * along, names[0], ink);
         out.text(page(ray.at(0.5)) - Point{0, 15}, names[1], accent);
     }
     for (int whole = 1; whole < 16; ++whole)
@@ -288,7 +289,7 @@ void draw_space(Drawing& out, const Frame& at, const InstanceLayout& layout, con
     if (t) {
         const Point hit = page(ray.at(*t));
         out.arrow(hit, page(ray.at(*t) + 0.8 * normal), {blue, 2.5});
-        out.text(page(ray.at(*t) + normal), "n", blue);
+        out.text(page(ray.at(*t) + 0.4 * normal) - Point{0, 14}, "n", blue);
         out.dot(hit, green, 5);
     }
 }
