@@ -279,7 +279,7 @@ void draw_space(Drawing& out, const Frame& at, const InstanceLayout& layout, con
         out.arrow(page(ray.origin), page(ray.at(1)), {accent, 3.5});
         const Point start = page(ray.origin), along = page(ray.at(1)) - start;
         out.text(start - (22 / std::hypot(along.x, along.y)) * along, names[0], ink);
-        out.text(page(ray.at(0.5)) - Point{0, 15}, names[1], accent);
+        out.text(page(ray.at(0.5)) + Point{-8, 17}, names[1], accent, Align::right);
     }
     for (int whole = 1; whole < 16; ++whole)
         if (const Point p = page(ray.at(whole)); is_in(p)) {
