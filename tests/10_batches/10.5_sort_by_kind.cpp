@@ -97,7 +97,7 @@ TEST_CASE("10.5 random kinds", "[10.5]") {
     }
 }
 
-TEST_CASE("10.5 no numbers at all, and only one kind", "[10.5][hard]") {
+TEST_CASE("10.5 an empty list and a single kind", "[10.5][hard]") {
     check_sort<1>({});
     check_sort<8>({});
     check_sort<1>({0, 0, 0});

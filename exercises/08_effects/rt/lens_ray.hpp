@@ -9,10 +9,10 @@ namespace rt {
 
 // Exercise 08.2. The ray from a point of the lens, a disk around the eye that faces the direction
 // of view, through a point of a pixel (see primary_ray), by the formulas of the text. `place`, 0 <=
-// x, y < 1, chooses the point of the lens: x is the fraction of the lens's area that is nearer to
-// its center than this point, y the fraction of a turn around the center, counted from any
-// direction. The result's direction has length 1. Source: the thin lens; Cook, Porter and
-// Carpenter, "Distributed ray tracing", SIGGRAPH 1984.
+// x, y < 1, chooses the point of the lens: x is the fraction of its area that is nearer to its
+// center than this point, y the fraction of a turn around the center, counted from any direction.
+// The result's direction has length 1.
+// Source: the thin lens; Cook, Porter and Carpenter, "Distributed ray tracing", SIGGRAPH 1984.
 inline Ray lens_ray(const Camera& camera, const Lens& lens, int column, int row, Vec2 offset,
                     Vec2 place) {
     return rt::todo("08.2", camera, lens, column, row, offset, place);
