@@ -456,8 +456,11 @@ std::string describe(const Program& program) {
 }
 
 void write_study(const study::Report& report, const std::filesystem::path& folder) {
-    std::ifstream earlier{folder / report.file()};
-    replace_file(folder / report.file(), report.csv(earlier));
+    const fs::path path = folder / report.file();
+    std::ifstream earlier{path};
+    const std::string csv = report.csv(earlier);
+    earlier.close();  // Windows replaces no file that is open
+    replace_file(path, csv);
 }
 
 int run(int argc, const char* const* argv, const Program& program) {

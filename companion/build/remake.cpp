@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/build/remake.hpp>
 #include <companion/system/files.hpp>
+#include <companion/system/platform.hpp>
 #include <companion/system/process.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -37,41 +39,16 @@ std::vector<std::string> for_linking(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::vector<std::string> shell_words(const std::string& line) {
-    std::vector<std::string> words;
-    std::string word;
-    bool in_word = false;
-    char quote = 0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        if (quote == 0 && c == ' ') {
-            if (in_word) words.push_back(word);
-            in_word = false;
-            word.clear();
-            continue;
-        }
-        in_word = true;
-        if (c == quote)
-            quote = 0;
-        else if (quote == 0 && (c == '"' || c == '\''))
-            quote = c;
-        else if (quote != '\'' && c == '\\' && i + 1 < line.size())
-            word += line[++i];
-        else
-            word += c;
-    }
-    if (in_word) words.push_back(word);
-    return words;
-}
-
 Remake::Remake(const Course& course, const std::string& target) {
     const fs::path file = course.build / "compile_commands.json";
     for (const auto& entry : nlohmann::json::parse(read_file(file))) {
         const auto command = entry.at("command").get<std::string>();
-        if (command.find("/" + target + ".dir/") == std::string::npos) continue;
+        std::string slashes = command;  // on Windows CMake writes backslashes
+        std::replace(slashes.begin(), slashes.end(), '\\', '/');
+        if (slashes.find("/" + target + ".dir/") == std::string::npos) continue;
         folder_ = entry.at("directory").get<std::string>();
         sources_.push_back(
-            {entry.at("file").get<std::string>(), without_files(shell_words(command))});
+            {entry.at("file").get<std::string>(), without_files(command_words(command))});
     }
     if (sources_.empty()) throw app::Failure(file.string() + " has no target " + target);
     std::istringstream lines{read_file(course.build / "link" / (target + ".txt"))};

@@ -27,7 +27,4 @@ class Remake {
     std::vector<std::string> linked_;  // the link command's words after the objects
 };
 
-// The words of a command line as a POSIX shell reads them: quotes and backslashes are removed.
-std::vector<std::string> shell_words(const std::string& line);
-
 }  // namespace companion

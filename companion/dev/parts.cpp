@@ -52,7 +52,7 @@ std::vector<std::string> missing_files(const Course& course, const Exercise& exe
         if (stub.parent_path().filename() == "rt") needed.push_back(own / "answer.cpp");
     }
     for (const fs::path& file : needed)
-        if (!fs::exists(course.root / file)) wrong.push_back(file.string() + " is missing");
+        if (!fs::exists(course.root / file)) wrong.push_back(file.generic_string() + " is missing");
     const auto all = checkpoint_files(course, exercise);
     const std::string folder = "tests/" + exercise.chapter.name;
     if (std::none_of(all.begin(), all.end(),
@@ -75,8 +75,8 @@ void find_marks(const Course& course, const Exercise& exercise, Lines& wrong) {
         int number = 1;
         for (std::string line; std::getline(in, line); ++number)
             if (line.find(unwritten) != std::string::npos)
-                wrong.push_back(file.string() + ':' + std::to_string(number) + " is still " +
-                                unwritten);
+                wrong.push_back(file.generic_string() + ':' + std::to_string(number) +
+                                " is still " + unwritten);
     }
 }
 
@@ -86,34 +86,35 @@ void compare_stub(const Course& course, const Exercise& exercise, Lines& wrong) 
         if (!fs::exists(course.root / stub) || !fs::exists(course.root / solution)) continue;
         const std::string text = read_text(course.root / stub);
         if (count_todos(text, exercise.id) == 0)
-            wrong.push_back(stub.string() + " calls no rt::todo(\"" + exercise.id +
+            wrong.push_back(stub.generic_string() + " calls no rt::todo(\"" + exercise.id +
                             "\"): the body of a stub is this call and nothing else");
         if (text.find("Exercise " + exercise.id) == std::string::npos)
-            wrong.push_back(stub.string() +
+            wrong.push_back(stub.generic_string() +
                             " does not say what to write: its comment begins with 'Exercise " +
                             exercise.id + '\'');
         if (stub.extension() != ".hpp") continue;
         const Lines written = signatures(read_text(course.root / solution)),
                     given = signatures(text);
-        if (given.empty()) wrong.push_back(stub.string() + " defines no function");
+        if (given.empty()) wrong.push_back(stub.generic_string() + " defines no function");
         for (const std::string& signature : given)
             if (std::find(written.begin(), written.end(), signature) == written.end())
-                wrong.push_back(stub.string() + " has '" + signature + "', which " +
-                                solution.string() + " has not: both need the same functions");
+                wrong.push_back(stub.generic_string() + " has '" + signature + "', which " +
+                                solution.generic_string() +
+                                " has not: both need the same functions");
     }
 }
 
 void look_into_texts(const Course& course, const Exercise& exercise, Lines& wrong) {
     if (const std::size_t count = hints(course, exercise).size(); count != all_hints)
-        wrong.push_back(exercise.chapter.hints.string() + " has " + std::to_string(count) +
+        wrong.push_back(exercise.chapter.hints.generic_string() + " has " + std::to_string(count) +
                         " hints below '## " + exercise.id +
                         "': three are needed: the idea, the formula, and the shape of the code");
     const std::string text = read_text(course.root / exercise.chapter.text);
     const std::regex heading{"(^|\n)### " + exercise.id + " ([^\n]*)"};
     std::smatch found;
     if (!std::regex_search(text, found, heading)) {
-        wrong.push_back(exercise.chapter.text.string() + " needs a section '### " + exercise.id +
-                        " TITLE (about N minutes)'");
+        wrong.push_back(exercise.chapter.text.generic_string() + " needs a section '### " +
+                        exercise.id + " TITLE (about N minutes)'");
         return;
     }
     const std::string title = found[2], after = found.suffix(),
@@ -121,12 +122,13 @@ void look_into_texts(const Course& course, const Exercise& exercise, Lines& wron
                                                                   : exercise.minutes) +
                                 " minutes";
     if (std::regex_search(after, heading))
-        wrong.push_back(exercise.chapter.text.string() + " has two sections '### " + exercise.id +
-                        '\'');
+        wrong.push_back(exercise.chapter.text.generic_string() + " has two sections '### " +
+                        exercise.id + '\'');
     if (std::regex_search(title, std::regex{"[0-9]+ minutes"}) &&
         title.find(' ' + minutes) == std::string::npos)
-        wrong.push_back(exercise.chapter.text.string() + ": the heading '### " + exercise.id + ' ' +
-                        title + "' should say " + minutes + ", as course.json does for the core");
+        wrong.push_back(exercise.chapter.text.generic_string() + ": the heading '### " +
+                        exercise.id + ' ' + title + "' should say " + minutes +
+                        ", as course.json does for the core");
 }
 
 // Why the known mistakes cannot be made; empty if they can.
@@ -144,7 +146,7 @@ void count_mistakes(const Course& course, const Exercise& exercise, Lines& wrong
     if (const std::string trouble = trouble_with_mistakes(course, exercise); !trouble.empty())
         wrong.push_back(trouble);
     else if (const auto count = read_mistakes(course.root / file).size(); count < few_mistakes)
-        wrong.push_back(file.string() + " needs three known mistakes or more, and has " +
+        wrong.push_back(file.generic_string() + " needs three known mistakes or more, and has " +
                         std::to_string(count));
 }
 

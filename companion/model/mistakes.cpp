@@ -41,7 +41,7 @@ class Reader {
     std::string line() const { return at_end() ? "" : lines_[at_]; }
     bool starts_with(const std::string& start) const { return line().rfind(start, 0) == 0; }
     std::string place() const {
-        return file_.string() + ':' + std::to_string(std::min(at_ + 1, lines_.size()));
+        return file_.generic_string() + ':' + std::to_string(std::min(at_ + 1, lines_.size()));
     }
 
     [[noreturn]] void fail(const std::string& what) const {
@@ -181,7 +181,7 @@ Mistake read_mistake(const Course& course, const Chapter& chapter, const std::st
         course.root / "tests/mistakes" / chapter.name / (name.substr(0, name.find('_')) + ".md");
     for (const Mistake& mistake : read_mistakes(file))
         if (mistake.name == name) return mistake;
-    throw app::Failure(file.string() + " does not describe " + name);
+    throw app::Failure(file.generic_string() + " does not describe " + name);
 }
 
 bool may_be(const Mistake& mistake, const std::string& code) {
@@ -203,16 +203,17 @@ std::map<std::string, std::string> edited_files(const Mistake& mistake, const fs
     std::map<std::string, std::string> files;
     for (const Edit& edit : mistake.edits) {
         const fs::path path = solution / edit.file;
-        if (!fs::exists(path)) throw app::Failure(edit.place + ": there is no " + path.string());
+        if (!fs::exists(path))
+            throw app::Failure(edit.place + ": there is no " + path.generic_string());
         std::string& text = files.try_emplace(edit.file, read_text(path)).first->second;
         const auto found = places(text, edit.before);
         if (found.empty())
             throw app::Failure(
-                edit.place + ": these lines are not in " + path.string() +
+                edit.place + ": these lines are not in " + path.generic_string() +
                 "; copy whole lines from there exactly, as they are after the earlier edits");
         if (found.size() > 1)
             throw app::Failure(edit.place + ": these lines appear " + std::to_string(found.size()) +
-                               " times in " + path.string() +
+                               " times in " + path.generic_string() +
                                "; add a line before or after that tells them apart");
         text.replace(found[0], edit.before.size(), edit.after);
     }

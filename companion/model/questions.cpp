@@ -55,7 +55,7 @@ std::string Question::key() const {
 std::vector<Question> questions(const Course& course, const Chapter& chapter) {
     const fs::path file = fs::path{"chapters"} / chapter.name / "questions.json";
     if (!fs::exists(course.root / file)) return {};
-    const Value whole = Value::parse(read_file(course.root / file), file.string());
+    const Value whole = Value::parse(read_file(course.root / file), file.generic_string());
     std::vector<Question> all;
     for (const Value& value : whole.at("questions").list("questions", 1))
         all.push_back(read_question(value));

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace companion {
 
@@ -19,6 +20,10 @@ std::string libraries_in(const std::filesystem::path& folder);
 
 // Sets a variable of the environment, for this program and those that it runs.
 void set_variable(const char* name, const char* value);
+
+// A line that starts a program, in words, as the system takes it apart: without the quotes, and
+// without the backslashes where they are not the names of folders.
+std::vector<std::string> command_words(const std::string& line);
 
 // Whether a terminal of this type, as TERM names it, understands escape sequences for colors.
 bool has_escapes(const char* terminal);

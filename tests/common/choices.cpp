@@ -1,6 +1,7 @@
 #include <app/run.hpp>
 
 #include "checkpoint.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -19,7 +20,9 @@ app::Picture note_choice(const app::Settings& settings, app::Progress&) {
 int run_with(std::vector<const char*> arguments) {
     picked_color = "";
     shown = "";
-    arguments.insert(arguments.begin(), {"test", "--quiet", "--out", "/dev/null"});
+    const checkpoint::TemporaryFolder folder;
+    const std::string out = folder.file("a.ppm");
+    arguments.insert(arguments.begin(), {"test", "--quiet", "--out", out.c_str()});
     return app::run(static_cast<int>(arguments.size()), arguments.data(),
                     {.name = "test",
                      .about = "",

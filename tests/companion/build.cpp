@@ -89,7 +89,8 @@ TEST_CASE("a struct that lacks its semicolon is named by the line of its brace",
         write_file(folder.path() / "exercises/01_x/rt/a.hpp", text);
         return first_error(
             course,
-            (folder.path() / "exercises/01_x/rt/a.hpp").string() + ':' + std::to_string(line) +
+            (folder.path() / "exercises/01_x/rt/a.hpp").generic_string() + ':' +
+                std::to_string(line) +
                 ":5: error: expected initializer before 'operator'\n    8 | Vec op\n",
             mine);
     };

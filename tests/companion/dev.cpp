@@ -34,7 +34,7 @@ class Small {
 
     Course course() const { return {folder_.path(), folder_ / "build"}; }
     fs::path path(const std::string& file) const { return folder_ / file; }
-    std::string text(const std::string& file) const { return read_file(folder_ / file); }
+    std::string text(const fs::path& file) const { return read_file(folder_ / file); }
     void replace(const std::string& file, const std::string& what, const std::string& with) {
         std::string all = text(file);
         REQUIRE(all.find(what) != std::string::npos);
@@ -86,7 +86,7 @@ TEST_CASE("a new exercise has all of its parts, some of them to be written", "[d
     const auto all = wrong_parts(small.course(), find_exercise(small.course(), "01.2"));
     for (const fs::path& file : made)
         if (small.text(file).find(unwritten) != std::string::npos)
-            CHECK(has(all, file.string() + ':'));
+            CHECK(has(all, file.generic_string() + ':'));
     CHECK(has(all, "docs/01.md:9 is still UNWRITTEN"));
 }
 

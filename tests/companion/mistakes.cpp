@@ -39,7 +39,7 @@ std::string error(const std::string& text) {
         written.edited();
     } catch (const app::Failure& failure) {
         std::string words = failure.what();
-        const std::string folder = written.folder.path().string() + '/';
+        const std::string folder = written.folder.path().generic_string() + '/';
         for (auto at = words.find(folder); at != std::string::npos; at = words.find(folder))
             words.erase(at, folder.size());
         return words;

@@ -22,7 +22,7 @@ namespace {
 const fs::path root = companion::this_course().root;
 
 std::string name(const fs::path& path) {
-    return path.lexically_relative(root).string();
+    return path.lexically_relative(root).generic_string();
 }
 
 std::vector<companion::Chapter> chapters() {
@@ -274,7 +274,8 @@ TEST_CASE("the rooms of common and of the companion do not include each other", 
                  matches(read(path), "#include <((?:companion/)?[a-z]+)/[^>]*>"))
                 if (used != room) uses[room].insert(used);
     };
-    for (const fs::path& folder : folders(root / "common")) note(folder, folder.filename());
+    for (const fs::path& folder : folders(root / "common"))
+        note(folder, folder.filename().string());
     for (const fs::path& folder : folders(root / "companion"))
         note(folder, "companion/" + folder.filename().string());
     CHECK(uses.size() >= 10);

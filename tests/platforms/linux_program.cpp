@@ -19,7 +19,7 @@ int main(int, char** argv) {
                              std::to_string(::GetTickCount64());
     const std::string words = ::GetCommandLineA();
     const auto end = words[0] == '"' ? words.find('"', 1) + 1 : words.find(' ');
-    std::string line = "sh " LINUX_PROGRAM_SH " " + said + ' ' + name +
+    std::string line = "sh \"" LINUX_PROGRAM_SH "\" " + said + ' ' + name +
                        (end < words.size() ? words.substr(end) : std::string{});
     STARTUPINFOA start{};
     start.cb = sizeof start;

@@ -3,11 +3,14 @@
 # exit code to FILE.code.
 said=$1 name=$2
 shift 2
+slashes() { printf %s "$1" | tr '\134' /; }
 for word; do
     shift
     case $word in
-    [Zz]:[/\\]*) word=$(printf %s "${word#?:}" | tr '\134' /) ;;
-    /* | -I/*) word=$(printf %s "$word" | tr '\134' /) ;;
+    [Zz]:[/\\]*) word=$(slashes "${word#?:}") ;;
+    [Cc]:[/\\]*) word=$WINEPREFIX/drive_c$(slashes "${word#?:}") ;;
+    -I[Cc]:[/\\]*) word=-I$WINEPREFIX/drive_c$(slashes "${word#-I?:}") ;;
+    /* | -I/*) word=$(slashes "$word") ;;
     esac
     set -- "$@" "$word"
 done

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""windows_learner.py ROOT BUILD: a learner at Windows, under wine. ROOT is a copy of the course, BUILD its programs for
-Windows. Writes answers, right and wrong, and reads what the companion says about them. cmake, sh and g++ are those of
-Linux: see linux_program.cpp."""
+"""windows_learner.py ROOT: a learner at Windows, under wine. ROOT is a copy of the course with programs for Windows in
+ROOT/build. Writes answers, right and wrong, and reads what the companion says about them. cmake, sh, g++ and MSYS2's
+bash are those of Linux: see linux_program.cpp."""
 
 import os
 import shutil
@@ -11,25 +11,13 @@ import time
 import unittest
 from pathlib import Path
 
-ROOT, BUILD = (Path(path).resolve() for path in sys.argv[1:3])
+ROOT = Path(sys.argv[1]).resolve()
+BUILD = ROOT / "build"
 WINE = Path(__file__).resolve().parent / "wine.sh"
-TOOLS = BUILD / "tools"
 STUB = ROOT / "exercises/03_sphere/rt/quadratic.hpp"
 ANSWER = (ROOT / "solutions/03_sphere/rt/quadratic.hpp").read_text()
 SHIPPED = STUB.read_text()
 BEGIN = "roots_from_discriminant(Real a, Real b, Real c, Real discriminant) {\n"
-
-
-def prepare():
-    """Programs that the companion calls by their names."""
-    TOOLS.mkdir(exist_ok=True)
-    for name in ("cmake", "sh", "g++"):
-        shutil.copy(BUILD / "bin/linux_program.exe", TOOLS / f"{name}.exe")
-    os.environ["WINEPATH"] = f"Z:{TOOLS}"
-    # As a learner's build names the compiler.
-    commands = BUILD / "compile_commands.json"
-    text = commands.read_text()
-    commands.write_text(text.replace("/usr/bin/x86_64-w64-mingw32-g++-posix", "g++"))
 
 
 class Learner(unittest.TestCase):
@@ -48,7 +36,7 @@ class Learner(unittest.TestCase):
 
     def check(self, text, *expected, code):
         """What `check 03.1` says of this file."""
-        STUB.write_text(text)
+        STUB.write_bytes(text.encode())
         said = self.course("check", "03.1", code=code)
         for part in expected:
             self.assertIn(part, said)
@@ -64,6 +52,10 @@ class Learner(unittest.TestCase):
 
     def test_2_right(self):
         self.check(ANSWER, "03.1", "done", code=0)
+
+    def test_2_lines_of_windows(self):
+        self.check(SHIPPED.replace("\n", "\r\n"), "to be written", code=3)
+        self.check(ANSWER.replace("\n", "\r\n"), "03.1", "done", code=0)
 
     def test_3_wrong(self):
         self.check(ANSWER.replace(", b)) / 2;", ", b));"),
@@ -121,7 +113,40 @@ class Learner(unittest.TestCase):
         for part in ("hard", "broken"):
             self.course("own", "judge", f"{own}", "--part", part, "--seed", "1", code=0)
 
+    def test_long_name(self):
+        folder = BUILD / "/".join(["a name of forty letters, é ü 李, and more"] * 6)
+        folder.mkdir(parents=True, exist_ok=True)
+        picture = folder / "sphere.png"
+        done = subprocess.run([WINE, BUILD / "bin/03_sphere_solution.exe", "--width", "8", "--height", "8", "--out", picture],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertEqual(done.returncode, 0, done.stdout.decode())
+        self.assertGreater(len(str(picture)), 260)
+        self.assertTrue(picture.exists())
+
+    def course_cmd(self, words, **variables):
+        """What course.cmd does in a course whose script prints its words."""
+        folder = BUILD / "cmd"
+        folder.mkdir(exist_ok=True)
+        shutil.copy(ROOT / "course.cmd", folder)
+        (folder / "course").write_text("#!/bin/sh\nprintf '[%s]' \"$MSYSTEM\" \"$@\"\nexit 3\n")
+        (folder / "course").chmod(0o755)
+        return subprocess.run([WINE, "cmd", "/c", "course.cmd", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              cwd=folder, env=os.environ | variables)
+
+    def test_course_cmd(self):
+        missing = self.course_cmd(["list"])
+        self.assertEqual(missing.returncode, 1)
+        self.assertIn("MSYS2 is missing", missing.stderr.decode())
+        self.assertEqual(missing.stderr.count(b"\n"), 1)
+        drive_c = Path(subprocess.check_output([WINE, "--boot"]).decode().splitlines()[-1])
+        for place, variables in ((BUILD / "msys 64", {"MSYS2": f"Z:{BUILD}/msys 64"}), (drive_c / "msys64", {})):
+            (place / "usr/bin").mkdir(parents=True, exist_ok=True)
+            shutil.copy(BUILD / "tools/bash.exe", place / "usr/bin")
+            done = self.course_cmd(["check", "01.1", "a b", "José"], **variables)
+            shutil.rmtree(place)
+            self.assertEqual(done.stdout.decode(), "[UCRT64][check][01.1][a b][José]")
+            self.assertEqual(done.returncode, 3)
+
 
 if __name__ == "__main__":
-    prepare()
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:], verbosity=2)

@@ -1,13 +1,17 @@
 #!/bin/sh
 # wine.sh PROGRAM...: runs a program for Windows, with the compiler's libraries. With --boot instead, it makes what
-# wine needs before the first program.
+# wine needs before the first program, and says in which folder drive C: is.
 set -eu
+# Names have letters beyond ASCII.
+export LC_ALL=C.UTF-8
 export WINEDEBUG="${WINEDEBUG:--all}" WINEDLLOVERRIDES='mscoree,mshtml='
 export WINEPREFIX="${WINEPREFIX:-${XDG_CACHE_HOME:-$HOME/.cache}/course-wine}"
 wine=$(command -v wine64 || command -v wine || echo /usr/lib/wine/wine64)
 if [ "$1" = --boot ]; then
     mkdir -p "$WINEPREFIX"
-    exec "$wine" wineboot --init
+    "$wine" wineboot --init
+    echo "$WINEPREFIX/drive_c"
+    exit
 fi
 # A checkpoint finds the answer by PATH; see course_with_answers in cmake/Checkpoints.cmake.
 WINEPATH="${COURSE_ANSWER:+Z:$COURSE_ANSWER};${WINEPATH:-}"

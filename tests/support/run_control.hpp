@@ -1,5 +1,6 @@
 #pragma once
-// What main.cpp asks of the operating system: posix/ and windows/ have the same functions.
+// What main.cpp asks of the operating system: posix/ and windows/ have the same functions, and
+// main.cpp has write_line for both.
 
 #include <csignal>
 #include <cstddef>

@@ -27,7 +27,10 @@ class TemporaryFolder {
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    std::filesystem::path operator/(const std::filesystem::path& name) const {
+        return path_ / name;
+    }
+    std::string file(const std::string& name) const { return (path_ / name).string(); }
 
     int count() const {
         using Iterator = std::filesystem::directory_iterator;

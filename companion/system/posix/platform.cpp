@@ -32,6 +32,33 @@ void set_variable(const char* name, const char* value) {
     ::setenv(name, value, true);
 }
 
+std::vector<std::string> command_words(const std::string& line) {
+    std::vector<std::string> words;
+    std::string word;
+    bool in_word = false;
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (quote == 0 && c == ' ') {
+            if (in_word) words.push_back(word);
+            in_word = false;
+            word.clear();
+            continue;
+        }
+        in_word = true;
+        if (c == quote)
+            quote = 0;
+        else if (quote == 0 && (c == '"' || c == '\''))
+            quote = c;
+        else if (quote != '\'' && c == '\\' && i + 1 < line.size())
+            word += line[++i];
+        else
+            word += c;
+    }
+    if (in_word) words.push_back(word);
+    return words;
+}
+
 bool has_escapes(const char* terminal) {
     return terminal && std::strcmp(terminal, "dumb") != 0;
 }

@@ -1,5 +1,7 @@
 #include <windows.h>
 
+#include <shellapi.h>
+
 #include <companion/system/platform.hpp>
 #include <companion/system/windows/wide.hpp>
 #include <cstdlib>
@@ -47,6 +49,15 @@ std::string libraries_in(const std::filesystem::path& folder) {
 
 void set_variable(const char* name, const char* value) {
     ::_putenv_s(name, value);
+}
+
+std::vector<std::string> command_words(const std::string& line) {
+    int count = 0;
+    wchar_t** const all = ::CommandLineToArgvW(wide(line).c_str(), &count);
+    std::vector<std::string> words;
+    for (int i = 0; i < count; ++i) words.push_back(narrow(all[i]));
+    ::LocalFree(all);
+    return words;
 }
 
 bool has_escapes(const char* terminal) {

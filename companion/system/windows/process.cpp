@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <app/platform.hpp>
 #include <app/signals.hpp>
+#include <app/windows/processor_time.hpp>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -288,15 +289,6 @@ class Reader {
     std::thread thread_;
 };
 
-double cpu_seconds_of(HANDLE process) {
-    FILETIME begin, end, kernel, user;
-    if (!::GetProcessTimes(process, &begin, &end, &kernel, &user)) return 0;
-    const auto seconds = [](const FILETIME& time) {
-        return 1e-7 * (4294967296.0 * time.dwHighDateTime + time.dwLowDateTime);
-    };
-    return seconds(kernel) + seconds(user);
-}
-
 // The signal that a crash like this would raise on other systems; 0 if the program ended by itself.
 int signal_of(DWORD code) {
     switch (code) {
@@ -356,120 +348,163 @@ bool ask_to_end(DWORD process) {
     return event && ::SetEvent(event.get());
 }
 
-}  // namespace
+// A program's words, and the variables that stand before them.
+struct Command {
+    std::vector<std::string> variables, words;
+};
 
-Result run_process(const Run& run) {
-    std::vector<std::string> variables, words = run.command;
-    if (words[0] == "env") {
-        const auto is_variable = [](const std::string& word) {
-            return word.find('=') != word.npos;
-        };
-        const auto end = std::find_if_not(words.begin() + 1, words.end(), is_variable);
-        variables.assign(words.begin() + 1, end);
-        words.erase(words.begin(), end);
-    }
-    Result result;
-    const fs::path program = find_program(words[0], run.folder);
-    std::error_code none;
-    if (program.empty() || !fs::is_directory(run.folder, none)) {
-        result.exit_code = 127;
-        return result;
-    }
+Command taken_apart(const std::vector<std::string>& command) {
+    if (command[0] != "env") return {{}, command};
+    const auto is_variable = [](const std::string& word) { return word.find('=') != word.npos; };
+    const auto end = std::find_if_not(command.begin() + 1, command.end(), is_variable);
+    return {{command.begin() + 1, end}, {end, command.end()}};
+}
 
-    Shown shown;
-    const bool is_shown = run.output == Output::printable && app::is_terminal(stdout);
-    const bool takes_out =
-        is_shown || (run.output != Output::shown && run.output != Output::printable);
+// What a program reads and writes.
+struct Streams {
     Pipe out, events;
-    if (takes_out) out = make_pipe();
-    if (run.has_events) events = make_pipe();
-    const Handle in = nothing(GENERIC_READ);
-    Handle other_out, other_err;
-    if (!takes_out) other_out = inherited(::GetStdHandle(STD_OUTPUT_HANDLE));
-    if (run.output == Output::errors_hidden) other_err = nothing(GENERIC_WRITE);
-    if (run.output != Output::errors_hidden && run.output != Output::captured)
-        other_err = inherited(::GetStdHandle(STD_ERROR_HANDLE));
+    Handle in, other_out, other_err;  // the others where it is not `out`
+};
 
-    STARTUPINFOEXW start{};
-    start.StartupInfo.cb = sizeof start;
-    start.StartupInfo.dwFlags = STARTF_USESTDHANDLES;
-    start.StartupInfo.hStdInput = in.get();
-    start.StartupInfo.hStdOutput = takes_out ? out.into.get() : other_out.get();
-    start.StartupInfo.hStdError = other_err ? other_err.get() : out.into.get();
-    std::vector<HANDLE> handles{start.StartupInfo.hStdInput, start.StartupInfo.hStdOutput};
-    if (other_err) handles.push_back(other_err.get());
+Streams make_streams(const Run& run, bool is_shown) {
+    Streams streams;
+    streams.in = nothing(GENERIC_READ);
+    if (!is_shown && (run.output == Output::shown || run.output == Output::printable))
+        streams.other_out = inherited(::GetStdHandle(STD_OUTPUT_HANDLE));
+    else
+        streams.out = make_pipe();
+    if (run.output == Output::errors_hidden)
+        streams.other_err = nothing(GENERIC_WRITE);
+    else if (run.output != Output::captured)
+        streams.other_err = inherited(::GetStdHandle(STD_ERROR_HANDLE));
+    if (run.has_events) streams.events = make_pipe();
+    return streams;
+}
+
+// Starts a program, all of which belongs to the job. An empty handle if that fails.
+Handle start(const fs::path& program, const Command& command, const fs::path& folder,
+             const Streams& streams, const Job& job) {
+    STARTUPINFOEXW how{};
+    STARTUPINFOW& info = how.StartupInfo;
+    info.cb = sizeof how;
+    info.dwFlags = STARTF_USESTDHANDLES;
+    info.hStdInput = streams.in.get();
+    info.hStdOutput = (streams.other_out ? streams.other_out : streams.out.into).get();
+    info.hStdError = (streams.other_err ? streams.other_err : streams.out.into).get();
+    std::vector<HANDLE> handles{info.hStdInput, info.hStdOutput};
+    if (streams.other_err) handles.push_back(info.hStdError);
     std::string third;
-    if (run.has_events) {
-        handles.push_back(events.into.get());
-        third = descriptors(events.into.get());
-        start.StartupInfo.cbReserved2 = static_cast<WORD>(third.size());
-        start.StartupInfo.lpReserved2 = reinterpret_cast<BYTE*>(third.data());
+    if (streams.events.into) {
+        handles.push_back(streams.events.into.get());
+        third = descriptors(streams.events.into.get());
+        info.cbReserved2 = static_cast<WORD>(third.size());
+        info.lpReserved2 = reinterpret_cast<BYTE*>(third.data());
     }
-    Job job{run};
     Attributes attributes{std::move(handles)};
-    start.lpAttributeList = attributes.list();
-
-    std::wstring line, environment = environment_with(variables);
-    for (const std::string& word : words) add_word(line, wide(word));
-    std::fflush(nullptr);  // otherwise parts of the output would swap positions
-    if (run.passes_signals) passed_on = 0;
-    std::optional<Listening> listens;
-    if (run.passes_signals) listens.emplace();
-    const auto begin = Clock::now();
-    const auto seconds = [&] {
-        return std::chrono::duration<double>(Clock::now() - begin).count();
-    };
+    how.lpAttributeList = attributes.list();
+    std::wstring line, environment = environment_with(command.variables);
+    for (const std::string& word : command.words) add_word(line, wide(word));
     PROCESS_INFORMATION made{};
     if (!::CreateProcessW(
             program.c_str(), line.data(), nullptr, nullptr, TRUE,
             CREATE_SUSPENDED | CREATE_UNICODE_ENVIRONMENT | EXTENDED_STARTUPINFO_PRESENT,
-            environment.data(), fs::absolute(run.folder).c_str(), &start.StartupInfo, &made)) {
-        result.exit_code = 127;
+            environment.data(), fs::absolute(folder).c_str(), &info, &made))
+        return {};
+    const Handle thread{made.hThread};
+    ::AssignProcessToJobObject(job.get(), made.hProcess);
+    ::ResumeThread(made.hThread);
+    return Handle{made.hProcess};
+}
+
+// A running program, and what it prints.
+class Child {
+  public:
+    Child(Handle process, Job& job, Streams streams, const Run& run, bool is_shown)
+        : process_{std::move(process)},
+          job_{job},
+          run_{run},
+          is_shown_{is_shown},
+          output_{std::move(streams.out.from), run.most_output, is_shown ? &shown_ : nullptr},
+          events_{std::move(streams.events.from), run.most_output, nullptr} {}
+
+    // Waits until it ends or goes too far, and ends all that it started.
+    Result wait() {
+        Result result;
+        const bool is_watched = run_.most_output > 0 || run_.most_cpu > 0 || !run_.may_start_others;
+        const double until_look = is_watched ? 20 : 1000;  // milliseconds
+        double left = until_look;
+        do {
+            if (run_.timeout > 0) left = 1000 * (run_.timeout - seconds());
+        } while (!has_ended(std::clamp(left, 0.0, until_look)) && !goes_too_far(result));
+        DWORD code = 0;
+        const bool ended = has_ended(0) && ::GetExitCodeProcess(process_.get(), &code);
+        job_.end();
+        has_ended(INFINITE);
+        result.seconds = seconds();
+        result.cpu_seconds = std::max(job_.cpu_seconds(), cpu_seconds());
+        result.output = output_.text();
+        result.events = events_.text();
+        if (is_shown_) shown_.end();
+        result.started_other = started_other();
+        if (result.started_other) result.signal = not_allowed;
+        if (result.signal == 0) result.signal = ended ? signal_of(code) : SIGTERM;
+        if (result.signal == 0) result.exit_code = static_cast<int>(code);
         return result;
     }
-    const Handle process{made.hProcess}, thread{made.hThread};
-    ::AssignProcessToJobObject(job.get(), process.get());
-    ::ResumeThread(thread.get());
-    out.into.close();
-    events.into.close();
-    Reader output{std::move(out.from), run.most_output, is_shown ? &shown : nullptr};
-    Reader of_events{std::move(events.from), run.most_output, nullptr};
+
+  private:
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    double cpu_seconds() const { return app::processor_seconds(::GetProcessTimes, process_.get()); }
+    bool started_other() { return !run_.may_start_others && job_.reached_limit(); }
 
     // Whether the program ends within this many milliseconds.
-    const auto has_ended = [&](double milliseconds) {
-        return ::WaitForSingleObject(process.get(), static_cast<DWORD>(milliseconds)) ==
+    bool has_ended(double milliseconds) const {
+        return ::WaitForSingleObject(process_.get(), static_cast<DWORD>(milliseconds)) ==
                WAIT_OBJECT_0;
-    };
-    const bool is_watched = run.most_output > 0 || run.most_cpu > 0 || !run.may_start_others;
-    while (true) {
-        const double left = run.timeout > 0 ? run.timeout - seconds() : 1;
-        if (has_ended(std::clamp(1000 * left, 0.0, is_watched ? 20.0 : 1000.0))) break;
-        result.timed_out = left <= 0;
-        result.too_much = run.most_output > 0 && output.size() + of_events.size() > run.most_output;
-        if (run.most_cpu > 0 && cpu_seconds_of(process.get()) > run.most_cpu)
-            result.signal = too_much_time;
-        if (!run.may_start_others && job.reached_limit()) break;
-        if (result.timed_out && ask_to_end(made.dwProcessId)) has_ended(500);
-        if (result.timed_out || result.too_much || result.signal) break;
     }
-    const bool ended = has_ended(0);
-    DWORD code = 0;
-    if (ended) ::GetExitCodeProcess(process.get(), &code);
-    job.end();
-    has_ended(INFINITE);
-    result.seconds = seconds();
-    result.cpu_seconds = std::max(job.cpu_seconds(), cpu_seconds_of(process.get()));
-    result.output = output.text();
-    result.events = of_events.text();
-    if (is_shown) shown.end();
-    result.started_other = !run.may_start_others && job.reached_limit();
-    if (result.started_other)
-        result.signal = not_allowed;
-    else if (ended && result.signal == 0)
-        result.signal = signal_of(code);
-    else if (result.signal == 0)
-        result.signal = SIGTERM;
-    if (result.signal == 0) result.exit_code = static_cast<int>(code);
+
+    // Whether it has to be ended, and notes why.
+    bool goes_too_far(Result& result) {
+        result.timed_out = run_.timeout > 0 && seconds() >= run_.timeout;
+        result.too_much =
+            run_.most_output > 0 && output_.size() + events_.size() > run_.most_output;
+        if (run_.most_cpu > 0 && cpu_seconds() > run_.most_cpu) result.signal = too_much_time;
+        if (result.timed_out && ask_to_end(::GetProcessId(process_.get()))) has_ended(500);
+        return result.timed_out || result.too_much || result.signal != 0 || started_other();
+    }
+
+    Handle process_;
+    Job& job_;
+    const Run& run_;
+    bool is_shown_;
+    Shown shown_;
+    Reader output_, events_;
+    Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+Result run_process(const Run& run) {
+    Result not_started;
+    not_started.exit_code = 127;
+    const Command command = taken_apart(run.command);
+    const fs::path program = find_program(command.words[0], run.folder);
+    std::error_code none;
+    if (program.empty() || !fs::is_directory(run.folder, none)) return not_started;
+
+    const bool is_shown = run.output == Output::printable && app::is_terminal(stdout);
+    Streams streams = make_streams(run, is_shown);
+    Job job{run};
+    std::fflush(nullptr);  // otherwise parts of the output would swap positions
+    if (run.passes_signals) passed_on = 0;
+    std::optional<Listening> listens;
+    if (run.passes_signals) listens.emplace();
+    Handle process = start(program, command, run.folder, streams, job);
+    if (!process) return not_started;
+    // From here on, these ends are open in the program alone, and what is read ends with it.
+    streams.out.into.close();
+    streams.events.into.close();
+    Result result = Child{std::move(process), job, std::move(streams), run, is_shown}.wait();
     if (run.passes_signals) result.passed_on = passed_on;
     return result;
 }

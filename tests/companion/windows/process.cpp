@@ -1,9 +1,12 @@
 #include <windows.h>
 
+#include <app/errors.hpp>
+#include <app/signals.hpp>
 #include <atomic>
 #include <chrono>
 #include <companion/system/file_lock.hpp>
 #include <companion/system/keyboard.hpp>
+#include <companion/system/platform.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/scratch_folder.hpp>
 #include <thread>
@@ -187,4 +190,30 @@ TEST_CASE("keys come through a pipe, until its other end is closed", "[process]"
     CHECK(keyboard.at_end());
     ::SetStdHandle(STD_INPUT_HANDLE, before);
     ::CloseHandle(from);
+}
+
+TEST_CASE("a signal calls all actions and then ends the program", "[process]") {
+    for (const int signal : app::ending_signals) {
+        const Result result = odd({"raise", std::to_string(signal)});
+        CHECK(result.output == "ab");
+        CHECK(result.exit_code == 128 + signal);
+    }
+}
+
+TEST_CASE("the second signal ends a program that has noted the first", "[process]") {
+    for (const int second : {SIGINT, SIGTERM})
+        CHECK(odd({"raise twice", std::to_string(second)}).exit_code == 128 + second);
+}
+
+TEST_CASE("a stub that a thread reaches is named", "[process]") {
+    const Result result = odd({"todo"});
+    CHECK(result.exit_code == app::still_to_write);
+    CHECK(result.output.rfind("odd_program: exercise 01.2", 0) == 0);
+}
+
+TEST_CASE("a line is taken apart as CMake writes it on Windows", "[process]") {
+    CHECK(companion::command_words(
+              R"(C:\ucrt64\bin\c++.exe  -DA=\"b c\" "-IC:/José M" -o x.dir\a.obj -c C:\a.cpp)") ==
+          std::vector<std::string>{"C:\\ucrt64\\bin\\c++.exe", "-DA=\"b", "c\"", "-IC:/José M",
+                                   "-o", "x.dir\\a.obj", "-c", "C:\\a.cpp"});
 }

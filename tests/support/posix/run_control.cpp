@@ -90,14 +90,6 @@ const char* secret_word() {
     return word;
 }
 
-void write_line(int file, const char* line, std::size_t size) {
-    for (std::size_t done = 0; done < size;) {
-        const ssize_t count = ::write(file, line + done, size - done);
-        if (count <= 0) return;
-        done += static_cast<std::size_t>(count);
-    }
-}
-
 void tell_crashes(Tell tell, bool catch_tells_signals) {
     if (catch_tells_signals) return;
     tell_crash = tell;

@@ -2,6 +2,7 @@
 
 #include <windows.h>
 
+#include <app/windows/processor_time.hpp>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -16,13 +17,6 @@
 
 namespace checkpoint {
 namespace {
-
-double seconds_of(const FILETIME& kernel, const FILETIME& user) {
-    const auto seconds = [](const FILETIME& time) {
-        return 1e-7 * (4294967296.0 * time.dwHighDateTime + time.dwLowDateTime);
-    };
-    return seconds(kernel) + seconds(user);
-}
 
 struct Limits {
     double seconds, computing;  // of wall time and of processor time
@@ -70,11 +64,10 @@ Ended run(std::string command, const Limits& limits) {
     }};
     const auto begin = std::chrono::steady_clock::now();
     while (::WaitForSingleObject(made.hProcess, 20) != WAIT_OBJECT_0) {
-        FILETIME created, exited, kernel, user;
-        ::GetProcessTimes(made.hProcess, &created, &exited, &kernel, &user);
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
         ended.waited = passed.count() > limits.seconds;
-        ended.computed = seconds_of(kernel, user) > limits.computing;
+        ended.computed =
+            app::processor_seconds(::GetProcessTimes, made.hProcess) > limits.computing;
         if (ended.waited || ended.computed || too_much) {
             ::TerminateProcess(made.hProcess, 1);
             break;
@@ -185,9 +178,7 @@ Printed run_program(const std::string& program) {
 }
 
 double processor_seconds() {
-    FILETIME created, exited, kernel, user;
-    ::GetThreadTimes(::GetCurrentThread(), &created, &exited, &kernel, &user);
-    return seconds_of(kernel, user);
+    return app::processor_seconds(::GetThreadTimes, ::GetCurrentThread());
 }
 
 }  // namespace checkpoint

@@ -1,11 +1,11 @@
 #include "run_control.hpp"
 
-#include <io.h>
 #include <windows.h>
 
 #include <psapi.h>
 
 #include <algorithm>
+#include <app/windows/processor_time.hpp>
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
@@ -122,12 +122,7 @@ struct Watched {
 Watched watched;
 
 double processor_seconds_of_all() {
-    FILETIME created, exited, kernel, user;
-    ::GetProcessTimes(::GetCurrentProcess(), &created, &exited, &kernel, &user);
-    const auto seconds = [](const FILETIME& time) {
-        return 1e-7 * (4294967296.0 * time.dwHighDateTime + time.dwLowDateTime);
-    };
-    return seconds(kernel) + seconds(user);
+    return app::processor_seconds(::GetProcessTimes, ::GetCurrentProcess());
 }
 
 DWORD WINAPI look(void*) {
@@ -150,14 +145,6 @@ DWORD WINAPI look(void*) {
 
 const char* secret_word() {
     return word;
-}
-
-void write_line(int file, const char* line, std::size_t size) {
-    for (std::size_t done = 0; done < size;) {
-        const int count = ::_write(file, line + done, static_cast<unsigned>(size - done));
-        if (count <= 0) return;
-        done += static_cast<std::size_t>(count);
-    }
 }
 
 // Catch2 tells no crash on this system.

@@ -1,13 +1,19 @@
 // odd_program DOES WORDS...: what a program may do, for the tests of running programs.
 #include <io.h>
 #include <windows.h>
+#undef near  // which stands for nothing there
 
+#include <app/errors.hpp>
+#include <app/interrupt.hpp>
 #include <app/platform.hpp>
+#include <app/signals.hpp>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <rt/todo.hpp>
 #include <string>
+#include <thread>
 
 namespace {
 
@@ -22,6 +28,30 @@ int crash(const std::string& how) {
     volatile int zero = 0;
     if (how == "divide") return 7 / zero;
     RaiseException(0xc000001d, EXCEPTION_NONCONTINUABLE, 0, nullptr);
+    return 0;
+}
+
+template <char name>
+bool say(int) {
+    std::cout << name << std::flush;
+    return false;
+}
+
+// A signal comes, and two actions want to hear of it.
+void raise_with_actions(int signal) {
+    const app::OnSignal first{app::ending_signals, say<'a'>}, second{{signal}, say<'b'>};
+    std::raise(signal);
+}
+
+// Two signals come, of which the first only asks for the end.
+void raise_twice(int second) {
+    const app::Interruption interruption;
+    std::raise(SIGTERM);
+    if (app::Interruption::signal() == SIGTERM) std::raise(second);
+}
+
+int throw_in_thread() {
+    std::thread{[] { rt::todo("01.2"); }}.join();
     return 0;
 }
 
@@ -66,6 +96,9 @@ int main(int argc, char** argv) {
         start(argc, argv);
         Sleep(20'000);
     }
+    if (does == "raise") raise_with_actions(std::atoi(word.c_str()));
+    if (does == "raise twice") raise_twice(std::atoi(word.c_str()));
+    if (does == "todo") return app::run_or_explain("odd_program", throw_in_thread);
     if (does == "loop")
         for (volatile int i = 0;;) {
             const int next = i;
