@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <rt/canvas.hpp>
 #include <rt/for_each_pixel.hpp>
@@ -76,7 +77,10 @@ class TentSums {
     // Adds to a pixel's sum and to that of its right neighbor.
     static void add(Sum& sum, const Eight& terms) {
         double* const numbers = sum.data();
-        store(load<Sums>(numbers) + __builtin_convertvector(terms, Sums), numbers);
+        Sums sums;
+        std::memcpy(&sums, numbers, sizeof sums);
+        sums += __builtin_convertvector(terms, Sums);
+        std::memcpy(numbers, &sums, sizeof sums);
     }
 
     Tile tile_;
