@@ -1,6 +1,5 @@
 #include "equal_time.hpp"
 
-#include <bit>
 #include <rt/tent_filter.hpp>
 #include <study/classic.hpp>
 
@@ -84,13 +83,6 @@ class Cover {
     Renderer<cover_effects> renderer_{scene_, width, height, quality()};
 };
 
-// Close to a count, and good for Sobol's points, which are spread best in powers of two, and better
-// in 192 than in 190: a number whose binary digits are 0 after the third.
-int good_count(int count) {
-    const int step = static_cast<int>(std::bit_floor(static_cast<unsigned>(count))) / 4;
-    return step > 0 ? (count + step / 2) / step * step : count;
-}
-
 struct Drawn {
     int samples = 1;
     std::vector<Channels> pictures;
@@ -122,8 +114,7 @@ void study_equal_time(study::Report& report) {
             const double sample_ms =
                 1e-6 / few *
                 study::time_ns([&] { study::keep(ways[i].draw(few, 1)); }, {.rounds = 3});
-            const int samples = std::max(1, static_cast<int>(std::lround(ms / sample_ms)));
-            all[i].samples = ways[i].name.starts_with("Sobol") ? good_count(samples) : samples;
+            all[i].samples = std::max(1, static_cast<int>(std::lround(ms / sample_ms)));
         }
         for (std::uint64_t seed = 1; seed <= pictures; ++seed)
             for (std::size_t i = 0; i < ways.size(); ++i) {
