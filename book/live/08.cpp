@@ -8,6 +8,7 @@
 #include "controls.hpp"
 // The chapter's last scene, and how its spheres are placed.
 #include "final_scene.cpp"
+#include "found_by_chance.hpp"
 #include "live.hpp"
 #include "placing.cpp"
 #include "plane.hpp"
@@ -98,15 +99,6 @@ void drag(LensControls& c, const Drag& to) {
 // ---- Lamps, found by chance and sampled ----
 
 namespace {
-
-// The lights of a scene for paths that find them only by chance: none is ever sampled.
-struct FoundByChance : rt::SceneLights {
-    static rt::Real density(const rt::Light&, rt::Vec3) { return 0; }
-    template <class Random>
-    static std::optional<rt::ChosenLight> choose(rt::Vec3, Random&) {
-        return {};
-    }
-};
 
 struct Night {
     rt::WideTree world;

@@ -15,6 +15,7 @@
 #include <rt/twin_halves.hpp>
 
 #include "controls.hpp"
+#include "found_by_chance.hpp"
 #include "live.hpp"
 #include "plane.hpp"
 
@@ -229,15 +230,6 @@ constexpr int budget_step = 8, budgets = 64 / budget_step;  // samples of a pixe
 std::size_t tile_of(int x, int y) {
     return static_cast<std::size_t>(y / tile_side * tiles_across + x / tile_side);
 }
-
-// The lights of a scene for paths that find them only by chance: none is ever sampled.
-struct FoundByChance : rt::SceneLights {
-    static rt::Real density(const rt::Light&, rt::Vec3) { return 0; }
-    template <class Random>
-    static std::optional<rt::ChosenLight> choose(rt::Vec3, Random&) {
-        return {};
-    }
-};
 
 // Three balls in the light of a lamp above the picture. A small lamp gives as much light as a large
 // one.
@@ -565,8 +557,7 @@ void draw(const AdaptiveControls& c, Drawing& out) {
     out.say(
         adaptive.error < equal.error
             ? "With the same number in each pixel the error is {.4}; if each tile gets its share, "
-              "it "
-              "is {.4}, for which {.0} in each pixel would be needed. In the marked tile, the "
+              "it is {.4}, for which {.0} in each pixel would be needed. In the marked tile, the "
               "halves’ pilots saw the spreads {.3} and {.3}, so the halves took {} and {} samples."
             : "With the same number in each pixel the error is {.4}; by the pilots it is {.4}, as "
               "with {.0} in each pixel: where no pilot met the lamp, tiles got the fewest. In the "
