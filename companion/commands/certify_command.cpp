@@ -112,7 +112,8 @@ class Examination {
         OwnRecord own = read_state(course_).own;
         if (own_passes(own)) {
             print("Judging your own ray tracer again takes a few minutes.\n");
-            JudgedLines lines{course_, (fs::path{own.folder} / "own").generic_string()};
+            JudgedLines lines{course_,
+                              (fs::path{own.folder} / program_name("own")).generic_string()};
             judge_own(course_, own.folder, scenes_seed({}), "", lines);
             own = read_state(course_).own;
         }

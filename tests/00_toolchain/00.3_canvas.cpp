@@ -136,8 +136,7 @@ TEST_CASE("00.3 a copy has its own pixels", "[00.3]") {
         {
             INFO(
                 "both canvases share one block of pixels in memory.\nHint: copying the pointer "
-                "does not copy the "
-                "picture: make new pixels, then copy the colors");
+                "does not copy the picture: make new pixels, then copy the colors");
             check_pixels(copy, original.begin(), "other pixels");
         }
         {
@@ -332,8 +331,7 @@ TEST_CASE("00.3 a vector of canvases grows without copies", "[00.3][hard]") {
             INFO("the number of pixels made when canvas number "
                  << i
                  << " was moved into the vector.\nHint: a vector that grows moves its elements "
-                    "only if their move "
-                    "constructor is noexcept: Canvas(Canvas&& other) noexcept");
+                    "only if their move constructor is noexcept: Canvas(Canvas&& other) noexcept");
             check_equal(Watch::made - made, 0);
         }
         for (std::size_t i = 0; i < 9; ++i)

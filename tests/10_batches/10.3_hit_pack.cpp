@@ -80,8 +80,7 @@ void check_pack(const Sphere& sphere, PackInteger number, const Rays& rays, cons
     if (!rest_is_same) {
         INFO(
             "Hint: change only the members t and sphere of the pack: the next sphere needs the "
-            "other members "
-            "unchanged");
+            "other members unchanged");
         REQUIRE(same_bits(pack.origin, before.origin));
         REQUIRE(same_bits(pack.direction, before.direction));
     }

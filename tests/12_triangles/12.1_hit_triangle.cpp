@@ -204,8 +204,7 @@ TEST_CASE("12.1 rays from straight above hit a grid once at corners and edges", 
                 INFO(text(ray) << ": expected one hit of the grid, actual " << hits);
                 INFO(
                     "Hint: treat a ray through a corner as if it were moved a little, in the same "
-                    "way for all "
-                    "triangles around it");
+                    "way for all triangles around it");
                 REQUIRE(hits == 1);
             }
     }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <filesystem>
 #include <rt/portable.hpp>
 #include <rt/real.hpp>
 #include <rt/rng.hpp>
@@ -86,9 +87,11 @@ TEST_CASE("portable functions are within 4 units of the library's", "[portable]"
     // clang-format on
     every(-10, 10, COMPARE(sin));
     every(-10, 10, COMPARE(cos));
-    // Far out, that of Windows is off by more. Volatile: the compiler knows the sine itself.
+    // Far out, that of Windows may be off by more. Volatile: the compiler knows the sine itself.
     const volatile double far_out = 1000000;
-    if (std::sin(far_out) == -0x1.6664b2568d867p-2) every(-1000000, 1000000, COMPARE(sin));
+    if (std::filesystem::path::preferred_separator == '/' ||
+        std::sin(far_out) == -0x1.6664b2568d867p-2)
+        every(-1000000, 1000000, COMPARE(sin));
     every(-1, Real(1.5), COMPARE(tan));
     every(-1, 1, COMPARE(asin));
     every(-1, 1, COMPARE(acos));
