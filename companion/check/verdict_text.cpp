@@ -327,7 +327,7 @@ std::string float_lines(const std::vector<Checked>& all) {
                                         [](const OpenStar& star) { return star.in_float; });
         if (more > 0)
             lines += "    " + checked.exercise.id + "  in float: " + std::to_string(more) +
-                     (more == 1 ? " star more is open\n" : " stars more are open\n");
+                     (more == 1 ? " more star is open\n" : " more stars are open\n");
     }
     return lines;
 }

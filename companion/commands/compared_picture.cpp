@@ -36,9 +36,9 @@ std::vector<std::string> explained(const Course& course, const Chapter& chapter,
         std::vector<std::string> words{"It differs from the solution's, which is no mistake here:"};
         for (const std::string& id : some)
             words.push_back(id + ' ' + yours.may_differ.at(id) + '.');
-        words.push_back(some.size() == 1
-                            ? "With the solution's code for it, the pictures are the same."
-                            : "With the solution's code for these, the pictures are the same.");
+        words.push_back("With the solution's code for " +
+                        std::string(some.size() == 1 ? "this exercise" : "these exercises") +
+                        ", the pictures are the same.");
         return words;
     }
     return {};

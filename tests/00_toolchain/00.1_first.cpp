@@ -387,8 +387,8 @@ Finding unreadable() {
         "a P3 picture, 320 pixels wide and 180 high (or another size that is wider than high)",
         trouble,
         trouble.find("color value") == std::string::npos
-            ? "It starts with P3, the width, the height and 255; three whole numbers follow "
-              "for each pixel, row by row"
+            ? "The output starts with P3, the width, the height and 255; three whole numbers "
+              "follow for each pixel, row by row"
             : "A color's components go from 0 to 1; int(255 * color.x) makes a whole number of a "
               "component. Write a space after each. A normal has length 1, so its components go "
               "from -1 to 1, and half of (normal + 1) goes from 0 to 1"};

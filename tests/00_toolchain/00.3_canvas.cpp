@@ -266,8 +266,8 @@ TEST_CASE("00.3 largest is a reference to the pixel itself", "[00.3]") {
                 INFO(
                     "the reference does not refer to a pixel of the canvas.\nHint: check that "
                     "`pixel` in your loop is not a copy, that you do not return a variable of the "
-                    "function, and that the parameter is not passed by value: each of these lacks "
-                    "an &, and no longer exists when the function returns");
+                    "function, and that the parameter is not passed by value: copies and variables "
+                    "of the function no longer exist when it returns. An & may be missing");
                 REQUIRE(is_in_canvas);
             }
             INFO(

@@ -64,10 +64,11 @@ std::string unbalanced(const WatchedNode* root) {
 
 void check_memory() {
     {
-        INFO("nodes that were never destroyed: "
-             << Watch::live_objects()
-             << ", blocks of memory that were never released: " << Watch::live_blocks()
-             << ".\nHint: a unique_ptr owns each node all the time; release() gives up ownership");
+        INFO("nodes that were never destroyed: " << Watch::live_objects()
+                                                 << ", blocks of memory that were never released: "
+                                                 << Watch::live_blocks()
+                                                 << ".\nHint: at all times, a unique_ptr must own "
+                                                    "each node; release() gives up ownership");
         CHECK(Watch::live_objects() == 0);
         CHECK(Watch::live_blocks() == 0);
     }

@@ -220,7 +220,8 @@ TEST_CASE("02.3 coordinates of any size and a camera a million units away", "[02
         {
             // normalize may be off by 3.5; the difference rounds once, in the component
             // and in the length.
-            HINT(view.exact.w, b.w, "w = normalize(from - at), where normalize must scale");
+            HINT(view.exact.w, b.w,
+                 "w = normalize(from - at); normalize must scale a very long or short vector");
             REQUIRE(error_in_ulp(b.w, view.exact.w) <= 6);
         }
         {

@@ -123,8 +123,8 @@ TEST_CASE("02.4 the middle of the picture is straight ahead", "[02.4]") {
     const Vec3 ahead{1, 0, 0};
     HINT(ahead, ray.direction,
          ray.direction == -ahead
-             ? "this direction leads behind the camera. It looks along -w, so the third "
-               "coordinate must be -1"
+             ? "this direction leads behind the camera. The camera looks along -w, so the "
+               "third coordinate must be -1"
              : "the direction is x u + y v - w, with the camera's own u, v and w");
     CHECK(ray.direction == ahead);
 }

@@ -247,7 +247,8 @@ TEST_CASE("04.6 a ray starts inside a sphere whose radius is only 8 to 8000 coor
         UNSCOPED_INFO(describe(place, in)
                       << ": the ray does not meet the far side. The radius is "
                       << sphere.radius / step
-                      << " steps of the coordinates there, and the cosine is " << cosine);
+                      << " times the step from one coordinate to the next, and the cosine is "
+                      << cosine);
         UNSCOPED_INFO(
             "Hint: start inside, along the normal, by the error of the point and of the sum alone");
     }

@@ -150,7 +150,7 @@ TEST_CASE("05.2 fuzz is added to the mirror direction and the sum is folded", "[
 
 TEST_CASE("05.2 scatter takes each parameter from the material and the hit", "[05.2]") {
     {
-        INFO("Hint: leave Metal as it was given: without a named fuzz, it is a mirror");
+        INFO("Hint: leave Metal as it was given: a metal for which no fuzz is given is a mirror");
         CHECK(text(rt::Metal{}.fuzz) == "0");
     }
     rt::Rng rng{52, 10};

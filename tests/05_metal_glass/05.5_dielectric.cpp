@@ -109,8 +109,8 @@ TEST_CASE("05.5 light that is not let through is reflected", "[05.5]") {
 TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
     {
         INFO(
-            "Hint: leave the two materials as they were given: without a named index, each is "
-            "glass");
+            "Hint: leave the two materials as they were given: if no index is given, each of them "
+            "is glass");
         CHECK(text(rt::Dielectric{}.index) == "1.5");
         CHECK(text(rt::SchlickDielectric{}.index) == "1.5");
     }

@@ -99,7 +99,7 @@ void check_direction(const Sample& sample, const Bounce& bounce) {
                 "expected a direction of length 1; the values are the error of its length, in "
                 "epsilon\n"
                 "Hint: pass a sum of vectors through normalize, or through above_horizon, which "
-                "also knows what to do with the zero vector");
+                "also accepts the zero vector");
             REQUIRE(off <= 64);
         }
         INFO(

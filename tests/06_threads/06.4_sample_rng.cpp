@@ -120,8 +120,8 @@ void check_unrelated(const Key& step, const char* what) {
         }
     // Of 32 distances between bits that are drawn at random, the least is 10.1 on average.
     INFO(
-        "the number of the 32 bits in which the fourth draws differ; one draw is rotated so that "
-        "the fewest bits differ");
+        "how many of the 32 bits differ between the fourth draws; one of these draws is rotated so "
+        "that the fewest bits differ");
     CHECK(least_distance / 2048 > 9.5);
 }
 
@@ -338,7 +338,7 @@ TEST_CASE("06.4 every bit of the four numbers counts", "[06.4][hard]") {
         int sum = 0;
         for (const Key& key : keys) sum += distance(key, changed(key));
         INFO("bit " << bit << " of " << what
-                    << " changes: the number of the first 64 bits that change with it; "
+                    << " changes: of the first 64 bits that are drawn, how many change; "
                     << "half of them should");
         const double mean = sum / 16.0;  // 32, give or take 1
         REQUIRE(mean > 25.5);

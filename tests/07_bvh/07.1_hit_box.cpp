@@ -66,7 +66,7 @@ TEST_CASE("07.1 a ray may run backwards along each axis", "[07.1]") {
         check(unit, origin, turned({-1, 2, Real(0.125)}, axis), ahead, false,
               "the ray leaves the slab of another axis before it enters this one");
     }
-    check(unit, {2, 2, 2}, {-1, -1, -1}, ahead, true, "the ray runs backwards along the diagonal");
+    check(unit, {2, 2, 2}, {-1, -1, -1}, ahead, true, "the ray runs backward along the diagonal");
 }
 
 TEST_CASE("07.1 only hits within the interval count", "[07.1]") {

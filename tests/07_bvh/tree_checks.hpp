@@ -26,11 +26,10 @@ void check_equal_centers(const Split& split) {
     split(std::span{order}.subspan(part, part), std::span<const Box>{boxes});
     std::sort(order.begin() + part, order.begin() + 2 * part);
     INFO(
-        "60 spheres have the same center. After sorting, the part of the order is not the same "
-        "numbers any more."
-        "\nHint: the lambda of std::sort compares with <. With <=, or with a difference, each of "
-        "two equal ones comes "
-        "before the other, and std::sort runs past the ends");
+        "60 spheres have the same center. After sorting, this part of the order no longer holds "
+        "the same numbers.\nHint: the lambda of std::sort compares with <. With <=, or with a "
+        "difference, each of two equal centers comes before the other, and std::sort runs past "
+        "the ends");
     REQUIRE((order == before));
 }
 

@@ -477,7 +477,7 @@ TEST_CASE("08.4 a light that is seen in a mirror counts in full", "[08.4]") {
     INFO(
         "the mean with sampled lights must equal the mean with lights found by chance alone. A "
         "mirror gives a density of 0, so no light is sampled there: a light that the path meets "
-        "after it counts in full");
+        "after the mirror counts in full");
     check_same(direct, pure);
 }
 

@@ -302,8 +302,8 @@ TEST_CASE("08.5 the box around an ellipsoid", "[08.5]") {
         {Real(std::sqrt(12.5)), Real(std::sqrt(12.5)), 1},
         "the reach along x is the length of the first row, sqrt(8 + 4.5), not of the first column");
     check(rt::translation({-100, 0, 0}), {1, 1, 1},
-          "take the largest coordinate by absolute value of the center, and that of the reach: "
-          "max_component");
+          "take the absolute values: max_component gives the largest absolute coordinate of the "
+          "center, and that of the reach");
 }
 
 TEST_CASE("08.5 boxes are tight and contain their ellipsoids", "[08.5][hard]") {

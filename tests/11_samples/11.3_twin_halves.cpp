@@ -266,7 +266,7 @@ TEST_CASE("11.3 rare light is neither lost nor gained", "[11.3]") {
         Mean mean;
         for (int picture = 0; picture < 150; ++picture) mean.add(mean_of_picture(rng, pilot));
         INFO(
-            "one sample in sixteen is bright, 16, and the others are 0: the mean of 150 pictures "
+            "one sample in sixteen is 16, and the others are 0: the mean of 150 pictures "
             "of 64 parts must be 1, give or take "
             << mean.standard_error() << ". With a pilot of " << pilot
             << " samples in each half it is " << mean.mean());

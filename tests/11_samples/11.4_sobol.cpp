@@ -109,7 +109,7 @@ void check_common_bits(std::uint32_t a, std::uint32_t b, std::uint32_t seed) {
         INFO("with seed " << hex(seed) << ", " << hex(a) << " becomes " << hex(scrambled_a)
                           << " and " << hex(b) << " becomes " << hex(scrambled_b));
         INFO("the two had their first " << expected << " bits in common: expected " << expected
-                                        << " afterwards, but yours have " << actual);
+                                        << " afterward, but yours have " << actual);
         const char* hint =
             "a bit may depend only on itself and on the bits before it (to its left). Products and "
             "sums carry to the left: mirror the bits first, and mirror them back at the end";
@@ -279,7 +279,7 @@ TEST_CASE("11.4 neighboring seeds give unrelated points", "[11.4][hard]") {
                      << same << " of " << seeds * static_cast<int>(points) << " are the same");
                 INFO(
                     "Hint: if the seed is added first, S + 1 gives the points of S again, one "
-                    "index further on: the mirrored fraction of point i is i itself. Mix x by a "
+                    "index farther on: the mirrored fraction of point i is i itself. Mix x by a "
                     "multiplication before you add the seed");
                 REQUIRE(same < seeds * static_cast<int>(points) / 8);
             }
@@ -337,10 +337,12 @@ TEST_CASE("11.4 the first seven flips have all patterns equally often", "[11.4][
     }
     const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
     const auto never = std::count(counts.begin(), counts.end(), 0);
-    INFO("the flips of the first three bits, one and two and four of them, with "
-         << each * patterns << " random seeds: expected each of their " << patterns
-         << " patterns about " << each << " times, but with yours " << never
-         << " never occur, and the others up to " << *most << " times");
+    INFO(
+        "the first bit has one flip, the second two and the third four, one for each choice of "
+        "the bits before it; with "
+        << each * patterns << " random seeds: expected each of the " << patterns
+        << " patterns of these seven flips about " << each << " times, but with yours " << never
+        << " never occur, and the others up to " << *most << " times");
     INFO(
         "Hint: three flips may be related although any two of them are not. Few bits of the seed "
         "reach the first bits: do all the steps of the comment, each of which uses the seed in a "

@@ -371,7 +371,7 @@ TEST_CASE("11.6 noise falls by the sum of the squared weights", "[11.6]") {
         }
     INFO("a flat surface with noise of variance "
          << 1.0 / 12 << ": expected a variance of about " << expected
-         << " afterwards, but your filter leaves " << mean.variance());
+         << " afterward, but your filter leaves " << mean.variance());
     INFO(
         "Hint: a sum of weights times noise has the variance times the sum of the squared weights; "
         "all pixels within the radius must take part, each with its weight");

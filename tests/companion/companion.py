@@ -446,7 +446,7 @@ class Companion(unittest.TestCase):
     def test_a_star_may_fail_in_float_alone(self):
         self.write("one", "star one open in float\nstar two right\n")
         said = self.course("check", "01.1")
-        self.assertRegex(said, r"\+ 01.1 .* done\n    01.1  in float: 1 star more is open\n")
+        self.assertRegex(said, r"\+ 01.1 .* done\n    01.1  in float: 1 more star is open\n")
         self.assertIn("Star: 01.1 star one, in float\n", said)
         self.assertRegex(self.course("list"), r"\* 01.1 .* core passes, 1 star open")
 
@@ -819,7 +819,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.write("two", "star one open\n// draws 99\n")
         said = compare(0)
         self.assertIn("It differs from the solution's, which is no mistake here:", said)
-        self.assertIn("01.2 has open stars.\n  With the solution's code for it, the pictures are the same."
+        self.assertIn("01.2 has open stars.\n  With the solution's code for this exercise, the pictures are the same."
                       "\n  Where: middle.\n", said)
         self.assertNotRegex(said, "too (dark|bright)|times as bright|differ by more")
         self.write("two", "right, but draws 99\n")
