@@ -44,8 +44,8 @@ const char* suggestion(const Nearest& expected, const Nearest& computed, std::si
     if (computed->t == expected->t)
         return "the number is the index in the list, from 0; of equally near spheres the last "
                "counts";
-    return "after each hit, set the far end of the interval to the t of this hit, and leave the near "
-           "end unchanged";
+    return "after each hit, set the far end of the interval to the t of this hit, and leave the "
+           "near end unchanged";
 }
 
 void check(const Spheres& spheres, const Ray& ray, Interval within, const Nearest& expected) {

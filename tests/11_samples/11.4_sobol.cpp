@@ -115,9 +115,9 @@ void check_common_bits(std::uint32_t a, std::uint32_t b, std::uint32_t seed) {
             "sums carry to the left: mirror the bits first, and mirror them back at the end";
         if (actual > expected)
             hint =
-                "two different fractions must stay different, from the same bit on, because each "
-                "bit is either flipped or not. In x ^= x * k, an odd k removes the last bit of x; "
-                "k must be even";
+                "two different fractions must stay different, and their first different bit must "
+                "stay in its place, because each bit is either flipped or not. In x ^= x * k, an "
+                "odd k removes the last bit of x; k must be even";
         INFO("Hint: " << hint);
         REQUIRE(actual == expected);
     }
