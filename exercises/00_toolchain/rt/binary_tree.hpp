@@ -7,14 +7,14 @@
 
 namespace rt {
 
-// Node is any type with two members std::unique_ptr<Node> left, right, such as rt::RangeNode. An
+// Node is any type that, like rt::RangeNode, has two members std::unique_ptr<Node> left, right. An
 // empty tree is nullptr.
 
 // Exercise 00.4. A balanced tree over the numbers first ... last - 1, which may be negative. If
 // last equals first, the tree is empty; last is never less than first, and last - first fits an
 // int. The root is std::make_unique<Node>(first, last). If there is more than one number, the left
 // child is the tree over the first half of the numbers, and the right child the tree over the rest,
-// which is one number longer than the first half if the count is odd.
+// which has one number more than the first half if the count is odd.
 template <class Node>
 std::unique_ptr<Node> make_tree(int first, int last) {
     return rt::todo("00.4", first, last);

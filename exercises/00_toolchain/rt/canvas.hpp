@@ -32,8 +32,9 @@ class Canvas {
     // Star: when this works, write noexcept before the {; the text explains why.
     Canvas(Canvas&& other) { rt::todo("00.3", other); }
 
-    // Exercise 00.3, assignment. `other` is a value: the caller has already copied or moved into
-    // it. Swap all three members with it, and return *this, the canvas itself.
+    // Exercise 00.3, assignment. `other` is a value: the caller has already copied or moved a
+    // canvas into it. Swap its three members with those of this canvas, and return *this, the
+    // canvas itself.
     Canvas& operator=(Canvas other) { rt::todo("00.3", other); }
 
     // Everything from here on is given.
@@ -44,11 +45,11 @@ class Canvas {
         return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     }
 
-    // The pixel in column x of row y; both must lie inside.
+    // The pixel in column x of row y, which must lie inside the canvas.
     Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
     const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
 
-    // All pixels, for loops: for (const Pixel& pixel : canvas).
+    // These let a loop go over all pixels: for (const Pixel& pixel : canvas).
     Pixel* begin() { return pixels_; }
     Pixel* end() { return pixels_ + size(); }
     const Pixel* begin() const { return pixels_; }

@@ -18,16 +18,16 @@ namespace rt {
 // the last place, where k measures how much the determinant cancels. Expand the determinant along a
 // row or a column, and divide the sum of its terms' absolute values by its own absolute value: k is
 // the largest such quotient, and 1 where nothing cancels. All rows share one k, because one
-// determinant divides them all. Each number of a column is 0, or less than 10^140 times (float:
-// 10^15 times) smaller than the column's largest.
+// determinant divides them all. You may assume that each number of a column is 0, or less than
+// 10^140 times (float: 10^15 times) smaller than the column's largest.
 inline Mat4 inverse(const Mat4& m) {
     return rt::todo("01.7", m);
 }
 
 // A point of the world in the object's own coordinates, given the map that places the object in the
 // world.
-// Star: throws std::domain_error if that map is singular. If a number in its
-// inverse is infinite, the coordinate that is computed from this number is infinite or NaN.
+// Star: throws std::domain_error if that map is singular. If a number in its inverse is infinite,
+// the coordinate that is computed from this number is infinite or NaN.
 inline Vec3 to_object(const Mat4& object_to_world, Vec3 world_point) {
     return rt::todo("01.7", object_to_world, world_point);
 }

@@ -20,7 +20,8 @@ inline Vec3 transform_vector(const Mat4& m, Vec3 v) {
 }
 
 // Where a map takes a surface's normal, given the INVERSE of that map: the inverse's linear part,
-// transposed, times n. It stays perpendicular to the transformed surface; its length may change.
+// transposed, times n. The result is perpendicular to the transformed surface; its length may
+// differ from that of n.
 inline Vec3 transform_normal(const Mat4& inverse, Vec3 n) {
     return rt::todo("01.6", inverse, n);
 }

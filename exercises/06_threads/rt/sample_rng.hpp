@@ -8,8 +8,8 @@ namespace rt {
 
 // Exercise 06.4. The generator of one sample of one pixel. Its numbers depend on these four
 // arguments alone, never on which thread asks, when, or in which order. If any argument differs,
-// the result is a different generator, whose numbers are unrelated from the first draw on. x, y and
-// sample are 0 or more. Every bit of the four arguments counts, and the state has 64 bits.
+// the result is a different generator, and the two draw unrelated numbers from the first draw on.
+// x, y and sample are 0 or more. Every bit of the four arguments counts, and the state has 64 bits.
 inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
     return rt::todo("06.4", seed, x, y, sample);
 }

@@ -29,7 +29,7 @@ inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
             return along(boxes[a].center(), axis) < along(boxes[b].center(), axis);
         });
     };
-    std::vector<Real> areas(n);  // areas[k] is that of the right part if k spheres are on the left
+    std::vector<Real> areas(n);  // areas[k]: the right part's area if k spheres are on the left
     // Gap 1: the cost of a leaf, which is the least so far.
 
     for (int axis = 0; axis < 3; ++axis) {

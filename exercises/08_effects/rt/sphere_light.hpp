@@ -10,8 +10,9 @@
 
 namespace rt {
 
-// Exercise 08.3. 1 - cos a. Seen from a point outside a light, a is the angle between the
-// directions to its center and to its rim. `distance` is that of the center: 0 < radius < distance.
+// Exercise 08.3. 1 - cos a, where a is the angle, as seen from a point outside a light, between the
+// light's center and its rim. `distance` is the distance of the center from this point: 0 < radius
+// < distance.
 // Star: accurate to 7 units in the last place, even for small and far lights, if the result is at
 // least std::numeric_limits<Real>::min(), because smaller numbers have fewer digits.
 inline Real cone_height(Real radius, Real distance) {

@@ -5,8 +5,8 @@
 
 namespace rt {
 
-// Exercise 11.4. The same 32 bits in reverse order: 0x00000001 becomes 0x80000000, and
-// 0x80000000 becomes 1.
+// Exercise 11.4. The 32 bits of x in reverse order: 0x00000001 becomes 0x80000000, and 0x80000000
+// becomes 1.
 inline std::uint32_t reversed_bits(std::uint32_t x) {
     return rt::todo("11.4", x);
 }
