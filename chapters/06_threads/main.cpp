@@ -1,6 +1,6 @@
-// Chapter 06: one scene, rendered by all cores. The figure shows which worker rendered
-// what, how long each worker waited for the others, and the speed-up. Everything is
-// also measured and printed.
+// Chapter 06: one scene, rendered by all cores. The figure shows which worker rendered what, how
+// long each worker waited for the others, and the speed-up. The speed-up is also measured and
+// printed.
 
 #include <app/run.hpp>
 #include <app/threads.hpp>
@@ -37,7 +37,7 @@ Schedules count_rays(const RayCounts& rays, const TileGrid& grid) {
     return all;
 }
 
-// The schedules by this machine's clock, with the number of workers that was asked for.
+// The schedules measured by this machine's clock, with this number of workers.
 Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers) {
     Schedules all{by_seconds(render_slices, grid, workers, shader),
                   by_seconds(render_tiles, grid, workers, shader),
@@ -52,8 +52,8 @@ Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers
     return all;
 }
 
-// OpenMP and TBB keep the threads that they have started, and neither works if fewer can be
-// started.
+// The measured speed-ups, or why there are none. OpenMP and TBB both keep the threads that they
+// have started, and neither works if it cannot start all that it needs.
 std::string speed_up_words(int threads) {
     const int needed = 2 * threads + static_cast<int>(std::thread::hardware_concurrency());
     if (app::threads_that_start(needed) < needed)
@@ -75,7 +75,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const SceneShader shader{scene, make_camera(*settings.view, grid.width, grid.height),
                              settings.spp, settings.depth, *settings.seed};
 
-    // Each worker writes to the pixels of its own tiles alone.
+    // Each worker writes only to the pixels of its own tiles.
     Image picture{grid.width, grid.height};
     std::vector<std::uint32_t> rays(picture.pixels().size());
     std::atomic<std::uint64_t> all_rays = 0;

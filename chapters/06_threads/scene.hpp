@@ -19,7 +19,7 @@ namespace threads {
 
 using namespace rt;
 
-// Warm and bright around a low sun, violet above.
+// A sky that is warm and bright around a low sun, and violet above.
 struct DuskSky {
     Color horizon = from_hex(0xf7b58f), above = from_hex(0x4a5aa6),
           glow{Real(1.9), Real(1.2), Real(0.5)};
@@ -70,8 +70,8 @@ inline View scene_view() {
     return {{Real(0.7), Real(1.75), Real(8.4)}, {0, Real(0.95), 0}, {0, 1, 0}, radians(31)};
 }
 
-// The color of one pixel of the scene, with the streams of exercise 06.4, and how many rays it
-// took.
+// The color of one pixel, computed with the random streams of exercise 06.4, and the number of rays
+// that it took.
 struct ScenePixel {
     Color color;
     std::uint64_t rays = 0;
@@ -83,7 +83,7 @@ struct SceneShader {
     int samples, depth;
     std::uint64_t seed;
 
-    // One sample of a pixel, with the random numbers of any generator.
+    // One sample of a pixel, with random numbers from any generator.
     template <class World, class Random>
     Color sample(const World& world, int x, int y, int number, Random& random) const {
         int n = 1;

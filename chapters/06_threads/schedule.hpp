@@ -44,8 +44,8 @@ struct Schedule {
     }
 };
 
-// How many rays the pixels of a picture took, in a form from which the sum over a tile follows
-// quickly: at (x, y) stands the sum over all pixels left of x and above y.
+// How many rays each pixel of a picture took, stored so that the sum over a tile is quick to
+// compute: the entry at (x, y) is the sum over all pixels to the left of x and above y.
 class RayCounts {
   public:
     RayCounts(int width, int height, const std::vector<std::uint32_t>& rays)

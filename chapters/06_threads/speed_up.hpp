@@ -13,7 +13,7 @@
 
 namespace threads {
 
-// A small picture of the scene: rendered once by one strategy.
+// Renders a small picture of the scene once, with one strategy.
 struct SmallRender {
     const Scene& scene;
     TileGrid grid{240, 135, 8};

@@ -29,7 +29,7 @@ struct Trial {
     study::Work work;
 };
 
-// Times the trials in turns with a plain loop, and adds a row for each trial: its time, and the
+// Times the trials and a plain loop in turns, and adds a row for each trial: its time, and the
 // percentage of the cores' time that it loses, compared with the plain loop.
 void add_trials(study::Report& report, const char* study, const char* x_name,
                 const SmallRender& render, const std::vector<Trial>& trials) {

@@ -1,5 +1,5 @@
 #pragma once
-// The figure: the scene, which worker rendered what, how long each one waited, and the speed-up.
+// The figure: the scene, which worker rendered what, how long each worker waited, and the speed-up.
 
 #include <app/figure.hpp>
 #include <cstdio>
@@ -30,7 +30,7 @@ constexpr Box scene_box{20, 20, 640, 360}, slices_map{680, 40, 260, 146},
 
 // What the figure shows beside the scene.
 struct Curve {
-    std::vector<double> speed_up;  // with 1, 2, 3, ... workers; 0 where it is not known
+    std::vector<double> speed_up;  // with 1, 2, 3, ... workers; 0 where it was not measured
     Color color;
 };
 struct Schedules {

@@ -41,7 +41,8 @@ class FirstException {
 
 #ifdef RT_HAS_TBB
 void by_standard_algorithm(int jobs, int workers, const JobWork& work) {
-    // The algorithm itself cannot be told how many threads to use; TBB, the library below it, can.
+    // The algorithm itself cannot be told how many threads to use; TBB, the library that runs it,
+    // can.
     const tbb::global_control at_most{tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(workers)};
     FirstException exception;

@@ -1,6 +1,6 @@
 #pragma once
-// The loops of exercise 06.5, in parallel_loops.cpp; each exists only if this build
-// has its library.
+// The loops of exercise 06.5, in parallel_loops.cpp; each exists only if this build has the library
+// for it.
 #include <functional>
 #include <span>
 #include <version>

@@ -10,7 +10,7 @@
 
 namespace rt {
 
-// The tiles of 06.3, handed out by std::for_each(std::execution::par, ...) instead (given).
+// Renders the tiles of 06.3, but std::for_each(std::execution::par, ...) hands them out (given).
 inline void render_with_standard_algorithm(const TileGrid& grid, int workers,
                                            const TileWork& work) {
     spread_by_standard_algorithm()(tile_count(grid), workers, [&](int index, int worker) {
@@ -18,7 +18,7 @@ inline void render_with_standard_algorithm(const TileGrid& grid, int workers,
     });
 }
 
-// The tiles of 06.3, handed out by OpenMP instead (given).
+// Renders the tiles of 06.3, but OpenMP hands them out (given).
 inline void render_with_openmp(const TileGrid& grid, int workers, const TileWork& work) {
     spread_by_openmp()(tile_count(grid), workers,
                        [&](int index, int worker) { work(tile_at(grid, index), worker); });

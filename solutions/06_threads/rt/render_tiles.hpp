@@ -7,7 +7,7 @@
 
 namespace rt {
 
-// The number of tiles in one direction, along this many pixels, 0 or more.
+// The number of tiles that cover this many pixels, 0 or more, in one direction.
 inline int tiles_along(int pixels, int tile_size) {
     return pixels / tile_size + (pixels % tile_size != 0);
 }
@@ -21,7 +21,7 @@ inline int tile_count(const TileGrid& grid) {
 inline Tile tile_at(const TileGrid& grid, int index) {
     const int columns = tiles_along(grid.width, grid.tile_size);
     const int left = index % columns * grid.tile_size, top = index / columns * grid.tile_size;
-    // Compares what remains, because left + tile_size might not fit an int.
+    // Compares the pixels that remain, because left + tile_size might not fit an int.
     return {left, top, left + std::min(grid.tile_size, grid.width - left),
             top + std::min(grid.tile_size, grid.height - top)};
 }

@@ -15,8 +15,9 @@ inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
     return {state, mix_bits(state)};
 }
 
-// The average of draw(sample, random) over sample = 0 ... samples - 1, 1 or more, each with its own
-// generator. draw returns a Color and takes its random numbers from `random`, an Rng&.
+// The average of draw(sample, random) over sample = 0 ... samples - 1, each with its own generator.
+// There is 1 sample or more. draw returns a Color and takes its random numbers from `random`, an
+// Rng&.
 template <class Draw>
 Color average_samples(std::uint64_t seed, int x, int y, int samples, const Draw& draw) {
     ColorSum sum;
