@@ -1,6 +1,6 @@
 #pragma once
-// Times the whole cover picture, drawn in the classic way and with this chapter's trees, and what
-// the materials that are compiled in add to its time.
+// Measures how long the whole cover picture takes, in the classic way and with this chapter's
+// trees, and how much time is added by materials that are compiled in but not used.
 
 #include <array>
 #include <optional>
@@ -24,7 +24,7 @@ namespace bvh {
 
 using namespace rt;
 
-// With Schlick's reflectance, like the baseline.
+// The glass has Schlick's reflectance, as in the classic way.
 using CoverMaterials = MaterialSet<Lambertian, Metal, SchlickDielectric>;
 
 inline std::vector<SceneSphere> spheres_of(const study::Cover& cover) {
@@ -50,7 +50,7 @@ inline CoverMaterials materials_of(const study::Cover& cover) {
     return all;
 }
 
-// The mean of green over the picture.
+// Renders the picture, and returns the mean of its green channel.
 template <class World, class Materials>
 double render(const study::Cover& cover, const World& world, const Materials& materials) {
     const Camera camera = make_camera(cover.view, cover.width, cover.height);
@@ -62,7 +62,7 @@ double render(const study::Cover& cover, const World& world, const Materials& ma
     return static_cast<double>(mean.g);
 }
 
-// Records every ray that it is asked about, and its answer.
+// A world that records every ray that it is asked about, and the answer.
 struct Recorder {
     struct Answer {
         Ray ray;
@@ -79,7 +79,7 @@ struct Recorder {
     }
 };
 
-// Gives a Recorder's answers again, without any search.
+// A world that gives a Recorder's answers again, in the same order, without any search.
 struct Player {
     const std::vector<Recorder::Answer>& answers;
     std::size_t& next;
@@ -90,8 +90,8 @@ struct Player {
     }
 };
 
-// What a ray of the cover scene costs: all of it, the search alone, the search and its Hit, and the
-// shading alone.
+// What a ray of the cover scene costs: in all, for the search alone, for the search and its Hit,
+// and for the shading alone.
 inline void study_parts(study::Report& report, const study::Cover& cover, const WideTree& world,
                         const CoverMaterials& materials) {
     std::vector<Recorder::Answer> answers;
@@ -123,7 +123,7 @@ inline void study_parts(study::Report& report, const study::Cover& cover, const 
 }
 
 // Adds a row for each way to draw the cover, with its speed as a multiple of the first way's. The
-// rows also show the mean green: it agrees if all ways draw the same picture.
+// rows also show the mean green, which agrees if all ways draw the same picture.
 template <std::size_t count>
 void add_rows(study::Report& report, const char* study, const study::Cover& cover,
               const std::array<const char*, count>& names, const std::array<double, count>& greens,

@@ -43,7 +43,8 @@ struct FlatInOrder {
     }
 };
 
-// Sorts the numbers along an axis, and splits them in half. At most `leaf` numbers stay together.
+// Sorts the numbers of spheres along an axis, and splits them in half. If there are at most `leaf`,
+// they stay together.
 inline int halve(std::span<int> order, std::span<const Box> boxes, int axis, int leaf) {
     if (static_cast<int>(order.size()) <= leaf) return 0;
     std::sort(order.begin(), order.end(), [&](int a, int b) {
@@ -91,8 +92,9 @@ inline double tests_per_ray(const SphereTree& tree) {
     return sum / (60 * 42);
 }
 
-// Spheres spread evenly over a cube, which fill the same share of the cube whatever their number.
-// With them come two lists of rays: those of a picture of the cube, row by row, and random ones.
+// Spheres spread evenly over a cube. Whatever their number, they fill the same share of the cube.
+// Two lists of rays are for searches: the rays of a picture of the cube, row by row, and random
+// rays.
 struct Cloud {
     std::vector<SceneSphere> spheres;
     std::vector<Ray> rays, random_rays;

@@ -18,7 +18,8 @@ struct Scene {
     MaterialList<Lambertian> materials;
 };
 
-// Blue above and warm from one side, so that each sphere shows its shape.
+// A sky that is blue above and warm on one side, so that the shading of each sphere shows its
+// shape.
 struct StudioSky {
     Color below = from_hex(0x2b2f45), above = from_hex(0xbcd3f2), lamp{4, Real(3.2), Real(2.3)};
     Vec3 to_lamp = normalize({Real(-0.6), Real(0.75), Real(0.35)});
@@ -37,7 +38,7 @@ inline Scene make_scene(int count, std::uint64_t seed) {
     for (const std::uint32_t color : palette)
         scene.materials.materials.push_back({from_hex(color)});
     Rng rng{seed, 7};
-    // The sum of three random numbers: a spread around the middle.
+    // A random number from -width to width, most often near 0.
     const auto scatter = [&](Real width) {
         Real sum = 0;
         for (int i = 0; i < 3; ++i) sum += rng.uniform(-1, 1);

@@ -46,7 +46,7 @@ double wide_tests_per_ray(const WideTree& tree, const std::vector<Ray>& rays) {
     return sum / static_cast<double>(rays.size());
 }
 
-// Each structure on the same picture of 10,000 spheres.
+// Times each structure on a picture of the same 10,000 spheres.
 void study_searches(study::Report& report, const Scene& scene) {
     const Shot small{scene, 48, 34}, large{scene, 160, 113};
     const SphereList list{scene.spheres};
@@ -79,7 +79,8 @@ void study_searches(study::Report& report, const Scene& scene) {
                     "times as fast as the list", ns[i] / rays[i], "time per ray / ns"});
 }
 
-// Build quality against build time, and against the size of the leaves.
+// How fast a tree is to search, depending on how long it took to build and on the size of its
+// leaves.
 void study_splits(study::Report& report, const Scene& scene) {
     const Shot shot{scene, 120, 85};
     struct Trial {
@@ -111,7 +112,7 @@ void study_splits(study::Report& report, const Scene& scene) {
     }
 }
 
-// How the times of a ray and of building grow with the number of spheres.
+// How the time of a ray and the time to build a tree grow with the number of spheres.
 void study_growth(study::Report& report) {
     // The scenes that are searched, kept until all searches have been timed.
     std::deque<Cloud> clouds;
@@ -205,7 +206,7 @@ struct BareTree {
     }
 };
 
-// How far each tree's picture is from the list's.
+// How much each tree's picture differs from the list's.
 void study_pixels(study::Report& report, const Scene& scene) {
     const auto add = [&](const std::string& variant, Real times, const auto& world) {
         const Camera camera = make_camera(study::from_afar(scene_view(), times), 96, 68);

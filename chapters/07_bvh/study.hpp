@@ -3,8 +3,8 @@
 
 namespace bvh {
 
-// What a ray costs in each structure, how that grows, what a good tree costs to build, and how the
-// whole compares with the classic way.
+// What a ray costs in each structure, how this cost grows with the number of spheres, how long a
+// good tree takes to build, and how the time of a whole picture compares with the classic way.
 void run_study(study::Report& report);
 
 }  // namespace bvh

@@ -28,7 +28,7 @@ constexpr std::array<app::Box, 3> maps{
     {{7, 417, 317, 235}, {331, 417, 317, 235}, {655, 417, 317, 235}}};
 
 inline Camera camera_of(const Figure& panel, View view) {
-    // Narrow panels see as much from side to side as wide ones.
+    // A narrow panel shows as much of the scene from side to side as a wide one.
     const Real aspect = static_cast<Real>(panel.columns()) / static_cast<Real>(panel.rows());
     if (aspect < Real(1.5))
         view.vertical_fov =
@@ -101,13 +101,14 @@ inline void draw_level(const Figure& figure, const app::Box& where, const Scene&
                 {letter_height, color});
 }
 
-// 1 test becomes 0 and 10,000 tests become 1; each factor of ten adds a quarter.
+// The position on the color scale for this many tests: 0 for 1 test, 1 for 10,000 tests; each
+// factor of ten adds a quarter.
 inline Real heat(Real tests) {
     return rt::portable::log10(std::max(Real(1), tests)) / 4;
 }
 
-// Draws how many tests the ray of each pixel takes, which tests(ray) returns. The average stands
-// above the map, on a dark plate, so that it can be read on any background.
+// Draws how many tests the ray of each pixel takes, which tests(ray) returns. The average stands in
+// the map's upper left corner, on a dark plate, so that it can be read on any background.
 template <class Tests>
 void draw_heat_map(const Figure& figure, const app::Box& where, const std::string& name,
                    Tests tests, const View& view) {

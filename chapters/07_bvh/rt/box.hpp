@@ -9,8 +9,8 @@ constexpr Real along(Vec3 v, int axis) {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-// A box with faces along the axes: all points from low to high, faces included. Without arguments
-// it is empty: it contains nothing, and joining it with another box gives that box.
+// A box with faces along the axes: all points from low to high, faces included. Box{} is the empty
+// box: it contains nothing, and joining it with another box gives that box.
 struct Box {
     Vec3 low{infinity, infinity, infinity};
     Vec3 high{-infinity, -infinity, -infinity};

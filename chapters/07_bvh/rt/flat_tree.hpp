@@ -42,8 +42,8 @@ struct FlatTreeOf {
     }
 
     // Of two children, visits first the one that the ray reaches first, judged by the ray's
-    // direction alone. The search then finds near hits earlier, and more boxes lie behind them.
-    // Waiting children are kept on a stack of a fixed size.
+    // direction alone. The search then finds near hits early, and can skip more boxes, because they
+    // lie behind these hits. Waiting children are kept on a stack of a fixed size.
     template <class AnyRay>
     SearchOf<Shape, AnyRay> search_nearest_first(const AnyRay& ray, Interval within) const {
         SearchOf<Shape, AnyRay> search{shapes, order, ray, within};
@@ -73,7 +73,7 @@ struct FlatTreeOf {
     }
 
   private:
-    // At most one child waits for each inner node on the way down, and from most_levels on each
+    // At most one child waits for each inner node on the way down. From level most_levels on, each
     // step down halves the number of shapes.
     static constexpr std::size_t most_waiting =
         most_levels + halvings(std::numeric_limits<int>::max(), 1);

@@ -13,9 +13,9 @@ namespace rt {
 
 // A pack: `count` numbers of one type side by side in a register of the processor (given). One
 // instruction does the same to all of them (SIMD: single instruction, multiple data). a + b adds
-// each number of a to its partner in b, and rounds it as it would alone. A comparison gives a mask,
-// -1 for true and 0 for false, and mask ? a : b takes each number from a where the mask is true,
-// and from b elsewhere.
+// each number of a to its partner in b, and each sum is rounded like that of two single numbers. A
+// comparison gives a mask, -1 for true and 0 for false, and mask ? a : b takes each number from a
+// where the mask is true, and from b elsewhere.
 template <class T, std::size_t count>
 struct PackType {
     typedef T Type RT_VECTOR_OF(count * sizeof(T));

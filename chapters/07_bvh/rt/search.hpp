@@ -15,7 +15,7 @@ struct SearchOf {
     AnyRay ray;
     Interval within;    // its upper end moves down to the nearest hit
     int nearest = -1;   // the number of the shape that was hit there; -1 before any hit
-    int box_tests = 0;  // how much work was done so far
+    int box_tests = 0;  // the tests made so far
     int shape_tests = 0;
     SlabRay slabs = slab_ray(ray);
 

@@ -6,13 +6,14 @@
 
 namespace rt {
 
-// How far the rounding errors of hit_sphere and of a box test may seem to move a sphere and a box,
-// relative to the coordinates at hand. docs/07-bvh.md derives the number. If a box is grown by
-// hit_margin * (its own largest coordinate + the largest of the ray's origin), every ray that hits
-// the sphere inside, according to hit_sphere, also meets the box.
+// The rounding errors of hit_sphere and of a box test act as if the sphere and the box were moved
+// by a small distance. This constant bounds that distance, relative to the coordinates involved;
+// docs/07-bvh.md derives it. If a box is grown by hit_margin * (its own largest coordinate + the
+// largest of the ray's origin), every ray that hits the sphere inside the box, according to
+// hit_sphere, also meets the box.
 inline constexpr Real hit_margin = 80 * epsilon;
 
-// A ray made ready for box tests (given): whatever they all need is computed once.
+// A ray made ready for box tests (given): what all of them need is computed once.
 struct SlabRay {
     Vec3 origin;
     Vec3 inverse;     // 1 / direction; infinite, with the zero's sign, if a component is 0

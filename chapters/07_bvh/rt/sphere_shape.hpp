@@ -6,9 +6,9 @@
 
 namespace rt {
 
-// The functions that a tree needs of a shape (given), here of a sphere. Trees and searches know
-// nothing else about shapes. Any other type of shape, such as a triangle, needs these functions,
-// too, and also surface_hit, which for spheres is in sphere_list.hpp.
+// The functions that a tree needs for a type of shape (given), here for spheres. The third of them,
+// surface_hit, is in sphere_list.hpp. Trees and searches know nothing else about shapes, so any
+// other type of shape, such as a triangle, needs these three functions, too.
 
 // A box that contains the shape, with the margin that 07.2 adds.
 inline Box bounds_of(const SceneSphere& sphere) {

@@ -53,7 +53,7 @@ WideChild add_wide_leaf(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tr
 template <class Shape, class Number>
 WideChild add_wide_node(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tree,
                         const TreeNode& top) {
-    // Of the nodes in the list, the inner one with the largest box is met most often. Its two
+    // Of the nodes in `parts`, the inner node with the largest box is met most often. Its two
     // children replace it, until there are eight nodes or all are leaves.
     std::vector<const TreeNode*> parts{&top};
     while (parts.size() < lanes) {

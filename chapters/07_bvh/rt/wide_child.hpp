@@ -3,11 +3,11 @@
 
 namespace rt {
 
-// A child of a wide node (given): another node or a leaf, by its number among all nodes or all
-// leaves of the tree. One integer stands for either, so that a node fits into few cache lines.
+// A child of a wide node (given): another node or a leaf, stored as its number among all nodes or
+// all leaves of the tree. One integer stands for either, so that a node fits into few cache lines.
 class WideChild {
   public:
-    // Left without a value, because a search's stack is an array of children that begins empty.
+    // Sets no value: a search's stack is an array of children, most of which are never used.
     WideChild() = default;
     static constexpr WideChild node(std::int32_t number) { return WideChild{number}; }
     static constexpr WideChild leaf(std::int32_t number) { return WideChild{~number}; }

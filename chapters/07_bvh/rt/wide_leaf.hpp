@@ -92,14 +92,14 @@ struct LeafPart {
         return a * r_squared - (mx * mx + my * my + mz * mz);
     }
 
-    // The spheres that the ray meets within the interval, as bits, and the t of each. It looks only
-    // at spheres whose bit is set in `met`; `a` must be greater than 0.
+    // The spheres that the ray meets within the interval, as bits, and the t of each. Only spheres
+    // whose bit is set in `met` are tested; `a` must be greater than 0.
     RT_INLINED unsigned hits(Reals quarter, unsigned met, Interval within, Reals& t) const {
         const Reals half_b = fx * d.x + fy * d.y + fz * d.z;
         const Reals b = 2 * half_b, c = fx * fx + fy * fy + fz * fz - r_squared;
-        // If a ray starts outside a sphere and runs away from its center, the whole sphere
-        // is behind it: both solutions are negative. This holds for half of all spheres
-        // that lines meet.
+        // If a ray starts outside a sphere and runs away from its center, the whole sphere is
+        // behind the ray: both solutions are negative. This holds for half of the spheres that the
+        // line of a ray meets.
         if (within.min >= 0) met &= ~RT_VECTOR_BITS((half_b > 0) & (c > 0));
         if (met == 0) return 0;
 
@@ -163,8 +163,8 @@ bool hit_leaf(const WideLeaf<Shape>& leaf, const Ray& ray, Real min, WideHit& be
     return changed;
 }
 
-// True if a shape of the leaf is hit before `end`, by the rules of hit_leaf. The shape that is hit
-// at `end` itself does not count.
+// True if a shape of the leaf is hit before `end`, according to the rules of hit_leaf. The shape
+// that is hit at `end` itself does not count.
 template <class Shape>
 RT_INLINED bool any_in_leaf(const WideLeaf<Shape>& leaf, const Ray& ray, Real min,
                             const WideHit& end) {

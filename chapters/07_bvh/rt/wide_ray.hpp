@@ -8,17 +8,17 @@
 
 namespace rt {
 
-// hit_margin for tests of boxes in Number (given). A plane and the ray's origin are rounded to
-// Number; the inverse, its products with both, and their sum are rounded; and so is the end of the
-// interval. These seven roundings act as if the plane were moved by 4 epsilon of Number. The factor
-// 8 also leaves room for hit_margin if Real is more precise than Number. If not, hit_margin is the
-// larger of the two, and has room for the roundings.
+// The margin that replaces hit_margin if boxes are tested in Number (given). A plane and the ray's
+// origin are rounded to Number; the inverse, its products with both, and their sum are rounded; and
+// so is the end of the interval. These seven roundings act as if the plane were moved by 4 epsilon
+// of Number. The factor 8 also leaves room for hit_margin if Real is more precise than Number.
+// Otherwise, hit_margin is the larger of the two, and has room for the roundings.
 template <class Number>
 inline constexpr Real wide_margin =
     std::max(hit_margin, 8 * static_cast<Real>(std::numeric_limits<Number>::epsilon()));
 
-// A ray made ready for the boxes of a WideNode (given): its direction scaled so that its largest
-// component is 1 or -1, which keeps t within what Number can hold.
+// A ray made ready for the boxes of a WideNode (given): its direction is scaled so that the largest
+// component is 1 or -1, which keeps t in the range of Number.
 template <class Number>
 struct WideRay {
     // 1 / direction, and -origin / direction: a plane at x is met at x * inverse + start. The

@@ -102,7 +102,7 @@ struct WideTreeOf {
 
     // True if anything is hit within the interval, whatever it is: the search ends at the first hit
     // that it finds. If the ray meets shape `number` at within.max, only other shapes count, and
-    // only if they come before that shape by the rules of hit().
+    // only if they come before that shape according to the rules of hit().
     template <class AnyRay>
     bool occluded(const AnyRay& any_ray, Interval within, std::int32_t number = -1) const {
         if (nodes.empty()) return false;

@@ -9,7 +9,7 @@ namespace rt {
 
 // True when the ray meets the box, grown by ray.margin on all sides, at some t of the interval.
 // Faces, edges and corners belong to the box, and a ray that runs within a face meets it. Always
-// false for the empty box and the empty interval.
+// false for the empty box and for an empty interval.
 // Source of the idea: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986.
 inline bool hit_box(const Box& box, const SlabRay& ray, Interval within) {
     for (int axis = 0; axis < 3; ++axis) {
