@@ -17,7 +17,7 @@ inline constexpr std::array<rt::Effects, 5> few_effects = [] {
     return std::array<rt::Effects, 5>{{{}, materials, moving, lit, rt::every_effect}};
 }();
 
-// What make() returns for each of these sets, its template argument, in their order.
+// Calls make<set>() for each of these sets, and returns the results in the order of the sets.
 template <class Make>
 constexpr auto for_few_effects(const Make& make) {
     return [&]<std::size_t... index>(std::index_sequence<index...>) {

@@ -42,7 +42,7 @@ class Composition {
     void add(const Ball& ball, int of) {
         scene.spheres.push_back({placing::sphere_of(ball), of, {}});
     }
-    // A ball that is stretched, then turned around z, y and x, by angles in radians.
+    // Adds a ball that is stretched, then turned around z, y and x, by angles in radians.
     void add_stretched(const Ball& ball, Vec3 scale, Angles by, int of) {
         add(ball, of);
         SphereDescription& sphere = scene.spheres.back();
@@ -56,8 +56,8 @@ class Composition {
     }
 };
 
-// Hills, one behind the other and paler the farther away they are, and the sun that sets between
-// them. A hill is the top of a large sphere.
+// Hills, one behind the other, the farther ones paler, and the sun that sets between them. A hill
+// is the top of a large sphere.
 void add_horizon(Composition& picture) {
     struct Hill {
         double x, z, top, radius;

@@ -1,7 +1,8 @@
 #pragma once
 // Fog lies between the spheres and not within glass: if a path meets glass from within, there was
-// no fog on the way. But if something else stands in the glass, a path may meet that thing first,
-// and would find fog in the glass. Such scenes are found here, so that they can be refused.
+// no fog on the way. But if another sphere stands in the glass, a path within the glass may meet
+// that sphere first, and would find fog on the way there. Such scenes are found here, so that they
+// can be refused.
 
 #include <algorithm>
 #include <array>

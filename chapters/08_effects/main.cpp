@@ -44,7 +44,7 @@ void check_together(const app::Settings& settings) {
             "points");
 }
 
-// The way to draw that the options ask for.
+// The renderer that the options ask for.
 effects::TileRenderer make_renderer(const SceneDescription& scene, const app::Settings& settings) {
     const auto& [width, height, samples, depth, seed] = scene.settings;
     const Quality quality{samples, depth, seed};

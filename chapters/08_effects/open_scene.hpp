@@ -4,8 +4,8 @@
 
 namespace effects {
 
-// The scene that the user asked for, from a file or the final scene, with the settings of the
-// command line.
+// The scene that the user asked for: that of a file, or the final scene. Settings on the command
+// line replace those of the scene.
 rt::SceneDescription open_scene(const app::Settings& settings);
 
 }  // namespace effects

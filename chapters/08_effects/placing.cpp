@@ -139,7 +139,7 @@ std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, 
         const double size = uniform(random);
         radius = low + (high - low) * size * size;
     }
-    // The large ones first: small ones find room between them.
+    // Large balls come first, because small balls find room between them.
     std::sort(radii.begin(), radii.end(), std::greater<>{});
 
     std::vector<Ball> placed;

@@ -38,8 +38,8 @@ inline double uniform(rt::Rng& random, double low, double high) {
 // the smaller radius counts as rounding.
 bool overlap(const Ball& a, const Ball& b);
 
-// Says whether a sphere keeps clear of those placed so far. It looks only at spheres nearby, which
-// it finds with grids of cubes, made for each size of sphere. Spheres may touch.
+// Tells whether a new sphere would overlap any of those placed so far. It looks only at nearby
+// spheres, which it finds with separate grids of cubes for each size of sphere. Spheres may touch.
 class Neighbors {
   public:
     void add(const Ball& ball);
@@ -84,9 +84,9 @@ Rule in_ball(Ball space);
 // far above and below the middle.
 Rule galaxy(Ball space, int arms, double turns, double width);
 
-// Places `count` balls according to a rule, the largest first. No ball overlaps another or one of
-// `there`, to which all new balls are added. The radii lie between `low` and `high`, most of them
-// near `low`. Returns fewer balls if there is no more room.
+// Places `count` balls according to a rule, the largest first. No new ball overlaps another new
+// ball or a ball in `there`, to which all new balls are added. The radii lie between `low` and
+// `high`, most of them near `low`. Returns fewer balls if there is no more room.
 std::vector<Ball> scatter(int count, double low, double high, const Rule& rule, Neighbors& there,
                           std::uint64_t seed);
 

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using namespace rt;
 
 constexpr Range angles{0.001, 179}, turns{-360, 360}, stretches{0.001, 1000};
-constexpr std::uint64_t max_seed = std::uint64_t{1} << 53;  // beyond, a double has gaps
+constexpr std::uint64_t max_seed = std::uint64_t{1} << 53;  // above it, a double skips integers
 
 struct Texture {
     std::optional<CheckeredMatte> checker;
@@ -199,7 +199,7 @@ class Reader {
                                  : app::meant(wanted, known, "there are ")));
     }
 
-    // The mesh of a file, which is read once, however often it is placed.
+    // The mesh in a file. The file is read once, however often the mesh is placed.
     std::shared_ptr<const Mesh> mesh_of(const Value& file, std::optional<bool> smooth) {
         std::shared_ptr<const Mesh>& mesh = meshes_[{file.text("the name of a mesh file"), smooth}];
         if (mesh) return mesh;
@@ -323,7 +323,8 @@ class Reader {
         return material;
     }
 
-    // The index of a material for one sphere. Its color depends on the sphere's number alone.
+    // The index of a material for the next sphere or mesh. A random color depends only on the
+    // number of spheres so far.
     int use(Material& material) {
         if (material.between || material.index < 0) {
             material.index = static_cast<int>(scene_.materials.size());
@@ -358,7 +359,7 @@ class Reader {
             given->fail("must be [0, 0, 0] or absent: a light does not move");
     }
 
-    // A sphere that is stretched, then turned around x, y and z.
+    // The map of a shape that is stretched, then turned around x, y and z.
     static Mat4 read_stretched(const Value& sphere, const Sphere& plain) {
         Vec3 scale{1, 1, 1}, turn;
         if (const auto given = sphere.find("scale"))
@@ -403,7 +404,8 @@ class Reader {
                        "; its first three columns must point in three directions of space");
     }
 
-    // Adds the map of a sphere that becomes an instance, and puts a sphere around it.
+    // Makes `to` an instance with this map: adds the map to the scene, and puts a sphere around the
+    // instance.
     void add_map(const Value& where, const Mat4& map, SphereDescription& to) {
         expect_not_flat(where, map, "sphere");
         Real squared = 0;

@@ -21,9 +21,9 @@ namespace {
 
 using namespace rt;
 
-// The irradiance of a floor that faces a light, divided by pi, as one sample estimates it; there
-// are several ways to look for the light. The right answer is sin^2 a, where 2 a is the angle that
-// the light fills as seen from the floor.
+// One sample's estimate of the irradiance (divided by pi) of a floor that faces a light, for
+// several ways to look for the light. The right answer is sin^2 a, where 2 a is the angle that the
+// light fills as seen from the floor.
 struct LightAbove {
     Real distance;  // of a light of radius 1
     Sphere light() const { return {{0, distance, 0}, 1}; }
@@ -46,7 +46,7 @@ struct LightAbove {
         const auto sample = sample_light(light(), {0, 0, 0}, random_place(random));
         return sample->direction.y / (pi * sample->density);
     }
-    // Samples the cone of the light and the path, with weights.
+    // Samples both the cone of the light and the path, and weights the two samples.
     Real by_both(Rng& random) const {
         const auto sample = sample_light(light(), {0, 0, 0}, random_place(random));
         const Real toward = sample->direction.y / pi;
@@ -61,7 +61,8 @@ struct LightAbove {
     }
 };
 
-// A few hundred matte spheres on the ground, and one more effect.
+// Two hundred spheres on the ground, with the effect of this name. For "matte", "instances" and
+// "own" there is no effect.
 SceneDescription scene_with(const char* name) {
     SceneDescription scene;
     const std::string effect = name;
@@ -156,7 +157,7 @@ void study_pixels(study::Report& report) {
     add("cone, 100 radii away", &LightAbove::by_cone, 100);
 }
 
-// How accurate a formula for 1 - cos a is, the height of the cap that the light covers on the
+// How accurate a formula is for 1 - cos a, the height of the cap that the light covers on the
 // sphere of directions.
 template <class Formula>
 void study_cap(study::Report& report, const char* name, double power, Formula formula) {
@@ -233,7 +234,7 @@ void study_each_effect(study::Report& report) {
     }
 }
 
-// The time of the cover scene from end to end, compared with the classic way.
+// The time of the whole cover scene, compared with that of the classic way.
 void study_cover(study::Report& report) {
     const study::Cover cover = study::make_cover();
     const auto classic = study::classic::make_world(cover);

@@ -3,7 +3,7 @@
 
 namespace effects {
 
-// What it takes to find light, what the formulas lose, and what each effect costs.
+// How well each way finds light, how many digits the formulas lose, and what each effect costs.
 void run_study(study::Report& report);
 
 }  // namespace effects

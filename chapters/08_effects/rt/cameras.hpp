@@ -6,7 +6,7 @@
 
 namespace rt {
 
-// A camera with a lens (given). If the lens has no opening, no point on it is drawn.
+// A camera with a lens (given). If the aperture is 0, no random point on the lens is drawn.
 struct LensCamera {
     Camera camera;
     Lens lens;
@@ -19,7 +19,7 @@ Ray make_ray(const LensCamera& with_lens, int column, int row, Vec2 offset, Rand
 }
 
 // A camera, with or without a lens, whose shutter is open for a while (given). If nothing moves, no
-// time is drawn.
+// random time is drawn.
 template <class StillCamera>
 struct ShutterCamera {
     StillCamera camera;

@@ -1,6 +1,6 @@
 #pragma once
-// The cover as a scene of chapter 08. Only for programs, from that chapter on: a library
-// in common has no scenes.
+// The cover as a scene of chapter 08. Only programs of that chapter and later ones may include this
+// file: the libraries in common/ know no scenes.
 
 #include <rt/scene.hpp>
 #include <study/cover.hpp>

@@ -74,7 +74,7 @@ constexpr Effects without(Effects a, const Effects& b) {
     return a;
 }
 
-// Their names, such as "mirror, glass, lens", or "none".
+// The names of these effects, such as "mirror, glass, lens", or "none".
 inline std::string names(const Effects& effects) {
     std::string all;
     for (const NamedEffect& effect : all_effects)

@@ -14,8 +14,8 @@
 
 namespace rt {
 
-// Fog that fills a ball evenly (given). It lies between the spheres: if a path meets glass from
-// within, it met no fog on the way there.
+// Fog that fills a ball evenly (given). It lies between the spheres, not in glass: a path that
+// meets glass from within has met no fog on its way there.
 struct Fog {
     Sphere region;
     Real density = 0;       // how many droplets light meets per unit of length, 0 or more
@@ -25,7 +25,7 @@ struct Fog {
     Real asymmetry = 0;
 };
 
-// How far light gets before it meets a droplet: longer than d with probability exp(-density * d).
+// How far light gets before it meets a droplet: farther than d with probability exp(-density * d).
 // `number` is random, in [0, 1).
 inline Real free_flight(Real density, Real number) {
     return -portable::log1p(-number) / density;

@@ -10,10 +10,10 @@
 namespace rt {
 
 // The probability density, per solid angle, of the direction of mirrored + fuzz * u, where u is a
-// point of the unit sphere, each equally likely, and 0 < fuzz <= 1 (given). The ray along
-// `direction` cuts the sphere of these points at the distances c - s and c + s, where c is the
-// cosine of the angle to the mirror direction and s^2 = c^2 - 1 + fuzz^2. A piece of the sphere at
-// the distance t is seen as the solid angle (its area) (s / fuzz) / t^2. Both cuts together make
+// random point of the unit sphere (all points equally likely) and 0 < fuzz <= 1 (given). The ray
+// along `direction` cuts the sphere of these points at the distances c - s and c + s, where c is
+// the cosine of the angle to the mirror direction and s^2 = c^2 - 1 + fuzz^2. A piece of the sphere
+// at the distance t is seen as the solid angle (its area) (s / fuzz) / t^2. Both cuts together make
 //
 //     ((c - s)^2 + (c + s)^2) / (4 pi fuzz^2) / (s / fuzz) = (c^2 + s^2) / (2 pi fuzz s).
 //
@@ -36,9 +36,9 @@ inline Real lobe_density(Vec3 mirrored, Real fuzz, Vec3 direction) {
 // if the fuzz was at least this.
 inline constexpr Real least_sampled_fuzz = Real(0.2);
 
-// Like scatter_density, but for rough metal it gives the density, too (given): that of the
-// direction itself, plus that of the direction below the surface that is folded up to this
-// direction. It is 0 for smoother metal, where only the path itself finds lights, as in a mirror.
+// Like scatter_density in spread.hpp, but for rough metal it gives the density, too (given): that
+// of the direction itself, plus that of the direction below the surface that is folded up to it.
+// For smoother metal the density is 0: only the path itself finds lights there, as in a mirror.
 // `incoming` is the direction of the ray that made the hit.
 template <class Material>
 Real scatter_density(const Material& material, Vec3 /*incoming*/, const Hit& hit, Vec3 direction) {

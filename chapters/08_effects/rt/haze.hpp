@@ -8,7 +8,7 @@ namespace rt {
 // painting this is called aerial perspective. Haze counts only between the eye and the first
 // surface, and not from bounce to bounce, so it needs no random number and adds no noise.
 struct Haze {
-    Real density = 0;  // the share of light that is lost per unit of length, where that is small
+    Real density = 0;  // the share of light that is lost per unit of length, if it is small
     Color color;       // the light from where haze hides everything
 };
 

@@ -27,7 +27,7 @@ inline std::optional<Real> hit_light(const Sphere& shape, const Ray& ray, Interv
 struct Light {
     LightShape shape;
     Color radiance;
-    int number = 0;    // among the scene's lights, as Hit says
+    int number = 0;    // among the scene's lights, as in Hit
     int in_tree = -1;  // a sphere's number among those that stand still; -1 for another shape
 };
 
@@ -90,7 +90,7 @@ class SceneLights {
     std::vector<Light> lights_;
 };
 
-// Where a ray to a light ends: at t it meets shape `number` of the tree; -1 for none.
+// Where a ray to a light ends: at t, where it meets shape `in_tree` of the tree; -1 for no shape.
 struct LightEnd {
     Real t;
     int in_tree;
@@ -110,7 +110,7 @@ inline LightEnd light_end(const ChosenLight& chosen, const Ray& ray) {
 }
 
 // True if nothing lies between a ray's origin and the light. A world that can tell whether anything
-// is in the way is asked only for that; any other world is asked for the nearest hit.
+// is in the way is asked only that; any other world is asked for the nearest hit.
 template <class World, class AnyRay>
 bool sees_light(const World& world, const AnyRay& ray, const ChosenLight& chosen) {
     const Light& light = *chosen.light;

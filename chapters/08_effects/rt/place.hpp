@@ -16,7 +16,7 @@ struct Place {
     const Materials& materials;
     const Medium& fog;
     std::optional<Hit> hit;
-    std::optional<Real> collision;  // its t, if there is one before the hit
+    std::optional<Real> collision;  // the t of a droplet that is met before the hit
     Vec3 point, incoming;           // the point, and the direction of the ray that led there
 
     bool is_sky() const { return !hit && !collision; }

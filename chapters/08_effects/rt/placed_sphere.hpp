@@ -39,7 +39,7 @@ inline Real instance_error(const Instance& instance, Vec3 point) {
     // origin.
     const Vec3 there = transform_point(m, point);
     const Real off = std::abs(length(there) - 1);
-    // 4 roundings of each coordinate there: now, and again when a ray starts from here.
+    // Each coordinate there is rounded 4 times now, and 4 times more when a ray starts from here.
     Mat4 sizes = m;
     for (auto& row : sizes.rows)
         for (Real& number : row) number = std::abs(number);
@@ -50,9 +50,9 @@ inline Real instance_error(const Instance& instance, Vec3 point) {
 }
 
 // The factor by which hit_margin must be multiplied for an instance's box. The longer the
-// ellipsoid, the larger the ray's rounding errors in the object's space are, compared with the
-// sphere. The row sums of |M| |inverse of M| tell how large they are in the world. The factor is 1
-// for a sphere, and at most 3 for a turned sphere.
+// ellipsoid, the larger the ray's rounding errors in the object's space are, relative to the unit
+// sphere. The row sums of |M| |inverse of M|, where M is the matrix, tell how large these errors
+// are in the world. The factor is 1 for a sphere, and at most 3 for a turned sphere.
 inline Real margin_factor(const Instance& instance) {
     Real largest = 1;
     for (int row = 0; row < 3; ++row) {

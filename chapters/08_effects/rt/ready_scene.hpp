@@ -34,8 +34,9 @@ auto make_world(const SceneDescription& /*scene*/, const Prepared& shapes) {
     return both(std::move(spheres), tree_if<effects.instances>(shapes.instances));
 }
 
-// The types that make up a renderer with these effects, and no others (given). These types either
-// contain what an effect needs or they do not: nothing is decided while the picture is drawn.
+// The types that make up a renderer with exactly these effects (given). Each type contains what an
+// effect needs only if the renderer has this effect, so nothing is decided while the picture is
+// drawn.
 template <Effects effects>
 struct RendererTypes {
     template <bool condition, class Yes, class No>

@@ -28,8 +28,8 @@ struct JitteredSamples {
     }
 };
 
-// Draws a scene with these effects, and no others (given). Scene is the type of the scene once it
-// is ready to be drawn.
+// A renderer that has exactly these effects (given). Scene is the type of the scene once it is
+// ready to be drawn.
 template <Effects effects, class Scene = ReadyScene<effects>>
 class Renderer {
   public:

@@ -13,10 +13,10 @@ using PixelShader =
 
 // The renderers that are compiled (given), each for one of these sets of effects: 9 of the 2048
 // possible sets. A material or a lens that is compiled in but not used costs nothing that can be
-// measured, so only one renderer does without them. Motion, lights, fog and haze do cost something,
-// so each of them has a renderer of its own, and so has each pair that scenes often have. The last
-// renderer has every effect. It alone has the material of 05.6 and the effects that later chapters
-// add.
+// measured, so only one renderer does without them. Motion, lights, fog, haze and instances do cost
+// something, so each of them has a renderer of its own, and so has each pair that scenes often
+// have. The last renderer has every effect. It alone has the material of 05.6 and the effects that
+// later chapters add.
 inline constexpr auto renderer_effects = [] {
     constexpr Effects materials{
         .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
@@ -32,8 +32,8 @@ inline constexpr auto renderer_effects = [] {
                                   every_effect};
 }();
 
-// The scene made ready for renderer `number` of renderer_effects. The scene must outlive the
-// shader.
+// Makes a PixelShader, which draws a scene with one of these renderers. The scene must outlive the
+// PixelShader.
 using MakeShader = PixelShader (*)(const SceneDescription& scene, int width, int height,
                                    const Quality& quality);
 

@@ -40,8 +40,8 @@ struct Emitter {
 using MaterialDescription =
     std::variant<Lambertian, Metal, Dielectric, CheckeredMatte, PictureMatte, Emitter, OwnMaterial>;
 
-// A sphere with a map is an instance: the unit sphere, transformed by that matrix. Its `shape` is
-// then a sphere that contains the result. An instance stands still and does not shine.
+// A sphere with a map is an instance: the unit sphere, transformed by the map, a matrix. Its
+// `shape` is then a sphere that contains the result. An instance stands still and does not shine.
 struct SphereDescription {
     Sphere shape;        // where it is when the shutter opens
     int material = 0;    // an index into the scene's materials

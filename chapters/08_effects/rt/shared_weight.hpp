@@ -3,11 +3,12 @@
 
 namespace rt {
 
-// The weight of a way to find light (given), from the density with which it chose a direction and
-// the density with which the other way would have chosen it: light that both find counts once in
-// total. Both densities are 0 or more, and not both are 0; one may be infinite. Source: the power
-// heuristic of Veach and Guibas, "Optimally combining sampling techniques for Monte Carlo
-// rendering", SIGGRAPH 1995.
+// The weight of a sample of light (given), if there are two ways to find the light: `density` is
+// the probability density with which one way chose the sample's direction, and `other` the density
+// with which the other way would have chosen it. With these weights, light that both ways find
+// counts once in total. Both densities are 0 or more, and not both are 0; one may be infinite.
+// Source: the power heuristic of Veach and Guibas, "Optimally combining sampling techniques for
+// Monte Carlo rendering", SIGGRAPH 1995.
 inline Real shared_weight(Real density, Real other) {
     // Computed from the ratio, so that no square overflows.
     if (density < other) {

@@ -19,8 +19,8 @@ app::Picture show_ready(const Scene& scene, const app::Settings& settings,
     return show_world(settings, progress, scene.camera, scene.world, path, render_tiles);
 }
 
-// Prepares the camera for --show (given): unless it asks for bounces or samples, hits are those of
-// a pinhole camera at the moment at which the shutter opens.
+// Prepares the camera for --show (given): unless bounces or samples are asked for, the camera
+// becomes a pinhole camera whose shutter opens only for a moment.
 inline void hold_still(CameraDescription& camera, const std::string& show) {
     if (show == "bounces" || show == "samples") return;
     camera.lens = {};

@@ -40,7 +40,7 @@ inline Color checker_color(const CheckeredMatte& checker, Vec3 point) {
     return sum == 1 || sum == 3 ? checker.odd : checker.even;
 }
 
-// The color of a latitude-longitude image in a direction from the sphere's center, of length 1.
+// The color of a latitude-longitude image in a direction, of length 1, from the sphere's center.
 // Source: the equirectangular projection, about 100 AD, by Marinus of Tyre.
 inline Color image_color(const Image& image, Vec3 direction) {
     const Real around = portable::atan2(direction.x, direction.z) / (2 * pi) + Real(0.5);

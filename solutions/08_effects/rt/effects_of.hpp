@@ -5,8 +5,8 @@
 namespace rt {
 
 // The effects that change the picture of this scene. Effects that cannot be seen are left out: a
-// material that no sphere is made of, a light without light, fog without density, a lens without an
-// opening, motion while the shutter is closed.
+// material that no sphere is made of, a light of radiance 0, fog of density 0, a lens of aperture
+// 0, motion with zero shutter time.
 inline Effects effects_of(const SceneDescription& scene) {
     Effects effects;
     for (const SphereDescription& sphere : scene.spheres) {

@@ -17,7 +17,7 @@ namespace rt {
 inline Ray lens_ray(const Camera& camera, const Lens& lens, int column, int row, Vec2 offset,
                     Vec2 place) {
     const Vec2 p = pixel_to_viewport(camera, column, row, offset);
-    // The root spreads the points evenly over the disk.
+    // The square root spreads the points evenly over the disk.
     const Real radius = lens.aperture / 2 * std::sqrt(place.x);
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);
     const Real right = radius * cosine, up = radius * sine;

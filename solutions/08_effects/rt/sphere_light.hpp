@@ -12,8 +12,8 @@
 
 namespace rt {
 
-// 1 - cos a. Seen from a point outside the light, at this distance from its center, a is the angle
-// between the directions to the center and to the rim. The result is computed from sin a = radius /
+// 1 - cos a, where a is the angle between the light's center and its rim, as seen from a point at
+// this distance from the center, outside the light. The result is computed from sin a = radius /
 // distance, without the cancellation of 1 - cos a for lights that are small or far. It is within 7
 // units in the last place if it is at least std::numeric_limits<Real>::min().
 inline Real cone_height(Real radius, Real distance) {
@@ -55,7 +55,8 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
     }
     const Real whole = cone_height(radius, distance);
     if (!std::isnormal(whole)) return {};
-    // Archimedes once more: heights of a cap are spread evenly. 1 - cos of the angle to the center:
+    // Archimedes once more: the heights of a cap's points are spread evenly. `height` is 1 - cos of
+    // the angle to the center.
     const Real height = place.x * whole;
     const Real cosine = 1 - height, sine = std::sqrt(height * (2 - height));
     const auto turn = sine_cosine_of_turn(place.y);

@@ -7,8 +7,8 @@ namespace rt {
 // The color that gets to the eye. If the type AnyHaze has a member `density`, the fraction
 // exp(-density * distance()) of `color` gets through, and haze.color makes up the rest. distance()
 // is a search, so it is called once at most; it may return infinity. If the density is 0 or the
-// type has no such member, the result is `color` as it is, and distance() is not called. Only `if
-// constexpr` compiles for both types.
+// type has no such member, the result is `color` as it is, and distance() is not called. A plain
+// `if` would not compile for types without the member.
 template <class AnyHaze, class Distance>
 Color through_haze(const AnyHaze& haze, Color color, const Distance& distance) {
     if constexpr (requires { haze.density; }) {
