@@ -92,7 +92,7 @@ std::istream& operator>>(std::istream& in, Vec3& v) {
     return in >> v.x >> v.y >> v.z;
 }
 
-// As long as the triangle's area doubled; it points to where a, b, c run counterclockwise.
+// Twice the triangle's area, as a vector to the side from which a, b, c run counterclockwise.
 Vec3 area(const Triangle& triangle) {
     return cross(triangle.b - triangle.a, triangle.c - triangle.a);
 }
@@ -194,8 +194,8 @@ Scene read_scene(const std::string& path) {
 }
 
 // A ray that leaves a sphere knows which one. It meets that sphere exactly at t = 0, and at most at
-// one other point. So it needs no tolerance to leave the sphere, near or far, large or small. It
-// never meets a triangle that it leaves again. Triangles are numbered after the spheres.
+// one other point. So it needs no tolerance to leave the sphere, near or far, large or small. A ray
+// that leaves a triangle never meets that triangle again. Triangles are numbered after the spheres.
 struct Ray {
     Vec3 origin, direction;  // of length 1
     int leaves = -1;         // the number of the surface that it starts on
@@ -387,7 +387,7 @@ double reflectance(double cosine, double inner, double eta) {
     return (s * s + p * p) / 2;
 }
 
-// The direction in which light that arrives along d goes on; `outward` is the sphere's normal.
+// The direction in which light that arrives along d goes on; `outward` is the surface's normal.
 Vec3 scatter(const Material& material, Vec3 d, Vec3 outward, Random& random) {
     const bool outside = dot(d, outward) < 0;
     const Vec3 normal = outside ? outward : -1 * outward;
@@ -453,7 +453,7 @@ class Renderer {
         return {sphere.center + sphere.radius * normal, normal, sphere.material};
     }
 
-    // The light that comes back along a ray. A path that has bounced `depth` times brings no light.
+    // The light along a ray. A path that has bounced `depth` times and hits something brings none.
     Vec3 light(Ray ray, Random& random) const {
         Vec3 throughput{1, 1, 1};
         for (int bounce = 0; bounce <= scene_.depth; ++bounce) {

@@ -11,7 +11,7 @@ struct Sphere {
     double radius;
 };
 
-// Where the ray meets the sphere: at t times its direction, or -1 if it misses.
+// The t at which the ray meets the sphere, at origin + t * direction; -1 if it misses.
 double hit(Sphere sphere, Vec3 origin, Vec3 direction) {
     Vec3 offset = origin - sphere.center;
     double a = dot(direction, direction);

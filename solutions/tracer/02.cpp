@@ -15,7 +15,7 @@ struct Ball {
     double radius;
 };
 
-// Where the ray meets the ball: at t times its direction, or -1 if it misses.
+// The t at which the ray meets the ball, at origin + t * direction; -1 if it misses.
 double hit(Ball ball, Ray ray) {
     Vec3 offset = ray.origin - ball.center;
     double a = dot(ray.direction, ray.direction);
