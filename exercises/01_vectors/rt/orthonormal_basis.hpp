@@ -7,8 +7,8 @@
 
 namespace rt {
 
-// Exercise 01.8. A right-handed basis (u x v = w) with the given unit vector as its w. It works for
-// every direction.
+// Exercise 01.8. A right-handed basis (u x v = w) whose w is the given unit vector, which may have
+// any direction.
 // Star: lengths and right angles are accurate to 8 epsilon (|u.u - 1|, |u.v| and so on).
 inline Basis orthonormal_basis(Vec3 w) {
     return rt::todo("01.8", w);

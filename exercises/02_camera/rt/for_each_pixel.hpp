@@ -7,7 +7,7 @@ namespace rt {
 // Exercise 02.5. Calls visit(column, row) once for each pixel of a tile: row by row from the top,
 // each row from the left. A tile has the columns left ... right - 1 of the rows top ... bottom - 1
 // (see <rt/tile.hpp>) and may lie anywhere. For a tile without pixels, where left is not less than
-// right or top is not less than bottom, it makes no call. Do not catch what visit throws.
+// right or top is not less than bottom, there is no call. Do not catch what visit throws.
 template <class Visit>
 void for_each_pixel(const Tile& tile, Visit visit) {
     rt::todo("02.5", tile, visit);

@@ -11,9 +11,10 @@
 namespace rt {
 
 // Exercise 03.3. The sphere that the ray meets at the smallest t within the interval, and this t.
-// If several are equally near, it is the last of them in the list. Return {} if the ray meets no
-// sphere within the interval, and for an empty list. t is exactly what hit_sphere (03.2) returns
-// for this sphere alone. The spheres come in any order, and may overlap or lie within each other.
+// If several spheres are equally near, the last of them in the list counts. Return {} if the ray
+// meets no sphere within the interval, and for an empty list. t is exactly what hit_sphere (03.2)
+// returns for this sphere alone. The spheres come in any order, and may overlap or lie within each
+// other.
 inline std::optional<NearestSphere> nearest_sphere(std::span<const SceneSphere> spheres,
                                                    const Ray& ray, Interval within) {
     return rt::todo("03.3", spheres, ray, within);

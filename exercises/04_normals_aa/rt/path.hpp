@@ -10,7 +10,7 @@
 
 namespace rt {
 
-// Exercise 04.7. The light that comes back along a ray. Its path is followed from bounce to bounce
+// Exercise 04.7. The light that comes back along a ray. The path is followed from bounce to bounce
 // until it meets the sky, is absorbed, or is ended by `ending`, which is called after bounce number
 // `depth` (at least 1) and after every later bounce. Every hit counts, at any t from 0 to infinity,
 // and so does all light, however dim. leave_surface is the one from 04.6. The types of the

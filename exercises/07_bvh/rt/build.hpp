@@ -22,9 +22,10 @@ inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {
 }
 
 // Exercise 07.3. The tree over this part of the order, which begins at index `first` of the whole
-// order. It has at least one number. split(order, boxes), which is split_in_half or a function like
-// it, returns how many of the numbers go to the left, or 0 for a leaf. Call it once for each node:
-// it alone decides which nodes are leaves. The right part begins where the left part ends.
+// order. The part has at least one number. split(order, boxes), which is split_in_half or a
+// function like it, returns how many of the numbers go to the left, or 0 for a leaf. Call split
+// once for each node: it alone decides which nodes are leaves. The right part begins where the left
+// part ends.
 // Star: from level most_levels on, call split_in_half instead of split. The root is at level 0, and
 // children are one level deeper than their parent.
 template <class Split>

@@ -18,9 +18,9 @@ namespace rt {
 // functions:
 //   tree.test(node, list, masks)   writes a mask for each ray of the list: bit k is set if the ray
 //                                  meets the box of the child with index k. Returns the bits that
-//                                  any ray has. Call it once for a node, when its turn comes: hits
-//                                  found later shorten the rays, but an unnecessary visit costs
-//                                  little
+//                                  are set in any mask. Call it once for a node, when the node's
+//                                  turn comes: hits found later shorten the rays, but an
+//                                  unnecessary visit costs little
 //   tree.order(node)               the indices of the children, 0 to 7, each once
 //   tree.child(node, place)        the child with index `place`, a WideChild: child.is_leaf() tells
 //                                  whether it is a leaf or a node, and child.number() which one

@@ -13,8 +13,8 @@ namespace rt {
 // Exercise 11.6. The weight of pixel b's light for pixel a; b is `across` and `down` pixels away.
 // It is exp(-d / 2), where d is the sum of (distance / width)^2 for three distances, each with its
 // own width: in the picture, sqrt(across^2 + down^2); between the albedos, as vectors of three
-// channels; and between the normals. So a pixel has weight 1 for itself, and less for every other
-// pixel.
+// channels; and between the normals. So a pixel's own light has weight 1, and the light of every
+// other pixel less.
 // Star: `across` and `down` may be negative or large. No square may overflow or vanish because a
 // width is small. Source: Tomasi and Manduchi, "Bilateral filtering for gray and color images",
 // ICCV 1998; with features instead of colors: Petschnigg et al., "Digital photography with flash

@@ -19,7 +19,7 @@ inline void save_tile(const std::filesystem::path& folder, int tile,
     rt::todo("13.4", folder, tile, pixels);
 }
 
-// Exercise 13.4. Reads the pixels from the file of a tile. The file exists.
+// Exercise 13.4. Reads the pixels from the file of a tile. You may assume that the file exists.
 inline std::vector<Color> load_tile(const std::filesystem::path& folder, int tile) {
     return rt::todo("13.4", folder, tile);
 }

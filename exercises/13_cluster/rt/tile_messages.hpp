@@ -29,7 +29,7 @@ class TileSender {
     // Exercise 13.3. Waits until all messages have been sent, and then forgets them.
     void finish() { rt::todo("13.3"); }
 
-    // The number of messages that it keeps (given).
+    // The number of messages that the sender keeps (given).
     int kept() const { return static_cast<int>(messages_.size()); }
 
   private:
@@ -41,8 +41,8 @@ class TileSender {
     std::list<Message> messages_;  // in a list, each stays where it is
 };
 
-// Exercise 13.3. Rank 0 calls it. Returns a tile that has arrived, from any rank. If none has
-// arrived, it does not wait, but returns none.
+// Exercise 13.3. Called by rank 0. Returns a tile that has arrived, from any rank. If there is no
+// such tile, returns none without waiting.
 inline std::optional<ArrivedTile> receive_tile(MPI_Comm ranks) {
     return rt::todo("13.3", ranks);
 }
