@@ -23,13 +23,13 @@ struct Schedule {
     int workers = 1;
     std::vector<Span> spans;
 
-    // When the last worker is done.
+    // The time at which the last worker is done.
     double end() const {
         double last = 0;
         for (const Span& span : spans) last = std::max(last, span.end);
         return last;
     }
-    // When this worker is done; from then on it waits.
+    // The time at which this worker is done; from then on it waits.
     double end_of(int worker) const {
         double last = 0;
         for (const Span& span : spans)

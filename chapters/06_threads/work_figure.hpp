@@ -100,7 +100,7 @@ inline void draw_speed_up(Figure& figure, const Box& box, const std::vector<Curv
         figure.line(from, to, faint, Real(0.8));
         figure.words_before({from.x - 6, from.y - 4}, std::to_string(i), letters);
     }
-    // 1, and then the multiples of the step.
+    // The marks are at 1 and at the multiples of the step.
     for (int i = 1; i <= static_cast<int>(most); i += i < step ? step - i : step) {
         const Vec2 at = place(static_cast<Real>(i), 0);
         figure.line(at, {at.x, at.y + 3}, dim, Real(0.8));

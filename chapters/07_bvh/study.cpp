@@ -163,7 +163,7 @@ void study_growth(study::Report& report) {
     for (const study::Row& row : building) report.add(row);
 }
 
-// From how many spheres on a tree is worthwhile.
+// How many spheres there must be for a tree to be worthwhile.
 void study_few(study::Report& report) {
     std::deque<Cloud> clouds;
     std::deque<SphereList> lists;

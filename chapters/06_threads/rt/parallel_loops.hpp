@@ -18,7 +18,7 @@ namespace rt {
 void loop_with_openmp(int jobs, int workers, const std::function<void(int, int)>& work);
 
 // Calls work(job) once for each of these jobs, with a standard algorithm that may use several
-// threads. How many it uses is not set here. `work` does not throw.
+// threads. Their number is not set here. `work` does not throw.
 void loop_with_standard_algorithm(std::span<const int> jobs, const std::function<void(int)>& work);
 
 }  // namespace rt

@@ -70,8 +70,8 @@ struct TreeOf {
 };
 using SphereTree = TreeOf<SceneSphere>;
 
-// boxes[i] is the box of shape i; split is split_in_half, split_by_area or another function like
-// them.
+// The tree over these shapes. boxes[i] is the box of shape i; split is split_in_half, split_by_area
+// or another function like them.
 template <class Shape, class Split>
 TreeOf<Shape> make_tree(std::vector<Shape> shapes, const std::vector<Box>& boxes,
                         const Split& split) {
