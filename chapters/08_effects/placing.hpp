@@ -80,8 +80,8 @@ Rule on_sphere(Ball space);
 // in_ball: floating inside `space`.
 Rule in_ball(Ball space);
 // galaxy: along the arms of a galaxy that lies flat in `space`. Each arm makes this many turns from
-// the middle to the rim. Balls lie up to `width` times the radius of `space` beside an arm, and as
-// far above and below the middle.
+// the middle to the rim. Balls lie up to `width` times the radius of `space` beside an arm and,
+// near the middle, as far above and below it.
 Rule galaxy(Ball space, int arms, double turns, double width);
 
 // Places `count` balls according to a rule, the largest first. No new ball overlaps another new

@@ -96,8 +96,8 @@ struct LightEnd {
     int in_tree;
 };
 
-// A light must not block its own light. So the ray ends where it meets the light by the same
-// formula as for any other shape, and not at a distance that was rounded differently.
+// A light must not block its own light. So the ray ends at the t that the tree's own formula gives
+// for the light, and not at the sample's distance, which is rounded differently.
 inline LightEnd light_end(const ChosenLight& chosen, const Ray& ray) {
     const Light& light = *chosen.light;
     const Interval way{0, chosen.sample.distance};

@@ -29,7 +29,7 @@ inline Box bounds_of(const MovingSphere& sphere) {
                 bounds_of(Sphere{end.center, end.radius + larger}));
 }
 
-// The ray meets the sphere where it is at the ray's time.
+// A ray meets the sphere at the position that the sphere has at the ray's time.
 inline std::optional<Real> hit_shape(const MovingSphere& sphere, const TimedRay& ray,
                                      Interval within) {
     return hit_sphere(sphere_at(sphere, ray.time), ray, within);

@@ -8,7 +8,7 @@ namespace rt {
 inline Effects needed_effects(const SceneDescription& scene) {
     const Effects needed = with(effects_of(scene), added_effects(scene));
     if (scene.meshes.empty()) return needed;
-    // Meshes call for what spheres of their materials would call for.
+    // A mesh calls for the same effects as a sphere of its material.
     SceneDescription of_meshes;
     of_meshes.materials = scene.materials;
     for (const MeshDescription& mesh : scene.meshes)

@@ -27,7 +27,7 @@ auto tree_if(const std::vector<Shape>& shapes) {
 }
 
 // The world of a renderer with these effects: one tree for each type of shape (given). Spheres that
-// stand still come first, because there are most of them, and the lights are among them.
+// stand still come first, because most spheres do, and because the lights are among them.
 template <Effects effects>
 auto make_world(const SceneDescription& /*scene*/, const Prepared& shapes) {
     auto spheres = both(make_wide_tree(shapes.still), tree_if<effects.motion>(shapes.moving));
