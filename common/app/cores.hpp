@@ -7,9 +7,9 @@
 
 namespace app {
 
-// The number of physical cores, at least 1: two threads on one core share its arithmetic units, so
-// logical cores would promise too much. If the system does not tell, the result is the number of
-// threads that can run at once.
+// The number of physical cores, at least 1. Two threads on one core share its arithmetic units, so
+// the number of logical cores would promise too much. If the system does not tell, the result is
+// the number of threads that can run at once.
 inline int physical_cores() {
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     std::set<std::string> cores;

@@ -12,7 +12,7 @@
 namespace app {
 namespace {
 
-// The text as one line. It may contain anything, such as a file name with line breaks.
+// The text as one line. The text may contain anything, such as a file name with line breaks.
 std::string one_line(std::string text) {
     for (char& c : text)
         if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';

@@ -8,12 +8,12 @@ using rt::Color, rt::Image, rt::Real, rt::Vec2;
 
 namespace {
 
-// The first pixel whose middle does not lie before the edge.
+// The first pixel whose middle lies on the edge or beyond it.
 int first_pixel(Real edge) {
     return static_cast<int>(std::ceil(edge - Real(0.5)));
 }
 
-// The distance to a box with round corners, below 0 within it.
+// The distance from p to a box with round corners; it is below 0 if p lies within the box.
 Real distance_to_box(Vec2 p, const Box& b, Real radius) {
     radius = std::min({radius, b.width / 2, b.height / 2});
     const Vec2 c = b.center();

@@ -35,26 +35,26 @@ struct Lettering {
 // How wide a text is, from the first letter's left edge to the last one's right edge.
 rt::Real width_of(std::string_view text, rt::Real letter_height);
 
-// The average of shade(x, y) at nine points of a pixel, with x and y in pixels:
-// smooth edges for any drawing.
+// The average of shade(x, y) at nine points of a pixel, with x and y in pixels. It gives any
+// drawing smooth edges.
 rt::Color average_of_nine(int column, int row,
                           const std::function<rt::Color(rt::Real x, rt::Real y)>& shade);
 
-// An image, or a part of it, to draw on. It does not own the image, which must outlive it. Colors
-// are mixed in according to a `share`: 1 covers what is there, 0 leaves it as it is.
+// An image, or a part of it, to draw on. A figure does not own its image, which must outlive the
+// figure. Colors are mixed in according to a `share`: 1 covers what is there, 0 leaves it as it is.
 class Figure {
   public:
     // All of the image; a unit is a pixel.
     explicit Figure(rt::Image& image);
-    // A figure of this many units, in the middle of the image and as large as fits into it.
+    // A figure of width x height units, in the middle of the image and as large as fits into it.
     Figure(rt::Image& image, rt::Real width, rt::Real height);
 
     // A part of the figure, with (0, 0) at its own top left corner. Drawing in it changes nothing
     // outside of it.
     Figure part(const Box& box) const;
 
-    // The number of pixels across and down whose middles lie inside. It is at least 1, even if none
-    // does, because a camera needs a pixel.
+    // How many columns, and how many rows, of pixels have their middles inside the figure. The
+    // result is at least 1, because a camera needs a pixel.
     int columns() const { return std::max(1, columns_); }
     int rows() const { return std::max(1, rows_); }
 
@@ -66,7 +66,7 @@ class Figure {
         if (x < image_->width() && y < image_->height()) image_->at(x, y) = color;
     }
 
-    // Paints every pixel: shade(column, row) gives the color. Steps the progress with each row.
+    // Paints every pixel: shade(column, row) gives the color. Advances the progress with each row.
     void fill(const std::function<rt::Color(int column, int row)>& shade,
               Progress* progress = nullptr);
 
@@ -74,11 +74,12 @@ class Figure {
     // pixel beyond, are visited.
     void blend(const Box& around, const std::function<rt::Real(rt::Vec2)>& share_at,
                const std::function<rt::Color(rt::Vec2)>& color_at);
-    // Mixes in a color wherever `distance`, in units, is below 0, with a smooth edge.
+    // Mixes in color_at(point) wherever distance(point), in units, is below 0. The edge is smooth.
     void paint(const Box& around, const std::function<rt::Real(rt::Vec2)>& distance,
                const std::function<rt::Color(rt::Vec2)>& color_at, rt::Real share = 1);
 
-    // A box with round corners, filled or only its edge; a straight line with round ends; a disk.
+    // A filled box with round corners; the edge of such a box; a straight line with round ends; a
+    // disk.
     void box(const Box& box, rt::Color color, rt::Real share = 1, rt::Real radius = 0);
     void frame(const Box& box, rt::Color color, rt::Real share = 1, rt::Real radius = 0,
                rt::Real thickness = 1);
@@ -100,7 +101,7 @@ class Figure {
     rt::Image* image_;
     rt::Real scale_ = 1;                       // pixels per unit
     rt::Vec2 origin_{};                        // where (0, 0) is, in pixels
-    int left_ = 0, top_ = 0, columns_, rows_;  // its pixels; the counts may be 0 or less
+    int left_ = 0, top_ = 0, columns_, rows_;  // the figure's pixels; the counts may be 0 or less
 };
 
 }  // namespace app

@@ -41,7 +41,8 @@ bool remove_unfinished(int) {
     return false;
 }
 
-// While it lives, an interruption first removes this file, and then takes effect.
+// While an object of this class exists, an interruption first removes the file and then takes
+// effect.
 class RemovedOnInterrupt {
   public:
     explicit RemovedOnInterrupt(const fs::path& path) { unfinished = path.c_str(); }

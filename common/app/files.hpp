@@ -1,6 +1,6 @@
 #pragma once
-// Reading files that people name, and writing files and folders without ever leaving one
-// half-written.
+// Reading files that people name, writing files without ever leaving one half-written, and creating
+// folders.
 
 #include <filesystem>
 #include <string>
@@ -13,12 +13,12 @@ namespace app {
 // on failure; an older file is then unchanged, and no new one is left behind.
 void replace_file(const std::filesystem::path& path, const std::string& bytes);
 
-// The file that a path means: links are followed to the file that they point to, whether it exists
-// or not. Throws std::system_error if they form a circle.
+// The file that a path means: links are followed to the file that they point to, whether that file
+// exists or not. Throws std::system_error if the links form a circle.
 std::filesystem::path behind_links(std::filesystem::path path);
 
-// The contents of a regular file of at most `most` bytes. Throws UsageError, with `name` in front,
-// if the file is missing, a folder, a device, too large, or cannot be read.
+// The contents of a regular file of at most `most` bytes. Throws UsageError, whose message begins
+// with `name`, if the file is missing, is too large, cannot be read, or is a folder or a device.
 std::string read_input_file(const std::filesystem::path& path, const std::string& name,
                             std::size_t most);
 

@@ -6,7 +6,7 @@
 
 namespace app {
 
-// Why a picture is not finished, and how much of it is.
+// Why a picture is unfinished, and how much of it is done.
 struct Stopped {
     int signal = 0;
     double share_done = 0;  // 0 to 1
@@ -14,7 +14,7 @@ struct Stopped {
 
 // While an Interruption exists, the first Ctrl-C (SIGINT) or SIGTERM does not end the program: it
 // is recorded here, and the workers check for it from time to time. The next one ends the program
-// as usual. If the program was started with a signal ignored (nohup), it stays ignored. Only one
+// as usual. A signal that is ignored when the program starts (nohup) stays ignored. Only one
 // Interruption may exist at a time.
 class Interruption {
   public:
@@ -23,8 +23,8 @@ class Interruption {
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
 
-    // The signal that was received; 0 before any. May be called from any thread,
-    // and costs next to nothing.
+    // The number of the signal that was received, or 0 if none has been. May be called from any
+    // thread, and costs next to nothing.
     static int signal();
 
   private:

@@ -147,7 +147,7 @@ class Builder : public nlohmann::json_sax<json> {
     bool parse_error(std::size_t position, const std::string& token,
                      const json::exception& error) override {
         const std::string place = file_ + ':' + line_and_column(text_, position) + ": ";
-        constexpr int out_of_range = 406;  // a number, as the library counts its errors
+        constexpr int out_of_range = 406;  // the library's code for a number that is too large
         if (error.id == out_of_range)
             throw UsageError(place + "the number " + token.substr(0, 40) +
                              " is too large; 1e308 is about the largest");
@@ -170,7 +170,7 @@ class Builder : public nlohmann::json_sax<json> {
                                               : path_of_item(path, open_[i].value.size());
         return path;
     }
-    // The parser stopped after this many bytes.
+    // What was wrong, if the parser stopped after `position` bytes.
     Slip slip_at(std::size_t position) const {
         const bool ended = position > text_.size();
         const std::string_view text = std::string_view{text_}.substr(0, position);
@@ -221,7 +221,7 @@ class Builder : public nlohmann::json_sax<json> {
 
     const std::string& text_;
     const std::string& file_;
-    std::vector<Open> open_;  // from the outermost one
+    std::vector<Open> open_;  // the outermost one first
     bool is_read_ = false;    // whether the whole text has been read
 };
 

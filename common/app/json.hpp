@@ -1,9 +1,10 @@
 #pragma once
 // Reading JSON files that people write: every error says where it is and what is allowed.
 //
-// nlohmann::json alone says at which byte it stopped, and which tokens it would have taken there.
-// It does not name the common slip behind the error (a comment, single quotes, one comma too many).
-// If an object has a key twice, it silently keeps the last value, and it sets no limit to nesting.
+// nlohmann::json alone says at which byte it stopped, and which tokens it would have accepted
+// there. It does not name the common slip behind the error (a comment, single quotes, one comma too
+// many). If an object has a key twice, it silently keeps the last value, and it sets no limit to
+// nesting.
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>

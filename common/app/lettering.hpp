@@ -10,9 +10,10 @@
 
 namespace app {
 
-// The strokes of a letter. Each point is a digit, its column, and a letter, its row: capitals reach
-// from row a to row q, and small letters from row f, some of them down to row u. A blank lifts the
-// pen. There are letters, digits, some signs, and * for the degree sign; anything else is a gap.
+// The strokes of a letter. Each point is written as a digit, its column, and a letter, its row.
+// Capitals reach from row a to row q; small letters such as p reach from row f down to row u. A
+// blank lifts the pen. There are letters, digits, some signs, and * for the degree sign; anything
+// else is a gap.
 inline std::string_view strokes(char letter) {
     constexpr std::string_view capitals[] = {"0q4a8q 1l7l",
                                              "0a0q5q7p8n8l7j5i0i 5i6h7f7d6b5a0a",
@@ -138,8 +139,8 @@ inline rt::Real distance_to_segment(rt::Vec2 p, rt::Vec2 a, rt::Vec2 b) {
     return rt::portable::hypot(apart.x, apart.y);
 }
 
-// The distance from p to the nearest stroke of a text. Capitals reach from y = 0 down to y = 4, the
-// first letter from x = 0 to the right; y grows downward.
+// The distance from p to the nearest stroke of a text. The first letter begins at x = 0. Capitals
+// reach from y = 0 to y = 4; y grows downward.
 inline rt::Real distance_to_text(rt::Vec2 p, std::string_view text) {
     rt::Real nearest = rt::infinity;  // squared
     for (const char letter : text) {

@@ -4,8 +4,8 @@
 namespace app {
 namespace {
 
-// The number of letters to insert, remove or change, or of neighbors to swap, to turn
-// one word into the other.
+// The smallest number of slips that turn one word into the other. A slip is a letter inserted,
+// removed or changed, or two neighbors swapped.
 std::size_t slips(const std::string& a, const std::string& b) {
     std::vector<std::vector<std::size_t>> table(a.size() + 1,
                                                 std::vector<std::size_t>(b.size() + 1));
@@ -36,7 +36,7 @@ std::string nearest_word(const std::string& wrong, const std::vector<std::string
     std::size_t best = most;
     if (wrong.size() > 40) return {};  // a text longer than a word is not a slip
     for (const std::string& word : words) {
-        // The beginning of a word still means the word.
+        // The beginning of a word is taken for the whole word.
         if (wrong.size() >= 3 && word.rfind(wrong, 0) == 0) return word;
         const std::size_t count = slips(wrong, word);
         if (count < best || (count == best && nearest.empty())) {

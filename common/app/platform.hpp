@@ -22,11 +22,11 @@ SignalHandler handler_of(int signal);
 // Opens a file whose bytes are to be read. Null if that fails; errno says why.
 std::FILE* open_for_reading(const std::filesystem::path& path);
 
-// Creates a file, or empties the one that exists unless `only_new`. Null if that fails; errno says
-// why. A pipe without a reader is an error.
+// Opens a file for writing. An existing file is emptied or, with `only_new`, is an error. Null if
+// opening fails; errno says why. A pipe without a reader is an error.
 std::FILE* open_for_writing(const std::filesystem::path& path, bool only_new);
 
-// Renames a file, which replaces the file that had the new name, if any. Throws
+// Renames a file. If another file already has the new name, that file is replaced. Throws
 // std::filesystem::filesystem_error.
 void rename_over(const std::filesystem::path& from, const std::filesystem::path& to);
 
@@ -36,7 +36,7 @@ void remove_now(const std::filesystem::path::value_type* path);
 // True if this file, or files in this folder, may be written. If not, errno says why.
 bool is_writable(const std::filesystem::path& path);
 
-// True if what is written there appears on a terminal, where a person reads it.
+// True if what is written to this file appears on a terminal, where a person reads it.
 bool is_terminal(std::FILE* file);
 
 }  // namespace app

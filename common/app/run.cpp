@@ -47,8 +47,8 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
             "", "whole number"};
 }
 
-// The number that a text consists of, with a decimal point as in C++ whatever the
-// language of the machine.
+// The number that a text consists of. The decimal point is that of C++, whatever the language of
+// the machine.
 std::optional<double> number_in(const std::string& text) {
     if (text.find_first_of("xX") != std::string::npos) return {};  // libc++ would also accept 0x1
     std::istringstream in{text};
@@ -60,7 +60,7 @@ std::optional<double> number_in(const std::string& text) {
 
 constexpr double farthest = 1e9;  // coordinates of the camera
 
-// The point of a text such as "1,-0.5,2".
+// The point that is meant by a text such as "1,-0.5,2".
 std::optional<rt::Vec3> point_in(const std::string& text) {
     std::vector<rt::Real> numbers;
     std::istringstream parts{text + ','};
@@ -73,7 +73,8 @@ std::optional<rt::Vec3> point_in(const std::string& text) {
     return rt::Vec3{numbers[0], numbers[1], numbers[2]};
 }
 
-// The angle in radians of a text such as "33.5", in degrees between 0 and 180.
+// The angle, in radians, that is meant by a text such as "33.5". The text gives degrees, which must
+// be between 0 and 180.
 std::optional<rt::Real> angle_in(const std::string& text) {
     const std::optional<double> degrees = number_in(text);
     if (!degrees) return {};
@@ -138,8 +139,8 @@ std::string count(double number, const char* unit) {
     return text;
 }
 
-// Holds a pipe open for writing, so that its reader stays. Without a reader, the program would wait
-// forever.
+// Opens a pipe before the work starts, so that a missing reader is found at once. The pipe then
+// stays open, because closing it would end the reader.
 class HeldPipe {
   public:
     explicit HeldPipe(const fs::path& path) {
@@ -164,7 +165,7 @@ class HeldPipe {
     std::FILE* file_ = nullptr;
 };
 
-// Uses fewer threads if the system does not allow that many, and says so.
+// If the system does not allow as many threads as were requested, uses fewer and says so.
 void check_threads(const Program& program, const Request& request, Settings& settings) {
     if (settings.threads == 0) return;
     const int wanted = settings.threads;
@@ -275,7 +276,8 @@ void add_numbers(CLI::App& options, Settings& settings) {
             ->capture_default_str();
 }
 
-// Where the camera stands and what it sees, for programs whose camera can be moved.
+// Adds the options for where the camera stands and what it sees, for programs whose camera can be
+// moved.
 void add_view(CLI::App& options, rt::View& view) {
     const auto add_point = [&](const char* name, rt::Vec3& point, const char* what) {
         options
@@ -306,7 +308,7 @@ void add_view(CLI::App& options, rt::View& view) {
         ->default_str(text_of(view.vertical_fov * 180 / rt::pi));
 }
 
-// One of the words that --show knows in this program.
+// Rejects everything except the words that --show knows in this program.
 CLI::Validator shown_word(const std::vector<std::string>& known) {
     std::string list;
     for (const std::string& word : known) list += (list.empty() ? "" : ", ") + word;
@@ -317,8 +319,8 @@ CLI::Validator shown_word(const std::vector<std::string>& known) {
             list, "shown word"};
 }
 
-// All options, in the order in which --help lists them. The request must stay where it is until
-// they are parsed.
+// Adds all options, in the order in which --help lists them. The request must keep its address
+// until the options are parsed.
 void add_options(CLI::App& options, Request& request, const Program& program) {
     Settings& settings = request.settings;
     options.set_help_flag("--help", "Show this help and exit");
@@ -459,7 +461,7 @@ void write_study(const study::Report& report, const std::filesystem::path& folde
     const fs::path path = folder / report.file();
     std::ifstream earlier{path};
     const std::string csv = report.csv(earlier);
-    earlier.close();  // Windows replaces no file that is open
+    earlier.close();  // Windows cannot replace an open file
     replace_file(path, csv);
 }
 

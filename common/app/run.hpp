@@ -1,6 +1,6 @@
 #pragma once
-// What every chapter's program shares: reading the command line, a progress bar, writing the image,
-// saying how long it took, and ending with the right exit code.
+// What the programs of all chapters share: reading the command line, a progress bar, writing the
+// image, saying how long it took, and ending with the right exit code.
 
 #include <app/errors.hpp>
 #include <app/interrupt.hpp>
@@ -69,7 +69,7 @@ struct Number {
     std::string about;  // what it does, and its unit
 };
 
-// Counts the work that is done, for the progress bar. May be called from several threads.
+// Counts the work that is done, for the progress bar. Several threads may use it at once.
 class Progress {
   public:
     explicit Progress(bool visible) : visible_{visible} {}
@@ -77,7 +77,7 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    // Says how many steps (rows, tiles) there are; the bar starts at zero.
+    // Sets the number of steps (rows, tiles); the bar starts at zero.
     void start(int steps);
     void step();
 
@@ -86,11 +86,12 @@ class Progress {
     std::atomic<int> steps_ = 0, done_ = 0;
 };
 
-// What a program drew, and how many rays it followed for it.
+// What a program drew, and the number of rays that it followed.
 struct Picture {
     rt::Image image;
     std::uint64_t rays = 0;
-    // Prints more lines below the one about the image. Called only if reports are printed.
+    // Returns more lines to print below the one about the image. Called only if that line is
+    // printed.
     std::function<std::string()> words = {};
     // What stopped the work early, if anything did. The unfinished pixels then show the
     // checkerboard of draw_unfinished.
@@ -119,25 +120,24 @@ struct Program {
     bool explains = false;
     // Whether render() checks for an Interruption; if not, Ctrl-C ends the program at once.
     bool can_be_stopped = false;
-    // Whether what goes to stderr reaches a terminal even though stderr is a pipe, as it may under
-    // mpirun.
+    // Whether the output to stderr reaches a terminal although stderr is a pipe, as can happen
+    // under mpirun.
     bool has_terminal = false;
 };
 
-// Runs the program as main() should. Every error is one line on stderr.
+// Does all that main() has to do, and returns the exit code. Every error is one line on stderr.
 int run(int argc, const char* const* argv, const Program& program);
 
-// Writes measurements to folder/CHAPTER.csv, and keeps the file's measurements in the other
-// precision. Throws std::system_error on failure.
+// Writes measurements to folder/CHAPTER.csv, and keeps those that the file already has for the
+// other precision. Throws std::system_error on failure.
 void write_study(const study::Report& report, const std::filesystem::path& folder);
 
-// What the hidden option --describe prints for other programs that run this one: its options, each
-// with its default, as a JSON object whose values are texts.
-// its default, as a JSON object of texts.
+// What the hidden option --describe prints for other programs that run this one: the options of
+// this program, each with its default, as a JSON object whose values are texts.
 std::string describe(const Program& program);
 
-// An image drawn row by row: calls shade(x, y) for each pixel, and steps the progress. Pixels is
-// the type that holds the pixels, such as Canvas<Color>.
+// Draws an image row by row: calls shade(x, y) for each pixel, and advances the progress with each
+// row. Pixels is the type that holds the pixels, such as Canvas<Color>.
 template <class Pixels = rt::Image, class Shade>
 rt::Image draw(const Settings& settings, Progress& progress, Shade shade) {
     progress.start(settings.height);

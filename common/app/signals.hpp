@@ -1,5 +1,5 @@
 #pragma once
-// What a program still does when a signal is about to end it: Ctrl-C and the like.
+// What a program still does when a signal, such as that of Ctrl-C, is about to end it.
 
 #include <csignal>
 #include <initializer_list>
@@ -7,7 +7,7 @@
 
 namespace app {
 
-// The signals with which a person or the system ends a program; systems differ in them.
+// The signals with which a person or the system ends a program; they differ between systems.
 extern const std::initializer_list<int> ending_signals;
 
 // While an OnSignal exists, each of its signals first calls its action, and then ends the program

@@ -6,8 +6,8 @@
 
 namespace app {
 
-// How many threads can run at the same time, up to `wanted`. The system may allow fewer (ulimit
-// -u): better to know before the work starts than when half of it is done.
+// How many threads can run at the same time, up to `wanted`. The system may allow fewer
+// (ulimit -u); it is better to know this before the work starts than when half of it is done.
 inline int threads_that_start(int wanted) {
     std::vector<std::thread> threads;
     threads.reserve(static_cast<std::size_t>(wanted));

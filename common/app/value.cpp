@@ -147,7 +147,7 @@ std::string meant(const std::string& wrong, const std::vector<std::string>& word
                   const std::string& otherwise) {
     if (const std::string nearest = nearest_word(wrong, words); !nearest.empty())
         return "; did you mean " + quoted(nearest) + '?';
-    constexpr std::size_t most = 12;  // more are no help
+    constexpr std::size_t most = 12;  // a longer list is no help
     if (words.empty() || words.size() > most) return "";
     std::vector<std::string> in_quotes;
     for (const std::string& word : words) in_quotes.push_back(quoted(word));

@@ -1,5 +1,5 @@
 #pragma once
-// The values of JSON files that people write, each with its position there.
+// The values of JSON files that people write, each with its position in its file.
 
 #include <cstdint>
 #include <memory>
@@ -15,12 +15,12 @@ struct Range {
     double low, high;
 };
 
-// A value of a JSON file and its position there. If the value is not of the kind that a function
-// asks for, the function throws UsageError, which names the file, the position, what is allowed,
-// and what the value is.
+// A value of a JSON file and its position in that file. If the value is not of the kind that a
+// function asks for, the function throws UsageError, which names the file, the position, what is
+// allowed, and what the value is.
 class Value {
   public:
-    // The value in a text. Messages call it `whole`, such as "the scene".
+    // The value that a text holds. Messages call it by the name `whole`, such as "the scene".
     static Value parse(const std::string& text, const std::string& file,
                        const std::string& whole = "the top level");
 
@@ -43,7 +43,7 @@ class Value {
 
     // The members of an object whose keys are names that people chose.
     std::vector<std::pair<std::string, Value>> members(const std::string& of_what) const;
-    // The same object, which may have these keys and no others.
+    // Returns this object. Throws UsageError if it has any other key than these.
     const Value& with_keys(const std::vector<std::string>& known) const;
     std::optional<Value> find(const std::string& key) const;  // none if it is absent
     Value at(const std::string& key) const;

@@ -8,7 +8,7 @@
 
 namespace rt {
 
-// Linear light in red, green and blue: twice the number is twice the light. 0 is black, and 1 is
+// Linear light in red, green and blue: twice the number means twice the light. 0 is black, and 1 is
 // the brightest that an image file can store; light itself has no upper limit.
 struct Color {
     Real r = 0, g = 0, b = 0;

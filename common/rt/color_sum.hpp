@@ -3,9 +3,9 @@
 
 namespace rt {
 
-// A sum of many colors, for their mean (given). It is kept in double, whatever Real is. In float,
-// the mean of a million equal colors would be off by about 1 %: when a color is added to so large a
-// sum, most of its digits are rounded off, always in the same direction.
+// A sum of many colors, kept to compute their mean (given). The sum is in double, whatever Real is.
+// In float, the mean of a million equal colors would be off by about 1 %: when a color is added to
+// so large a sum, most of its digits are rounded off, always in the same direction.
 class ColorSum {
   public:
     void add(const Color& color) {
@@ -14,7 +14,7 @@ class ColorSum {
         b_ += static_cast<double>(color.b);
     }
 
-    // The mean of the colors that were added: `count` of them, 1 or more.
+    // The mean of the colors that were added. `count`, at least 1, is their number.
     Color mean(int count) const {
         return {static_cast<Real>(r_ / count), static_cast<Real>(g_ / count),
                 static_cast<Real>(b_ / count)};

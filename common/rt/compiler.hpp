@@ -1,5 +1,5 @@
 #pragma once
-// All compiler-specific code is here, except for that of the processor's wide registers, which is
+// All compiler-specific code is here, except the code for the processor's wide registers, which is
 // in <rt/vector_registers.hpp>.
 
 // The file and line of the caller, when used as default arguments. They stand in for
@@ -8,12 +8,13 @@
 #define RT_CALLER_LINE __builtin_LINE()
 
 // Makes the compiler assume that this whole value is read here, and that all of memory may have
-// changed. So it can neither leave out the computation of the value nor compute it only once for
-// all repetitions.
+// changed. So the compiler can neither leave out the computation of the value nor do it only once
+// for all repetitions.
 #define RT_KEEP(value) asm volatile("" : : "r"(&(value)) : "memory")
 
-// For a function of a few loops over arrays. Compilers turn such loops into wide instructions if
-// the function is compiled by itself, but not always if it is inlined into a larger loop.
+// For a function that consists of a few loops over arrays. Compilers turn such loops into wide
+// instructions if the function is compiled by itself, but not always if it is inlined into a larger
+// loop.
 #define RT_NOT_INLINED [[gnu::noinline]]
 
 // For a small function in the middle of a loop: it is always inlined there, so that its results

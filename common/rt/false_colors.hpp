@@ -28,8 +28,8 @@ inline const std::map<std::string, std::string>& shown_words() {
     return all;
 }
 
-// The words that a program accepts if it only makes rays, if it finds what they hit, and if it
-// follows paths.
+// The words of --show in a program that only makes rays, in one that also finds what the rays hit,
+// and in one that follows paths.
 inline std::vector<std::string> shown_of_rays() {
     return {"direction"};
 }
@@ -42,17 +42,16 @@ inline std::vector<std::string> shown_of_paths() {
 
 inline const Color nothing_color = from_hex(0x46565c);
 
-// A direction of length 1: each component from -1 to 1 becomes a channel from 0 to 1.
+// The color of a direction of length 1: components from -1 to 1 become channels from 0 to 1.
 inline Color direction_color(Vec3 d) {
     return Color{d.x + 1, d.y + 1, d.z + 1} / 2;
 }
 
-// A color for the thing with this number, among many: neighboring numbers get hues that are far
-// apart.
+// The color of the thing with this number. Neighboring numbers get hues that are far apart.
 inline Color number_color(int number) {
-    // Equal steps around the circle of hues never come back to the same hue, because sqrt(2) is
-    // irrational. The golden ratio would not do: chapter 06 positions its spheres with it, so
-    // neighboring spheres would look alike.
+    // Steps of sqrt(2) turns around the circle of hues never come back to the same hue, because
+    // sqrt(2) is irrational. The golden ratio would not do: chapter 06 positions its spheres with
+    // it, so neighboring spheres would look alike.
     const double hue = number * 1.4142135623730951;
     const auto channel = [&](double place) {
         const double turn = hue + place;
@@ -64,7 +63,7 @@ inline Color number_color(int number) {
     return mix(vivid, mixed_in[number % 3], Real(0.25));
 }
 
-// From black through violet and orange to white, as x goes from 0 to 1.
+// A color from black through violet and orange to white, as x goes from 0 to 1.
 inline Color heat_color(Real x) {
     static const Color steps[] = {from_hex(0x07071a), from_hex(0x2b1055), from_hex(0x7b1fa2),
                                   from_hex(0xd6336c), from_hex(0xff7b39), from_hex(0xffd166),
@@ -103,7 +102,7 @@ struct FalseColors {
     std::string words;
 };
 
-// The pixels are given row by row from the top. `what` says what their amounts are.
+// The pixels are given row by row from the top. `what` says what they show.
 inline FalseColors false_colors(int width, int height, const std::vector<Shown>& pixels,
                                 const std::string& what) {
     std::vector<Real> amounts;

@@ -67,7 +67,7 @@ class Image {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // The pixel in column x of row y; both must lie inside (the debug build checks).
+    // The pixel in column x of row y. It must lie inside the image (the debug build checks that).
     Color& at(int x, int y) { return pixels_[index(x, y)]; }
     const Color& at(int x, int y) const { return pixels_[index(x, y)]; }
 
@@ -98,8 +98,8 @@ class Image {
     }
 
     int width_ = 0, height_ = 0;
-    std::any owner_;                       // of the pixels
-    Color* (*find_)(std::any&) = nullptr;  // where the pixels are in it
+    std::any owner_;                       // holds the pixels
+    Color* (*find_)(std::any&) = nullptr;  // finds the pixels in the owner
     Color* pixels_ = nullptr;
 };
 

@@ -44,7 +44,7 @@ std::string encode_ppm(const Image& image) {
 }
 
 Image decode_image(const std::string& bytes, int most_pixels) {
-    // The library is compiled with a reader that the tests need, too.
+    // The library can also read PNM files, which only the tests need. Here, only PNG is accepted.
     const bool is_png = bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0;
     const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const auto size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));

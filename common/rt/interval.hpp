@@ -4,7 +4,7 @@
 
 namespace rt {
 
-// The numbers from min to max. It is empty when min > max.
+// All numbers from min to max. The interval is empty if min > max.
 struct Interval {
     Real min = 0, max = infinity;
 
@@ -12,7 +12,7 @@ struct Interval {
     constexpr bool contains(Real x) const { return min <= x && x <= max; }
     constexpr bool is_empty() const { return min > max; }
     constexpr Real size() const { return is_empty() ? 0 : max - min; }
-    // The nearest number within the interval, which must not be empty.
+    // The number in the interval that is nearest to x. The interval must not be empty.
     constexpr Real clamp(Real x) const { return std::clamp(x, min, max); }
 
     friend constexpr bool operator==(const Interval&, const Interval&) = default;

@@ -3,7 +3,8 @@
 
 namespace rt {
 
-// One link of a chain: a number, and the address of the next link. The last link's is nullptr.
+// One link of a chain: a number, and the address of the next link. In the last link, that address
+// is nullptr.
 struct Link {
     Real value = 0;
     const Link* next = nullptr;

@@ -7,7 +7,8 @@
 namespace rt {
 
 // An affine map of space as a matrix of 4 rows and 4 columns that multiplies column vectors from
-// the left: 3x3 linear part, then the translation in the last column. The last row is 0 0 0 1.
+// the left. The first three columns hold the linear part, and the last one the translation. The
+// last row is 0 0 0 1.
 struct Mat4 {
     std::array<std::array<Real, 4>, 4> rows{
         {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};

@@ -6,8 +6,8 @@
 
 namespace rt {
 
-// A corner of a triangle, as indices into a mesh's lists. An index is -1 if the corner has no
-// normal or no texture coordinates.
+// A corner of a triangle, as indices into a mesh's lists. `normal` or `place` is -1 if the corner
+// has none.
 struct Corner {
     int point = 0;
     int normal = -1;

@@ -1,4 +1,4 @@
-// The one place where the implementation of the reader of OBJ files is compiled.
+// The only file that compiles the implementation of the library that reads OBJ files.
 #define TINYOBJLOADER_IMPLEMENTATION
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_corners = 255;  // of a polygon: the library counts them in a byte
 
-// Returns the first word of a line and removes it from the line; empty if the line has no word.
+// Removes the first word from a line and returns it. Returns an empty text if the line has no word.
 std::string_view take_word(std::string_view& line) {
     constexpr std::string_view blanks = " \t\r\v\f";
     line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
@@ -53,10 +53,10 @@ bool is_corner(std::string_view word) {
     return false;
 }
 
-// What the library gets: the lines of points and polygons, with an empty line in place of every
-// other line. The library does not check what it reads: it takes a word that is not a number for 0
-// and a polygon of 256 corners for one without corners, and a tag, a line that begins with `t`, may
-// ask for any amount of memory.
+// The text that the library may read: the lines of points, normals, texture coordinates and
+// polygons. All other lines are replaced with empty ones. The library itself checks nothing. It
+// takes a word that is not a number for 0, and a polygon of 256 corners for one without corners; a
+// line that begins with `t`, a tag, can make it allocate any amount of memory.
 std::string checked(std::string_view bytes) {
     std::string lines;
     int number = 0;

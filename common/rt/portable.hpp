@@ -9,21 +9,22 @@
 #include <limits>
 #include <numbers>
 
-// Sine, exponential and the other functions of <cmath> that libraries round differently.
+// The sine, the exponential and the other functions of <cmath> that libraries round differently.
 //
-// IEEE 754 fixes every bit of the result of +, -, *, /, std::sqrt and std::fma. It does not fix
-// those of std::sin or std::exp: each library returns one of the numbers next to the true value,
-// and may return another one on another processor. So a picture that is drawn with them depends on
-// the library. The functions here use only operations whose bits are fixed, so they return the same
+// IEEE 754 fixes every bit of the result of +, -, *, /, std::sqrt and std::fma. It does not fix the
+// bits of std::sin or std::exp: each library returns one of the numbers next to the true value, and
+// may return another one on another processor. So a picture that is drawn with them depends on the
+// library. The functions here use only operations whose bits are fixed, so they return the same
 // bits everywhere.
 //
 // They take and return what their namesakes in <cmath> do, infinity and NaN included. Results in
-// double are within 5 units in the last place; results in float are computed in double and then
-// rounded. The exceptions:
+// double are accurate to 5 units in the last place; results in float are computed in double and
+// then rounded. The exceptions:
 //
-// - If x is 2^20 or more, or -2^20 or less, sin, cos and tan of x are those of an angle that is
-//   less than half a unit in the last place away from x.
-// - pow takes x >= 0 only, and is within 5 + |y ln x| / 10 units: huge and tiny powers lose digits.
+// - If |x| is 2^20 or more, sin, cos and tan of x are those of an angle that differs from x by less
+//   than half a unit in the last place.
+// - pow takes x >= 0 only, and is accurate to 5 + |y ln x| / 10 units: huge and tiny powers lose
+//   digits.
 // - The sign of a zero counts only for atan2, atan, asin and cbrt: sin(-0) is 0.
 
 namespace rt::portable {
@@ -63,8 +64,8 @@ constexpr double polynomial(const std::array<double, terms>& c, double x) {
     return even + odd * x;
 }
 
-// Taylor series, without their first terms: e^x in x; sin x / x, cos x and arctan x / x in x^2; and
-// ln((1 + x) / (1 - x)) / x in x^2.
+// Coefficients of Taylor series, without the first terms: e^x in powers of x; sin x / x, cos x,
+// arctan x / x and ln((1 + x) / (1 - x)) / x in powers of x^2.
 inline constexpr std::array exponential_series = [] {
     std::array<double, 13> c{};
     double factorial = 1;
@@ -127,14 +128,15 @@ inline Sum logarithm(double x) {
     const double f = m - 1, divisor = f + 2, s = f / divisor, square = s * s;
     const double remainder = std::fma(-s, divisor, f) - s * (f - (divisor - 2));
     const double tail = 2 * remainder / divisor + s * square * polynomial(logarithm_series, square);
-    // k ln 2 + 2 s + tail, the largest term first. If k = 0, that term is 0.
+    // The sum k ln 2 + 2 s + tail. Its first term is the largest or, if k = 0, exactly 0.
     const double large = k * ln_2.high, sum = large + 2 * s;
     const double rest = ((large - sum) + 2 * s) + (k * ln_2.low + tail);
     const double high = sum + rest;
     return {high, (sum - high) + rest};
 }
 
-// rt/sine_cosine.hpp is faster; it also works for packs, and takes angles in turns.
+// What sine_cosine returns. The function in rt/sine_cosine.hpp is faster and also works for packs,
+// but takes the angle in turns.
 struct SineCosine {
     double sine = 0, cosine = 0;
 };
@@ -188,7 +190,7 @@ inline double arctangent(double y, double x) {
     if (std::isnan(x) || std::isnan(y)) return x + y;
     const double across = std::abs(x), up = std::abs(y);
     const double larger = std::max(across, up), smaller = std::min(across, up);
-    // Both may be 0, or infinite.
+    // x and y may both be 0, or both be infinite.
     const double angle = arctangent(larger == 0 ? 0 : smaller == larger ? 1 : smaller / larger);
     // The angle is measured from the x axis or from the y axis, whichever is nearer.
     constexpr Sum quarter_turn{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
@@ -239,7 +241,7 @@ N exp(N x) {
 }
 template <std::floating_point N>
 N pow(N x, N y) {
-    if (x == 1 || y == 0) return 1;  // even if the other one is NaN
+    if (x == 1 || y == 0) return 1;  // even if the other argument is NaN
     const detail::Sum of_x = detail::logarithm(static_cast<double>(x));
     return static_cast<N>(detail::exponential(detail::product(of_x, {static_cast<double>(y), 0})));
 }

@@ -25,8 +25,8 @@ class Rng {
     static constexpr result_type min() { return 0; }
     static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
 
-    // Seeded with a state and a stream number as in PCG's reference code, so that its author's
-    // check values apply.
+    // Takes a state and a stream number, as PCG's reference code does, so that the check values of
+    // PCG's author apply.
     constexpr Rng(std::uint64_t state, std::uint64_t stream) : increment_{stream << 1 | 1} {
         (*this)();
         state_ += state;
@@ -62,8 +62,8 @@ class Rng {
     std::uint64_t increment_;
 };
 
-// The generator of one pixel: what it draws depends on the seed and the pixel alone, never on which
-// thread asks or in what order. Different seeds and pixels give independent streams.
+// The generator of one pixel. Its numbers depend on the seed and the pixel alone, never on which
+// thread asks for them or in what order. Different seeds and pixels give independent streams.
 constexpr Rng pixel_rng(std::uint64_t seed, int x, int y) {
     const auto pixel =
         std::uint64_t{static_cast<std::uint32_t>(y)} << 32 | static_cast<std::uint32_t>(x);

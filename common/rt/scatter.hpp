@@ -6,7 +6,7 @@ namespace rt {
 
 // How a path goes on from a surface.
 struct Scatter {
-    Color attenuation;  // what the light is multiplied by: 1 loses none
+    Color attenuation;  // what the light is multiplied by; 1 keeps all of it
     Vec3 direction;     // length 1
 };
 

@@ -7,7 +7,7 @@ namespace rt {
 struct SceneSphere {
     Sphere shape;
     int material = 0;
-    int light = -1;  // chapter 08: which of the scene's lights it is; -1: none
+    int light = -1;  // chapter 08: which of the scene's lights it is; -1 if it is none
 };
 
 }  // namespace rt

@@ -11,8 +11,8 @@ struct SineCosine {
     Number sine{}, cosine{};
 };
 
-// The Taylor series of sine and cosine of 2 pi x, in x: (2 pi)^n / n! with alternating signs. For
-// |x| <= 1/8, the terms that are left out add up to less than a rounding.
+// The Taylor coefficients of the sine and the cosine of 2 pi x: (2 pi)^n / n! with alternating
+// signs. For |x| <= 1/8, the terms that are left out add up to less than a rounding error.
 inline constexpr std::size_t sine_terms = std::numeric_limits<Real>::digits <= 24 ? 6 : 10;
 inline constexpr std::array sine_series{6.28318530717958647693,  -41.3417022403997602340,
                                         81.6052492760750542034,  -76.7058597530613858416,
@@ -35,8 +35,7 @@ inline constexpr std::array cosine_series{1.0,
 // library. If Number is a Pack of chapter 10, many turns are computed at once.
 template <class Number>
 constexpr SineCosine<Number> sine_cosine_of_turn(Number turn) {
-    // Adding this number and subtracting it again rounds to a whole number:
-    // the nearest quarter turn.
+    // Adding this number to 4 * turn and subtracting it again leaves the nearest whole number.
     constexpr Real shift = Real(1.5) / epsilon;
     const Number quarter = (4 * turn + shift) - shift;
     const Number rest = turn - Real(0.25) * quarter, square = rest * rest;

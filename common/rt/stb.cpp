@@ -1,4 +1,4 @@
-// The only source that compiles the implementation of the image library, and only for the file
+// The only file that compiles the implementation of the image library. It includes only the file
 // formats that the course reads.
 #include <cstdlib>
 

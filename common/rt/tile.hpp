@@ -22,8 +22,8 @@ constexpr std::int64_t pixel_count(const Tile& tile) {
     return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
 }
 
-// A picture, cut into square tiles from its top left pixel on. The tiles at the right and lower
-// edges may be smaller. If a side of the picture is 0, there are no tiles.
+// A picture that is cut into square tiles, starting at its top left pixel. The tiles at the right
+// and lower edges may be smaller. If a side of the picture is 0, there are no tiles.
 struct TileGrid {
     int width = 0, height = 0;  // pixels
     int tile_size = 16;         // pixels, 1 or more
@@ -34,8 +34,8 @@ struct TileGrid {
 using TileWork = std::function<void(const Tile& tile, int worker)>;
 
 // A way to spread the work over `workers` threads, 1 or more: every pixel lies in exactly one of
-// the tiles for which work is called. Returns when all work is done. An exception from work reaches
-// the caller after the last call has ended.
+// the tiles for which work is called. Returns when all work is done. If `work` throws an exception,
+// it reaches the caller after the last call has ended.
 using Strategy = void (*)(const TileGrid& grid, int workers, const TileWork& work);
 
 }  // namespace rt

@@ -2,8 +2,8 @@
 
 namespace rt {
 
-// A vector whose numbers are not of type Real, but packs, for example, or numbers in twice the
-// precision of double. Its operations are those of chapter 01 in the same order.
+// A vector whose components have another type than Real: packs, for example, or numbers with twice
+// the precision of double. It computes what the Vec3 of chapter 01 does, in the same order.
 template <class Number>
 struct Vec3Of {
     Number x{}, y{}, z{};

@@ -1,7 +1,7 @@
 #pragma once
 // The compiler-specific code for the processor's wide registers. Instructions have the names that
-// g++ and clang++ give them, because reading <immintrin.h>, which has the official names, takes a
-// quarter of a second.
+// g++ and clang++ give them, because <immintrin.h>, which has the official names, takes the
+// compiler a quarter of a second to read.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,8 +9,9 @@
 #include <rt/compiler.hpp>
 #include <type_traits>
 
-// Vectors that fill the widest register that this program is compiled for; the size of that
-// register in bytes; and the mask of such a vector, whose lanes are -1 or 0, as an integer with one
+// RT_VECTOR_OF: makes a type a vector of this many bytes.
+// RT_REGISTER_BYTES: the size of the widest register that this program is compiled for.
+// RT_VECTOR_BITS, below: a mask, which is a vector whose lanes are -1 or 0, as an integer with one
 // bit per lane.
 #define RT_VECTOR_OF(bytes) __attribute__((vector_size(bytes)))
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
@@ -80,9 +81,11 @@ inline unsigned rt_vector_bits(const Mask& mask) {
 }
 #define RT_VECTOR_BITS(mask) rt_vector_bits(mask)
 
-// RT_TOP_BITS_OF_EIGHT: shifts eight bytes to the left and returns the top bit of each.
-// RT_STORE_EIGHT_ORDERED: stores eight 32-bit numbers in the order that `places` gives, with a
-// single instruction. Both exist only if the program is compiled for a processor with AVX2.
+// RT_TOP_BITS_OF_EIGHT: shifts eight bytes to the left by `shift` bits and returns the top bit of
+// each byte.
+// RT_STORE_EIGHT_ORDERED: puts eight 32-bit numbers in the order that `places` gives, with a single
+// instruction, and stores them.
+// Both macros exist only if the program is compiled for a processor with AVX2.
 #ifdef __AVX2__
 #define RT_HAS_EIGHT_ORDERED
 typedef char rt_bytes RT_VECTOR_OF(16);

@@ -72,7 +72,7 @@ std::shared_ptr<const Hittable> make_world(const study::Cover& cover) {
 
 namespace {
 
-// Returns shade, where shade(column, row) computes the color of a pixel.
+// Returns a function that computes the color of the pixel in a column and a row.
 auto make_shade(const study::Cover& cover, const Hittable& world) {
     const Camera camera{cover.width,
                         cover.height,

@@ -1,9 +1,9 @@
 #pragma once
-// The baseline of the studies: a ray tracer as introductions write it, in our own code. Everything
-// that can be hit is an object of its own on the heap, held by a shared pointer and called through
-// a virtual function; so are materials. The tree is made of the same kind of objects. Numbers are
-// double, whatever rt::Real is; random numbers come from std::rand. It is compiled with the same
-// flags as everything else.
+// The baseline of the studies: a ray tracer as introductory texts write it, in our own code.
+// Everything that can be hit is an object of its own on the heap, held by a shared pointer and
+// called through a virtual function; so are materials. The tree is made of the same kind of
+// objects. Numbers are double, whatever rt::Real is; random numbers come from std::rand. It is
+// compiled with the same flags as everything else.
 
 #include <memory>
 #include <rt/image.hpp>

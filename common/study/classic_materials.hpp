@@ -1,5 +1,5 @@
 #pragma once
-// Matte, metal and glass of the baseline: objects on the heap with a virtual function.
+// The materials of the baseline (see classic.hpp): objects on the heap with a virtual function.
 
 #include <algorithm>
 #include <memory>

@@ -1,5 +1,6 @@
 #pragma once
-// Vectors, rays and random numbers of the baseline (see classic.hpp), as introductions write them.
+// Vectors, rays and random numbers of the baseline (see classic.hpp), as introductory texts write
+// them.
 
 #include <cmath>
 #include <cstdlib>

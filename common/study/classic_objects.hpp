@@ -1,5 +1,5 @@
 #pragma once
-// Everything that a ray of the baseline can hit: objects with a virtual function,
+// Everything that a ray of the baseline (see classic.hpp) can hit: objects with a virtual function,
 // held by shared pointers.
 
 #include <algorithm>

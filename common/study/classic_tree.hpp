@@ -1,5 +1,6 @@
 #pragma once
-// The tree of the baseline: nodes are objects like any other, and so is the list around it.
+// The tree of the baseline (see classic.hpp). Its nodes are objects like any other, and so is the
+// list that contains the tree.
 
 #include <limits>
 

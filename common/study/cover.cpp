@@ -22,8 +22,8 @@ Cover make_cover() {
                    column = static_cast<Real>(i % 22 - 11);
         const Real x = uniform(), z = uniform();
         const Vec3 center{row + Real(0.9) * x, Real(0.2), column + Real(0.9) * z};
-        // Written component by component, because a library has no operators for Vec3: the learner
-        // writes those (01.1).
+        // Written component by component, because common/ has no operators for Vec3: the learner
+        // writes them (01.1).
         const Real to_metal = center.x - 4;
         if (to_metal * to_metal + center.z * center.z <= Real(0.81)) continue;
         // Four in five are matte, and most of the others are metal.

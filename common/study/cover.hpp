@@ -1,6 +1,6 @@
 #pragma once
 // A scene like the cover of the classic tutorial, as plain values: 486 spheres of matte, metal and
-// glass, three of them large and one the ground. Studies draw it in several ways and compare.
+// glass, three of them large and one the ground. Studies compare several ways to draw it.
 
 #include <rt/color.hpp>
 #include <rt/view.hpp>
@@ -20,8 +20,8 @@ struct CoverSphere {
 
 constexpr rt::Real cover_glass_index = rt::Real(1.5);
 
-// The picture has the size of the tutorial's first pictures. For timing it, drawing some of its
-// rows is enough.
+// The scene with its camera and settings. The picture has the size of the tutorial's first
+// pictures. For timing, it is enough to draw some of its rows.
 struct Cover {
     std::vector<CoverSphere> spheres;
     rt::View view{{13, 2, 3}, {0, 0, 0}, {0, 1, 0}, rt::radians(20)};
@@ -30,15 +30,15 @@ struct Cover {
     int row_step = 9;  // every ninth row is drawn
 
     int rows_drawn() const { return (height + row_step - 1) / row_step; }
-    // The time for the whole picture in milliseconds, estimated from the time for the drawn rows in
-    // nanoseconds.
+    // The time for the whole picture in milliseconds, estimated from `drawn_ns`, the nanoseconds
+    // that the drawn rows took.
     double whole_ms(double drawn_ns) const { return 1e-6 * drawn_ns * height / rows_drawn(); }
 };
 
 Cover make_cover();
 
-// The mean color of the rows that are drawn by shade(column, row). It depends on every color, so
-// the compiler cannot leave out any computation.
+// The mean color of the drawn rows, where shade(column, row) computes the color of a pixel. The
+// mean depends on every color, so the compiler cannot leave out any computation.
 template <class Shade>
 rt::Color mean_color(const Cover& cover, Shade shade) {
     rt::Color sum;

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers with twice the precision of double, for the reference values from which errors are
+// Numbers with twice the precision of double, for the reference values against which errors are
 // measured. They are slow, and no picture is drawn with them.
 
 #include <cmath>

@@ -10,8 +10,8 @@
 
 namespace study {
 
-// One measurement. The names say what the numbers are and their units, such as "distance / radius",
-// "largest error / ulp", "time / ns".
+// One measurement. The names say what the numbers mean and give their units:
+// "distance / radius", "largest error / ulp", "time / ns".
 struct Row {
     std::string study;         // which question the row helps to answer
     std::string variant = {};  // which way of computing was measured

@@ -25,8 +25,9 @@ Split split(double x) {
     return {static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53};
 }
 
-// m 2^-count, rounded to odd. If this result is rounded again, to at least two bits fewer, the
-// outcome is the same as if m were rounded once.
+// m 2^-count, rounded to odd: if the bits that are lost are not all 0, the last bit becomes 1. If
+// this result is rounded again, to at least two bits fewer, the outcome is the same as if m were
+// rounded once.
 Wide shifted_right(Wide m, int count) {
     if (count > 126) return m < 0 ? -1 : m > 0;
     const Wide shifted = m >> count;

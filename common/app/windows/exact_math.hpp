@@ -1,6 +1,6 @@
 #pragma once
-// x y + z, rounded once, in software: std::fma calls it on a processor that has no instruction for
-// that.
+// x y + z, rounded once, computed in software. std::fma calls these functions on a processor that
+// has no instruction for x y + z.
 
 namespace app {
 

@@ -16,12 +16,12 @@ namespace app {
 
 namespace fs = std::filesystem;
 
-// SIGBREAK is Ctrl-Break, and the closing of the window.
+// SIGBREAK is the signal of Ctrl-Break, and of closing the window.
 const std::initializer_list<int> ending_signals{SIGINT, SIGTERM, SIGBREAK};
 
 namespace {
 
-constexpr int aborted = 134;  // as shells of other systems have it
+constexpr int aborted = 134;  // the code that other systems' shells report
 
 extern "C" void end_aborted(int) {
     std::_Exit(aborted);  // abort() itself ends with 3
@@ -46,8 +46,8 @@ bool is_console(HANDLE handle) {
     return ::GetConsoleMode(handle, &mode) != 0;
 }
 
-// The windows of MSYS2 and Git are no consoles: there a program has a pipe with a name such as
-// \msys-dd50a72ab4668b33-pty0-to-master.
+// The terminal windows of MSYS2 and Git are not consoles. In them, a program's output goes to a
+// pipe with a name such as \msys-dd50a72ab4668b33-pty0-to-master.
 bool is_pipe_of_terminal(HANDLE handle) {
     if (::GetFileType(handle) != FILE_TYPE_PIPE) return false;
     union {
@@ -71,7 +71,7 @@ void prepare_process() {
     DWORD mode = 0;
     if (!::GetConsoleMode(out, &mode)) return;
     ::SetConsoleOutputCP(CP_UTF8);
-    // Makes the console understand colors, and lines that are written over.
+    // Makes the console understand the codes for colors and for writing over a line.
     ::SetConsoleMode(out, mode | ENABLE_PROCESSED_OUTPUT | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
 }
 

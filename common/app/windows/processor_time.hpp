@@ -8,7 +8,7 @@ namespace app {
 inline double processor_seconds(decltype(::GetProcessTimes)& ask, HANDLE of) {
     FILETIME begin, end, kernel, user;
     if (!ask(of, &begin, &end, &kernel, &user)) return 0;
-    const auto seconds = [](const FILETIME& time) {  // it counts in steps of 100 ns
+    const auto seconds = [](const FILETIME& time) {  // counted in steps of 100 ns
         return (4294967296.0 * time.dwHighDateTime + time.dwLowDateTime) / 10'000'000;
     };
     return seconds(kernel) + seconds(user);

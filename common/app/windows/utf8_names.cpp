@@ -1,6 +1,6 @@
-// Names of files are UTF-8, as on other systems. Up to version 12, g++'s library makes a wide
-// letter of each byte of a std::filesystem::path; it asks this function, which the program has in
-// the library's place.
+// Names of files are UTF-8, as on other systems. Up to version 12, the library of g++ turns each
+// byte of a std::filesystem::path into a wide character. It calls this function for that, so the
+// program replaces the function.
 #include <codecvt>
 
 namespace std {
