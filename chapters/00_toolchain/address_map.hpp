@@ -26,7 +26,7 @@ inline std::string hex(const void* address) {
     return text;
 }
 
-// Draws one line per thing, high addresses first. Arrows run down on the right, each in a column of
+// Draws one line per thing, high addresses first. The arrows are on the right, each in a column of
 // its own.
 inline std::string draw_map(std::vector<Thing> things) {
     std::sort(things.begin(), things.end(),

@@ -1,5 +1,5 @@
 #pragma once
-// The lines that show what the text explains, with the values of this run.
+// Lines of text that show, with the values of this run, what the chapter explains.
 
 #include <algorithm>
 #include <cstdio>

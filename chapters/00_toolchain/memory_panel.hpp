@@ -62,7 +62,8 @@ inline Segments draw_segments(Figure& figure, const app::Box& panel) {
         figure.box(b, color, Real(0.10), 4);
         figure.box({b.left, b.top, 3, b.height}, color, 1, 1);
         figure.words({b.left + 12, b.top + 9}, name, {8, color});
-        // The words stand beside the name, or below it if an arrow comes down beside it.
+        // The words stand beside the name. In the heap's area, which is the tallest, they stand at
+        // the bottom, because an arrow comes down beside the name.
         if (height < 100)
             figure.words({b.left + 12 + app::width_of(name, 8) + 12, b.top + 11}, what, {6, faint});
         else
@@ -87,7 +88,7 @@ inline void draw_growth(Figure& figure, const app::Box& stack) {
     figure.words({up + 8, gap + 8}, "Heap", {6, mint});
 }
 
-// Draws the pixels themselves, small, and returns where they are.
+// Draws the canvas's pixels as a small picture, and returns the box around it.
 inline app::Box draw_pixels(Figure& figure, const app::Box& heap, const Canvas<Color>& canvas) {
     const app::Box pixels{heap.left + 14, heap.top + 34, 132, 132 * Real(9) / 16};
     figure.paint(

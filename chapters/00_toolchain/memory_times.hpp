@@ -15,8 +15,8 @@ inline std::vector<double> in_turns_ns(const std::vector<study::Work>& works) {
     return study::in_turns_ns(works, {.at_least_ms = 2, .once_from_ms = 100});
 }
 
-// The time of one step along a chain that fills `bytes` of memory, and along a plain array of that
-// size.
+// The time of one step along a chain that fills `bytes` bytes of memory, and along a plain array of
+// that size.
 struct Steps {
     double bytes = 0;
     double array = 0, gathered = 0, scattered = 0;  // ns
@@ -45,7 +45,8 @@ inline std::vector<Steps> measure_steps() {
     return all;
 }
 
-// A processor with three caches, in round numbers: in up to `bytes` of memory, a step takes `ns`.
+// A level of memory in the model, a cache or the RAM, in round numbers: it has room for `bytes`
+// bytes, and a step to a link that it holds takes `ns` nanoseconds.
 struct Level {
     const char* name;
     double bytes, ns;

@@ -1,5 +1,5 @@
 #pragma once
-// What all panels of the figure share: their colors, and the dark glass that they are on.
+// What all panels of the figure share: their colors, and the dark glass that they are drawn on.
 
 #include <app/figure.hpp>
 #include <string_view>

@@ -1,5 +1,6 @@
 #pragma once
-// Ways to add up numbers, compiled as the floating-point standard requires, and with -ffast-math.
+// Ways to add up numbers, each compiled twice: as the floating-point standard requires, and with
+// -ffast-math.
 
 #include <cstddef>
 #include <rt/real.hpp>

@@ -1,6 +1,6 @@
 #pragma once
-// The panels that show what memory costs: the time of a step through it, and the time that making
-// an object takes.
+// The panels that show what memory costs: the time that a step through memory takes, and the time
+// that making an object takes.
 
 #include <rt/portable.hpp>
 #include <string>
@@ -55,7 +55,7 @@ inline void draw_steps(Figure& figure, const app::Box& box, const std::vector<St
     curve(&Steps::scattered, rose);
     figure.words({plot.left + 12, plot.bottom() - 26}, "Gathered", {6, mint});
     const Vec2 middle = place(1 << 18, 1);
-    // The word stands between two lines of the grid and between two levels of the caches.
+    // The word stands between two lines of the grid and between the lines of two caches.
     figure.words({middle.x + 40, plot.top + plot.height * Real(0.61)}, "Scattered", {6, rose});
 }
 

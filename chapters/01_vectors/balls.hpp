@@ -26,7 +26,7 @@ inline const Color gold = from_hex(0xf2b84b), blue = from_hex(0x3d5a98), night =
 inline const std::array<Color, 3> axis_colors{from_hex(0xe4572e), from_hex(0x6ab04c),
                                               from_hex(0x3fa7d6)};
 
-// A straight stick with round ends; a short and thick one is a ball.
+// A straight stick with round ends. If `from` equals `to`, it is a ball.
 struct Stick {
     Vec3 from, to;
     Real radius;
@@ -57,7 +57,8 @@ struct Washer {
 
     bool covers(Real x, Real y) const {
         if (frame.w.z <= 0) return false;  // on the far side of the ball
-        // The point of the ring's plane that shows at (x, y), in coordinates along u and v.
+        // `d` leads from the foot to the point of the ring's plane that shows at (x, y), and `r` is
+        // the length of d, computed from its coordinates along u and v.
         const Real dx = x - foot.x, dy = y - foot.y;
         const Vec3 d{dx, dy, -(dx * frame.w.x + dy * frame.w.y) / frame.w.z};
         const Real r = length({dot(d, frame.u), dot(d, frame.v), 0});
@@ -77,8 +78,8 @@ inline Color dot_product_color(Vec3 n, Vec3 light) {
     return ring < Real(0.06) ? side * Real(0.6) : side;
 }
 
-// The color of a ball with a net of latitude and longitude, turned by a matrix. The color of a
-// point follows from its coordinates in the ball's own space.
+// The color, at the point whose normal is n, of a ball that has a net of latitude and longitude and
+// is turned by a matrix. The color follows from the point's coordinates in the ball's own space.
 inline Color turned_ball_color(Vec3 n, const Mat4& world_to_object, Vec3 light) {
     const Vec3 p = transform_point(world_to_object, n);
     const Real latitude = rt::portable::asin(std::clamp(p.y, Real(-1), Real(1))),
@@ -110,15 +111,15 @@ struct Ball {
     }
 };
 
-// The large ball: little bristles stand on it along its normals, each through a washer that is
-// drawn with the basis built on that normal.
+// The large ball, with little bristles. Each bristle stands along the normal at its foot, and the
+// washer around its foot is drawn with the basis built on that normal.
 inline Ball ball_with_bristles(Vec3 light) {
     const Vec3 sun = Real(1.42) * light;
     Ball ball{{{{}, sun, Real(0.012), gold}, {sun, sun, Real(0.07), gold}}, {}, {}, false};
     const int count = 60;
     for (int i = 0; i < count; ++i) {
-        // Evenly spread: each bristle is one equal step lower than the one before, and turned
-        // further by the golden angle.
+        // The bristles are evenly spread: each is lower than the one before by the same step, and
+        // turned further by the golden angle.
         const Real y = 1 - (2 * static_cast<Real>(i) + 1) / count;
         const Real angle = static_cast<Real>(i) * pi * (3 - std::sqrt(Real(5)));
         const Real r = std::sqrt(1 - y * y);

@@ -105,7 +105,7 @@ inline Color sky(const Beam& beam, Real pixel_deg) {
     Color color = mix(mix(quarter(d), middle, height), mix(middle, zenith, height), height);
 
     // Meridians: the meridian nearest to this direction lies in the plane with this normal. (The
-    // azimuth itself would jump at south and crowd at the zenith.)
+    // azimuth itself jumps in the south, and changes ever faster toward the zenith.)
     const Real ten = rt::radians(10);
     const Real meridian = ten * std::round(azimuth(d) / ten);
     const Vec3 normal{rt::portable::cos(meridian), 0, rt::portable::sin(meridian)};

@@ -19,7 +19,8 @@ struct Panel {
 
 constexpr int columns = 4, rows = 2;
 
-// The upper row changes only the field of view; the lower row changes one thing in the third panel.
+// In the upper row, only the field of view changes. Each panel of the lower row differs in one
+// thing from the third panel of the upper row.
 inline std::array<Panel, columns * rows> all() {
     using rt::Real, rt::Vec3;
     const Vec3 eye{0, Real(1.7), 0};

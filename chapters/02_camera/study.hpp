@@ -39,7 +39,8 @@ inline DoubleDouble length(Exact3 v) {
 inline Exact3 cross(Exact3 a, Exact3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-// The sine of the angle between two vectors, which for such small angles is the angle.
+// The sine of the angle between two vectors. The angles measured here are so small that the sine is
+// as good as the angle.
 inline double angle(Exact3 a, Exact3 b) {
     return (length(cross(a, b)) / (length(a) * length(b))).high;
 }
@@ -142,7 +143,7 @@ void measure_pixels(study::Report& report, const char* variant) {
         study::root_mean_square_error(dome_picture<map>(), dome_picture<rt::pixel_to_viewport>())));
 }
 
-// What rays by steps need of a camera: the viewport's corner, and the steps from pixel to pixel.
+// What it takes to make rays by steps: the viewport's corner, and the steps from pixel to pixel.
 struct Steps {
     Vec3 corner, to_right, down;
 

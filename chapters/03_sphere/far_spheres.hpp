@@ -48,12 +48,14 @@ inline void draw_far_sphere(app::Figure panel, Real distance, variants::HitFunct
     });
 }
 
-// Powers of ten around 1 / sqrt(epsilon), where the textbook formula loses the sphere.
+// The distances are 10 to these powers. The last three distances are around 1 / sqrt(epsilon),
+// where the textbook formula loses the sphere.
 inline constexpr int exponents[] = {1, std::is_same_v<Real, float> ? 3 : 7,
                                     std::is_same_v<Real, float> ? 4 : 8,
                                     std::is_same_v<Real, float> ? 5 : 9};
 
-// Where the small pictures are: in two columns of four, under a line of words. All in pixels.
+// Where the small pictures are: in two columns of four, under a line of words. All sizes are in
+// pixels.
 struct Panels {
     int gap, dot, top, side;  // a line of words is 7 dots high
 

@@ -1,5 +1,5 @@
-// A planet with rings of moons; beside it one sphere seen from farther and farther away, drawn with
-// the textbook formula and with the stable one.
+// A planet with rings of moons. Beside it, one sphere is seen from farther and farther away, drawn
+// with the textbook formula and with the stable one.
 
 #include <app/run.hpp>
 #include <rt/canvas.hpp>

@@ -26,8 +26,8 @@ inline Color moon_color(int material) {
     return colors[material];
 }
 
-// The color at a distance from the lamp, which is 0 at the point of a sphere nearest to the lamp,
-// and 1 at the farthest. No angles and no normals yet: the distance is all that shading needs here.
+// The color of a point at this distance from the lamp, from 0 to 1, as lamp_distance returns it.
+// Shading uses no angles and no normals yet: this distance is all that it needs.
 inline Color ramp(Real distance) {
     static const Color stops[] = {rt::from_hex(0xfff3d6), rt::from_hex(0xffc27a),
                                   rt::from_hex(0xe8735a), rt::from_hex(0x8f3b76),
@@ -40,7 +40,7 @@ inline Color ramp(Real distance) {
 }
 
 // How far a point of a sphere is from the lamp: 0 at the nearest point of the sphere, 1 at the
-// farthest. If only the direction of the lamp is given, it is placed 4 radii away.
+// farthest. The lamp is 4 radii away from the center, in the direction `to_lamp`.
 inline Real lamp_distance(const Sphere& sphere, Vec3 point, Vec3 to_lamp) {
     const Vec3 from_center = (point - sphere.center) / sphere.radius;
     return (rt::length(Real(4) * to_lamp - from_center) - 3) / 2;

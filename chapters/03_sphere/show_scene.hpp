@@ -12,8 +12,8 @@ namespace scene {
 inline app::Picture show(const app::Settings& settings, app::Progress& progress,
                          std::span<const SceneSphere> spheres) {
     const auto camera = rt::make_camera(*settings.view, settings.width, settings.height);
-    // The sky counts as a sphere only for the word "sphere": it is so far away that everything else
-    // would look equally near.
+    // The sky's sphere is left out, except for the word "sphere". It is so far away that, compared
+    // with it, everything else would look equally near.
     if (settings.show != "sphere") spheres = spheres.subspan(sky_number + 1);
     return app::show(settings, progress, [&](int x, int y) {
         return rt::shown_hit(settings.show, spheres,

@@ -41,8 +41,8 @@ inline Case exact_case(const Ray& ray) {
             (f + 1) * (1 + std::sqrt(moment.high / quarter.high)) / std::sqrt(a.high)};
 }
 
-// Rays from random directions at random points of a ring around the center. With a disk of 1.4
-// radii, half of the rays hit.
+// Rays that come from random directions and aim at random points of a ring around the center. If
+// the ring is a disk with a radius of 1.4, half of the rays hit.
 inline std::vector<Case> cases_from(Real distance, Real inner = 0, Real outer = Real(1.4)) {
     rt::Rng rng{11, 3};
     std::vector<Case> cases(2000);
@@ -62,7 +62,7 @@ inline std::vector<Case> cases_from(Real distance, Real inner = 0, Real outer = 
 struct Quality {
     double largest_error = 0;  // of t, relative to the true t, among the rays that rightly hit
     double of_condition = 0;   // the largest error of t / (epsilon * condition)
-    double wrong_share = 0;    // of all rays: hit for a miss, or a miss for a hit
+    double wrong_share = 0;    // of all rays: a hit taken for a miss, or a miss for a hit
 };
 
 inline Quality judge(const std::vector<Case>& cases, variants::HitFunction hit) {
@@ -96,8 +96,8 @@ study::Work hit_all(const std::vector<Case>& cases, Hit hit) {
     return [rays, hit] { hit_each(rays, hit); };
 }
 
-// Calls measure(name, way) for every way to intersect a sphere. The ways are lambdas, because a
-// loop over a function pointer would time the calls instead.
+// Calls measure(name, way) for every way to intersect a sphere. The ways are lambdas, which the
+// compiler can inline. With function pointers, the calls would be timed, too.
 template <class Measure>
 void with_each_variant(Measure measure) {
     using S = const Sphere&;

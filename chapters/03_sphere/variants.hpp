@@ -30,8 +30,8 @@ inline std::optional<Real> textbook(const Sphere& sphere, const Ray& ray, Interv
     return nearest_within(Roots{(-b - root) / (2 * a), (-b + root) / (2 * a)}, within);
 }
 
-// The same a, b and c through the stable solver. It is accurate for the numbers that it gets, but
-// these are already rounded.
+// The same a, b and c, given to the stable solver. The solver is accurate for the numbers that it
+// gets, but these are already rounded.
 inline std::optional<Real> stable_roots(const Sphere& sphere, const Ray& ray, Interval within) {
     const Vec3 f = ray.origin - sphere.center, d = ray.direction;
     const Real a = dot(d, d), b = 2 * dot(f, d), c = dot(f, f) - sphere.radius * sphere.radius;
@@ -54,8 +54,8 @@ inline std::optional<Real> nearest_point(const Sphere& sphere, const Ray& ray, I
         within);
 }
 
-// Like rt::hit_sphere, but with the cross product of chapter 01, whose components have errors
-// within 1.5 units in the last place however far away the center is.
+// Like rt::hit_sphere, but with the cross product of chapter 01, whose components have errors of at
+// most 1.5 units in the last place, however far away the center is.
 inline std::optional<Real> exact_cross(const Sphere& sphere, const Ray& ray, Interval within) {
     const Vec3 f = ray.origin - sphere.center, d = ray.direction;
     const Real r_squared = sphere.radius * sphere.radius;

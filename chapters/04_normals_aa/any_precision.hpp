@@ -1,6 +1,6 @@
 #pragma once
-// The chapter's picture in any number type, with the formulas of the course. Two pictures that
-// follow the same random numbers differ by rounding alone.
+// The chapter's picture in any number type, with the formulas of the course. Two pictures that use
+// the same random numbers differ by rounding alone.
 
 #include <cmath>
 #include <limits>

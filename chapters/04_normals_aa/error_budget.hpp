@@ -12,7 +12,7 @@
 
 namespace normals_aa {
 
-// A small picture of the group, with as many bounces as that of the chapter's program.
+// A small picture of the group, with as many bounces as in the chapter's picture.
 constexpr int budget_width = 48, budget_height = 27, budget_depth = 16;
 
 // The view of the group from this distance.

@@ -1,5 +1,6 @@
 #pragma once
-// Numbers that fill the square more evenly than random ones: a Sobol sequence, Owen-scrambled.
+// Points that fill the unit square more evenly than random points: an Owen-scrambled Sobol
+// sequence.
 
 #include <cstdint>
 #include <rt/rng.hpp>

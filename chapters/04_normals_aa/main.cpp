@@ -21,7 +21,8 @@ using namespace normals_aa;
 
 const Color paper = from_hex(0x1b1f2a), line_color = from_hex(0xf4efe6);
 
-// A third of the width for a column of three small panels, the rest for the large one; in pixels.
+// Where the panels are, in pixels: three small ones in a column that takes three tenths of the
+// width, and a large one in the rest.
 struct Layout {
     app::Box normals, lambert, samples, paths;
 

@@ -13,8 +13,8 @@ namespace normals_aa {
 
 using namespace rt;
 
-// Warm at the horizon and blue above, with a wide, soft glow around the sun: all the light there
-// is.
+// A sky that is warm at the horizon and blue above, with a wide, soft glow around the sun. The sky
+// is the only light in the scene.
 struct EveningSky {
     Color horizon = from_hex(0xffe3cc), above = from_hex(0x5f93d3),
           glow{Real(1.7), Real(1.3), Real(0.8)};

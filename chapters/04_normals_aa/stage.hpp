@@ -51,7 +51,7 @@ Pixels draw_jittered(const Stage& stage, const Quality& quality, const Ending& e
     return pixels;
 }
 
-// Sample points and bounces from an Owen-scrambled Sobol sequence.
+// The picture with sample points and bounces from an Owen-scrambled Sobol sequence.
 template <class Ending>
 Pixels draw_low_discrepancy(const Stage& stage, int samples, int depth, std::uint64_t seed,
                             const Ending& ending) {

@@ -29,10 +29,10 @@ struct Placement {
     double error() const { return std::sqrt(sum / calls); }
 };
 
-// Times the placements in turns, and adds a row for each. They must come in threes: the same number
-// of independent, jittered and Sobol's samples. A fourth row gives the error that the square-root
-// law predicts for independent samples. The cost is the time of judge() divided by
-// `parts(samples)`.
+// Times the placements in turns, and adds a row for each. They must come in threes, each three with
+// the same number of samples: independent ones, jittered ones, and those of Sobol's sequence. For
+// each three, a fourth row gives the error that the square-root law predicts for independent
+// samples. The cost is the time of judge() divided by `parts(samples)`.
 template <class Parts>
 void add_placements(study::Report& report, std::vector<Placement> placements,
                     const study::Row& names, const study::Turns& turns, Parts parts) {
@@ -85,8 +85,8 @@ inline void study_samples(study::Report& report, const Stage& stage) {
                    {.rounds = 5}, [](int) { return 1e6; });
 }
 
-// A pixel that a straight edge cuts: the share of it where x cos + y sin < edge, exactly. Cosine
-// and sine must be greater than 0.
+// The exact share of a pixel that lies on one side of a straight edge, where
+// x * cosine + y * sine < edge. Cosine and sine must be greater than 0.
 inline double coverage(double cosine, double sine, double edge) {
     const auto triangle = [&](double e) { return e > 0 ? e * e / (2 * cosine * sine) : 0; };
     return triangle(edge) - triangle(edge - cosine) - triangle(edge - sine) +

@@ -13,14 +13,14 @@
 
 namespace scene {
 
-// The evening sky and the tiled floor around the strip's glass balls. Both are as if infinitely far
-// away: a ray's direction alone decides what it shows.
+// The evening sky and the tiled floor around the strip's glass balls. Both count as infinitely far
+// away: what a ray shows depends on its direction alone.
 struct TiledEvening {
     EveningSky sky;
 
     Color operator()(Vec3 d) const {
         if (d.y >= Real(-0.06)) return sky(d);
-        const Real x = d.x / -d.y, z = d.z / -d.y;  // where d meets a floor 1 below
+        const Real x = d.x / -d.y, z = d.z / -d.y;  // where d meets a floor at y = -1
         return even_tile(x, z) ? from_hex(0xe9dfd2) : from_hex(0x4b5568);
     }
 };
@@ -47,8 +47,9 @@ Color light_through_glass(const Ray& ray, const SphereList& balls,
     return refracted ? mirror + (1 - reflected) * along(*refracted) : mirror;
 }
 
-// A panel of the strip: 0 shows Schlick's formula, 1 the exact one, and 2 the difference times 20,
-// gold where Schlick's is too bright, blue where it is too dark.
+// A panel of the strip: 0 shows Schlick's formula, 1 the exact one, and 2 the difference times 20.
+// The difference is gold where Schlick's formula gives too much light, and blue where it gives too
+// little.
 inline Color panel_color(int panel, const Ray& ray, std::uint64_t& rays) {
     const std::array<Real, 3> indices{Real(1.1), Real(1.5), Real(2.4)};
     SphereList balls;

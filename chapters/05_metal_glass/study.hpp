@@ -110,8 +110,8 @@ inline void add_reflectance(study::Report& report) {
     report.time_in_turns();
 }
 
-// A ball of glass, as the strip below the picture shows it: both ways are followed at each surface,
-// so that nothing is random.
+// A ball of glass, as the strip below the picture shows it: both the reflected and the refracted
+// ray are followed at each surface, so that nothing is random.
 inline std::vector<Color> draw_ball(double index, Real (*reflectance)(Real, Real)) {
     const SphereList ball{{{{{0, 0, 0}, 1}, 0}}};
     const Camera camera =
@@ -325,8 +325,8 @@ inline double mean_difference(const std::vector<Color>& a, const std::vector<Col
     return sum / static_cast<double>(a.size());
 }
 
-// Glass in glass: a ball of glass around one of diamond around a bubble. All depths use the same
-// random numbers, so the pictures differ only by the paths that were cut off.
+// Glass in glass: a ball of glass contains a ball of diamond, which contains a bubble. All depths
+// use the same random numbers, so the pictures differ only by the paths that were cut off.
 inline void add_depth(study::Report& report) {
     const SphereList world{{{{{0, 0, 0}, 1}, 0},
                             {{{Real(0.1), 0, 0}, Real(0.75)}, 1},
@@ -369,7 +369,8 @@ inline void add_choice_row(study::Report& report, const char* study, const char*
                 .cost_name = "time / ns"});
 }
 
-// Draws the program's scene with its materials as values, and behind virtual functions.
+// Draws the program's scene twice: with its materials as values, and as objects with a virtual
+// function.
 inline void add_choice_in_paths(study::Report& report, const scene::Scene& evening,
                                 const classic::Materials& objects) {
     const View view{{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)};

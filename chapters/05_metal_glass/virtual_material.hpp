@@ -1,6 +1,6 @@
 #pragma once
-// The classic skeleton, to compare with MaterialSet: a material is an object of a class derived
-// from Material, reached by a pointer, and its scatter() is looked up in a table at run time.
+// The classic way, to compare with MaterialSet: a material is an object of a class derived from
+// Material, reached by a pointer, and its scatter() is looked up in a table at run time.
 
 #include <memory>
 #include <optional>

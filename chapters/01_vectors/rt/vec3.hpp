@@ -52,8 +52,8 @@ struct ScaledVec3 {
 
 // Splits a vector so that products of its components can neither overflow nor underflow in a way
 // that matters. Multiplying by a power of two rounds nothing, so the split is exact (except that
-// components 2^120 times smaller than the largest may lose their last bits). The zero vector, and
-// one that is not finite, are returned as they are, with exponent 0.
+// components 2^120 times smaller than the largest may lose their last bits). The zero vector, and a
+// vector that is not finite, are returned as they are, with exponent 0.
 inline ScaledVec3 split_scale(Vec3 v) {
     const Real largest = max_component(v);
     if (largest == 0 || !is_finite(v)) return {v, 0};

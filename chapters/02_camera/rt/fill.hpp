@@ -7,7 +7,7 @@ namespace app {
 
 // Paints every pixel of a panel with the loop of exercise 02.5: shade(column, row) gives the color.
 // Advances the progress with each row. Only programs use it, from chapter 02 on: a library in
-// common/ that used it would contain a loop of its own.
+// common/ that used it would contain its own compiled copy of the loop.
 template <class Shade>
 void fill(Figure panel, const Shade& shade, Progress* progress = nullptr) {
     const rt::Tile pixels = panel.pixels();

@@ -15,14 +15,14 @@ struct Quality {
 };
 
 // The ray of a camera through a point of a pixel (given). Cameras of other types bring their own
-// make_ray; that of a camera with a lens uses `random` to draw a point on the lens.
+// make_ray; the one for a camera with a lens uses `random` to choose a point on the lens.
 template <class Random>
 Ray make_ray(const Camera& camera, int column, int row, Vec2 offset, Random& /*random*/) {
     return primary_ray(camera, column, row, offset);
 }
 
-// The color of one pixel (given): the light along the path of each sample, averaged. It depends on
-// the arguments alone. The types are those of path_radiance.
+// The color of one pixel (given): the light along the path of each sample, averaged. The color
+// depends on the arguments alone. The types are those of path_radiance.
 template <class AnyCamera, class World, class Materials, class Sky, class Ending>
 Color render_pixel(const AnyCamera& camera, const World& world, const Materials& materials,
                    const Sky& sky, const Ending& ending, const Quality& quality, int column,

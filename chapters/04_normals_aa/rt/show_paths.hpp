@@ -28,7 +28,7 @@ app::Picture show_world(const app::Settings& settings, app::Progress& progress,
     return app::show(settings, progress, compute, strategy);
 }
 
-// The same for the camera of the settings and the path loop of chapter 04.
+// The same, with the camera that the settings describe and the path loop of chapter 04.
 template <class World, class Materials, class Sky, class Ending>
 app::Picture show_paths(const app::Settings& settings, app::Progress& progress, const World& world,
                         const Materials& materials, const Sky& sky, const Ending& ending,

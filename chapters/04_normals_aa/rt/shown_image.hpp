@@ -5,7 +5,7 @@
 
 namespace rt {
 
-// A world whose hits carry the number of a sphere in place of a material (given).
+// A world whose hits carry, in place of a material, the number of the sphere that was hit (given).
 template <class World>
 struct NumberedWorld {
     const World& world;

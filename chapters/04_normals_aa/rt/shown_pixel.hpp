@@ -18,14 +18,14 @@ struct HitCounter {
         hits += found.has_value();
         return found;
     }
-    // Shadow rays, from chapter 08 on, are no part of the path.
+    // Shadow rays, from chapter 08 on, are not part of the path, so they are not counted.
     template <class AnyRay>
     bool occluded(const AnyRay& ray, Interval within, int number) const {
         return world.occluded(ray, within, number);
     }
 };
 
-// What the ray through the middle of a pixel meets first, or where it goes.
+// What a word of --show tells about a ray: its direction, or what it meets first.
 template <class AnyRay, class World>
 Shown show_hit(const std::string& word, const AnyRay& ray, const World& world) {
     if (word == "direction") return ray.direction;
@@ -36,7 +36,7 @@ Shown show_hit(const std::string& word, const AnyRay& ray, const World& world) {
     return hit->t;
 }
 
-// The standard deviation, 0 or more, of at least 2 numbers.
+// The standard deviation of 2 or more numbers.
 inline Real deviation_of(const std::vector<Real>& numbers) {
     const auto count = static_cast<Real>(numbers.size());
     Real sum = 0, squares = 0;
