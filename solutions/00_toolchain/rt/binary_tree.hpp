@@ -11,9 +11,8 @@ namespace rt {
 
 // A balanced tree over the numbers first, first + 1, ... last - 1. If last equals first, the tree
 // is empty; last is never less than first, and last - first fits an int. The root is made from
-// Node(first, last). If there is more than one number, the left child is the tree over their first
-// half, and the right child the tree over the rest, which has one number more than the left half if
-// their count is odd.
+// Node(first, last). If there is more than one number, the left child is the tree over the first
+// half of them, and the right child the tree over the second half, which has one number more if the
 // count is odd.
 template <class Node>
 std::unique_ptr<Node> make_tree(int first, int last) {
@@ -28,7 +27,7 @@ std::unique_ptr<Node> make_tree(int first, int last) {
     return root;
 }
 
-// The number of nodes. If it called itself, this function would be two lines,
+// The number of nodes. If this function called itself, it would be two lines,
 //   if (!root) return 0;
 //   return 1 + count_nodes(root->left.get()) + count_nodes(root->right.get());
 // but each call that waits for another takes room on the stack, and a tree may be a million nodes

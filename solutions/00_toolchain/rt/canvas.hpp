@@ -34,15 +34,15 @@ class Canvas {
     }
 
     // A move: the pixels change owners, none is copied, and the other canvas is left with no
-    // pixels, 0 wide and 0 high. It cannot fail, and noexcept tells other code so. Without it,
-    // std::vector would copy instead.
+    // pixels, 0 wide and 0 high. A move cannot fail, and noexcept tells other code so. Without
+    // noexcept, std::vector would copy instead.
     Canvas(Canvas&& other) noexcept
         : width_{std::exchange(other.width_, 0)},
           height_{std::exchange(other.height_, 0)},
           pixels_{std::exchange(other.pixels_, nullptr)} {}
 
-    // Assignment. `other` is a value: the caller has already copied or moved into it. It gets this
-    // canvas's old pixels in exchange and releases them at the end of the function.
+    // Assignment. `other` is a value: the caller has already copied or moved into it. In exchange,
+    // `other` gets this canvas's old pixels, and releases them at the end of the function.
     Canvas& operator=(Canvas other) noexcept {
         std::swap(width_, other.width_);
         std::swap(height_, other.height_);
@@ -57,7 +57,7 @@ class Canvas {
         return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     }
 
-    // The pixel in column x of row y; both must lie inside.
+    // The pixel in column x of row y, which must lie inside the canvas.
     Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
     const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
 
@@ -78,8 +78,8 @@ class Canvas {
 };
 
 // The canvas upside down: its first row becomes the last. The function takes a canvas by value and
-// returns one by value. If a canvas is moved into it, the result has the same memory; no other row
-// or canvas is made on the way.
+// returns one by value. If the caller moves a canvas into the function, the result has that
+// canvas's memory; no other row or canvas is made on the way.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {
     for (int y = 0; y < canvas.height() / 2; ++y)

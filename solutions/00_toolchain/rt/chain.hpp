@@ -13,8 +13,9 @@ inline Real sum_along(const Link* first) {
 }
 
 // The same chain in one piece of memory: the links are in the chain's order, each points to the
-// next, and the last points to nullptr. None points back into the old chain. A vector keeps its
-// addresses when it is moved. A copy of it would have links that point into the original.
+// next, and the last points to nullptr. No link points back into the old chain. If the vector is
+// moved, its links keep their addresses. A copy of the vector would have links that point into the
+// original.
 inline std::vector<Link> gathered(const Link* first) {
     std::vector<Link> links;
     for (const Link* link = first; link; link = link->next) links.push_back({link->value, nullptr});

@@ -13,8 +13,8 @@ namespace rt {
 inline constexpr Interval safe_squares{std::numeric_limits<Real>::min() / epsilon,
                                        std::numeric_limits<Real>::max()};
 
-// The length of v, for any finite v: within 2.5 units in the last place. It is infinite only where
-// the true length exceeds the largest number.
+// The length of v, for any finite v, accurate to 2.5 units in the last place. It is infinite only
+// where the true length exceeds the largest number.
 inline Real length(Vec3 v) {
     const Real squared = dot(v, v);
     if (safe_squares.contains(squared)) return std::sqrt(squared);
@@ -23,7 +23,7 @@ inline Real length(Vec3 v) {
     return std::scalbn(std::sqrt(dot(scaled.v, scaled.v)), scaled.exponent);
 }
 
-// What normalize does if squares overflow or lose digits. This is rare, and its code is separate so
+// What normalize does if squares overflow or lose digits. This is rare; the code is separate so
 // that normalize itself stays small.
 RT_NOT_INLINED inline Vec3 normalize_scaled(Vec3 v) {
     const Vec3 scaled = split_scale(v).v;
@@ -34,8 +34,8 @@ RT_NOT_INLINED inline Vec3 normalize_scaled(Vec3 v) {
 }
 
 // The vector of length 1 in the direction of v, for any finite v except zero. Each component is
-// within 3.5 units in the last place. Throws std::domain_error if v is zero or not finite, because
-// v then has no direction.
+// accurate to 3.5 units in the last place. Throws std::domain_error if v is zero or not finite,
+// because v then has no direction.
 inline Vec3 normalize(Vec3 v) {
     const Real squared = dot(v, v);
     if (safe_squares.contains(squared)) return v / std::sqrt(squared);

@@ -19,7 +19,8 @@ inline Vec3 transform_vector(const Mat4& m, Vec3 v) {
 }
 
 // Where a map takes a surface's normal, given the INVERSE of that map: the inverse's linear part,
-// transposed, times n. It stays perpendicular to the transformed surface; its length may change.
+// transposed, times n. The result is perpendicular to the transformed surface; its length may
+// differ from that of n.
 inline Vec3 transform_normal(const Mat4& inverse, Vec3 n) {
     return {inverse(0, 0) * n.x + inverse(1, 0) * n.y + inverse(2, 0) * n.z,
             inverse(0, 1) * n.x + inverse(1, 1) * n.y + inverse(2, 1) * n.z,

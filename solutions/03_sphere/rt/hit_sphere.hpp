@@ -12,9 +12,9 @@ namespace rt {
 // from inside. None if the ray misses, and for a direction of length 0. The direction may have any
 // length, as long as the squares of |d|, |f|, r, |f| |d| and r |d| neither overflow nor underflow.
 // Let f lead from the center to the ray's origin, p be the distance of the line from the center,
-// and h half the chord. Then t |d| is within 6 epsilon (|f| + r) (1 + p / h), and hit or miss is
-// decided correctly unless the line passes within 3 epsilon (|f| + r) of the sphere's rim.
-// docs/03-sphere.md derives the formula and both bounds.
+// and h half the chord. Then t |d| has an error of at most 6 epsilon (|f| + r) (1 + p / h), and hit
+// or miss is decided correctly unless the line passes within 3 epsilon (|f| + r) of the sphere's
+// rim. docs/03-sphere.md derives the formula and both bounds.
 inline std::optional<Real> hit_sphere(const Sphere& sphere, const Ray& ray, Interval within) {
     // Points at distance r from the center: a t^2 + 2 b t + c = 0.
     const Vec3 f = ray.origin - sphere.center;
@@ -22,9 +22,9 @@ inline std::optional<Real> hit_sphere(const Sphere& sphere, const Ray& ray, Inte
     const Real a = dot(d, d), b = dot(f, d);
     const Real r_squared = sphere.radius * sphere.radius;
 
-    // b^2 - a c would cancel if the sphere is far away or small. It equals a r^2 - |f x d|^2, whose
-    // terms are all as small as the sphere. cross() of chapter 01 would also do, but its extra
-    // digits cost time and are of no use, because f is rounded already.
+    // b^2 - a c would cancel if the sphere is far away or small. This difference equals
+    // a r^2 - |f x d|^2, whose terms are all as small as the sphere. cross() of chapter 01 would
+    // also do, but its extra digits cost time and are of no use, because f is rounded already.
     const Vec3 moment{f.y * d.z - f.z * d.y, f.z * d.x - f.x * d.z, f.x * d.y - f.y * d.x};
     const Real quarter = a * r_squared - dot(moment, moment);
     if (!(a > 0 && quarter >= 0)) return {};  // most rays miss: they are done here

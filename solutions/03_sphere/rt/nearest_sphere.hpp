@@ -10,8 +10,8 @@
 namespace rt {
 
 // The sphere that the ray meets at the smallest t within the interval, and this t. If several
-// spheres are equally near, it is the last of them in the list. None if the ray meets no sphere
-// within the interval.
+// spheres are equally near, the result is the last of them in the list. None if the ray meets no
+// sphere within the interval.
 inline std::optional<NearestSphere> nearest_sphere(std::span<const SceneSphere> spheres,
                                                    const Ray& ray, Interval within) {
     std::optional<NearestSphere> nearest;

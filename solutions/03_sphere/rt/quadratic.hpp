@@ -23,9 +23,9 @@ inline std::optional<Roots> roots_from_discriminant(Real a, Real b, Real c, Real
     return one < other ? Roots{one, other} : Roots{other, one};
 }
 
-// The real solutions of a t^2 + b t + c = 0, each within 4 units in the last place. b^2, 4 a c and
-// their difference must not overflow, and b^2 and 4 a c must each be 0 or at least 10^-275 (float:
-// 10^-23) in size.
+// The real solutions of a t^2 + b t + c = 0, each accurate to 4 units in the last place. b^2, 4 a c
+// and their difference must not overflow, and b^2 and 4 a c must each be 0 or at least 10^-275
+// (float: 10^-23) in size.
 inline std::optional<Roots> solve_quadratic(Real a, Real b, Real c) {
     // A quarter of the discriminant: 4 * a could overflow where 4 a c does not.
     const Real quarter = difference_of_products(b / 2, b / 2, a, c);

@@ -7,12 +7,12 @@
 
 namespace rt {
 
-// Both functions turn a sample point of the unit square, `place`, 0 <= x, y < 1, into a
-// direction of length 1 within 2 epsilon. Random sample points, spread evenly over the square,
-// become random directions.
+// Both functions below turn `place`, a sample point of the unit square with 0 <= x, y < 1, into a
+// direction whose length differs from 1 by at most 2 epsilon. Random sample points, spread evenly
+// over the square, become random directions.
 
-// Every direction is equally likely. Source: Archimedes, "On the sphere and cylinder": slices of
-// equal thickness have equal surface.
+// Every direction is equally likely. Source: Archimedes, "On the sphere and cylinder": slices of a
+// sphere that are equally thick have equal areas.
 inline Vec3 uniform_direction(Vec2 place) {
     const Real z = 1 - 2 * place.x;
     // sqrt(1 - z^2), without the cancellation near the poles.

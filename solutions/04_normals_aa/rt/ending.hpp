@@ -6,7 +6,8 @@
 namespace rt {
 
 // Russian roulette: the path goes on with a probability p, and its throughput is divided by p, so
-// that the paths that go on stand in for those that ended. Correct on average: p * (1 / p) = 1.
+// that the paths that go on stand in for those that ended. On average, this is correct, because
+// p * (1 / p) = 1.
 template <class Random>
 PathEnd play_roulette(Color& throughput, Real most_likely, Random& random) {
     // Bright paths are worth following. A path with no light left never goes on.

@@ -8,9 +8,9 @@
 namespace rt {
 
 // The pixel is cut into n x n cells; cell 0 is the top left one, cell n the first of the second
-// row. `place` is a sample point within this cell, 0 <= x, y < 1. Returns the offset of that point
-// within the pixel. Cell k of a row extends from k / n, which belongs to it, to (k + 1) / n, which
-// does not, even after rounding.
+// row. `place` is a sample point within the cell with the number `cell`, 0 <= x, y < 1. Returns the
+// offset of that point within the pixel. Cell k of a row extends from k / n, which belongs to it,
+// to (k + 1) / n, which does not, even after rounding.
 inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
     const auto within = [n](int k, Real x) {
         const auto count = static_cast<Real>(n), first = static_cast<Real>(k);
@@ -23,8 +23,8 @@ inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
 
 // The average color of a pixel over this many samples, 1 or more. sample(offset) is called with a
 // random offset in each cell of the finest n x n grid that has no more cells than there are
-// samples, and with a random offset anywhere in the pixel for each sample that remains; all are
-// independent. ColorSum keeps the average of many samples accurate even in float.
+// samples, and with a random offset anywhere in the pixel for each sample that remains; all offsets
+// are independent. ColorSum keeps the average of many samples accurate even in float.
 template <class Random, class Sample>
 Color pixel_average(int samples, Random& random, Sample sample) {
     int n = 1;

@@ -9,9 +9,9 @@
 
 namespace rt {
 
-// The light that comes back along a ray. Its path is followed from bounce to bounce until it meets
+// The light that comes back along a ray. The path is followed from bounce to bounce until it meets
 // the sky, is absorbed, or has bounced `depth` times (at least 1): then `ending` decides. The
-// function is written over types:
+// arguments may have any types that do the following:
 //   ray        has an origin and a direction; whatever else it carries stays as it is
 //   world      world.hit(ray, interval) gives the nearest hit as std::optional<Hit>
 //   materials  materials(direction, hit, random) gives std::optional<Scatter>, none if absorbed

@@ -14,7 +14,7 @@ struct Dielectric {
     Real index = Real(1.5);  // of refraction: inside divided by outside
 };
 
-// The same with Schlick's reflectance instead of the exact one, to compare the two.
+// The same material with Schlick's reflectance instead of the exact one, to compare the two.
 struct SchlickDielectric {
     Real index = Real(1.5);
 };

@@ -20,10 +20,10 @@ inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {
     return std::sqrt(squared);
 }
 
-// The fraction of unpolarized light that is reflected, in [0, 1]. 0 for eta = 1, 1 at total
-// reflection. Source: Fresnel's equations; here r_s = (eta c - c') / (eta c + c') is written as
-// (eta^2 - 1) / (eta c + c')^2, and r_p = r_s cos(a + a') / cos(a - a'): no cancellation does harm,
-// however close together the two indices are.
+// The fraction of unpolarized light that is reflected, in [0, 1]. It is 0 for eta = 1, and 1 at
+// total reflection. Source: Fresnel's equations; here r_s = (eta c - c') / (eta c + c') is written
+// as (eta^2 - 1) / (eta c + c')^2, and r_p = r_s cos(a + a') / cos(a - a'). In this form, no
+// cancellation does harm, however close together the two indices are.
 inline Real fresnel_reflectance(Real cosine, Real eta) {
     if (eta == 1) return 0;
     const std::optional<Real> beyond = refracted_cosine(cosine, eta);
@@ -36,8 +36,9 @@ inline Real fresnel_reflectance(Real cosine, Real eta) {
     return std::min(Real(1), r_s * r_s * (1 + p_over_s * p_over_s) / 2);
 }
 
-// The same by Schlick's approximation, with the cosine on the side of the smaller index, so that
-// the reflectance is the same from both sides of a surface, and 1 where total reflection begins.
+// The same fraction by Schlick's approximation, with the cosine on the side of the smaller index,
+// so that the reflectance is the same from both sides of a surface, and 1 where total reflection
+// begins.
 // Source: Schlick, "An inexpensive BRDF model for physically-based rendering", 1994.
 inline Real schlick_reflectance(Real cosine, Real eta) {
     if (eta > 1) {

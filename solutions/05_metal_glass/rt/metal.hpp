@@ -16,13 +16,15 @@ struct Metal {
 
 // Where metal sends light that arrives along `incoming`, of length 1, on the side of `normal`: the
 // mirror direction plus `fuzz` times the uniform direction for `place`, a sample point of the unit
-// square, folded above the surface. The result has length 1.
+// square. If this sum points below the surface, it is folded to the upper side. The result has
+// length 1.
 inline Vec3 metal_direction(Vec3 incoming, Vec3 normal, Real fuzz, Vec2 place) {
     const Vec3 mirrored = reflect(incoming, normal);
     return above_horizon(mirrored + fuzz * uniform_direction(place), normal);
 }
 
-// No path ends at metal, and all are dimmed alike: the light of each is multiplied by the albedo.
+// No path ends at metal, and all paths are dimmed alike: the light of each is multiplied by the
+// albedo.
 template <class Random>
 std::optional<Scatter> scatter(const Metal& material, Vec3 incoming, const Hit& hit,
                                Random& random) {

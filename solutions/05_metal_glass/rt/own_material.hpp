@@ -16,7 +16,7 @@ struct OwnMaterial {
 };
 
 // The coat reflects like glass of index 1.5 and absorbs nothing. The light that it lets through
-// comes back from the base. The random choice already weights both.
+// comes back from the base. The random choice between the two already weights them.
 template <class Random>
 std::optional<Scatter> scatter(const OwnMaterial& material, [[maybe_unused]] Vec3 incoming,
                                [[maybe_unused]] const Hit& hit, [[maybe_unused]] Random& random) {

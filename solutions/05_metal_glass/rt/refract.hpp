@@ -13,7 +13,8 @@ namespace rt {
 // eta = 1, the direction stays as it is, bit for bit. Source: Snell's law.
 inline std::optional<Vec3> refract(Vec3 incoming, Vec3 normal, Real eta) {
     if (eta == 1) return incoming;
-    // The part along the surface, times eta: its length is the sine of the refraction angle.
+    // The part of `incoming` along the surface, times eta. The length of `along` is the sine of the
+    // refraction angle.
     const Real cosine = -dot(incoming, normal);
     const Vec3 along = eta * (incoming + cosine * normal);
     Real squared_cosine = 1 - dot(along, along);
