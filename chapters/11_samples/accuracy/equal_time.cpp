@@ -19,6 +19,8 @@ class Cover {
     struct Way {
         std::string name;
         std::function<Image(int samples, std::uint64_t seed)> draw;
+
+        bool sobol() const { return name.rfind("Sobol", 0) == 0; }
     };
 
     Cover() {
@@ -83,6 +85,13 @@ class Cover {
     Renderer<cover_effects> renderer_{scene_, width, height, quality()};
 };
 
+// The nearest 2^k or 3 * 2^k: with other counts, Sobol's points leave more noise than they need.
+int good_count(int count) {
+    int power = 1;
+    while (2 * power <= count) power *= 2;
+    return static_cast<int>(std::lround(2.0 * count / power)) * power / 2;
+}
+
 struct Drawn {
     int samples = 1;
     std::vector<Channels> pictures;
@@ -114,7 +123,8 @@ void study_equal_time(study::Report& report) {
             const double sample_ms =
                 1e-6 / few *
                 study::time_ns([&] { study::keep(ways[i].draw(few, 1)); }, {.rounds = 3});
-            all[i].samples = std::max(1, static_cast<int>(std::lround(ms / sample_ms)));
+            const int fits = std::max(1, static_cast<int>(std::lround(ms / sample_ms)));
+            all[i].samples = ways[i].sobol() ? good_count(fits) : fits;
         }
         for (std::uint64_t seed = 1; seed <= pictures; ++seed)
             for (std::size_t i = 0; i < ways.size(); ++i) {
