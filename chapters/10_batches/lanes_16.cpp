@@ -1,5 +1,6 @@
-// Compiled for narrower registers than the rest: see CMakeLists.txt. All of this file is in
-// namespaces of its own, so that no linker mixes up code for different widths.
+// This file is compiled for narrower registers than the rest of the program: see CMakeLists.txt.
+// All of its code is in namespaces of its own, so that the linker does not mix up code for
+// different widths.
 
 #include <rt/todo.hpp>
 

@@ -21,7 +21,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const ReadyScene<scene_effects> scene{description, settings.width, settings.height};
     const Quality quality{settings.spp, settings.depth, *settings.seed};
 
-    // Each worker has batches of its own, and keeps their memory from tile to tile.
+    // Each worker has a renderer of its own, which keeps its memory from tile to tile.
     std::vector<std::optional<BatchRenderer<scene_effects>>> renderers(
         static_cast<std::size_t>(settings.threads));
     return draw_by_tiles({settings.width, settings.height, 32}, settings.threads, progress,

@@ -1,6 +1,6 @@
 #pragma once
-// Packets: a few rays that go down the tree together, with one stack. A middle way between single
-// rays and batches, for the study alone.
+// A packet is a few rays that go down the tree together and share one stack. Packets are a middle
+// way between single rays and batches; only the study uses them.
 
 #include <algorithm>
 #include <array>
@@ -47,8 +47,8 @@ class Packet {
         max_.fill(std::numeric_limits<float>::infinity());
     }
 
-    // Tests the boxes of the children for each of these rays; the children that any ray meets go on
-    // the stack, the nearest last.
+    // Tests each of these rays against the boxes of the children. Children whose boxes any ray
+    // meets go onto the stack, the nearest child last.
     std::size_t visit(const WideNode<float>& node, std::uint32_t rays, Waiting* stack,
                       std::size_t waiting) const {
         std::array<std::uint32_t, lanes> met{};

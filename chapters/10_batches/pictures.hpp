@@ -12,7 +12,7 @@ namespace batches {
 constexpr int study_width = 160, study_height = 90;
 constexpr Quality study_quality{4, 16, 1};
 
-// A scene made ready for both ways.
+// A scene, made ready for both ways of drawing it.
 struct StudyScene {
     SceneDescription description;
     ReadyScene<scene_effects> ready;
@@ -24,7 +24,7 @@ struct StudyScene {
           renderer{description, study_width, study_height, study_quality} {}
 };
 
-// draw_singly() and draw_in_batches() return how many rays they took.
+// draw_singly() and draw_in_batches() draw the picture and return the number of rays.
 inline std::uint64_t draw_singly(const StudyScene& scene, Image& image) {
     std::uint64_t rays = 0;
     for (int y = 0; y < study_height; ++y)

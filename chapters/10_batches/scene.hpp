@@ -1,6 +1,6 @@
 #pragma once
-// The scene of chapter 10: beads of matte, metal and glass on the shell of an ammonite, and beads
-// that have come loose and roll out of its mouth.
+// The scene of chapter 10: matte, metal and glass beads on the shell of an ammonite, and beads that
+// have come loose and roll out of its mouth.
 
 #include <cmath>
 #include <numbers>
@@ -13,11 +13,12 @@ namespace batches {
 
 using namespace rt;
 
-// What the scene calls for.
+// The effects that the scene calls for.
 inline constexpr Effects scene_effects{.fuzz = true, .glass = true, .lens = true};
 
-// The sky is brightest straight above. The floor leans, by the angle of a triangle with the sides
-// 3, 4 and 5, so that the light comes from the side.
+// The vector with these coordinates relative to the floor. The floor is tilted, by an angle of the
+// triangle with the sides 3, 4 and 5, so that the sky, which is brightest straight above, lights it
+// from the side.
 inline Vec3 on_floor(double right, double up, double toward_us) {
     return {static_cast<Real>(0.8 * right + 0.6 * up), static_cast<Real>(0.8 * up - 0.6 * right),
             static_cast<Real>(toward_us)};
@@ -36,8 +37,8 @@ inline View scene_view() {
 struct Shell {
     static constexpr double turns = 4.85, growth = 1.9, rim = 3.3, width = 0.31, start = 0.52;
 
-    // The distance from the middle of the shell to the middle of the tube, this many turns inward
-    // from the mouth.
+    // The distance from the middle of the shell to the middle of the tube, `inward` turns away from
+    // the mouth.
     static double distance(double inward) { return rim * rt::portable::pow(growth, -inward); }
     static double angle(double inward) { return 2 * std::numbers::pi * (start - inward); }
 };
@@ -63,7 +64,8 @@ class Beads {
         add(0, 0, 0, 0.72 * Shell::distance(Shell::turns), gold);
     }
 
-    // Adds the whole shell: rings of beads, each turned by half a bead from the one before.
+    // Adds the whole shell: rings of beads, each ring turned by half a bead against the ring before
+    // it.
     void add_shell(int count) {
         const int ring = std::max(3, static_cast<int>(72 * std::sqrt(count / 100'000.0)));
         for (int i = 0; i < count; ++i) {
@@ -109,8 +111,8 @@ class Beads {
             {{on_floor(right, up, toward_us), static_cast<Real>(radius)}, material, {}});
     }
 
-    // The material of a bead: gold on the ribs; between them glass, or a color that depends on how
-    // far outward the bead is.
+    // The material of a bead: gold on the ribs; between the ribs, glass, or matte or metal in a
+    // color that depends mostly on how far outward the bead is.
     int bead(double inward, double around) {
         const double ribs = 26 * inward + 0.35 * rt::portable::cos(around);
         const double lot = uniform();
@@ -123,8 +125,8 @@ class Beads {
     }
 };
 
-// A scene of this many spheres, with the floor and the ball in the middle. The fewer the spheres,
-// the larger they are.
+// A scene of `count` spheres, which include the floor and the ball in the middle. The fewer beads
+// the shell has, the larger they are.
 inline SceneDescription make_scene(int count, const View& view) {
     Beads beads{view};
     const int loose = count / 50;

@@ -9,8 +9,8 @@
 namespace batches {
 namespace {
 
-// The rays of a picture, as batches have them: those of the first bounce of many paths, then those
-// of their second one, and so on.
+// The rays of a picture, grouped as in batches: the rays of the first bounce of many paths, then
+// the rays of their second bounce, and so on.
 using Rays = std::vector<std::vector<Ray>>;
 
 struct Recorder {
@@ -55,9 +55,9 @@ std::size_t count(const Rays& rays) {
     return sum;
 }
 
-using Found = std::vector<WideHit>;  // of all rays
+using Found = std::vector<WideHit>;  // the hit of each ray
 
-// Three ways to search. Each adds what the rays meet to `found`, if that is not null.
+// Three ways to search. Each adds the hits of the rays to `found`, unless `found` is null.
 void search_singly(const WideTree& tree, const Rays& rays, Found* found) {
     for (const auto& batch : rays)
         for (const Ray& ray : batch) {
@@ -81,7 +81,7 @@ void search_in_packets(const WideTree& tree, const Rays& rays, Found* found) {
     }
 }
 
-// The same rays as path records, each with an end.
+// The rays as path records, ready to be searched in batches.
 class Batches {
   public:
     Batches(const WideTree& tree, const Rays& rays) : search_{tree} {
@@ -93,7 +93,7 @@ class Batches {
             }
         }
     }
-    // end(i) is where ray i ends.
+    // end(i) is the t at which ray i ends.
     template <class End>
     void search(const End& end, Found* found = nullptr) {
         std::size_t number = 0;
@@ -151,7 +151,7 @@ void study_search(study::Report& report, const WideTree& tree, const Recorded& r
     rows("bounced rays", recorded.bounced);
 }
 
-// The same tree, but no ray meets the box of a leaf.
+// A copy of the tree in which no ray meets the box of a leaf.
 WideTree without_leaves(WideTree tree) {
     for (WideNode<float>& node : tree.nodes)
         for (std::size_t child = 0; child < lanes; ++child)
@@ -163,9 +163,10 @@ WideTree without_leaves(WideTree tree) {
     return tree;
 }
 
-// Where the nanoseconds of a ray go. Searches that do less and less show how much time each part
-// takes: from one that knows in advance where its rays end, to one that tests boxes alone, to one
-// whose rays end before they begin.
+// How much time each part of the work takes. Each of four searches does less than the one before
+// it, and the differences between their times are the times of the parts: the first is a whole
+// search, the second knows in advance where its rays end, the third tests only boxes, and in the
+// fourth all rays end before they begin.
 void study_parts(study::Report& report, const StudyScene& scene, const Recorded& recorded) {
     const WideTree &tree = scene.ready.world, boxes = without_leaves(tree);
     Rays rays = recorded.camera;
@@ -239,7 +240,7 @@ void study_batch_size(study::Report& report, const StudyScene& scene) {
                     "", ns[i] / static_cast<double>(rays), "time per ray / ns"});
 }
 
-// Draws the same picture with more and more, ever smaller spheres, path by path and in batches.
+// Draws the picture path by path and in batches, with ever more and ever smaller spheres.
 void study_growth(study::Report& report) {
     for (int spheres = 100; spheres <= 1'000'000; spheres *= 10) {
         const StudyScene scene{spheres};

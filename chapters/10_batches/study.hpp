@@ -3,7 +3,8 @@
 
 namespace batches {
 
-// What a ray costs in batches of any size, in packets and alone, and where the time goes.
+// Measures the time of a ray alone, in packets and in batches of several sizes, and how much of it
+// each part of the work takes.
 void run_study(study::Report& report);
 
 }  // namespace batches

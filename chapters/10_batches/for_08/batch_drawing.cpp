@@ -1,5 +1,5 @@
-// The part of chapter 08's program that draws if --batches is given, with jittered samples. This
-// file is linked into that program.
+// The part of chapter 08's program that draws jittered samples in batches, for the option
+// --batches. This file is linked into that program.
 
 #include <rt/batch_workers.hpp>
 

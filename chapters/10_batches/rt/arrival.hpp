@@ -13,7 +13,8 @@ struct alignas(std::max(32, RT_REGISTER_BYTES)) Surface {
     Color color;         // its albedo
 };
 
-// A pack of paths that have arrived at spheres (given): surface_hit of 04.1 for each of them.
+// What is known of a pack of paths that have arrived at spheres (given): for each path, the results
+// of surface_hit (04.1), its direction and the parameter of the material.
 struct Arrivals {
     Vec3Pack direction, normal, facing_normal, point;
     Pack point_error, parameter;
@@ -39,8 +40,8 @@ inline Arrivals arrive(const PathRecord* paths, const Surface* surfaces, const P
     return all;
 }
 
-// Two random numbers for each of `size` paths: random_place of 04.3. random(i) is the generator of
-// path i.
+// random_place of 04.3, for a pack: two random numbers for each of its first `size` paths.
+// random(i) is the generator of path i.
 struct PlacePack {
     Pack x{}, y{};
 };

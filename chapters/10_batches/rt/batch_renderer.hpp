@@ -14,8 +14,9 @@
 
 namespace rt {
 
-// The effects that batches have. With lights, fog, motion, instances or haze, each path would go
-// through chapter 08's code by itself, which takes longer than drawing path by path.
+// The effects that can be drawn in batches. With lights, fog, motion, instances or haze, each path
+// of a batch would go through chapter 08's code by itself, and the picture would take longer than
+// path by path.
 inline constexpr Effects batch_effects{
     .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
 
@@ -36,11 +37,12 @@ inline int batch_tile_side(int samples_per_pixel) {
     return side;
 }
 
-// Draws tiles of a scene in batches of paths (given): all make their first bounce, then those that
-// are left make their second, and so on. The picture is that of Renderer, bit for bit, however the
-// paths are grouped into batches. Each thread has its own BatchRenderer.
+// Draws tiles of a scene in batches of paths (given): all paths of a batch make their first bounce,
+// then those that have not ended make their second bounce, and so on. The picture is the same as
+// that of Renderer, bit for bit, however the paths are grouped into batches. Each thread has its
+// own BatchRenderer.
 //
-// `Points` tells where the samples are, and brings their random numbers: see JitteredPoints.
+// `Points` tells where the samples are, and provides their random numbers: see JitteredPoints.
 template <Effects effects, class Points = JitteredPoints>
 class BatchRenderer {
     static_assert(covers(batch_effects, effects));
@@ -54,8 +56,8 @@ class BatchRenderer {
           batch_{scene, most_paths},
           points_(most_paths + pack_size) {}
 
-    // Draws the pixels of a tile, with the quality's samples or with others; the rays that it took
-    // are added to `rays`.
+    // Draws the pixels of a tile, with the samples that the quality asks for or with `points`. Adds
+    // the number of rays to `rays`.
     void draw(const Tile& tile, Image& image, std::uint64_t& rays) {
         draw(Points{{quality_.seed, quality_.samples_per_pixel}}, tile, image, rays);
     }
@@ -69,7 +71,7 @@ class BatchRenderer {
         });
     }
 
-    // Calls keep(x, y, place, light) for each sample of a tile's pixels, in their order.
+    // Calls keep(x, y, place, light) for each sample of a tile's pixels, in order.
     template <class Keep>
     void each(const Points& points, const Tile& tile, std::uint64_t& rays, const Keep& keep) {
         cells_ = points.cells();
@@ -86,8 +88,8 @@ class BatchRenderer {
     }
 
   private:
-    // Where to write a sample's point and random numbers: in place, because copying them would take
-    // extra time.
+    // References to a sample's point and its generator, which are written in place: copying them
+    // would take extra time.
     struct Start {
         SamplePoint& point;
         typename Points::Random& random;
@@ -99,7 +101,7 @@ class BatchRenderer {
         return end == infinity ? place : within;
     }
 
-    // Gives `size` paths, beginning with number `from`, their first rays.
+    // Sets the first rays of `size` paths, beginning with path number `from`.
     RT_INLINES_ALL void start(std::size_t from, std::size_t size) {
         const auto [column, row, first_x, first_y, x, y, end_x, end_y] =
             load_eight([&](std::size_t i) { return &points_[from + i]; });

@@ -11,8 +11,8 @@
 
 namespace rt {
 
-// Finds which spheres of a tree the rays of a batch meet first (given). It takes lists of rays down
-// the tree, and finds what WideTree finds, bit for bit.
+// Finds the nearest sphere of a tree for each ray of a batch (given). The search takes lists of
+// rays down the tree; its results are the same as those of WideTree, bit for bit.
 class BatchSearch {
   public:
     // The tree must outlive the search.
@@ -30,11 +30,11 @@ class BatchSearch {
     // Makes room for this many rays. Rays that are ready stay ready.
     void make_room(std::size_t rays);
 
-    // Makes the rays of up to pack_size paths, from this number on, ready for box tests. The rays
-    // end at t. Unused lanes write to the paths that come next, so make rays ready in ascending
-    // order.
+    // Makes the rays of up to pack_size paths ready for box tests; the first of these paths has the
+    // number `from`. The rays end at t. Unused lanes write to the rays that come next, so make rays
+    // ready in ascending order.
     void make_ready(std::size_t from, const Vec3Pack& origin, const Vec3Pack& direction, Pack t);
-    // The same for paths one after the other; makes room for them.
+    // The same for all of these paths, beginning with number 0; makes room for their rays, too.
     void make_ready(std::span<const PathRecord> paths);
 
     // Sets `t` and `sphere` of these paths to their nearest hits within [0, t]. Their rays must be
@@ -57,14 +57,14 @@ class BatchSearch {
 
   private:
     static constexpr unsigned octants = 8;
-    // At most this many rays are faster to search one by one.
+    // A list with at most this many rays is searched faster one by one.
     static constexpr std::size_t few_rays = 8;
-    // The most lists on the way down: one for each node, and a leaf's.
+    // The largest number of lists on a way down the tree: one for each node, and one for the leaf.
     static constexpr std::size_t most_lists = WideTree::most_nodes + 1;
     using Order = std::array<std::uint8_t, lanes>;
     typedef float Eight RT_VECTOR_OF(lanes * sizeof(float));  // one number of each of eight boxes
 
-    // A ray for box tests, in one cache line. `max` is its end, which the nearest hit so far sets.
+    // A ray for box tests, in one cache line. It ends at `max`, where its nearest hit so far is.
     struct alignas(64) BoxRay {
         WideRay<float> wide;
         float max;
@@ -73,7 +73,7 @@ class BatchSearch {
     static Order nearest_first(const WideNode<float>& node, unsigned octant);
     void test_leaf(std::size_t leaf, PathList list);
     void search_alone(WideChild child, PathList list);
-    // Sets the nearest hit of a path so far, which ends its ray.
+    // Sets the nearest hit so far of a path, at which its ray now ends.
     void set_hit(std::uint32_t path, Real t, PackInteger sphere) {
         paths_[path].t = t;
         paths_[path].sphere = sphere;
@@ -210,7 +210,7 @@ inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8
     return any;
 }
 
-// Tests the first rays of a list, one pack or fewer.
+// Tests the first pack of rays in a list, which may not be full, against the spheres of a leaf.
 inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
     const SphereLeaf& spheres = tree_.leaves[leaf];
     const std::size_t size = leaf_sizes_[leaf];
@@ -219,7 +219,7 @@ inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
     const PackMask before = rays.sphere;
     for (std::size_t i = 0; i < size; ++i) hit_pack(spheres.sphere(i), spheres.number[i], rays);
     if (bits_of(rays.sphere != before) == 0) return;
-    // All hits are written: no processor can predict which of them have changed.
+    // All lanes are written, because no processor can predict which hits have changed.
     for (std::size_t k = 0; k < pack_size; ++k) set_hit(pack[k], rays.t[k], rays.sphere[k]);
 }
 

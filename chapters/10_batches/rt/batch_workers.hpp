@@ -4,8 +4,9 @@
 
 namespace rt {
 
-// Makes workers that draw a scene in batches: each has a renderer of its own, and calls
-// draw(renderer, tile, seed or pass, image, rays).
+// Returns a function that makes workers, which draw tiles of a scene in batches. Each worker has a
+// renderer of its own, and calls draw(renderer, tile, pass, image, rays), where `pass` is a seed or
+// a Pass.
 template <class Points, class Draw>
 auto batch_workers(const SceneDescription& description, int width, int height,
                    const Quality& quality, const Draw& draw) {

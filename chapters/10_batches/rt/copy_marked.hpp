@@ -7,7 +7,7 @@
 
 namespace rt {
 
-// For each way to mark eight numbers, with one bit each: the indices of the marked ones, in order.
+// For each number of eight bits: the indices of the bits that are set, in order.
 inline constexpr auto marked_places = [] {
     std::array<std::array<std::uint8_t, 8>, 256> table{};
     for (std::size_t bits = 0; bits < table.size(); ++bits)
@@ -16,9 +16,9 @@ inline constexpr auto marked_places = [] {
     return table;
 }();
 
-// Copies to `to`, in order, those of eight numbers whose masks have this bit, and returns how many
-// it has copied (given). There must be room for eight. If the processor can reorder eight numbers
-// in one instruction, they are not tested one by one.
+// Copies those of eight numbers whose masks have this bit to `to`, in order, and returns how many
+// were copied (given). `to` must have room for eight numbers. If the processor can reorder eight
+// numbers with one instruction, their masks are not tested one by one.
 inline std::size_t copy_marked(const std::uint32_t* numbers, const std::uint8_t* masks,
                                unsigned bit, std::uint32_t* to) {
 #ifdef RT_HAS_EIGHT_ORDERED

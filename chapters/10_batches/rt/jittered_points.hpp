@@ -5,15 +5,16 @@
 
 namespace rt {
 
-// Where a path starts in the picture: at a place in a cell of a pixel (04.5).
+// Where a path starts in the picture: at a point in a cell of a pixel (04.5).
 struct SamplePoint {
     Real column, row;
     Vec2 first;  // the cell's first corner, in cells
-    Vec2 place;  // in the unit square
-    Vec2 end;    // the largest offset in the cell; infinite: the cell is the pixel
+    Vec2 place;  // the point in the cell, as a point of the unit square
+    Vec2 end;    // the largest offset in the cell; infinite if the cell is the whole pixel
 };
 
-// JitteredSamples (given), handed over one by one, before their paths are followed.
+// The samples of JitteredSamples (given), handed over one by one, so that their paths can be
+// followed later.
 class JitteredPoints {
   public:
     using Random = Rng;
@@ -28,8 +29,8 @@ class JitteredPoints {
     int count() const { return samples_.count; }
     int cells() const { return cells_; }  // in each row of a pixel
 
-    // Calls add() for each sample of a pixel, in their order, with what the sample's Random is made
-    // from. add() returns references to the sample's point and its Random.
+    // Calls add() for each sample of a pixel, in order, with the arguments that make the sample's
+    // Random. add() returns references to the sample's point and its Random.
     template <class Add>
     void each(int x, int y, const Add& add) const {
         const std::uint64_t seed = samples_.seed;

@@ -9,14 +9,15 @@
 
 namespace rt {
 
-// Packs that fill a register of this processor (given), and how they come from records in memory.
+// Packs that fill a register of this processor (given), and functions that load them from records
+// in memory and store them there.
 inline constexpr std::size_t pack_size = RT_REGISTER_BYTES / sizeof(Real);
 using Pack = PackOf<Real, pack_size>;
 using PackMask = Bits<Pack>;  // -1 for true, 0 for false
 using PackInteger = NumberOf<PackMask>;
 
-// The same number, pack_size times. (The compiler can leave out the subtraction: x - 0 is x, even
-// for x = -0.)
+// A pack with x in all lanes. (The compiler can leave out the subtraction, because x - 0 is x, even
+// if x is -0.)
 inline Pack pack_of(Real x) {
     return x - Pack{};
 }
@@ -30,7 +31,7 @@ inline PackBits bits_of(PackMask mask) {
 constexpr PackBits first_bits(std::size_t count) {
     return (PackBits{1} << count) - 1;
 }
-// Calls visit(i) for each bit that is set.
+// Calls visit(i) for each bit i that is set.
 template <class Visit>
 void for_each_bit(PackBits bits, Visit visit) {
     for (; bits; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
@@ -46,7 +47,7 @@ template <class Low, class High, std::size_t... i>
 auto join(Low low, High high, std::index_sequence<i...>) {
     return __builtin_shufflevector(low, high, i...);
 }
-// `count` blocks, one after the other: block(first), block(first + 1) ...
+// Joins `count` blocks into one vector: block(first), block(first + 1) ...
 template <std::size_t count = blocks, class GetBlock>
 auto join_blocks(const GetBlock& block, std::size_t first = 0) {
     if constexpr (count == 1)
@@ -64,8 +65,8 @@ Block get_block(Pack pack) {
     (std::make_index_sequence<block_size>{});
 }
 
-// The first number of a, the first of b, the second of a, the second of b ... from the lower or the
-// upper half of each block.
+// Takes numbers in turns from a and b: the first of a, the first of b, the second of a ... from the
+// lower half of each block, or from the upper half if `half` is 1.
 template <std::size_t half, std::size_t... i>
 Pack interleave(Pack a, Pack b, std::index_sequence<i...>) {
     constexpr std::size_t n = block_size;
@@ -88,7 +89,7 @@ inline void transpose_blocks(Pack (&rows)[block_size]) {
 }
 
 // Loads eight numbers from each of pack_size records, as eight packs: the first numbers of all
-// records, the second numbers, and so on. record(i) is the address of a record.
+// records, the second numbers, and so on. record(i) is the address of record i.
 template <class Record>
 RT_INLINED std::array<Pack, 8> load_eight(const Record& record) {
     std::array<Pack, 8> packs;

@@ -4,11 +4,11 @@
 
 namespace rt {
 
-// Numbers of paths in a batch.
+// A list of paths, as indices in their batch.
 using PathList = std::span<const std::uint32_t>;
 
-// Room for what descend() writes: a list, and its masks, for each level of nodes on the way down.
-// No list is longer than the first one.
+// The memory in which descend() writes: room for a list and its masks at each level of the tree. No
+// list is longer than the first list.
 struct Scratch {
     std::uint32_t* lists;
     std::uint8_t* masks;

@@ -9,16 +9,16 @@
 
 namespace rt {
 
-// A path on its way (given). In float it has 64 bytes, as many as a processor fetches from
-// memory at once.
+// A path that is being followed (given). In float, a record has 64 bytes, as many as a processor
+// fetches from memory at once.
 struct alignas(64) PathRecord {
-    // What the search for the nearest sphere needs: eight numbers of one size.
+    // What the search for the nearest sphere needs: eight numbers of the same size.
     Vec3 origin, direction;   // of its ray
     Real t = infinity;        // of the nearest hit so far
-    PackInteger sphere = -1;  // which sphere was hit there; -1 before any hit
+    PackInteger sphere = -1;  // the number of the sphere that was hit; -1 before any hit
 
     Color throughput{1, 1, 1};
-    std::int32_t sample = 0;  // the sample whose light it brings, and whose random numbers it draws
+    std::int32_t sample = 0;  // the index of the path's sample, for its light and random numbers
 };
 
 // The rays of a pack of paths, side by side.
@@ -28,12 +28,12 @@ struct RayPack {
     PackMask sphere{};
 };
 
-// A pack of paths: the first pack_size paths of a list. If the list has fewer paths, its first one
+// A pack of paths: the first pack_size paths of a list. If the list has fewer paths, its first path
 // also fills the other lanes, so that no lane needs a test.
 struct PathPack {
     std::array<std::uint32_t, pack_size> path;
-    std::size_t size;  // the lanes that count
-    PackBits active;   // their bits
+    std::size_t size;  // the number of lanes in use
+    PackBits active;   // a bit for each lane in use
 
     explicit PathPack(PathList list)
         : size{std::min(pack_size, list.size())}, active{first_bits(size)} {

@@ -8,9 +8,10 @@
 
 namespace rt {
 
-// One bounce of all paths of a batch (given): path_radiance of 04.7, one step for all paths at a
-// time. Paths are sorted by what they meet. Each kind of material has its own kernel, which writes
-// the paths that go on, one after the other, and makes their rays ready for the next search.
+// A batch of paths that make each bounce together (given): path_radiance of 04.7, with each step
+// done for all paths before the next step. The paths are sorted by the kind of material that they
+// meet, and each kind has its own kernel. The paths that go on are written without gaps, and their
+// rays are made ready for the next search.
 template <Effects effects, class Random = Rng>
 class PlainBatch {
   public:
@@ -27,21 +28,21 @@ class PlainBatch {
         search_.make_room(most_paths);
     }
 
-    std::vector<PathRecord> paths;  // paths on their way, and room for a pack that is not full
+    std::vector<PathRecord> paths;  // on their way; with room for unused lanes of the last pack
     std::vector<Color> light;       // of each sample, once its path has ended
-    std::vector<Random> randoms;    // of samples
+    std::vector<Random> randoms;    // each sample's generator
 
-    // Makes room for the light of this many new paths.
+    // Sets the light of the first `count` samples to 0, for new paths.
     void begin(std::size_t count) { std::fill_n(light.begin(), count, Color{}); }
 
-    // Gives the pack of paths that begins with number `from` its rays. Calls must come in ascending
-    // order of `from`.
+    // Sets the rays of a pack of paths, the first of which has the number `from`. Calls must come
+    // in ascending order of `from`.
     void set_rays(std::size_t from, const Vec3Pack& origin, const Vec3Pack& direction) {
         set_rays(paths, from, origin, direction);
     }
 
-    // Takes the first `count` paths on to their next bounce, or to their end; returns how many are
-    // left, and adds the number of rays to `rays`.
+    // Follows the first `count` paths to their next bounce, or to their end. Returns how many paths
+    // go on, and adds the number of rays to `rays`.
     std::size_t bounce(std::size_t count, bool is_last, std::uint64_t& rays) {
         rays += count;
         search_.find_nearest(std::span{paths}.first(count));

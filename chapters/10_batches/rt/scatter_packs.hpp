@@ -9,10 +9,10 @@
 
 namespace rt {
 
-// The materials' scatter(), for packs of paths that arrive at the same material (given): the
-// direction in which each goes on. The first argument only says which material it is; random(i) is
-// the generator of path i. The arithmetic is that of chapters 04 and 05, written once more: there a
-// ray takes one side of an `if`, and here rays of one pack may take both.
+// The materials' scatter(), for packs of paths that arrive at the same kind of material (given).
+// Returns the direction in which each path goes on. The first argument only tells the kind of
+// material; random(i) is the generator of path i. The arithmetic of chapters 04 and 05 is written
+// again here, because rays of one pack may take different sides of an `if`.
 
 // All matte materials, whatever their color.
 template <class Matte, class RandomOf>
@@ -51,8 +51,8 @@ inline Pack fresnel_reflectance(Pack cosine, Pack eta) {
     return eta == 1 ? Pack{} : (squared < 0 ? pack_of(1) : partly);
 }
 
-// refract of 05.3; `goes` says which of the paths are refracted. Close to the critical angle, which
-// is rare, it calls the function for a single path.
+// refract of 05.3; `goes` tells which of the paths are refracted. For paths close to the critical
+// angle, which are rare, the function for a single path is called.
 inline Vec3Pack refract(Vec3Pack incoming, Vec3Pack normal, Pack eta, PackBits active,
                         PackMask& goes) {
     const Pack cosine = -dot(incoming, normal);

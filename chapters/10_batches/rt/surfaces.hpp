@@ -15,7 +15,8 @@ namespace rt {
 
 // The spheres of a scene, in the form that the materials' kernels need (given).
 
-// The types of material in a list or set, and which of them a material is.
+// The types of the materials in a MaterialList or a MaterialSet; index() tells which of them a
+// material has.
 template <class Materials>
 struct MaterialTypes;
 template <class Material>

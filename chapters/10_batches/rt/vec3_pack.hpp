@@ -7,8 +7,8 @@
 
 namespace rt {
 
-// pack_size vectors (given), and the functions of chapters 01 and 05 for them: the same operations
-// in the same order, so that each result is what it would be alone, bit for bit.
+// A pack of vectors (given), and the functions of chapters 01 and 05 for such packs. They do the
+// same operations in the same order, so that each lane gets the same bits as a single vector.
 using Vec3Pack = Vec3Of<Pack>;
 
 inline Vec3Pack pack_of(Vec3 v) {
@@ -39,9 +39,9 @@ inline Vec3Pack to_world(Vec3Pack u, Vec3Pack v, Vec3Pack w, Vec3Pack local) {
     return local.x * u + local.y * v + local.z * w;
 }
 
-// normalize() for the lanes whose bits are set in `active`; the results of the others do not
-// matter. If squares overflow or lose digits, which is rare, the function for a single
-// vector is called.
+// normalize() for the lanes whose bits are set in `active`; the results in the other lanes do not
+// matter. In the rare lanes where squares overflow or lose digits, the function for a single vector
+// is called.
 inline Vec3Pack normalize(Vec3Pack v, PackBits active) {
     constexpr Real least = std::numeric_limits<Real>::min() / epsilon,
                    most = std::numeric_limits<Real>::max();

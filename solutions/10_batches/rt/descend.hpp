@@ -6,14 +6,15 @@
 
 namespace rt {
 
-// Takes a list of rays, which all meet a node, down the tree. For each child, in the order of
-// tree.order(node), which is nearest first for these rays, the rays that meet the child's box form
-// a list. If the child is a leaf, tree.leaf(its number, list) gets this list; otherwise the list is
-// taken farther down.
-//   tree.test(node, list, masks)   tells which children's boxes each ray meets, one bit each, and
-//                                  returns the bits that any of the rays has
-//   tree.order(node)               the children's numbers, nearest first
-//   tree.child(node, place)        child number `place`: another node, or a leaf
+// Takes a list of rays down the tree, from a node that all of them meet. For each child, in the
+// order of tree.order(node), the rays that meet the child's box form a new list. If the child is a
+// leaf, tree.leaf gets this list, with the child's number; otherwise the list is taken farther
+// down. The tree's functions:
+//   tree.test(node, list, masks)   writes a mask for each ray of the list: bit k is set if the ray
+//                                  meets the box of the child with index k. Returns the bits that
+//                                  any ray has
+//   tree.order(node)               the indices of the children, nearest first
+//   tree.child(node, place)        the child with index `place`: another node, or a leaf
 template <class Tree>
 void descend(Tree& tree, std::int32_t node, PathList list, Scratch scratch) {
     const unsigned any = tree.test(node, list, scratch.masks);

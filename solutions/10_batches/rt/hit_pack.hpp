@@ -4,11 +4,11 @@
 
 namespace rt {
 
-// Tests the sphere with this number against all rays of a pack: if a ray meets it at a t from 0 to
-// the t that rays holds for this ray, that t and the ray's sphere become those of the hit. Of
-// equally near spheres the one with the highest number counts. This is hit_sphere of 03.2 for many
-// rays, with the same operations in the same order, so that each t has the same bits. Returns the
-// mask of the rays that take this hit.
+// Tests a sphere, which has this number in the scene, against all rays of a pack. If a ray meets it
+// at a t in [0, rays.t], rays.t becomes the smallest such t, and rays.sphere becomes the number. Of
+// equally near spheres, the sphere with the highest number counts. This is hit_sphere of 03.2 for
+// many rays, with the same operations in the same order, so that each t has the same bits. Returns
+// the mask of the rays that take this hit.
 inline PackMask hit_pack(const Sphere& sphere, PackInteger number, RayPack& rays) {
     const Vec3Pack d = rays.direction, f = rays.origin - pack_of(sphere.center);
     const Pack a = dot(d, d);

@@ -6,10 +6,10 @@
 
 namespace rt {
 
-// Sorts the numbers 0, 1, 2 ... by kinds[i], which is less than `count`: the numbers of kind k are
-// written in ascending order to `sorted`, from index result[k] to result[k + 1] - 1. The function
-// takes linear time: it counts first, then puts each number where it belongs. `sorted` is as long
-// as `kinds`.
+// Sorts the numbers i = 0, 1, 2 ... by their kinds, kinds[i], each of which is less than `count`.
+// The numbers of kind k are written in ascending order to `sorted`, from index result[k] to
+// result[k + 1] - 1. The function takes linear time: it counts first, and then puts each number in
+// its place. `sorted` is as long as `kinds`.
 template <std::size_t count>
 std::array<std::size_t, count + 1> sort_by_kind(std::span<const std::uint8_t> kinds,
                                                 std::span<std::uint32_t> sorted) {
