@@ -1,6 +1,6 @@
 #pragma once
-// A picture in two halves, without its noise: how far off the result is, and how wide the filter
-// should be, both from the halves alone.
+// Denoises a picture that was drawn in two halves. The halves alone tell how wide the filter should
+// be, and how far off the result is.
 
 #include <algorithm>
 #include <array>
@@ -16,12 +16,12 @@ namespace samples {
 
 using namespace rt;
 
-// An estimate of the square error of `smooth`, the mean of the filtered halves, in one channel of a
-// pixel. The filter must be linear, as denoised() is: then that mean is the filtered picture. The
-// error after filtering is the change that the filter makes, plus the noise before filtering. That
-// noise is estimated as half the difference of the halves, and the noise after filtering as half
-// the difference of the filtered halves. The estimate is unbiased if the halves err independently.
-// For a single pixel the estimate says little, and may be negative.
+// An estimate of the square error of the mean of the filtered halves, in one channel of a pixel.
+// The filter must be linear, as denoised() is: this mean is then the filtered picture. The error
+// after filtering is the change that the filter makes, plus the noise before filtering. The noise
+// before filtering is estimated as half the difference of the halves, and the noise after filtering
+// as half the difference of the filtered halves. The estimate is unbiased if the halves err
+// independently. For a single pixel the estimate says little, and may be negative.
 inline Real filtered_square_error(Halves<Real> half, Halves<Real> filtered) {
     const Real change = twin_mean(filtered) - twin_mean(half);
     const Real noise = (half.first - half.second) / 2;
@@ -34,9 +34,9 @@ struct Denoised {
     Real error = infinity;  // root mean square over all channels, estimated
 };
 
-// Denoises with the usual widths, with half of them, with a quarter, and not at all. For each pixel
-// it takes the result with the smallest error, estimated from the halves around the pixel. Since
-// the choice follows the estimates, the true error is a bit larger than the estimated one.
+// Tries the usual widths, half of them, a quarter of them, and no filter. Each pixel gets the
+// result whose error, estimated over the pixels around it, is smallest. Since the smallest
+// estimates are chosen, the true error is a bit larger than the estimated error.
 inline Denoised denoise_halves(const Halves<Image>& half, const Canvas<Features>& features) {
     const int width = features.width(), height = features.height();
     const Tile all{0, 0, width, height};

@@ -1,5 +1,5 @@
 #pragma once
-// What a denoiser may know of a pixel, itself free of noise: the surface that is seen there.
+// What a denoiser knows about a pixel besides its noisy light: the surface that is seen there.
 
 #include <rt/denoise.hpp>
 #include <rt/renderer.hpp>
@@ -22,8 +22,8 @@ Color albedo_of(const Material& material, const Hit& hit) {
 }
 
 // The surface that the eye sees along a ray. Lamps and the sky, which shine by themselves, get the
-// albedo that would look the same in light of this strength. If a lamp shares a pixel with a lit
-// surface, the light of both is then divided by similar albedos.
+// albedo with which they would look the same in light of this strength. So where a lamp and a lit
+// surface share a pixel, light divided by albedo is similar for both.
 template <Effects effects>
 Features features_along(const ReadyScene<effects>& scene, const Ray& ray, Real strength) {
     const auto hit = scene.world.hit(ray, Interval{0, infinity});
@@ -35,8 +35,8 @@ Features features_along(const ReadyScene<effects>& scene, const Ray& ray, Real s
             facing_normal(*hit)};
 }
 
-// The mean over the pixel: at an edge, or where the lens blurs the picture, several surfaces have a
-// share.
+// The mean of features_along() over a pixel: at an edge, or where the lens blurs the picture,
+// several surfaces have a share in it.
 template <Effects effects>
 Features features_at(const ReadyScene<effects>& scene, const SobolSamples& samples, int column,
                      int row, Real strength) {

@@ -72,8 +72,9 @@ Drawn draw_jittered(Sampling& sampling, const Strip& strip) {
     return drawn;
 }
 
-// Sobol's points in two halves. The pilot takes `pilot` samples in each half; the remaining samples
-// go to the tiles where they reduce the error most. `counts` gets the samples of each pixel.
+// Draws a strip with Sobol's points, in two halves. The pilot takes `pilot` samples of each pixel
+// in each half; the remaining samples go to the tiles where they reduce the error most. `counts`
+// gets the number of samples in each pixel.
 Drawn draw_halves(Sampling& sampling, const Strip& strip, int pilot, Canvas<int>& counts) {
     if (strip.width == 0) return {};
     const app::Settings& settings = sampling.settings;
@@ -93,7 +94,7 @@ Drawn draw_halves(Sampling& sampling, const Strip& strip, int pilot, Canvas<int>
             refinement.halves()};
 }
 
-// The last strip, denoised. It is the right part of the picture whose halves are `half`.
+// Denoises the last strip, which is the right part of the picture with the halves `half`.
 Denoised denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>& scene,
                        const Halves<Image>& half, const Strip& strip) {
     const int height = half.first.height(), skipped = half.first.width() - strip.width;
@@ -133,8 +134,9 @@ std::string error_text(Real error) {
     return std::isfinite(error) ? out.str() : "";
 }
 
-// Says how many independent samples per pixel would reach the third strip's error. This follows
-// from the jittered strip, whose standard error is computed as if its samples were independent.
+// Says how many independent samples per pixel would reach the third strip's error. The number
+// follows from the standard error of the jittered strip, which is computed as if its samples were
+// independent.
 std::string comparison(const Drawn& jittered, const Drawn& worth, int samples) {
     if (!std::isfinite(jittered.error) || !(worth.error > 0)) return "";
     const Real variance = jittered.error * jittered.error * static_cast<Real>(samples);

@@ -1,5 +1,5 @@
 #pragma once
-// The scene of chapter 11: spires of balls in the fog of an evening, each with a lamp on its top.
+// The scene of chapter 11: spires of balls in the evening, each with a lamp on its top.
 
 #include <cmath>
 #include <numbers>
@@ -12,7 +12,7 @@ namespace samples {
 
 using namespace rt;
 
-// What the scene calls for.
+// The effects that the scene calls for.
 inline constexpr Effects scene_effects{
     .mirror = true, .glass = true, .texture = true, .lens = true, .lights = true};
 
@@ -48,12 +48,13 @@ class Spires {
             add_material(CheckeredMatte{from_hex(0x4a5568), from_hex(0x9a8f80), 1}));
     }
 
-    // Balls along the spiral of a sunflower's seeds on a cone, from the floor to its tip.
+    // Adds balls on a cone, from the floor to the tip, in a spiral like that of a sunflower's
+    // seeds, and a lamp above the tip.
     void add_spire(double x, double z, double height, int balls, int palette) {
         const double base = 0.27 * height;
         const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
         for (int i = 0; i < balls; ++i) {
-            // Each ball has the same area of the cone, but balls near the tip are smaller.
+            // Each ball has the same share of the cone's area, but balls near the tip are smaller.
             const double down = std::sqrt((i + 0.5) / balls);
             const double reach = base * down;
             const double radius = 1.02 * base * std::sqrt(1.0 / balls) * 1.7 * (0.72 + 0.28 * down);

@@ -15,7 +15,7 @@ double rmse(const Image& a, const Image& b) {
     return study::root_mean_square_error(a.pixels(), b.pixels());
 }
 
-// The chapter's scene at some size, through a window: columns and rows of the picture.
+// The chapter's scene in a picture of some size. Only its part `window` is drawn.
 struct Stage {
     SceneDescription description = make_scene(scene_view());
     Tile window;
@@ -43,7 +43,7 @@ struct Stage {
     }
 };
 
-// A picture, and its own estimate of its error.
+// A picture, and its error, estimated from its own samples.
 struct Judged {
     Image image;
     double estimate = 0;
@@ -74,7 +74,7 @@ Judged draw_twins(const Stage& stage, int samples, std::uint64_t seed) {
     return {refined.image, refined.error};
 }
 
-// The error over the number of samples, and how well each way estimates its own error.
+// How the error depends on the number of samples, and how well each way estimates its own error.
 void study_samples(study::Report& report) {
     const Stage stage{64, 36, {0, 0, 64, 36}};
     const Image truth = stage.draw_with(SobolSamples{77, 2048});
@@ -132,7 +132,7 @@ constexpr double lamp_mean = 1;
 constexpr Real wanted_error = Real(0.2);
 constexpr int most_samples = 4096;
 
-// The mean that a stopping rule leads to, and the samples that it took.
+// The mean that a stopping rule leads to, and the number of samples that it took.
 struct Stop {
     double mean = 0, samples = 0;
 };
@@ -172,7 +172,8 @@ Stop stop_by_other_half(Rng& random, int pilot) {
             static_cast<double>(half.first.count + half.second.count)};
 }
 
-// What stopping rules lead to in many runs: the mean of all runs, and how often each mean occurred.
+// The results of stopping rules in many runs: the mean of all runs, and how often each result
+// occurred.
 void study_stopping(study::Report& report) {
     using Rule = Stop (*)(Rng&, int pilot);
     constexpr std::array<std::pair<const char*, Rule>, 3> rules{
@@ -206,8 +207,8 @@ void study_stopping(study::Report& report) {
     }
 }
 
-// What a denoiser removes, and what is lost, in a part of the picture at full size: in a small
-// picture every pixel is an edge.
+// How much noise a denoiser removes, and how much of the picture it loses. Draws a part of the
+// picture at full size, because in a small picture nearly every pixel is at an edge.
 void study_denoiser(study::Report& report, const std::string& name, const Tile& window) {
     const Stage stage{960, 540, window};
     const Image truth = stage.draw_with(SobolSamples{77, 512});

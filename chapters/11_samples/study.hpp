@@ -3,7 +3,7 @@
 
 namespace samples {
 
-// What each way of taking samples, and of stopping, costs and is worth.
+// Measures the cost and the worth of each way to take samples, and of each rule for stopping.
 void run_study(study::Report& report);
 
 }  // namespace samples

@@ -1,5 +1,5 @@
 #pragma once
-// Ways to take samples that the studies compare, and pictures drawn with them.
+// The ways to take samples that the studies compare, and functions that draw pictures with them.
 
 #include <array>
 #include <rt/draw_passes.hpp>
@@ -23,7 +23,8 @@ struct IndependentSamples {
     }
 };
 
-// Samples of any kind, which also estimate the variance of their values, channel by channel.
+// Samples of any kind, whose light is also collected in `known`, which estimates its variance in
+// each channel.
 template <class Samples>
 struct WatchedSamples {
     Samples samples;
@@ -51,14 +52,15 @@ Image draw_with(const Renderer& renderer, const Samples& samples, int width, int
     return image;
 }
 
-// A picture that was refined, and its error as its halves estimate it.
+// A refined picture, and its error, estimated from its halves.
 struct Refined {
     Image image;
     double error = 0;
 };
 
-// Draws a picture in twin halves with about this many samples per pixel on average, in 16 passes;
-// the pilot takes half of them. make_pass(count) gives a DrawPass for passes of that many samples.
+// Draws a picture in twin halves, with about this many samples per pixel on average. With 16, 64 or
+// 256 samples, a pixel gets 16 passes on average, and the pilot takes 8 of them. make_pass(count)
+// gives a DrawPass for passes of that many samples.
 template <class MakePass>
 Refined refine(const TileGrid& grid, std::uint64_t seed, int samples, const MakePass& make_pass) {
     const int count = std::max(1, samples / 16);

@@ -3,7 +3,8 @@
 
 namespace accuracy {
 
-// What each way to draw the cover achieves in the same time, against the classic recipe.
+// Measures what each way to draw the cover scene achieves in the same time, compared with the
+// classic recipe.
 void study_equal_time(study::Report& report);
 
 }  // namespace accuracy

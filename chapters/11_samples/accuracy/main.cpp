@@ -1,9 +1,9 @@
-// What every setting of the ray tracer costs and is worth: docs/accuracy.md.
+// Measures what every setting of the ray tracer costs and what it is worth, for docs/accuracy.md.
 //
 //     accuracy_study DIR && accuracy_study_float DIR
 //
-// write DIR/accuracy.csv. The first one also leaves the converged pictures there; the second one
-// compares its own pictures with them.
+// write DIR/accuracy.csv. The first program also saves the converged pictures in DIR, and the
+// second program compares its own pictures with them.
 
 #include <app/run.hpp>
 #include <filesystem>
@@ -36,8 +36,9 @@ struct ChanceLights : Lights {
     static constexpr bool empty() { return true; }
 };
 
-// Hits nearer than `nearest` do not count, as if the ray had started on that very surface. A
-// distance of 1 in this scene corresponds to 0.001 in a scene that is a thousand times smaller.
+// A world in which hits at a t less than `nearest` do not count, as if the ray had started on the
+// surface that it hits. A limit of 1 in this scene corresponds to a limit of 0.001 in a scene that
+// is a thousand times smaller.
 template <class World>
 struct SkippingWorld {
     const World& world;
@@ -75,7 +76,8 @@ struct Truths {
     std::array<Truth*, 4> all() { return {&box, &displayed_box, &tent, &displayed_tent}; }
 };
 
-// Writes a converged picture. The program in double writes the file; the program in float reads it.
+// Write and read a converged picture: the program in double writes it, and the program in float
+// reads it.
 void write(std::ostream& out, const Truth& truth) {
     out.precision(17);
     out << truth.square << '\n';
@@ -133,7 +135,7 @@ class Subject {
         }
     }
 
-    // Adds all other settings, with 16 of Sobol's points.
+    // Adds all other settings, with 16 of Sobol's points in each pixel.
     void add_settings() {
         for (const int depth : {4, 8, 16})
             add("depth " + std::to_string(depth), scene_.world, scene_.materials, scene_.lights,

@@ -1,6 +1,6 @@
 #pragma once
-// Ways to draw a scene, with eight pictures for each way, drawn in turns; and what the pictures
-// tell about the error.
+// Ways to draw a scene: each way draws eight pictures, in turns with the other ways, and the
+// pictures tell its error.
 
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace accuracy {
 using namespace rt;
 
 constexpr int pictures = 8;
-// In 95 % of cases, the mean of eight numbers is at most this many of its standard errors from the
+// In 95 % of cases, the mean of eight numbers is at most this many standard errors away from the
 // true mean (Student's t).
 constexpr double t_95 = 2.365;
 
@@ -37,7 +37,7 @@ inline double interval_of(const std::vector<double>& numbers) {
 // All channels of a picture, one after the other.
 using Channels = std::vector<double>;
 
-// In linear light, where white is 1.
+// The channels in linear light, where white is 1.
 inline Channels linear(const Image& image) {
     Channels all;
     for (const Color& color : image.pixels())
@@ -45,7 +45,7 @@ inline Channels linear(const Image& image) {
             all.push_back(static_cast<double>(channel));
     return all;
 }
-// As a screen shows it: sRGB, no brighter than white, which is 1.
+// The channels as a screen shows them: in sRGB, and no brighter than white, which is 1.
 inline Channels displayed(const Image& image) {
     Channels all = linear(image);
     for (double& channel : all)
@@ -70,9 +70,9 @@ struct Truth {
     }
 };
 
-// The errors of pictures, compared with a converged one. Their mean square error is the sum of two
-// parts: the noise, which is the variance of pictures with different seeds, and the square of the
-// bias, which is how far their mean is off.
+// The errors of pictures with different seeds, compared with a converged picture. The mean square
+// error is the sum of two parts: the noise, which is the variance of the pictures, and the square
+// of the bias, which is how far the pictures' mean is off.
 class Errors {
   public:
     explicit Errors(const Truth& truth) : truth_{&truth}, sum_(truth.mean.size()) {}
@@ -114,7 +114,7 @@ struct Way {
     std::function<Image(std::uint64_t seed)> draw;
 };
 
-// What eight pictures of a way have shown.
+// A way to draw, with the errors and the times of its eight pictures.
 struct Measured {
     Way way;
     Errors linear, displayed;
@@ -133,8 +133,8 @@ inline void measure(std::vector<Measured>& all) {
         }
 }
 
-// A way's 1 / (error^2 time) as a multiple of another way's, and half the width of its 95 %
-// confidence interval in percent.
+// A way's 1 / (error^2 time) as a multiple of another way's, and half the width of this multiple's
+// 95 % confidence interval, in percent.
 struct Worth {
     double times = 1, percent = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
 // The scenes of docs/accuracy.md: matte, metal and glass under a sky; lamps in the dark, and the
-// same in fog; glass within glass; and a hundred thousand beads.
+// same lamps in fog; hollow and solid glass balls; and a hundred thousand beads.
 
 #include <rt/cover_scene.hpp>
 #include <rt/scene.hpp>
@@ -30,7 +30,7 @@ inline SceneDescription fog_scene() {
     scene.fog = Fog{{{0, 0, 0}, 30}, Real(0.03), {1, 1, 1}, Real(0.5)};
     return scene;
 }
-// The cover, with the lens that the classic tutorial gives it.
+// The cover scene, with the lens that the classic tutorial gives it.
 inline SceneDescription cover_scene() {
     SceneDescription scene = study::cover_scene(study::make_cover());
     scene.camera.lens = {Real(0.1), 10};
@@ -40,7 +40,8 @@ inline SceneDescription bead_scene() {
     return batches::make_scene(100'000, batches::scene_view());
 }
 
-// Rows of glass balls, every other one hollow, on a checkered floor.
+// Rows of balls on a checkered floor: glass, every other ball hollow, and red matte balls on one
+// diagonal.
 inline SceneDescription glass_scene() {
     SceneDescription scene;
     scene.camera.view = {{Real(2.5), Real(2.4), 8}, {0, Real(0.2), 0}, {0, 1, 0}, radians(36)};

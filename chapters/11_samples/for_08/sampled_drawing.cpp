@@ -29,7 +29,7 @@ constexpr int pilot_passes = 2;  // of each half
 
 using effects::few_effects;
 
-// Path by path: passes of Sobol's points, or of jittered samples.
+// Draws passes path by path, with Sobol's points or with jittered samples.
 template <Effects effects>
 DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
                         const Quality& quality, bool sobol) {
@@ -42,8 +42,8 @@ constexpr auto makers =
 
 using Batches = BatchRenderer<batch_effects, SobolPoints>;
 
-// Tiles filtered by a tent. The larger the tiles are, the fewer pixels are sampled for more than
-// one tile.
+// The side of tiles that are filtered with a tent. The larger the tiles are, the fewer pixels are
+// sampled for more than one tile.
 constexpr int tent_tile_side = 64;
 
 template <Effects effects>
@@ -56,7 +56,7 @@ template <Effects effects>
 constexpr auto tent_makers =
     ::effects::for_few_effects([]<Effects effects> { return &make_draw_tent<effects>; });
 
-// Which renderer is chosen for a scene, and how it is made.
+// The renderer that is chosen for a scene, and the function that makes it.
 template <class Make>
 std::pair<effects::Choice, Make> chosen(const SceneDescription& scene,
                                         const std::array<Make, few_effects.size()>& for_spheres,
@@ -67,7 +67,7 @@ std::pair<effects::Choice, Make> chosen(const SceneDescription& scene,
     return {effects::choice_of(few_effects, number), for_spheres[number]};
 }
 
-// A way to draw passes, as a TileRenderer is a way to draw pictures.
+// Draws passes, as a TileRenderer draws pictures.
 struct PassRenderer {
     effects::Choice choice;
     std::function<DrawPass()> make_worker;
@@ -116,7 +116,7 @@ std::string text_of(const char* format, double number) {
     return text;
 }
 
-// The result of refining: the error, and how the samples are spread.
+// What the program prints about a refined picture: its error, and how many samples the pixels took.
 std::string result(const Refinement& refinement, int width, int height) {
     int fewest = refinement.passes_at(0, 0), most = fewest;
     double sum = 0;
@@ -157,8 +157,8 @@ void check_together(const app::Settings& settings) {
                                   "many samples it needs");
 }
 
-// Refines until `end`, in rounds. Each round takes half of the passes that there is still time for,
-// so that the last round begins with a good guess.
+// Refines until `end`, in rounds. Each round draws half of the passes for which there is still
+// time, so that this number is well known before the last round.
 void refine_within(Refinement& refinement, Clock::time_point start, Clock::time_point end) {
     for (Clock::time_point now; (now = Clock::now()) < end;) {
         const std::chrono::duration<double> spent = now - start, left = end - now;

@@ -1,6 +1,7 @@
 #pragma once
-// Chapter 12's part of what chapter 11 adds to this program: scenes with meshes. There is one
-// renderer for them, with all effects, because more renderers would take minutes to compile.
+// What chapter 11 adds to chapter 08's program, for scenes with meshes (chapter 12). There is only
+// one renderer for such scenes, with all effects, because more renderers would take minutes to
+// compile.
 
 #include <rt/refinement.hpp>
 
@@ -8,7 +9,7 @@
 
 namespace effects {
 
-// Passes of samples from Sobol's sequence, or jittered ones.
+// Passes of Sobol's points, or of jittered samples.
 rt::DrawPass make_meshed_passes(const rt::SceneDescription& scene, int width, int height,
                                 const rt::Quality& quality, bool sobol);
 // Draws each tile, filtered with a tent.

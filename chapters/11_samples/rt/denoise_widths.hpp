@@ -4,15 +4,15 @@
 
 namespace rt {
 
-// What is known of a pixel, itself free of noise: the surface that its eye ray meets.
+// What is known about a pixel, without any noise: the surface that its eye ray meets.
 struct Features {
     Color albedo;  // may be more than 1 for a lamp
     Vec3 normal;   // 0 for the sky
 };
 
-// How far a pixel's light may spread. Where two pixels are one width apart, the weight is
-// multiplied by exp(-1/2), which is 0.61. Widths are greater than 0; an infinite width switches its
-// part off.
+// How far a pixel's light may spread: a width for each of three distances, in the picture, between
+// albedos and between normals. A distance of one width multiplies the weight by exp(-1/2), which is
+// 0.61. Widths are greater than 0; with an infinite width, its distance does not count.
 struct DenoiseWidths {
     int radius = 6;  // pixels; those farther away across or down do not count; 0 or more
     Real space = 3;  // pixels

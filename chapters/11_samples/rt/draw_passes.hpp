@@ -7,8 +7,9 @@
 
 namespace rt {
 
-// Passes of a renderer (given), which must outlive them. samples_of(pass) gives the samples of a
-// pixel. The picture's first column is the renderer's column `left`.
+// Draws passes with a renderer (given), which must outlive the result. samples_of(pass) returns the
+// samples that a pass takes in each pixel. Column 0 of the image is column `left` of the renderer's
+// picture.
 template <class AnyRenderer, class SamplesOf>
 DrawPass draw_passes(const AnyRenderer& renderer, int left, const SamplesOf& samples_of) {
     return [&renderer, left, samples_of](const Tile& tile, const Pass& pass, Image& image,
@@ -27,19 +28,19 @@ DrawPass jittered_passes(const AnyRenderer& renderer, int count) {
     });
 }
 
-// The next `count` of Sobol's points in each pixel.
+// The samples of a pass: the next `count` of Sobol's points in each pixel.
 inline SobolSamples sobol_samples(const Pass& pass, int count) {
     return {pass.seed, count, static_cast<std::uint32_t>(pass.number * count)};
 }
 
-// Passes with these points.
+// Passes with the next `count` of Sobol's points in each pixel.
 template <class AnyRenderer>
 DrawPass sobol_passes(const AnyRenderer& renderer, int count, int left = 0) {
     return draw_passes(renderer, left,
                        [count](const Pass& pass) { return sobol_samples(pass, count); });
 }
 
-// Passes that keep their renderer alive: of Sobol's points, or of jittered samples.
+// Passes of Sobol's points or of jittered samples, which keep their renderer alive.
 template <class AnyRenderer>
 DrawPass kept_passes(std::shared_ptr<const AnyRenderer> renderer, int count, bool sobol) {
     return [renderer,

@@ -3,8 +3,8 @@
 
 namespace rt {
 
-// A point of the unit square, each coordinate as the 32 bits after its binary point: 0x80000000 is
-// one half, 0x40000000 a quarter, and the fraction itself is x / 2^32.
+// A point of the unit square. Each coordinate is stored as the 32 bits after its binary point:
+// 0x80000000 is one half, 0x40000000 is a quarter, and x stands for the fraction x / 2^32.
 struct FixedPoint2 {
     std::uint32_t x = 0, y = 0;
 

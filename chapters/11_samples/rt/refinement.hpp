@@ -25,12 +25,12 @@ struct Pass {
     int number = 0;
 };
 
-// The seed of a pass that shares no samples with others.
+// A seed for a pass, so that no two passes share samples.
 inline std::uint64_t seed_of(const Pass& pass) {
     return mix_bits(pass.seed) + static_cast<std::uint64_t>(pass.number);
 }
 
-// Draws a pass of a tile's pixels into the image; the rays that it took are added to `rays`.
+// Draws a pass of a tile's pixels into the image, and adds the number of rays to `rays`.
 using DrawPass = std::function<void(const Tile&, const Pass&, Image& image, std::uint64_t& rays)>;
 
 // How a picture is refined (given).
@@ -41,20 +41,20 @@ struct RefinementPlan {
     std::function<DrawPass()> make_worker;  // one for each thread
     // Says whether to stop early; called before each pass of a tile.
     std::function<bool()> is_over = [] { return false; };
-    // Is told how many passes of tiles come next.
+    // Called before each round, with the number of its passes, summed over all tiles.
     std::function<void(std::int64_t passes)> on_round = [](std::int64_t) {};
 };
 
 // A picture in two independent halves (given). Each half takes more samples where the other half
-// found more noise. The picture depends on the plan's picture and seed and on the calls, never on
-// the number of threads.
+// found more noise. The picture depends on what the plan draws, on its seed and on the calls, but
+// never on the number of threads.
 //
-// The halves share samples among the tiles crosswise: each half decides for the other, which keeps
-// each tile unbiased. The total number of samples is not decided crosswise: refine_to stops
-// according to the error that both halves show together. If the error is spread over many pixels,
-// this does no harm. But if nearly all of the error is in samples that are rare and very bright,
-// refine_to stops early if no such sample has come, and goes on if one has: it loses up to half of
-// their light. refine_with loses none, because its number of passes is fixed in advance.
+// Each half decides how many samples every tile gets in the other half, which keeps each tile
+// unbiased. But both halves together decide the total number of samples in refine_to, which stops
+// according to the error estimated from both. If the error is spread over many pixels, this does no
+// harm. But if samples that are rare and very bright cause nearly all of the error, refine_to stops
+// early if no such sample has come, and goes on if one has: it loses up to half of the light of
+// such samples. refine_with loses none, because its number of passes is fixed in advance.
 class Refinement {
   public:
     explicit Refinement(RefinementPlan plan)
@@ -64,11 +64,11 @@ class Refinement {
           tiles_(static_cast<std::size_t>(tile_count(plan_.grid))),
           workers_(static_cast<std::size_t>(plan_.threads)) {}
 
-    // Draws the first passes of all tiles, 2 or more in each half: they tell where there is noise.
-    // A tile's share of all later passes depends on these passes alone.
+    // Draws the first passes of all tiles, `passes` in each half. With 2 or more, they tell where
+    // there is noise. A tile's share of all later passes depends on these passes alone.
     void draw_pilot(int passes) {
         least_ = passes;
-        // One pass of everything first, so that there is a picture soon.
+        // One pass of all tiles comes first, so that there is a picture soon.
         draw([](const TileState&) { return Halves<int>{1, 1}; });
         draw([passes](const TileState&) { return Halves<int>{passes, passes}; });
         Halves<double> sum;
@@ -81,10 +81,10 @@ class Refinement {
                         static_cast<Real>(sum.second / count)};
     }
 
-    // Refines until error() is at most this. Each round aims at the target, but at no less than
-    // half of the previous round's aim (in the first round: half of the present error).
+    // Refines until error() is at most `target`. Each round aims at the target, or at half of the
+    // previous round's aim if that is larger (in the first round, at half of the present error).
     void refine_to(Real target) {
-        Real aim = infinity;  // the error for which counts were computed
+        Real aim = infinity;  // the error for which the last counts were computed
         while (!plan_.is_over()) {
             const Real now = error();
             if (now <= target) return;
@@ -96,9 +96,9 @@ class Refinement {
         }
     }
 
-    // Refines until this many passes of tiles are drawn, half of them in each half of the picture,
-    // up to a difference of one pass per tile. So that no half judges itself, each half aims at an
-    // error of its own, which follows from what the other half has seen.
+    // Refines until this many passes are drawn, summed over all tiles, give or take one pass per
+    // tile. Each half of the picture gets half of the passes. So that no half judges itself, each
+    // half aims at an error of its own, which follows from what the other half has seen.
     void refine_with(std::int64_t passes) {
         const Halves<Real> aim{aim_of<&Halves<int>::first>(passes / 2),
                                aim_of<&Halves<int>::second>(passes - passes / 2)};
@@ -108,7 +108,7 @@ class Refinement {
     }
 
     // The root mean square error of the picture's channels, estimated from the difference of the
-    // halves. Infinite before each half has a pass of every tile.
+    // halves. Infinite until each half has a pass of every tile.
     Real error() const {
         double sum = 0;
         bool is_known = true;
@@ -150,12 +150,12 @@ class Refinement {
         return half;
     }
 
-    // How many passes both halves have at a pixel.
+    // How many passes both halves together have at a pixel.
     int passes_at(int x, int y) const {
         const Halves<int> drawn = tile_of(x, y).drawn;
         return drawn.first + drawn.second;
     }
-    // How many passes all tiles have in both halves.
+    // The number of passes in both halves, summed over all tiles.
     std::int64_t passes() const {
         return std::accumulate(tiles_.begin(), tiles_.end(), std::int64_t{0},
                                [](std::int64_t sum, const TileState& tile) {
@@ -163,7 +163,7 @@ class Refinement {
                                });
     }
     std::uint64_t rays() const { return rays_; }
-    // The share of the picture that has been drawn at all, 0 to 1.
+    // The share of the picture's tiles that have a pass, 0 to 1.
     double share() const {
         const auto begun = std::count_if(tiles_.begin(), tiles_.end(), [](const TileState& tile) {
             return tile.drawn.first > 0;
@@ -174,14 +174,15 @@ class Refinement {
   private:
     struct TileState {
         Halves<int> drawn;    // passes
-        Halves<Real> spread;  // the standard deviation of a channel of a pass
+        Halves<Real> spread;  // the standard deviation of a pass, in one channel
     };
     static constexpr int most_passes = 1 << 24;  // nobody waits for more
 
     Halves<int> counts(const TileState& tile, Real aim) const {
         return crossed_counts(tile.spread, mean_spread_, aim, {least_, most_passes});
     }
-    // How many passes one half will have in all if it goes on to this aim.
+    // The number of passes, summed over all tiles, that one half will have if it aims at this
+    // error.
     template <int Halves<int>::*half>
     std::int64_t planned(Real aim) const {
         std::int64_t sum = 0;
@@ -189,7 +190,7 @@ class Refinement {
             sum += std::max(counts(tile, aim).*half, tile.drawn.*half);
         return sum;
     }
-    // The smallest aim for which one half needs no more than these passes.
+    // The smallest aim for which one half needs no more than this many passes.
     template <int Halves<int>::*half>
     Real aim_of(std::int64_t passes) const {
         // Searches for the logarithm of the error, between bounds that are wide enough
@@ -246,8 +247,8 @@ class Refinement {
         });
     }
 
-    // Draws one half of a tile until it has `passes` passes. If these are the pilot, they determine
-    // the half's spread.
+    // Draws one half of a tile until it has `passes` passes. If these passes are the pilot, they
+    // determine the half's spread.
     template <ColorSum Halves<ColorSum>::*half>
     void draw_half(const DrawPass& draw_pass, const Tile& tile, std::uint64_t seed, int passes,
                    int& drawn, Real& spread) {
@@ -283,7 +284,7 @@ class Refinement {
 
     RefinementPlan plan_;
     Canvas<Halves<ColorSum>> sums_;  // of both halves' passes
-    Image pass_;                     // the pass that is being drawn; each tile is one worker's
+    Image pass_;                     // the pass being drawn; each worker writes its own tile
     std::vector<TileState> tiles_;
     std::vector<DrawPass> workers_;
     std::atomic<std::uint64_t> rays_ = 0;

@@ -7,12 +7,12 @@
 
 namespace rt {
 
-// Sobol's sequence in eight dimensions has the two of 11.4 and six more (given). As there, each bit
-// of the index stands for a column, and a coordinate is the exclusive or of the columns whose bits
-// are 1. Only the columns are different. In each coordinate, the first few are chosen, and a
-// primitive polynomial modulo 2 determines the rest. Of the points k 2^m ... (k + 1) 2^m - 1,
-// exactly one is in each of 2^m equal parts of each coordinate, and boxes in several coordinates
-// are filled nearly as evenly.
+// Sobol's sequence in eight dimensions: the two coordinates of 11.4, and six more (given). As in
+// 11.4, each bit of the index stands for a column, and a coordinate is the exclusive or of the
+// columns whose bits are 1. Each coordinate has columns of its own: the first few are chosen, and a
+// primitive polynomial modulo 2 determines the rest. If the range of a coordinate is divided into
+// 2^m equal parts, each part contains exactly one of the points k 2^m ... (k + 1) 2^m - 1. Boxes in
+// several coordinates are filled nearly as evenly.
 inline constexpr std::uint32_t sobol_dimensions = 8;
 
 using SobolColumns = std::array<std::uint32_t, 32>;
@@ -25,7 +25,7 @@ inline constexpr auto sobol_columns = [] {
         std::size_t degree;
         std::uint32_t inner;  // the coefficients between the first and the last one
         std::array<std::uint32_t, 5>
-            first;  // of the columns, as odd numbers: column k has k + 1 bits
+            first;  // the first columns, as odd numbers: column k has k + 1 bits
     };
     constexpr std::array<Polynomial, sobol_dimensions - 2> polynomials{{{2, 1, {1, 3}},
                                                                         {3, 1, {1, 3, 1}},
@@ -59,8 +59,8 @@ inline std::uint32_t sobol_coordinate(std::uint32_t dimension, std::uint32_t ind
 // All coordinates of a point.
 using SobolCoordinates = std::array<std::uint32_t, sobol_dimensions>;
 
-// The points, from a table. The point of an index is the exclusive or of the points of the index's
-// bytes, so it is enough to store the points of each byte.
+// The points, computed from a table. The point of an index is the exclusive or of the points of the
+// index's four bytes, so it is enough to store a point for each value of each byte.
 class SobolTable {
   public:
     static const SobolTable& get() {

@@ -10,16 +10,16 @@
 
 namespace rt {
 
-// The random numbers of one sample of a pixel (given), for use wherever an Rng is used. The first
-// eight are a point of Sobol's sequence in eight dimensions, with each coordinate scrambled on its
-// own, and differently in each pixel. So over the samples of the pixel, the positions in the pixel,
-// on the lens and in time, and the first bounces, are spread evenly together, and not only each for
-// itself. Later numbers are independent, because evenness gains hardly anything there.
+// The random numbers of one sample of a pixel (given). They can replace an Rng anywhere. The first
+// eight numbers are a point of Sobol's sequence in eight dimensions, with each coordinate scrambled
+// on its own, and differently in each pixel. So the samples of a pixel are evenly spread over the
+// pixel, the lens, the time and the directions of the first bounces, and over combinations of
+// these, too. Later numbers are independent, because there, even spacing hardly gains anything.
 //
-// A single sample is as random as with an Rng, so its mean is right. The samples are not
-// independent of each other: samples 2 j and 2 j + 1 are in opposite halves in each of the eight
-// numbers. The gain is greatest with 8, 16, 32 ... samples. Source of the scrambling of each
-// coordinate: Burley, "Practical hash-based Owen scrambling", JCGT 2020.
+// A single sample is as random as with an Rng, so the mean is unbiased. But the samples are not
+// independent of each other: in each of the eight numbers, samples 2 j and 2 j + 1 are in opposite
+// halves of [0, 1). The gain is greatest with 8, 16, 32 ... samples. Source of the scrambling of
+// each coordinate: Burley, "Practical hash-based Owen scrambling", JCGT 2020.
 class SobolRandom {
   public:
     // The scrambling of one pixel's numbers.
@@ -35,11 +35,11 @@ class SobolRandom {
         }
     };
 
-    // A sample of this pixel, and its point of the sequence.
+    // The numbers of one sample of this pixel; `point` is the sample's point of the sequence.
     SobolRandom(const Pixel& pixel, std::uint32_t sample, const SobolCoordinates& point)
         : pixel_{pixel.key}, sample_{sample} {
-        // The processor scrambles all eight at once, which takes less time than scrambling one by
-        // one the numbers that a path draws.
+        // The processor scrambles all eight numbers at once. This takes less time than scrambling
+        // only those that a path draws, one by one.
 #pragma omp simd
         for (std::size_t i = 0; i < sobol_dimensions; ++i)
             first_[i] = fraction(owen_scrambled(point[i], pixel.seeds[i]));
@@ -76,14 +76,15 @@ class SobolRandom {
     std::uint32_t sample_ = 0, number_ = 0;
 };
 
-// Samples of a pixel from Sobol's sequence (given): numbers first ... first + count - 1 of the
-// sequence that belongs to the seed and the pixel. See JitteredSamples.
+// Samples of a pixel from Sobol's sequence (given): points first ... first + count - 1 of the
+// sequence, scrambled for this seed and pixel. See JitteredSamples.
 struct SobolSamples {
     std::uint64_t seed = 1;
     int count = 1;
     std::uint32_t first = 0;
 
-    // Calls visit(parts...) for each sample of a pixel, with the parts of its SobolRandom.
+    // Calls visit(parts...) for each sample of a pixel, with the arguments that make its
+    // SobolRandom.
     template <class Visit>
     void each(int column, int row, const Visit& visit) const {
         const SobolRandom::Pixel pixel{seed, column, row};
@@ -91,7 +92,8 @@ struct SobolSamples {
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i)
             visit(pixel, first + i, points[first + i]);
     }
-    // Calls keep(offset, light) for each sample: where it is in the pixel, and path(ray, random).
+    // Calls keep(offset, light) for each sample: `offset` is its position in the pixel, and `light`
+    // is the result of path(ray, random).
     template <class AnyCamera, class Path, class Keep>
     void each(const AnyCamera& camera, int column, int row, const Path& path,
               const Keep& keep) const {

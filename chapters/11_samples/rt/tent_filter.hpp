@@ -12,7 +12,8 @@
 
 namespace rt {
 
-// Sobol's points of a pixel (given), each handed over as keep(offset, light) instead of averaged.
+// Sobol's points of a pixel (given). Instead of averaging the samples, it calls keep(offset, light)
+// for each of them.
 template <class Keep>
 struct KeptSamples {
     SobolSamples samples;
@@ -26,18 +27,18 @@ struct KeptSamples {
 };
 
 // The samples of a tile, weighted with a tent as the reconstruction filter (given). A sample counts
-// for every pixel whose middle is less than a pixel away, across and down: at the distance (x, y),
-// its weight is (1 - |x|) (1 - |y|). So four pixels share it, with weights that add up to 1. A
-// pixel is the mean of its samples with these weights.
+// for every pixel whose middle is less than one pixel away, both across and down: at the distance
+// (x, y), its weight is (1 - |x|) (1 - |y|). So each sample counts for four pixels, with weights
+// that add up to 1. A pixel's color is the weighted mean of its samples.
 class TentSums {
   public:
     explicit TentSums(const Tile& tile)
         : tile_{tile},
           sums_{tile.right - tile.left + 2 * border, tile.bottom - tile.top + 2 * border} {}
 
-    // The pixels that are sampled, including those just outside of the tile. Their samples are the
-    // same as in the next tile, and they are added in the picture's order, so that a pixel's color
-    // does not depend on tiles and threads.
+    // The pixels that are sampled, including those just outside of the tile. A pixel has the same
+    // samples in every tile that uses it, and they are added in the picture's order, so that a
+    // pixel's color does not depend on tiles or threads.
     Tile sampled() const {
         return {tile_.left - 1, tile_.top - 1, tile_.right + 1, tile_.bottom + 1};
     }
@@ -64,12 +65,12 @@ class TentSums {
     }
 
   private:
-    // Red, green and blue, and the weights, added in double for the reason of ColorSum.
+    // Red, green, blue and the weight, each added in double for the same reason as in ColorSum.
     using Sum = std::array<double, 4>;
-    using Eight = PackOf<Real, 8>;  // of two neighbors in a row
+    using Eight = PackOf<Real, 8>;  // for two neighboring pixels in a row
     using Sums = PackOf<double, 8>;
-    // Samples count for pixels up to this far beyond the tile. These pixels have room, too, so no
-    // test is needed.
+    // A sample may count for a pixel this far outside of the tile. There is room for such pixels,
+    // so no test is needed.
     static constexpr int border = 2;
 
     Sum& at(int x, int y) { return sums_.at(x - tile_.left + border, y - tile_.top + border); }
@@ -108,8 +109,8 @@ void draw_with_tent(BatchRenderer<effects, SobolPoints>& renderer, const SobolSa
     sums.write(image);
 }
 
-// A function of tile, seed, image and rays that does the same with a renderer, which it keeps
-// alive. It returns the number of pixels.
+// Returns a function (tile, seed, image, rays) that draws a tile in the same way and returns the
+// number of its pixels. The function keeps the renderer alive.
 template <class AnyRenderer>
 auto kept_tent(std::shared_ptr<const AnyRenderer> renderer, int count) {
     return [renderer, count](const Tile& tile, std::uint64_t seed, Image& image,

@@ -10,12 +10,12 @@
 
 namespace rt {
 
-// The weight of pixel b's light for pixel a; b is `across` and `down` pixels away (either may be
-// negative, and large). It is exp(-d / 2), where d is the sum of the squares of three distances,
+// The weight of pixel b's light for pixel a; b is `across` and `down` pixels away (each may be
+// negative, or large). It is exp(-d / 2), where d is the sum of the squares of three distances,
 // each divided by its width before it is squared: in the picture, sqrt(across^2 + down^2); between
 // the albedos, as vectors of three channels; and between the normals. So a pixel has weight 1 for
-// itself, and every other pixel has less, the farther away it is and the more its surface differs.
-// No square may overflow or vanish because a width is small. Source: Tomasi and Manduchi,
+// itself. The farther away another pixel is, and the more its surface differs, the less weight it
+// has. No square may overflow or vanish because a width is small. Source: Tomasi and Manduchi,
 // "Bilateral filtering for gray and color images", ICCV 1998; with features instead of colors:
 // Petschnigg et al., "Digital photography with flash and no-flash image pairs", SIGGRAPH 2004.
 inline Real bilateral_weight(int across, int down, const Features& a, const Features& b,
@@ -29,16 +29,15 @@ inline Real bilateral_weight(int across, int down, const Features& a, const Feat
     return portable::exp(-(x * x + y * y + color + dot(normal, normal)) / 2);
 }
 
-// The picture, with the light of each pixel averaged over the pixels around it. Pixel a uses all
-// pixels b of the picture that are at most `radius` columns and at most `radius` rows away,
-// including itself: the sum of weight times light, divided by the sum of the weights. At the border
-// of the picture there are fewer such pixels.
+// The denoised picture. Each pixel a gets the average light of the pixels b at most `radius`
+// columns and rows away, including itself: the sum of weight times light, divided by the sum of the
+// weights. At the border of the picture there are fewer such pixels.
 //
-// The average is over the light that falls on the surfaces: in each channel, the picture divided by
-// the albedo of b. The result is multiplied by the albedo of a, so a texture stays as sharp as it
-// is. Both times, an albedo less than `darkest` counts as `darkest`: there is no division by 0, and
-// the little light that a dark surface sends back cannot make its neighbors bright. The weights use
-// the albedo as it is. `features` is as large as the picture.
+// The light of b is the light that falls on its surface: in each channel, its color divided by its
+// albedo. The average is multiplied by the albedo of a, so a texture stays sharp. In both steps, an
+// albedo less than `darkest` counts as `darkest`: there is no division by 0, and the little light
+// that a dark surface reflects cannot make its neighbors bright. In the weights, albedos are not
+// changed. `features` is as large as the picture.
 inline Image denoised(const Image& picture, const Canvas<Features>& features,
                       const DenoiseWidths& widths) {
     const auto divisor = [&](const Color& albedo) {
@@ -51,7 +50,8 @@ inline Image denoised(const Image& picture, const Canvas<Features>& features,
             const Features& here = features.at(x, y);
             Color sum;
             Real weights = 0;
-            // The pixel's distance from the border is compared: x + radius may overflow.
+            // The radius is compared with the distance to the border, because x + radius may
+            // overflow.
             const int right = x + std::min(widths.radius, picture.width() - 1 - x);
             const int bottom = y + std::min(widths.radius, picture.height() - 1 - y);
             for (int j = std::max(y - widths.radius, 0); j <= bottom; ++j)

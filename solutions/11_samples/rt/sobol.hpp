@@ -25,9 +25,10 @@ inline std::uint32_t reversed_bits(std::uint32_t x) {
 inline FixedPoint2 sobol_point(std::uint32_t index) {
     const std::uint32_t x = reversed_bits(index);
     // Pascal's triangle modulo 2 is three copies of a triangle of half its height, and zeros. So
-    // the first 16 digits of y combine those that each half of the index would have alone, and the
-    // others are those of the second half. Each half is made of its own halves in the same way,
-    // down to single digits: five steps instead of up to 32 columns.
+    // the 32 digits of y follow from the 16 digits that each half of x would give alone: the first
+    // half of y is the exclusive or of both results, and the second half is the result for the
+    // second half of x. The same holds for each half and its own halves, down to single digits:
+    // five steps instead of up to 32 columns.
     std::uint32_t y = x;
     y ^= (y & 0x55555555u) << 1;
     y ^= (y & 0x33333333u) << 2;
@@ -42,21 +43,22 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // so on. Whether a bit of the fraction is flipped thus depends on the seed and on all higher bits,
 // and on no lower bit. If two fractions agree in their first n bits and differ in the next bit, so
 // do their results. Over all seeds, the seven flips of the first three bits have each of their 128
-// patterns equally often. Each later flip happens half of the time, and any two are unrelated; 32
-// bits of a seed cannot make all of them independent. All bits of the seed count: seed + 1 gives a
-// different scrambling, in which a flip may be the opposite, as the first one is here.
+// patterns equally often. Each later flip happens half of the time, and any two flips are
+// unrelated; 32 bits of a seed cannot make all flips independent. All bits of the seed count: seed
+// + 1 gives a different scrambling. (A single flip may then always be the opposite, as the first
+// flip is here.)
 //
 // Scrambling needs a hash, and any good one will do. The one here works on x, the fraction with its
 // bits reversed. In x, the higher bits of the fraction are to the right, and a product or a sum
 // carries only to the left. The steps in their order:
 // x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 & ~1), x ^= seed >> 8, x ^= x * 0x53a22864.
 // Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and
-// Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the two numbers: Vegdahl,
+// Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the two factors: Vegdahl,
 // "Building a better LK hash", 2021.
 inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     std::uint32_t x = reversed_bits(fraction);
-    // The factors are even: a bit is changed by the bits before it, and not by itself, which could
-    // undo the change. Three parts of the seed meet the first bits, each in a different way.
+    // The factors are even, so a bit of x is changed by lower bits only: if it also changed itself,
+    // it could be lost. Three parts of the seed change the lowest bits, each in a different way.
     x ^= x * 0x3d20adeau;
     x += seed;
     x ^= x * (seed >> 16 & ~1u);

@@ -22,8 +22,8 @@ inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limit
 
 // How many samples of a part of the picture each half takes in all. What one half has seen, its
 // spread and mean_spread, decides for the other half: no sample decides when its own mean is good
-// enough, so both means stay unbiased. The mean of both halves is to have this error. Each half may
-// then have sqrt(2) times that error, because the halves err almost independently.
+// enough, so both means stay unbiased. The mean of both halves should have this error. Each half
+// may then have sqrt(2) times that error, because the halves err almost independently.
 inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error,
                                   CountLimits limits) {
     const Real of_each = error * std::numbers::sqrt2_v<Real>;
@@ -32,8 +32,8 @@ inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread,
 }
 
 // The mean of both halves. Each half has the same weight, however many samples it took: the counts
-// follow what the halves have seen, so weights that follow the counts would bring back a bias. The
-// result is finite if both means are.
+// depend on what the halves have seen, so weights that depend on the counts would bring the bias
+// back. The result is finite if both means are finite.
 inline Real twin_mean(Halves<Real> mean) {
     return mean.first / 2 + mean.second / 2;
 }
