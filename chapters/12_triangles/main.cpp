@@ -2,7 +2,7 @@
 //
 // To read in five minutes: make_scene() at the end of scene.hpp says what is in the picture, and
 // render() below draws it, tile by tile. A path is followed as in chapter 08. What is new is the
-// tree of triangles beside that of spheres, and MeshMaterials, which scatter light by smooth
+// tree of triangles beside the tree of spheres, and MeshMaterials, which scatters light with smooth
 // normals.
 
 #include <algorithm>

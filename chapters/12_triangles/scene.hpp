@@ -13,7 +13,7 @@ namespace triangles {
 
 using namespace rt;
 
-// What the scene calls for.
+// The effects that the scene calls for.
 inline constexpr Effects scene_effects{
     .fuzz = true, .glass = true, .texture = true, .lens = true, .lights = true};
 
@@ -25,7 +25,7 @@ inline View scene_view() {
     return view;
 }
 
-// Waves that are steeper at their crests than in their troughs: each point goes around a circle.
+// Waves whose crests are sharper than their troughs: each point of the water goes around a circle.
 // Source: Gerstner, "Theorie der Wellen", 1804.
 class Sea {
   public:
@@ -45,8 +45,8 @@ class Sea {
         }
     }
 
-    // Where the point that rests at (x, z) is, and how much the surface is squeezed there: 1 at
-    // rest, less on crests.
+    // Where the waves take the point that is at (x, z) in a calm sea, and `width`, which tells how
+    // much they squeeze the surface there: 1 in a calm sea, less on crests.
     struct Point {
         Vec3 at;
         double width;
@@ -79,8 +79,8 @@ class Sea {
     std::vector<Wave> waves_;
 };
 
-// The sea around the picture's middle as two meshes, water and foam, of about this many triangles:
-// n x n squares, which grow with their distance from the camera.
+// The sea around the picture's middle, as two meshes, water and foam, with about `count` triangles
+// in all: n x n squares, which grow with their distance from the camera.
 struct SeaMeshes {
     Mesh water, foam;
 };
@@ -118,13 +118,13 @@ inline SeaMeshes make_sea(int count) {
     return meshes;
 }
 
-// What is painted on the pot: rows of arcs, the Japanese pattern of waves (seigaiha).
+// The painting on the pot: rows of arcs, the Japanese wave pattern seigaiha.
 inline Image make_glaze() {
     constexpr int width = 1024, height = 512;
     constexpr double across = 64;  // the width of an arc, in pixels
     return make_image(width, height, [](int x, int y) {
         const Color white = from_hex(0xf3ead8), blue = from_hex(0x1b3f77);
-        // Of the arcs around this pixel, the lowest row is in front.
+        // Where arcs overlap, the arc of the lowest row is in front.
         double ring = 1;
         for (int row = static_cast<int>(y / (across / 4)) - 4; row < height; ++row) {
             const double cy = row * across / 4 + across / 2;
@@ -145,7 +145,7 @@ struct Scene {
     SceneMeshes meshes;
 };
 
-// The scene, with about this many triangles in all.
+// The scene, with about `count` triangles in all.
 inline Scene make_scene(int count, const View& view) {
     Scene scene;
     SceneDescription& description = scene.description;

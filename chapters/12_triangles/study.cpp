@@ -35,7 +35,7 @@ void for_each_way(const std::vector<SceneTriangle>& all, const Each& do_for) {
     do_for("planes made before", made<Planes>(all));
 }
 
-// Rays from inside a closed ball, to points of its edges or to anywhere.
+// Rays from inside a closed ball, toward points on its edges or in random directions.
 std::vector<Ray> rays_inside(const std::vector<SceneTriangle>& ball, int count, bool to_edges) {
     Rng random{12, to_edges ? 2u : 3u};
     std::vector<Ray> rays;
@@ -87,8 +87,7 @@ void study_cost(study::Report& report) {
     report.time_in_turns();
 }
 
-// How far t is off for needles, which are long, thin triangles, in units in the last place of the
-// distance.
+// How far t is off for needles (long, thin triangles), in units in the last place of t.
 void study_needles(study::Report& report) {
     using Exact = study::DoubleDouble;
     using ExactVec3 = Vec3Of<Exact>;

@@ -3,8 +3,8 @@
 
 namespace triangles {
 
-// What three ways to meet a triangle cost, how many rays slip through a closed mesh, and how far
-// off t is.
+// Measures three tests for a ray and a triangle: what each costs, how many rays slip through a
+// closed mesh, and how far off t is.
 void run_study(study::Report& report);
 
 }  // namespace triangles

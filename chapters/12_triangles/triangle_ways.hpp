@@ -1,5 +1,5 @@
 #pragma once
-// Three ways to meet a triangle, for the study and for the program that counts leaks.
+// Three tests for a ray and a triangle, for the study and for the program that counts leaks.
 
 #include <numbers>
 #include <optional>
@@ -13,7 +13,7 @@ namespace triangles {
 
 using namespace rt;
 
-// The plain answer of 12.1, by Möller and Trumbore.
+// The plain test of Möller and Trumbore: 12.1 without its star.
 struct Plain {
     Triangle triangle;
 
@@ -39,7 +39,7 @@ struct Plain {
     }
 };
 
-// The star of 12.1.
+// The watertight test: 12.1 with its star.
 struct Watertight {
     Triangle triangle;
 
@@ -51,8 +51,9 @@ struct Watertight {
     }
 };
 
-// Three planes that are computed in advance: the triangle's own, and those in which the weights of
-// b and c grow from 0 to 1. Each test is then nine products for the numerators, and one division.
+// The test with three planes that are computed in advance: the triangle's own plane, and through
+// two edges, the planes in which the weight of b or c is 0. The test then takes 15 products and one
+// division.
 // Source: Havel and Herout, "Yet faster ray-triangle intersection", IEEE TVCG 16(3), 2010.
 struct Planes {
     struct Plane {

@@ -17,8 +17,9 @@ class TeapotBuilder {
   public:
     explicit TeapotBuilder(int n) : n_{n} {}
 
-    // Adds a patch, mirrored or not, with y up. The patch's first column is at `from` around the
-    // pot, and its last column at `to`.
+    // Adds a patch, with y up. It is mirrored along x or z if the factor mirror_x or mirror_z is
+    // -1. In the texture, the patch's first column is at x = `from`, and its last column at x =
+    // `to`.
     void add(const teapot::Patch& patch, Real mirror_x, Real mirror_z, Real from, Real to) {
         std::vector<Corner> corners;
         for (int row = 0; row <= n_; ++row)
@@ -58,8 +59,8 @@ class TeapotBuilder {
 
     Real share(int k) const { return static_cast<Real>(k) / static_cast<Real>(n_); }
 
-    // Points with the same coordinates become one: patches share their edges, and one edge of each
-    // patch in the middle of the lid or of the bottom is a single point.
+    // Points with the same coordinates become one point. Neighboring patches share their edges, and
+    // for the patches in the middle of the lid and of the bottom, one edge is a single point.
     int number_of(Vec3 p) {
         const auto [found, is_new] =
             numbers_.insert({{p.x, p.y, p.z}, static_cast<int>(mesh.points.size())});
@@ -76,7 +77,7 @@ class TeapotBuilder {
     std::map<std::array<Real, 3>, int> numbers_;
 };
 
-// Which of the teapot's patches: all, or those of a part.
+// A range of the teapot's patches: all patches, or those of a part.
 struct TeapotParts {
     std::size_t first = 0, end = teapot::patches.size();
 };
@@ -85,8 +86,9 @@ inline constexpr TeapotParts teapot_bottom{5, 6}, teapot_handle_and_spout{6, 10}
 
 // The teapot as a mesh with smooth normals and texture coordinates (given): each patch is cut into
 // n x n squares, n at least 1, and each square into two triangles. y is up, the spout points along
-// x, the bottom is at y = 0, and the body's radius is 2. Patches that meet share points. Even so
-// there are gaps, as Newell left them: below the lid, and where spout and handle run into the body.
+// x, the bottom is at y = 0, and the body's radius is 2. Neighboring patches share points. Even so,
+// there are gaps where Newell left them: below the lid, and where spout and handle run into the
+// body.
 inline Mesh make_teapot(int n, const TeapotParts& parts = whole_teapot) {
     TeapotBuilder builder{n};
     for (std::size_t i = parts.first; i < parts.end; ++i) {

@@ -9,7 +9,8 @@
 
 namespace rt {
 
-// What a hit of a triangle lacks (given): the weights of the corners, and what follows from them.
+// What a hit of a triangle does not contain (given): the weights of the corners, and what is
+// computed with them.
 
 // The weights of b and c at a point of a triangle.
 inline Vec2 weights_at(const Triangle& triangle, Vec3 point) {
@@ -20,7 +21,7 @@ inline Vec2 weights_at(const Triangle& triangle, Vec3 point) {
     return {dot(cross(from_a, ac), normal) / whole, dot(cross(ab, from_a), normal) / whole};
 }
 
-// The triangle of a hit, and where on it the hit is.
+// The triangle that was hit, and the weights of its corners at the hit.
 class MeshPlace {
   public:
     MeshPlace(const Mesh& mesh, const Hit& hit)
@@ -61,7 +62,7 @@ class MeshPlace {
     Vec2 weights_;
 };
 
-// The image that a material shows, if it is one that shows an image.
+// The image that the material of a hit shows, or null if it shows none.
 template <class Material>
 const Image* image_of(const MaterialList<Material>&, const Hit&) {
     return nullptr;
@@ -77,9 +78,9 @@ const Image* image_of(const MaterialSet<Types...>& set, const Hit& hit) {
     }
 }
 
-// The materials of a scene with meshes (given): on a triangle they scatter light according to its
-// smooth normal, and keep_side keeps the light on the right side of the flat triangle. Texture
-// coordinates of the mesh say where an image lies.
+// The materials of a scene with meshes (given): on a triangle, they scatter light with the smooth
+// normal, and keep_side keeps the light on the right side of the flat triangle. The texture
+// coordinates of the mesh say where an image lies on it.
 template <class Materials>
 struct MeshMaterials {
     Materials materials;
@@ -105,8 +106,9 @@ struct MeshMaterials {
     }
 };
 
-// The probability density with which a material on a mesh scatters light this way: the direction
-// can be the material's own choice, or one that keep_side has mirrored.
+// The probability density with which a material on a mesh scatters light in this direction. The
+// direction can be the material's own choice, or the mirror image of that choice, made by
+// keep_side.
 template <class Materials>
 Real scatter_density(const MeshMaterials<Materials>& set, const Hit& hit, Vec3 direction) {
     if (!is_triangle(hit)) return scatter_density(set.materials, hit, direction);

@@ -13,8 +13,9 @@ inline SceneMeshes meshes_of(const SceneDescription& scene) {
     return meshes;
 }
 
-// A scene with meshes, made ready for a renderer with these effects (given): what chapter 08 makes
-// ready, with the triangles in a tree of their own beside its world, and materials that know them.
+// A scene with meshes, made ready for a renderer with these effects (given): chapter 08's
+// ReadyScene, with the triangles in a tree of their own beside the spheres, and with materials that
+// know the mesh.
 template <Effects effects>
 struct MeshScene : ReadyScene<effects> {
     using Spheres = ReadyScene<effects>;

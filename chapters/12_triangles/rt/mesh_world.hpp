@@ -9,13 +9,14 @@
 
 namespace rt {
 
-// The triangles of a scene (given): one mesh made of all of the scene's meshes, with each in its
-// place, and each triangle's material.
+// The triangles of a scene (given): all meshes of the scene, put at their places and joined into
+// one mesh, and a list of all triangles with their materials.
 struct SceneMeshes {
     Mesh mesh;
     std::vector<SceneTriangle> triangles;
 
-    // Adds a mesh that a matrix, which must not be singular, places in the world.
+    // Adds a mesh. The matrix object_to_world, which must not be singular, takes its points to
+    // their places in the world.
     void add(const Mesh& part, const Mat4& object_to_world, int material) {
         const Mat4 back = inverse(object_to_world);
         const auto moved = [](int number, std::size_t by) {

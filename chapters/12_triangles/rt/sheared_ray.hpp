@@ -5,14 +5,14 @@
 
 namespace rt {
 
-// A ray as an axis (given). Space is moved so that the ray starts at (0, 0, 0), and then sheared so
-// that it runs along z. In the new coordinates, x and y tell how far a point is beside the ray, and
-// z is its t. All triangles that share a corner compute the same coordinates for it, to the last
-// bit.
+// A ray as the z-axis (given). Space is moved so that the ray starts at (0, 0, 0), and then sheared
+// so that the ray runs along z. In the new coordinates, x and y tell how far a point lies to the
+// side of the ray, and z is the t at which the ray passes it. All triangles that share a corner
+// compute the same coordinates for it, to the last bit.
 // Source: Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013.
 struct ShearedRay {
     Vec3 origin;
-    int x, y, z;  // the axes of space, turned so that the direction is longest along z
+    int x, y, z;  // the axes of space, reordered so that the direction is longest along z
     Real shear_x, shear_y, per_length;
 
     explicit ShearedRay(const Ray& ray) : origin{ray.origin} {

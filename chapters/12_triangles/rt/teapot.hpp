@@ -4,15 +4,15 @@
 
 namespace rt {
 
-// The Utah teapot (given): the control points of its Bézier patches, z up. The four quarters of
-// rim, body, lid and bottom, and the two halves of handle and spout, are mirror images of each
-// other, so that 10 patches of 32 are enough. Source: Martin Newell, 1975; the numbers are in Crow,
-// "The origins of the teapot", IEEE Computer Graphics and Applications 7(1), 1987. The bottom was
-// added later; it is in the version of the Graphics Library Utility Toolkit, 1994.
+// The Utah teapot (given): the control points of its Bézier patches, with z up. The four quarters
+// of rim, body, lid and bottom, and the two halves of handle and spout, are mirror images of each
+// other, so that 10 of the 32 patches are enough. Source: Martin Newell, 1975; the numbers are in
+// Crow, "The origins of the teapot", IEEE Computer Graphics and Applications 7(1), 1987. The bottom
+// was added later; its points are those of the Graphics Library Utility Toolkit, 1994.
 namespace teapot {
 
 using Patch = std::array<int, 16>;
-inline constexpr std::size_t four_quarters = 6;  // of the patches; the others have two halves
+inline constexpr std::size_t four_quarters = 6;  // so many patches; the others have two halves
 inline constexpr std::array<Patch, 10> patches{{
     {102, 103, 104, 105, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},    // rim
     {12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27},  // body

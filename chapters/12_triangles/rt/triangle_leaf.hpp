@@ -12,7 +12,7 @@ namespace rt {
 // that the ray may meet. hit_triangle then tests these, so each t is that of 12.1, bit for bit.
 template <>
 struct alignas(64) WideLeaf<SceneTriangle> {
-    // Coordinates by corner, then by axis. Unused lanes hold NaN: no ray hits them.
+    // Coordinates by corner, then by axis. Unused lanes hold NaN, so that no ray hits them.
     std::array<std::array<Lanes<Real>, 3>, 3> corner;
     Lanes<std::int32_t> number{}, material{};
 
@@ -43,9 +43,9 @@ struct alignas(64) WideLeaf<SceneTriangle> {
 };
 using TriangleLeaf = WideLeaf<SceneTriangle>;
 
-// A part of a leaf's triangles as seen from a ray (given), with the arithmetic of ShearedRay::seen
-// and area_before. Rounding may turn a difference of products into 0, but never gives it the wrong
-// sign. So if two areas have opposite signs, the ray misses the triangle.
+// Some of a leaf's triangles, as seen along a ray (given), with the formulas of ShearedRay::seen
+// and area_before. Here, rounding may turn a difference of products into 0, but it never gives it
+// the wrong sign. So if two areas of a triangle have opposite signs, the ray misses the triangle.
 struct TrianglePart {
     std::array<Reals, 3> x, y;
 
@@ -69,8 +69,8 @@ struct TrianglePart {
     }
 };
 
-// Tries the triangles of a leaf between min and best.t, and returns whether best has changed. Of
-// equally near triangles, the one with the highest number counts.
+// Looks for hits of a leaf's triangles at a t from min to best.t, and returns whether `best` has
+// changed. Of equally near triangles, the one with the highest number counts.
 RT_INLINED bool hit_leaf(const TriangleLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
     const ShearedRay sheared{ray};
     unsigned candidates = 0;

@@ -3,9 +3,10 @@
 
 namespace rt {
 
-// Which of a scene's triangles was hit (given). A triangle is no light, so a hit keeps the
-// triangle's number in the member for a light's number, as a value below -1, which that member
-// never has in a sphere's hit. A member of its own would make each hit of a sphere longer, too.
+// The number of the triangle that was hit, among the scene's triangles (given). A triangle is no
+// light, so a hit stores the triangle's number in `light`, the member for a light's number, as a
+// value less than -1. In a sphere's hit, `light` never has such a value. A member of its own would
+// also make every hit of a sphere larger.
 constexpr int kept_as_light(int triangle) {
     return -2 - triangle;
 }

@@ -6,23 +6,24 @@
 
 namespace rt {
 
-// Two pixels side by side, and the weight of the second in a color between their middles.
+// Two neighboring pixels, and the weight of the second pixel when their colors are mixed.
 struct PixelPair {
     std::array<int, 2> pixel{};
     Real share;
 };
 
-// The pair for a position along a side of this many pixels. Outside of [0, 1] the side repeats.
+// The pair of pixels around `place`, where the range [0, 1] is a side of the image, `count` pixels
+// long. Outside of this range, the image repeats.
 inline PixelPair pixels_at(Real place, int count) {
     const Real within = (place - std::floor(place)) * static_cast<Real>(count) - Real(0.5);
-    const Real first = std::floor(within);  // from -1 on
+    const Real first = std::floor(within);  // -1 or more
     const int before = static_cast<int>(first) + count;
     return {{before % count, (before + 1) % count}, within - first};
 }
 
 // The color at a position in an image, `place`: the mean of the four pixels around it, weighted by
-// how near their middles are. (0, 0) is the lower left corner, (1, 1) the upper right corner;
-// outside, the image repeats. The coordinates must be finite.
+// how near their middles are. (0, 0) is the image's lower left corner, (1, 1) the upper right
+// corner; outside, the image repeats. The coordinates must be finite.
 inline Color bilinear(const Image& image, Vec2 place) {
     const PixelPair x = pixels_at(place.x, image.width()),
                     y = pixels_at(1 - place.y, image.height());

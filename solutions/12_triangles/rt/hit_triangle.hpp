@@ -8,7 +8,7 @@
 namespace rt {
 
 // Twice the area of the triangle (0, 0), p, q: greater than 0 if the edge from p to q goes around
-// (0, 0) counterclockwise, and less than 0 if clockwise. The sign is exact.
+// (0, 0) counterclockwise, and less than 0 if it goes clockwise. The sign is exact.
 inline Real area_before(Vec3 p, Vec3 q) {
     return difference_of_products(p.x, q.y, p.y, q.x);
 }
@@ -21,10 +21,11 @@ inline bool goes_around(Vec3 p, Vec3 q, Real area) {
     return p.y != q.y ? p.y > q.y : p.x < q.x;
 }
 
-// The hit of a ray and a triangle at a t within the interval, from either side. None for a triangle
-// without area. The point of the ray at t is off the plane by at most 16 epsilon times the largest
-// coordinate of a corner, seen from the ray's origin. If a ray meets a surface of triangles at a
-// shared edge, exactly one of the two triangles is hit; areas must neither overflow nor underflow.
+// The hit of a ray and a triangle at a t within the interval, from either side. Returns none for a
+// triangle without area. The point of the ray at t is off the triangle's plane by at most 16
+// epsilon times the largest coordinate of a corner as seen from the ray's origin. A ray through an
+// edge that two triangles share hits exactly one of them, as long as the areas neither overflow nor
+// underflow.
 inline std::optional<TriangleHit> hit_triangle(const Triangle& triangle, const Ray& ray,
                                                Interval within) {
     const ShearedRay sheared{ray};
@@ -34,7 +35,7 @@ inline std::optional<TriangleHit> hit_triangle(const Triangle& triangle, const R
     const bool around = goes_around(b, c, of_a);
     if (goes_around(c, a, of_b) != around || goes_around(a, b, of_c) != around) return {};
 
-    // All three have the same sign, so the sum loses no digits.
+    // All three areas have the same sign, so the sum loses no digits.
     const Real sum = of_a + of_b + of_c;
     const Real t = (of_a * a.z + of_b * b.z + of_c * c.z) / sum;
     if (!within.contains(t)) return {};

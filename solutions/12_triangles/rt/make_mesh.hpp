@@ -11,17 +11,16 @@
 
 namespace rt {
 
-// The corner from which a polygon is best cut into triangles, like a fan: all triangles of the fan
-// from there face the same way as the polygon, and have an area. If there is no such corner, it is
-// the first.
+// The index of a corner from which a fan cuts the polygon so that all triangles face the same way
+// as the polygon and have an area; 0 if there is no such corner.
 inline std::size_t fan_start(const std::vector<Vec3>& corners) {
     const std::size_t count = corners.size();
-    // Twice the area of triangle i of the fan from a corner, along its normal.
+    // Twice the area vector of triangle i in the fan from the corner with index `start`.
     const auto area = [&](std::size_t start, std::size_t i) {
         const Vec3 at = corners[start];
         return cross(corners[(start + i) % count] - at, corners[(start + i + 1) % count] - at);
     };
-    Vec3 whole;  // the same from each corner
+    Vec3 whole;  // the polygon's, the same for all fans
     for (std::size_t i = 1; i + 1 < count; ++i) whole += area(0, i);
     for (std::size_t start = 0; start < count; ++start) {
         bool all_face = true;
@@ -32,16 +31,16 @@ inline std::size_t fan_start(const std::vector<Vec3>& corners) {
     return 0;
 }
 
-// Throws std::invalid_argument unless a list with this many entries has this index.
+// Throws std::invalid_argument unless `number` is an index into a list of `count` entries.
 inline void expect_number(int number, std::size_t count, const std::string& name) {
     if (number < 0 || static_cast<std::size_t>(number) >= count)
         throw std::invalid_argument(name + " of a corner does not exist; there are " +
                                     std::to_string(count));
 }
 
-// The polygons, cut into triangles. Their normals get the length 1; a corner whose normal has
-// length 0 gets none. Throws std::invalid_argument, which names the polygon, counted from 1, if a
-// polygon has fewer than three corners, or if an index has no entry in its list.
+// The polygons, cut into triangles. All normals are scaled to length 1; a corner whose normal has
+// length 0 is left without a normal. Throws std::invalid_argument if a polygon has fewer than three
+// corners, or if an index has no entry in its list. The message names the polygon, counted from 1.
 inline Mesh make_mesh(const Polygons& from) {
     Mesh mesh{from.points, from.normals, from.places, {}};
     for (Vec3& normal : mesh.normals)
@@ -69,10 +68,11 @@ inline Mesh make_mesh(const Polygons& from) {
     return mesh;
 }
 
-// Gives the corners without a normal that of their point: the mean of the normals of the triangles
-// around it, each weighted by its angle there, so that it does not matter how a flat side was cut.
-// If the normals cancel, the corner stays without one. Source: Thürmer and Wüthrich, "Computing
-// vertex normals from polygonal facets", Journal of Graphics Tools 3(1), 1998.
+// Gives each corner without a normal the normal of its point: the mean of the normals of the
+// triangles around the point, each weighted by its triangle's angle at the point, so that it does
+// not matter how a flat side was cut. If the sum is zero, the corner stays without a normal.
+// Source: Thürmer and Wüthrich, "Computing vertex normals from polygonal facets", Journal of
+// Graphics Tools 3(1), 1998.
 inline void add_normals(Mesh& mesh) {
     std::vector<Vec3> sums(mesh.points.size());
     for (const auto& triangle : mesh.triangles)

@@ -7,9 +7,10 @@
 
 namespace rt {
 
-// The normal, at the weights u and v, of the curved surface that the triangle stands for: the
-// normals of the three corners, interpolated, of length 1. It is on the side of `flat`, the
-// triangle's own normal, and it is `flat` itself if the three cancel.
+// The normal of the curved surface that the triangle stands for: the normals of the three corners,
+// interpolated with the weights 1 - u - v, u and v, and scaled to length 1. If the result is not on
+// the side of `flat`, the triangle's own normal, it is turned around; if the three normals cancel,
+// the result is `flat`.
 inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Vec3 flat) {
     const Vec3 sum = (1 - u - v) * normals[0] + u * normals[1] + v * normals[2];
     if (sum == Vec3{}) return flat;
@@ -18,9 +19,9 @@ inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Ve
 }
 
 // The normal to use for a mirror: `smooth` itself, if a mirror with this normal reflects `incoming`
-// to the side of the triangle that the light came from. Otherwise `smooth` is bent until the mirror
-// direction runs along the triangle. All have length 1; `flat` is on the side of `smooth`. The
-// result is `flat` if `incoming` runs along the triangle itself.
+// to the side of the triangle that the light came from. Otherwise, `smooth` is bent until the
+// mirror direction runs along the triangle. All vectors have length 1; `flat` is on the side of
+// `smooth`. The result is `flat` if `incoming` runs along the triangle itself.
 inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     const Real side = dot(incoming, flat) > 0 ? Real(-1) : Real(1);  // where the light comes from
     const Vec3 up = side * flat, mirrored = reflect(incoming, smooth);
@@ -28,13 +29,13 @@ inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     if (height >= 0) return smooth;
     const Vec3 sunk = mirrored - height * up;
     if (sunk == Vec3{}) return flat;
-    const Vec3 bent = normalize(sunk) - incoming;  // halfway between that and the way back
+    const Vec3 bent = normalize(sunk) - incoming;  // halfway between sunk and the way back
     return dot(bent, up) > 0 ? side * normalize(bent) : flat;
 }
 
 // Corrects the direction of scattered light, which a material has chosen with the smooth normal:
-// reflected light stays above the triangle, and refracted light gets below it. A direction on the
-// wrong side is mirrored at the triangle. All have length 1.
+// reflected light stays above the triangle, and refracted light goes below it. A direction on the
+// wrong side is mirrored at the triangle. All vectors have length 1.
 inline Vec3 keep_side(Vec3 direction, Vec3 smooth, Vec3 flat) {
     const Vec3 side = dot(direction, smooth) < 0 ? -flat : flat;
     return dot(direction, side) > 0 ? direction : above_horizon(direction, side);

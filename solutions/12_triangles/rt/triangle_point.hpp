@@ -9,21 +9,22 @@
 namespace rt {
 
 // Everything about the point where a ray meets a triangle at t, which must be the t that
-// hit_triangle returned: the point, by the weights of the corners; the triangle's normal; the side;
-// and how far off the plane rounding may have left the point.
+// hit_triangle returned: the point, by the weights of the corners; the triangle's normal; the side
+// that the ray comes from; and point_error, how far off the plane the point may be.
 inline Hit surface_hit(const SceneTriangle& triangle, const Ray& ray, Real t) {
     const auto& [a, b, c] = triangle.shape;
     const Vec3 ab = b - a, ac = c - a;
     const TriangleHit met = hit_triangle(triangle.shape, ray, {t, t}).value_or(TriangleHit{});
     Hit hit;
     hit.t = t;
-    // From a corner, not from the scene's origin: a triangle far from the origin loses no digits.
+    // Starts from a corner, not from the scene's origin, so that a triangle far from the origin
+    // loses no digits.
     hit.point = a + (met.u * ab + met.v * ac);
     hit.normal = normalize(cross(ab, ac));
     hit.front = dot(ray.direction, hit.normal) <= 0;
-    // The bound has one rounding of each coordinate of the point. The rest is in proportion to the
-    // size: the rounding of the two steps from the corner, and that of hit_triangle when a ray
-    // leaves from here.
+    // The first term is one rounding of each coordinate of the point. The second term is in
+    // proportion to the triangle's size: it covers the rounding in the two steps from the corner,
+    // and the rounding in hit_triangle when the next ray starts here.
     const Real size = std::max(max_component(ab), max_component(ac));
     hit.point_error =
         rounding_bound(1) * dot(abs(hit.point), abs(hit.normal)) + rounding_bound(40) * size;

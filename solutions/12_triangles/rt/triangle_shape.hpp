@@ -27,7 +27,8 @@ inline std::optional<Real> hit_shape(const SceneTriangle& triangle, const Ray& r
     return hit->t;
 }
 
-// The triangles of a mesh, all of one material, in their order. The first gets the number `first`.
+// The triangles of a mesh in their order, all of this material and with the numbers first, first +
+// 1, ...
 inline std::vector<SceneTriangle> triangles_of(const Mesh& mesh, int material, int first) {
     std::vector<SceneTriangle> triangles;
     triangles.reserve(mesh.triangles.size());
