@@ -1,5 +1,6 @@
 #pragma once
-// The group of ranks: how a run joins it, whether all ranks are alike, and what rank 0 says to all.
+// The group of ranks: how a run joins it, whether all ranks are alike, and how rank 0 sends bytes
+// to all ranks.
 
 #include <fcntl.h>
 #include <stdlib.h>
@@ -20,23 +21,23 @@
 
 namespace cluster {
 
-// Whether mpirun or srun has started this run together with others. If not, the run draws alone,
-// without MPI.
+// Whether mpirun or srun has started this run as a rank. If not, the run draws alone, without MPI.
 inline bool has_group() {
     const auto is_set = [](const char* name) { return std::getenv(name) != nullptr; };
     return is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK") || is_set("PMI_RANK");
 }
 
-// Open MPI 4 has several kinds of windows. On more than one machine, windows by RDMA fail over TCP
-// ("invalid window", its issue 11466), and windows by UCX end late. The two kinds chosen here work
-// everywhere. If OMPI_MCA_osc is already set, it stays as it is.
+// Open MPI 4 has several kinds of windows. On more than one machine, windows that use RDMA fail
+// over TCP ("invalid window", issue 11466 of Open MPI), and windows that use UCX end late. The two
+// kinds chosen here work everywhere. If OMPI_MCA_osc is already set, it stays as it is.
 inline void choose_kind_of_window() {
 #if defined(OMPI_MAJOR_VERSION) && OMPI_MAJOR_VERSION < 5
     ::setenv("OMPI_MCA_osc", "sm,pt2pt", 0);
 #endif
 }
 
-// A run's time in the group. Only the thread that makes the Membership may call MPI.
+// A run is in the group as long as its Membership exists. Only the thread that creates the
+// Membership may call MPI.
 class Membership {
   public:
     Membership(int& argc, char**& argv) {
@@ -49,8 +50,8 @@ class Membership {
     Membership& operator=(const Membership&) = delete;
 };
 
-// Whether mpirun, which passes on what this rank writes to stderr, writes that to a terminal. (On
-// the machine where mpirun itself runs, it is the rank's parent.)
+// Whether this rank's stderr, which mpirun passes on, ends up in a terminal. (On the machine where
+// mpirun itself runs, mpirun is the rank's parent process.)
 inline bool mpirun_has_terminal() {
     const std::string errors = "/proc/" + std::to_string(::getppid()) + "/fd/2";
     const int file = ::open(errors.c_str(), O_WRONLY | O_NOCTTY | O_NONBLOCK);
@@ -67,8 +68,8 @@ inline int largest_tag() {
     return is_known ? *largest : 32'767;
 }
 
-// A number that is the same for the same bytes, and differs for different bytes except for about
-// one pair in 2^64.
+// A hash of the bytes: the same for equal bytes, and different for different bytes, except for
+// about one pair in 2^64.
 inline std::uint64_t hash_of(const std::string& bytes) {
     std::uint64_t hash = rt::mix_bits(bytes.size());
     for (std::size_t at = 0; at < bytes.size(); at += 8) {
@@ -88,7 +89,8 @@ inline std::uint64_t hash_of_program() {
 }
 
 // All ranks must call this function. If a rank runs another program than rank 0, or was started
-// with other options, it throws app::Failure on rank 0 and returns false on the others.
+// with other options, the function throws app::Failure on rank 0 and returns false on the other
+// ranks.
 inline bool all_alike(int argc, char** argv) {
     constexpr int host_size = MPI_MAX_PROCESSOR_NAME;
     struct Introduction {
@@ -119,7 +121,7 @@ inline bool all_alike(int argc, char** argv) {
     return is_alike != 0;
 }
 
-// All ranks must call this function. Returns the bytes that rank 0 passes to it.
+// All ranks must call this function. On each rank, returns the bytes that rank 0 has passed in.
 inline std::string broadcast(std::string bytes) {
     std::uint64_t size = bytes.size();
     MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);

@@ -1,5 +1,5 @@
 #pragma once
-// What rank 0 tells the others: the scene, and which part of it to draw.
+// What rank 0 sends to the other ranks: the scene, and which part of the picture to draw.
 
 #include <stdlib.h>
 
@@ -36,7 +36,7 @@ struct Job {
     int threads = 0;               // of each rank; 0: as many as its machine has
     bool in_slices = false;        // a slice of the rows for each rank instead of tiles
     std::vector<int> tiles;        // the tiles to draw
-    std::vector<NamedFile> files;  // the scene file and what it names; none for the final scene
+    std::vector<NamedFile> files;  // the scene file and those that it names; none: the final scene
 };
 
 // A job as bytes, and back.
@@ -79,7 +79,7 @@ inline Job unpacked(const std::string& bytes) {
     return job;
 }
 
-// Adds the names of all files that a scene file names: those at a key "file".
+// Adds the names of all files that a scene file names: the values of all keys "file".
 inline void add_names(const nlohmann::json& value, std::vector<std::string>& names) {
     if (value.is_object())
         for (const auto& [key, member] : value.items())

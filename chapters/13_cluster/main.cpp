@@ -3,8 +3,8 @@
 //     mpirun -n 4 build/bin/13_cluster_solution scene.json
 //
 // To read in five minutes: main() joins the group; rank 0 reads the options and the scene and tells
-// the others what to draw (job.hpp); all of them share it out (share.hpp), and rank 0 writes the
-// picture. Started without mpirun, the program draws alone.
+// the other ranks what to draw (job.hpp); all ranks share out the picture (share.hpp), and rank 0
+// writes it. Started without mpirun, the program draws alone.
 
 #include <app/errors.hpp>
 #include <app/run.hpp>
@@ -27,7 +27,8 @@ int own_threads() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// What rank 0 knows of the work. It is global because app::run calls render() without it.
+// The state of the work on rank 0. It is global because render(), which app::run calls, has no
+// parameter for it.
 struct {
     bool job_is_sent = false, is_shared = false;
     fs::path folder;  // of finished tiles; empty if none are kept
@@ -38,7 +39,8 @@ void send(const Job& job) {
     state.job_is_sent = true;
 }
 
-// Sets the frame of a turntable that the options ask for, 0 ... frames - 1.
+// Sets the frame of a turntable, 0 ... frames - 1, and the side of the tiles, as the options ask
+// for them.
 void choose_frame(const app::Settings& settings, Job& job) {
     const auto number = [&](const char* name) {
         const auto found = settings.numbers.find(name);
@@ -212,7 +214,7 @@ int main(int argc, char** argv) {
         Job none;
         none.is_none = true;
         send(none);
-    } else if (!state.is_shared) {  // it failed in the middle, and the others wait for it
+    } else if (!state.is_shared) {  // rank 0 failed in the middle, and the others wait for it
         MPI_Abort(MPI_COMM_WORLD, code);
     }
     if (code == app::done && !state.folder.empty()) {

@@ -1,7 +1,7 @@
 #pragma once
 // How the ranks share out a picture: tiles from a counter (13.2), which travel to rank 0 while
-// others are drawn (13.3) and are kept on its disk (13.4); or slices of the rows, gathered at the
-// end (13.1).
+// other tiles are drawn (13.3) and are kept on its disk (13.4); or slices of the rows, gathered at
+// the end (13.1).
 
 #include <app/errors.hpp>
 #include <app/run.hpp>
@@ -30,7 +30,7 @@ inline TileGrid grid_of(const Job& job) {
     return {job.settings.width, job.settings.height, job.tile_side};
 }
 
-// The picture as it comes together at rank 0.
+// Collects the tiles of the picture at rank 0.
 class Collector {
   public:
     // Finished tiles are kept in `folder`; if its name is empty, none are kept.
@@ -46,8 +46,8 @@ class Collector {
     // Adds a tile from an earlier run.
     void add_old(int tile) { put(tile, load_tile(folder_, tile)); }
 
-    // Adds a tile that `rank` has drawn. If the tile cannot be kept, error() tells why. Nothing is
-    // thrown, because the ranks must end together.
+    // Adds a tile that `rank` has drawn. If the tile cannot be written to the folder, error() tells
+    // why. Nothing is thrown, because the ranks must end together.
     void add(int tile, int rank, const std::vector<Color>& pixels) {
         put(tile, pixels);
         drawn_by_[static_cast<std::size_t>(tile)] = rank;
@@ -82,15 +82,16 @@ class Collector {
 
     TileGrid grid_;
     Image image_;
-    std::vector<int> drawn_by_;  // the rank that drew each tile; -1: another run
+    std::vector<int> drawn_by_;  // the rank that drew each tile; -1: none in this run
     std::filesystem::path folder_;
     app::Progress& progress_;
     std::int64_t received_ = 0;
     std::string error_;
 };
 
-// Calls work() in a thread of its own, and serve() once a millisecond until it ends. Only the
-// calling thread may call MPI, and messages make progress only during such calls.
+// Calls work() in a thread of its own. Until work() returns, calls serve() once a millisecond in
+// the calling thread: only this thread may call MPI, and messages make progress only during calls
+// of MPI.
 template <class Work, class Serve>
 void work_and_serve(const Work& work, const Serve& serve) {
     std::future<void> working = std::async(std::launch::async, work);
@@ -98,8 +99,8 @@ void work_and_serve(const Work& work, const Serve& serve) {
     working.get();
 }
 
-// Draws this rank's share of the tiles; only rank 0 has a collector. On rank 0, returns the number
-// of rays of all ranks.
+// Draws this rank's share of the tiles. On all ranks except rank 0, `collector` is null. On rank 0,
+// returns the number of rays of all ranks.
 inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* collector) {
     const TileGrid grid = grid_of(job);
     const int count = static_cast<int>(job.tiles.size());
@@ -116,20 +117,20 @@ inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* 
             work_and_serve([&] { pixels = drawer.draw(tile_at(grid, tile), rays); }, serve);
             if (collector) {
                 collector->add(tile, 0, pixels);
-                // The others find no more tiles then.
+                // The other ranks then find no more tiles.
                 if (!collector->error().empty()) next.fetch_add(count);
             } else {
                 sender.send(tile, std::move(pixels));
                 ++sent;
             }
         } catch (const std::exception& error) {
-            // All ranks end the counter together, so this one cannot stop alone.
+            // All ranks must destroy the counter together, so one rank cannot stop alone.
             std::fprintf(stderr, "13_cluster: rank %d: %s\n", rank_of(MPI_COMM_WORLD),
                          error.what());
             MPI_Abort(MPI_COMM_WORLD, app::could_not);
         }
-    // Rank 0 goes on receiving until all ranks have said how many tiles they sent, and these have
-    // arrived.
+    // Rank 0 goes on receiving until all ranks have said how many tiles they sent, and all of these
+    // tiles have arrived.
     std::int64_t mine[2] = {sent, static_cast<std::int64_t>(rays)}, all[2] = {0, 0};
     MPI_Request sums{};
     MPI_Ireduce(mine, all, 2, MPI_INT64_T, MPI_SUM, 0, MPI_COMM_WORLD, &sums);
@@ -143,7 +144,8 @@ inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* 
     return static_cast<std::uint64_t>(all[1]);
 }
 
-// The same with a slice of the rows for each rank: rank 0 gets the whole picture.
+// Draws this rank's slice of the rows. On rank 0, `image` gets the whole picture; on the other
+// ranks, it is null. On rank 0, returns the number of rays of all ranks.
 inline std::uint64_t share_slices(const Job& job, TileDrawer& drawer, Image* image) {
     const auto& settings = job.settings;
     const Rows rows =
@@ -157,8 +159,8 @@ inline std::uint64_t share_slices(const Job& job, TileDrawer& drawer, Image* ima
     return all_rays;
 }
 
-// Calls each exercise once, on this rank alone, so that an unwritten exercise is reported before
-// the other ranks begin.
+// Calls the exercises 13.1 to 13.3 once, on this rank alone, so that an unwritten exercise is
+// reported before the other ranks begin.
 inline void rehearse() {
     TileCounter next{MPI_COMM_SELF};
     TileSender sender{MPI_COMM_SELF};

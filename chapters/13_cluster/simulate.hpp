@@ -1,5 +1,6 @@
 #pragma once
-// How long a picture takes on many machines, from the costs of one: an event for each tile.
+// Simulates how long a picture takes on many machines, tile by tile, from the time that one machine
+// takes for each tile and from the costs of messages.
 
 #include <algorithm>
 #include <functional>
@@ -10,8 +11,8 @@
 
 namespace cluster {
 
-// Costs in seconds. The counter and the collector, both at rank 0, serve one machine after the
-// other.
+// Costs in seconds. The counter and the collector, both at rank 0, each serve one machine at a
+// time.
 struct Costs {
     double take = 0;     // a step of the counter
     double message = 0;  // a message at rank 0, whatever its size
@@ -24,12 +25,12 @@ struct Simulated {
     double last_wait = 0;   // the share of the machines' time spent waiting for the last tile
 };
 
-// `tiles` are the seconds that a machine takes to draw each tile, in the order in which they are
-// taken; each tile has this many pixels.
+// `tiles` holds the seconds that a machine takes to draw each tile, in the order in which the tiles
+// are taken. `pixels` is the number of pixels in each tile.
 //
-// The model assumes that all machines are equally fast and begin at once; that a machine waits for
-// its next tile, but not until a tile has been sent; and that the network carries all messages at
-// the same time, so that only rank 0 is busy with them.
+// The model assumes that all machines are equally fast and begin at the same time; that a machine
+// waits until the counter gives it a tile, but not until a finished tile has been sent; and that
+// the network carries all messages at the same time, so that messages queue only at rank 0.
 inline Simulated simulate(const std::vector<double>& tiles, double pixels, int machines,
                           const Costs& costs) {
     std::priority_queue<double, std::vector<double>, std::greater<>> free_at;
@@ -54,9 +55,9 @@ inline Simulated simulate(const std::vector<double>& tiles, double pixels, int m
 }
 
 // The efficiency with work stealing, without a counter at rank 0. Each of n machines begins with
-// every n-th tile. A machine that has no tiles left asks one chosen at random, and gets half of
-// that machine's tiles. If there are none to get, it waits, each time twice as long, and asks
-// again.
+// every n-th tile. A machine that has no tiles left asks a machine chosen at random, and gets half
+// of the tiles that this machine has left. If it gets none, it waits before it asks again, each
+// time twice as long.
 //
 // In addition, the model assumes that a question takes `steal` seconds, and that a machine answers
 // one question after the other. All machines write into one file, so rank 0 receives nothing.

@@ -35,8 +35,8 @@ std::vector<double> some_light() {
     return light;
 }
 
-// The mean of a pixel, whose samples rank k of n takes from its k-th slice, and whose sums rank 0
-// adds up.
+// The mean of a pixel whose samples are shared out in slices: each rank adds up its slice, and rank
+// 0 adds up the sums of all ranks.
 Real by_partial_sums(const std::vector<double>& light, int ranks) {
     double sum = 0;
     for (int rank = 0; rank < ranks; ++rank) {
@@ -99,9 +99,10 @@ void study_split(study::Report& report) {
     }
 }
 
-// ---- How far tiles go ------------------------------------------------------------------------
+// ---- How many machines tiles keep busy -------------------------------------------------------
 
-// The rays of each block of 8 x 8 pixels of the final scene, at 960 x 540 with a sample a pixel.
+// The rays of each block of 8 x 8 pixels of the final scene, at 960 x 540 with one sample per
+// pixel.
 constexpr int columns = 120, rows = 68, block = 8;
 
 std::vector<double> rays_of_blocks() {
@@ -119,8 +120,9 @@ std::vector<double> rays_of_blocks() {
     return all;
 }
 
-// The same scene eight times as wide and high, at 1024 samples a pixel. A block then has 64 x 64
-// pixels. Smaller tiles share a block's rays; larger ones are several blocks.
+// The seconds that a machine takes for each tile of a larger picture: the same scene, eight times
+// as wide and as high, with 1024 samples per pixel. A block then has 64 x 64 pixels. Smaller tiles
+// have equal shares of a block's rays; larger tiles consist of several blocks.
 std::vector<double> tile_seconds(const std::vector<double>& rays, int side,
                                  double seconds_per_ray) {
     const double scale = 64.0 * 1024 * seconds_per_ray;
@@ -145,17 +147,17 @@ std::vector<double> tile_seconds(const std::vector<double>& rays, int side,
     return tiles;
 }
 
-// A machine of 16 cores; each core follows 1.2 million rays a second, the speed that the program
-// prints.
+// A machine has 16 cores, and each core follows 1.2 million rays per second, the speed that the
+// program prints.
 constexpr double seconds_per_ray = 1 / (16 * 1.2e6);
-// What measure/measure.cpp printed with 4 ranks on one machine, whose messages go through its
-// memory; and the same over a network with a latency of 20 us and a bandwidth of 1 GB/s, for colors
-// of 24 bytes.
+// The costs that measure/measure.cpp printed for 4 ranks on one machine, where messages go through
+// its memory; and the costs over a network with a latency of 20 us and a bandwidth of 1 GB/s, for
+// colors of 24 bytes.
 constexpr Costs within_a_machine{2.4e-6, 0.5e-6, 2.5e-9}, over_a_network{20e-6, 20e-6, 24e-9};
 constexpr Costs without_a_collector{over_a_network.take, 0, 0};
 
-// The efficiency of n groups of machines: each group has its own counter and collector, and every
-// n-th tile of the picture.
+// The efficiency of n groups of machines: each group has its own counter and collector, and draws
+// every n-th tile of the picture.
 double efficiency_in_groups(const std::vector<double>& rays, int side, int machines, int groups) {
     const auto tiles = tile_seconds(rays, side, seconds_per_ray);
     double drawing = 0, longest = 0;

@@ -3,8 +3,8 @@
 
 namespace cluster {
 
-// What keeps the bytes when the samples of a pixel are shared out, and what that costs; and how far
-// tiles go, by a simulation of up to 10,000 machines.
+// Compares ways to share out the samples of a pixel: which of them keep the picture's bytes, and
+// what they cost. Then simulates up to 10,000 machines that share out tiles.
 void run_study(study::Report& report);
 
 }  // namespace cluster

@@ -13,8 +13,8 @@
 
 namespace cluster {
 
-// Draws tiles of a scene as chapter 08's program does. The threads share out each tile as smaller
-// tiles, like those of 06.3.
+// Draws tiles of a scene as chapter 08's program does. Each tile is divided into smaller tiles,
+// which the threads share out as in 06.3.
 class TileDrawer {
   public:
     // The scene must outlive the drawer. `threads` is 1 or more.
@@ -25,7 +25,7 @@ class TileDrawer {
           renderer_{make_renderer(scene)},
           workers_(static_cast<std::size_t>(threads)) {}
 
-    // Draws a tile, and returns its pixels, row by row. Adds the rays that it took to `rays`.
+    // Draws a tile, and returns its pixels, row by row. Adds the number of rays to `rays`.
     std::vector<rt::Color> draw(const rt::Tile& tile, std::uint64_t& rays) {
         const rt::TileGrid parts{tile.right - tile.left, tile.bottom - tile.top,
                                  renderer_.tile_side};
@@ -53,7 +53,7 @@ class TileDrawer {
 
     std::uint64_t seed_;
     int threads_;
-    rt::Image image_;  // where tiles are drawn, at their places
+    rt::Image image_;  // each tile is drawn here, at its place in the picture
     effects::TileRenderer renderer_;
     std::vector<effects::DrawTile> workers_;
 };

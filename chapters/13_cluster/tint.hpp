@@ -6,8 +6,8 @@
 
 namespace cluster {
 
-// Tints the tiles at the edge of the picture: each rank has one of eight colors. drawn_by has the
-// rank that drew each tile; a tile with -1 stays as it is.
+// Tints each tile at the edge of the picture with the color of the rank that drew it, one of eight
+// colors. drawn_by[i] is the rank that drew tile i; if it is -1, the tile stays as it is.
 inline void tint_edge(rt::Image& image, const rt::TileGrid& grid,
                       const std::vector<int>& drawn_by) {
     using rt::Color, rt::Real;

@@ -1,5 +1,5 @@
-// What a step of the shared counter and a tile's message cost, and whether the simulation of
-// simulate.hpp agrees with real ranks:
+// Measures what a step of the shared counter and a tile's message cost, and whether the simulation
+// in simulate.hpp agrees with real ranks:
 //
 //     mpirun -n 4 build/bin/cluster_measure
 //
@@ -30,7 +30,7 @@ void sleep(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>{seconds});
 }
 
-// Seconds that rank 0's counter takes for a step, while all ranks count at once.
+// The seconds that rank 0's counter takes for a step, while all ranks count at once.
 double take_cost() {
     constexpr int steps = 2000;
     TileCounter counter{all};
@@ -41,7 +41,7 @@ double take_cost() {
     return (MPI_Wtime() - begin) / (steps * rank_count(all));
 }
 
-// Seconds that rank 0 takes for an arrived tile with this side.
+// The seconds that rank 0 takes to receive a tile with this side, once the tile has arrived.
 double message_cost(int side) {
     constexpr int count = 60;
     std::vector<double> times;
@@ -68,7 +68,7 @@ double message_cost(int side) {
     return times[times.size() / 2];
 }
 
-// The time of real ranks that sleep instead of drawing.
+// The seconds that real ranks take for these tiles if they sleep instead of drawing.
 double real_seconds(const std::vector<double>& tiles, int side) {
     TileCounter next{all};
     TileSender sender{all};

@@ -1,5 +1,5 @@
-// All ranks write one picture into one file (MPI-IO): each has only its own tiles, so a picture may
-// be larger than any rank's memory. The file is the same as if rank 0 wrote it alone.
+// All ranks write one picture into one file (MPI-IO): each rank writes its own tiles, so rank 0
+// need not collect them. The file is the same as if rank 0 wrote it alone.
 //
 //     mpirun -n 4 build/bin/cluster_one_file WIDTH HEIGHT SAMPLES FILE.ppm
 
@@ -42,9 +42,9 @@ int main(int argc, char** argv) {
         "P6\n" + std::to_string(grid.width) + ' ' + std::to_string(grid.height) + "\n255\n";
 
     MPI_File file{};
-    MPI_File_set_errhandler(MPI_FILE_NULL, MPI_ERRORS_ARE_FATAL);  // for all files to come
+    MPI_File_set_errhandler(MPI_FILE_NULL, MPI_ERRORS_ARE_FATAL);  // for all files opened later
     MPI_File_open(MPI_COMM_WORLD, argv[4], MPI_MODE_CREATE | MPI_MODE_WRONLY, MPI_INFO_NULL, &file);
-    MPI_File_set_size(file, 0);  // nothing of an older file stays
+    MPI_File_set_size(file, 0);  // removes the contents of an older file
     const int rank = rank_of(MPI_COMM_WORLD), count = rank_count(MPI_COMM_WORLD);
     if (rank == 0) write_at(file, 0, header.data(), static_cast<int>(header.size()));
     cluster::TileDrawer drawer{scene, 1};

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-// What the chapter's exercises share (given). Each run of the program in a group is a rank. The
-// group, an MPI_Comm, numbers its ranks 0, 1, 2, ...
+// What the chapter's exercises share (given). The runs of the program form a group, an MPI_Comm.
+// Each run is called a rank, and so is its number in the group: 0, 1, 2, ...
 
 // The rank of this run, 0 or more.
 inline int rank_of(MPI_Comm ranks) {

@@ -3,8 +3,9 @@
 
 namespace rt {
 
-// A counter made of the functions of 13.2 (given). It counts like a std::atomic<int>, so take_tile
-// (06.3) can take tiles from it. All ranks create it together, and destroy it together.
+// A counter made of the functions of 13.2 (given). Its fetch_add works like that of a
+// std::atomic<int>, so take_tile (06.3) can take tiles from it. All ranks must create the counter
+// together, and destroy it together.
 class TileCounter {
   public:
     explicit TileCounter(MPI_Comm ranks) : window_{open_counter(ranks)} {}

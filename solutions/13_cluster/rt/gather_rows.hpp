@@ -12,7 +12,7 @@ namespace rt {
 inline std::vector<Color> gather_rows(std::span<const Color> mine, int width, int height,
                                       MPI_Comm ranks) {
     const int count = rank_count(ranks), rank = rank_of(ranks);
-    // MPI's counts are int. The pixels may be too many for an int, but the rows are not.
+    // MPI's counts are int. There may be too many pixels for an int, but not too many rows.
     MPI_Datatype row{};
     MPI_Type_contiguous(width, mpi_color(), &row);
     MPI_Type_commit(&row);

@@ -10,8 +10,9 @@
 namespace rt {
 
 // Writes the pixels of a tile to tile_file(folder, tile). The file gets this name only when it is
-// whole: whenever the program ends, it leaves a whole file or none. Throws std::runtime_error if
-// the file cannot be written. An older file then stays as it was, and no other file is left behind.
+// whole: at whatever moment the program ends, it leaves a whole file or none. Throws
+// std::runtime_error if the file cannot be written. An older file then stays as it was, and no
+// other file is left behind.
 inline void save_tile(const std::filesystem::path& folder, int tile,
                       std::span<const Color> pixels) {
     const std::filesystem::path file = tile_file(folder, tile),

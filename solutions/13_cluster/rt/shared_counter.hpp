@@ -13,13 +13,13 @@ inline MPI_Win open_counter(MPI_Comm ranks) {
     MPI_Win_allocate(is_here ? sizeof(int) : 0, sizeof(int), MPI_INFO_NULL, ranks, &number,
                      &window);
     if (is_here) *number = 0;
-    MPI_Barrier(ranks);  // nobody counts before it is 0
+    MPI_Barrier(ranks);  // no rank counts before the number is 0
     MPI_Win_lock_all(0, window);
     return window;
 }
 
-// Adds n to the number in the window, and returns the number before, in a single step. Any rank may
-// call it at any time, whatever the others are doing.
+// Adds n to the number in the window, and returns what it was before, in a single step. Any rank
+// may call it at any time, whatever the others are doing.
 inline int count_up(MPI_Win window, int n) {
     int before = 0;
     MPI_Fetch_and_op(&n, &before, MPI_INT, 0, 0, MPI_SUM, window);

@@ -53,8 +53,8 @@ class TileSender {
     std::list<Message> messages_;  // in a list, each stays where it is
 };
 
-// Rank 0 calls it. Returns a tile that has arrived, from any rank. If none has arrived, it does not
-// wait, but returns none.
+// Only rank 0 calls this function. Returns a tile that has arrived, from any rank, or none if no
+// tile has arrived. It does not wait.
 inline std::optional<ArrivedTile> receive_tile(MPI_Comm ranks) {
     int is_there = 0;
     MPI_Status status;

@@ -10,7 +10,7 @@ namespace rt {
 // The view in one frame of a turntable; `frame` goes from 0 to frames - 1. The camera goes once
 // around the point that it looks at, about the direction `up`, counterclockwise as seen from above.
 // Frame 0 is `view` bit for bit, and so is every frame whose number is a multiple of `frames`.
-// There is 1 frame or more.
+// `frames` is 1 or more.
 inline View turned_view(View view, int frame, int frames) {
     if (frame % frames == 0) return view;
     const Vec3 axis = normalize(view.up), away = view.from - view.at;
