@@ -40,7 +40,7 @@ struct Sampling {
     TileGrid grid(const Strip& strip) const { return {strip.width, settings.height, 16}; }
 };
 
-// The light of a strip, and the root mean square error that its samples estimate.
+// The light of a strip, and the root mean square error, estimated from its samples.
 struct Drawn {
     Image light;
     Real error = infinity;

@@ -23,8 +23,8 @@ struct IndependentSamples {
     }
 };
 
-// Samples of any kind, whose light is also collected in `known`, which estimates its variance in
-// each channel.
+// Samples of any kind. Their light is also added to `known`, which estimates its variance, channel
+// by channel.
 template <class Samples>
 struct WatchedSamples {
     Samples samples;

@@ -51,8 +51,8 @@ struct Watertight {
     }
 };
 
-// The test with three planes that are computed in advance: the triangle's own plane, and through
-// two edges, the planes in which the weight of b or c is 0. The test then takes 15 products and one
+// The test with three planes that are computed in advance: the triangle's own plane, and two planes
+// through edges, in which the weight of b or of c is 0. The test then takes 15 products and one
 // division.
 // Source: Havel and Herout, "Yet faster ray-triangle intersection", IEEE TVCG 16(3), 2010.
 struct Planes {

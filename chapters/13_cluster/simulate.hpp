@@ -16,7 +16,7 @@ namespace cluster {
 struct Costs {
     double take = 0;     // a step of the counter
     double message = 0;  // a message at rank 0, whatever its size
-    double pixel = 0;    // of a message at rank 0, for each pixel
+    double pixel = 0;    // what each pixel of a message adds to that
 };
 
 struct Simulated {

@@ -16,7 +16,7 @@ namespace rt {
 
 // The effects that can be drawn in batches. With lights, fog, motion, instances or haze, each path
 // of a batch would go through chapter 08's code by itself, and the picture would take longer than
-// path by path.
+// if it were drawn path by path.
 inline constexpr Effects batch_effects{
     .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
 

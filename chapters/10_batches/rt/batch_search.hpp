@@ -73,7 +73,7 @@ class BatchSearch {
     static Order nearest_first(const WideNode<float>& node, unsigned octant);
     void test_leaf(std::size_t leaf, PathList list);
     void search_alone(WideChild child, PathList list);
-    // Sets the nearest hit so far of a path, at which its ray now ends.
+    // Sets the nearest hit of a path so far. The path's ray now ends there.
     void set_hit(std::uint32_t path, Real t, PackInteger sphere) {
         paths_[path].t = t;
         paths_[path].sphere = sphere;
@@ -210,7 +210,7 @@ inline unsigned BatchSearch::test(std::int32_t number, PathList list, std::uint8
     return any;
 }
 
-// Tests the first pack of rays in a list, which may not be full, against the spheres of a leaf.
+// Tests the first pack of rays in a list against the spheres of a leaf. The pack need not be full.
 inline void BatchSearch::test_leaf(std::size_t leaf, PathList list) {
     const SphereLeaf& spheres = tree_.leaves[leaf];
     const std::size_t size = leaf_sizes_[leaf];

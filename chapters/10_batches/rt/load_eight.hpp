@@ -106,7 +106,8 @@ RT_INLINED std::array<Pack, 8> load_eight(const Record& record) {
     return packs;
 }
 
-// The inverse: writes `count` numbers, a multiple of block_size, to each of pack_size records.
+// The inverse of load_eight: writes `count` numbers, a multiple of block_size, to each of pack_size
+// records.
 template <std::size_t count, class Record>
 RT_INLINED void store(const std::array<Pack, count>& packs, const Record& record) {
     for (std::size_t first = 0; first < count; first += block_size) {

@@ -62,7 +62,7 @@ inline double mean_square(const Channels& a, const Channels& b) {
 // this mean still is (chapter 11).
 struct Truth {
     Channels mean;
-    double square = 0;  // its own mean square error
+    double square = 0;  // the mean square error of `mean`, estimated
 
     Truth() = default;
     Truth(const Channels& a, const Channels& b) : mean{a}, square{mean_square(a, b) / 4} {

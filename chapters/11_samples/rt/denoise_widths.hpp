@@ -12,7 +12,7 @@ struct Features {
 
 // How far a pixel's light may spread: a width for each of three distances, in the picture, between
 // albedos and between normals. A distance of one width multiplies the weight by exp(-1/2), which is
-// 0.61. Widths are greater than 0; with an infinite width, its distance does not count.
+// 0.61. Widths are greater than 0; if a width is infinite, its distance does not count.
 struct DenoiseWidths {
     int radius = 6;  // pixels; those farther away across or down do not count; 0 or more
     Real space = 3;  // pixels

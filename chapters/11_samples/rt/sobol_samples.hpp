@@ -10,11 +10,12 @@
 
 namespace rt {
 
-// The random numbers of one sample of a pixel (given). They can replace an Rng anywhere. The first
-// eight numbers are a point of Sobol's sequence in eight dimensions, with each coordinate scrambled
-// on its own, and differently in each pixel. So the samples of a pixel are evenly spread over the
-// pixel, the lens, the time and the directions of the first bounces, and over combinations of
-// these, too. Later numbers are independent, because there, even spacing hardly gains anything.
+// The random numbers of one sample of a pixel (given). A SobolRandom can be used wherever an Rng is
+// used. The first eight numbers are a point of Sobol's sequence in eight dimensions, with each
+// coordinate scrambled on its own, and differently in each pixel. So the samples of a pixel are
+// evenly spread over the pixel, the lens, the time and the directions of the first bounces, and
+// over combinations of these, too. Later numbers are independent, because there, even spacing
+// hardly gains anything.
 //
 // A single sample is as random as with an Rng, so the mean is unbiased. But the samples are not
 // independent of each other: in each of the eight numbers, samples 2 j and 2 j + 1 are in opposite

@@ -12,7 +12,7 @@ namespace rt {
 namespace teapot {
 
 using Patch = std::array<int, 16>;
-inline constexpr std::size_t four_quarters = 6;  // so many patches; the others have two halves
+inline constexpr std::size_t four_quarters = 6;  // the first patches; the others have two halves
 inline constexpr std::array<Patch, 10> patches{{
     {102, 103, 104, 105, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},    // rim
     {12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27},  // body

@@ -44,8 +44,9 @@ struct alignas(64) WideLeaf<SceneTriangle> {
 using TriangleLeaf = WideLeaf<SceneTriangle>;
 
 // Some of a leaf's triangles, as seen along a ray (given), with the formulas of ShearedRay::seen
-// and area_before. Here, rounding may turn a difference of products into 0, but it never gives it
-// the wrong sign. So if two areas of a triangle have opposite signs, the ray misses the triangle.
+// and area_before. Rounding may turn a difference of products into 0, but never gives the
+// difference the wrong sign. So if two areas of a triangle have opposite signs, the ray misses the
+// triangle.
 struct TrianglePart {
     std::array<Reals, 3> x, y;
 
@@ -69,8 +70,8 @@ struct TrianglePart {
     }
 };
 
-// Looks for hits of a leaf's triangles at a t from min to best.t, and returns whether `best` has
-// changed. Of equally near triangles, the one with the highest number counts.
+// Looks for hits of the ray with a leaf's triangles, at a t from min to best.t, and returns whether
+// `best` has changed. Of equally near triangles, the one with the highest number counts.
 RT_INLINED bool hit_leaf(const TriangleLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
     const ShearedRay sheared{ray};
     unsigned candidates = 0;

@@ -5,8 +5,8 @@
 namespace rt {
 
 // The same light with a longer or shorter exposure, as photographers count it: each stop doubles
-// the light, each negative stop halves it, and half a stop is a factor of the root of 2. stops is
-// between -100 and 100.
+// the light, each negative stop halves it, and half a stop is a factor of sqrt(2). stops is between
+// -100 and 100.
 inline Color exposed(const Color& color, Real stops) {
     return color * portable::exp2(stops);
 }
@@ -20,10 +20,10 @@ inline Real luminance(const Color& color) {
 
 // The brightness that a screen shows for a luminance, which is finite and not negative: L (1 + L /
 // white^2) / (1 + L). Dark tones hardly change, and bright tones are compressed. A luminance of
-// `white`, greater than 0, becomes 1, and a brighter one more than 1. If white is infinite, the
-// curve is L / (1 + L), which never reaches 1. In float, a luminance may be from 1e-30 to 1e30, and
-// white from 1e-25 to 1e30; in double, a luminance from 1e-200 to 1e200, and white from 1e-170 to
-// 1e200. Even for the smallest white, a luminance of `white` becomes 1.
+// `white`, greater than 0, becomes 1, and a greater luminance more than 1. If white is infinite,
+// the curve is L / (1 + L), which never reaches 1. In float, a luminance may be from 1e-30 to 1e30,
+// and white from 1e-25 to 1e30; in double, a luminance from 1e-200 to 1e200, and white from 1e-170
+// to 1e200. Even for the smallest white, a luminance of `white` becomes 1.
 // Source: Reinhard, Stark, Shirley and Ferwerda, "Photographic tone reproduction for digital
 // images", SIGGRAPH 2002.
 inline Real tone_curve(Real luminance, Real white) {
