@@ -23,7 +23,7 @@ struct Sphere {
     double radius;
 };
 
-// Where the ray meets the sphere: at t times its direction, or -1 if it misses.
+// The t at which origin + t * direction lies on the sphere, or -1 if the ray misses it.
 double hit(Sphere sphere, Vec origin, Vec direction) {
     Vec offset = origin - sphere.center;
     double a = dot(direction, direction);

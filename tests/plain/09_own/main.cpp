@@ -153,7 +153,7 @@ double reflectance(double cosine, double inner, double eta) {
     return (s * s + p * p) / 2;
 }
 
-// The direction in which light that arrives along d goes on; `outward` is the sphere's normal.
+// The direction in which light that arrives along d goes on; `outward` is the surface's normal.
 Vec3 scatter(const Material& material, Vec3 d, Vec3 outward, Random& random) {
     const bool outside = dot(d, outward) < 0;
     const Vec3 normal = outside ? outward : -1 * outward;
