@@ -34,8 +34,8 @@ inline Choice batched_choice(const rt::Effects& effects) {
 }
 
 // Draws the pixels of a tile with this seed, and returns how many are done: all, unless a signal
-// came meanwhile (app::Interruption) and the renderer stops at signals. The rays that it took are
-// added to `rays`.
+// came meanwhile (app::Interruption) and the renderer stops at signals. The number of rays that
+// were traced is added to `rays`.
 using DrawTile = std::function<std::int64_t(const rt::Tile& tile, std::uint64_t seed,
                                             rt::Image& image, std::uint64_t& rays)>;
 

@@ -4,8 +4,8 @@
 namespace rt {
 
 // A sum of many colors, kept to compute their mean (given). The sum is in double, whatever Real is.
-// In float, the mean of a million equal colors would be off by about 1 %: when a color is added to
-// so large a sum, most of its digits are rounded off, always in the same direction.
+// In float, the mean of a million equal colors can be off by about 1 %: when a color is added to so
+// large a sum, most of its digits are rounded off, many times in a row in the same direction.
 class ColorSum {
   public:
     void add(const Color& color) {

@@ -110,7 +110,7 @@ void check_unrelated(const Key& step, const char* what) {
          << ": the draws of one generator are related to the draws of the other.\nHint: two inputs "
             "that differ by "
          << "1 must differ in half of their bits before they become a state; mix_bits does that. "
-         << "And each sample needs a state of its own, not a later position in the same draws");
+         << "And each sample needs a state of its own, not a later position in the same stream");
     CHECK(chi_square(differences, expected) < limit_of_255);
     for (int i = 0; i < draws; ++i)
         for (int k = 0; k < draws; ++k) {

@@ -113,7 +113,7 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
         INFO("Hint: "
              << (level > rt::most_levels
                      ? "check which part of the order you pass on. From level most_levels on, call "
-                       "split_in_half; each child is one level deeper than its node"
+                       "split_in_half; each child is one level deeper than its parent"
                      : "join boxes[number] for the numbers in order, and no others"));
         REQUIRE(checkpoint::text(node.box) == checkpoint::text(around));
     }
@@ -252,7 +252,7 @@ TEST_CASE("07.3 centers decide and not corners", "[07.3]") {
     }
     order = {7, 2, 5, 0, 3, 6, 1, 4};
     REQUIRE(split_in_half(order, boxes) == 4);
-    INFO("the centers are at x = 0, 3, 6 ... 21: sort by box.center(), and by neither corner");
+    INFO("the centers are at x = 0, 3, 6 ... 21: sort by box.center(), not by a corner");
     CHECK(first_sorted(order, 4) == std::vector<int>{0, 1, 2, 3});
 }
 

@@ -228,8 +228,8 @@ TEST_CASE("10.3 distant and small spheres and rays that graze or touch", "[10.3]
             }
         }
         check_pack(sphere, 3, rays,
-                   "if q is 0, both solutions are 0, and a t of 0 counts; a direction of length 0 "
-                   "meets nothing");
+                   "if q is 0, both solutions are 0, and a t of 0 counts; a ray whose direction "
+                   "has length 0 meets nothing");
     }
 }
 

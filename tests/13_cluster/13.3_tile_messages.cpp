@@ -97,7 +97,7 @@ TEST_CASE("13.3 sending does not wait for rank 0", "[13.3]") {
             if (MPI_Wtime() - begin > 0.15)
                 wrong =
                     "rank 0 begins to receive after 0.3 s: expected that send returns before that, "
-                    "actual after " +
+                    "actual: it returned after " +
                     std::to_string(MPI_Wtime() - begin) +
                     " s\nHint: MPI_Send waits; MPI_Isend only begins to send, and returns";
             use_memory_again();

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-// The color of a pixel with this seed; the rays that it took are added to `rays`.
+// The color of a pixel with this seed; the number of rays that were traced is added to `rays`.
 using PixelShader =
     std::function<Color(int column, int row, std::uint64_t seed, std::uint64_t& rays)>;
 

@@ -21,8 +21,8 @@ inline Real cone_height(Real radius, Real distance) {
 
 // Exercise 08.3. The probability density, per solid angle, with which sample_light chooses a
 // direction: 1 / (2 pi cone_height). Inside the light or on its surface, it is 1 / (4 pi).
-// Star: it is 0 if cone_height is less than std::numeric_limits<Real>::min(), because
-// 1 / cone_height may then be infinite: such a light is not sampled.
+// Star: it is 0 if cone_height is less than std::numeric_limits<Real>::min(), because 1 /
+// cone_height may then be infinite: such a light is not sampled.
 inline Real light_density(const Sphere& light, Vec3 from) {
     return rt::todo("08.3", light, from);
 }
@@ -33,11 +33,12 @@ inline Real light_density(const Sphere& light, Vec3 from) {
 // fraction of a turn around the center, counted from any direction. None if the point is not
 // outside the light.
 // Star: the point may also be inside or on the surface; then all directions must be equally likely.
-// None where the density is 0. The direction's length is accurate to 5 epsilon. The point at the
-// returned distance lies within rounding_bound(60) * (d + r) of the surface, where d is the
+// Returns none where light_density is 0. The direction's length is accurate to 5 epsilon. The point
+// at the returned distance lies within rounding_bound(60) * (d + r) of the surface, where d is the
 // distance of the center and r the radius. For x = 0 the distance is d - r, with a relative error
-// of at most rounding_bound(30). Source: Wang, "Physically correct direct lighting for distribution
-// ray tracing", Graphics Gems III, 1992.
+// of at most rounding_bound(30).
+// Source: Wang, "Physically correct direct lighting for distribution ray tracing", Graphics Gems
+// III, 1992.
 inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, Vec2 place) {
     return rt::todo("08.3", light, from, place);
 }

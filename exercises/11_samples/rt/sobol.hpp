@@ -15,11 +15,12 @@ inline std::uint32_t reversed_bits(std::uint32_t x) {
 // of a Gray code); point 0 is (0, 0). x has the bits of the index in reverse order. y is the
 // exclusive or of one column for each bit of the index that is 1. Column 0, which belongs to the
 // lowest bit, is 0x80000000, and each next column is c ^ c >> 1, where c is the column before it.
-// Star: any index of 32 bits will do. Five masked steps do the work of all columns at once (the
+// Star: every 32-bit index must work. Five masked steps do the work of all columns at once (the
 // text shows them), and give the same points. Of the points k 2^m, k 2^m + 1 ... (k + 1) 2^m - 1,
 // exactly one is in each of the 2^m boxes of equal size and shape into which repeated halving can
-// cut the square. Source: Sobol', "On the distribution of points in a cube and the approximate
-// evaluation of integrals", 1967; the columns are Pascal's triangle modulo 2.
+// cut the square.
+// Source: Sobol', "On the distribution of points in a cube and the approximate evaluation of
+// integrals", 1967; the columns are Pascal's triangle modulo 2.
 inline FixedPoint2 sobol_point(std::uint32_t index) {
     return rt::todo("11.4", index);
 }
@@ -30,12 +31,13 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // and on no lower bit. If two fractions agree in their first n bits and differ in the next bit, so
 // do their results.
 // Star: over all seeds, the seven flips of the first three bits have each of their 128 patterns
-// equally often. Each later flip happens half of the time, and any two are unrelated. The seed has
-// 32 bits, and all of them count: seed + 1 gives a different scrambling. (A single flip may then
-// always be the opposite, as the first flip is here.) Scrambling needs a hash, and any good one
-// will do. The one here works on x, the fraction with its bits reversed. In x, the higher bits of
-// the fraction are to the right, and a product or a sum carries only to the left. The steps are:
-// x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 & ~1), x ^= seed >> 8, x ^= x * 0x53a22864.
+// equally often. Each later flip happens half of the time, and any two agree about half of the
+// time. The seed has 32 bits, and all of them count: seed + 1 gives a different scrambling. (A
+// single flip may then always be the opposite, as the first flip is here.) Scrambling needs a hash,
+// and any good one will do. The one here works on x, the fraction with its bits reversed. In x, the
+// higher bits of the fraction are to the right, and a product or a sum carries only to the left.
+// The steps are: x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 & ~1), x ^= seed >> 8,
+// x ^= x * 0x53a22864.
 // Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and
 // Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the two factors: Vegdahl,
 // "Building a better LK hash", 2021.

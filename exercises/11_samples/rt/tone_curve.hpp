@@ -20,8 +20,8 @@ inline Real luminance(const Color& color) {
 }
 
 // The brightness that a screen shows for a luminance, which is finite and not negative: L (1 + L /
-// white^2) / (1 + L). Dark tones hardly change, and bright tones are compressed. A luminance of
-// `white`, greater than 0, becomes 1, and a brighter one more than 1.
+// white^2) / (1 + L). Dark tones hardly change, and bright tones are compressed. `white` is greater
+// than 0. A luminance of `white` becomes 1, and a brighter one more than 1.
 // Star: if white is infinite, the curve is L / (1 + L), which never reaches 1. In float, a
 // luminance may be from 1e-30 to 1e30, and white from 1e-25 to 1e30; in double, a luminance from
 // 1e-200 to 1e200, and white from 1e-170 to 1e200. Even for the smallest white, a luminance of

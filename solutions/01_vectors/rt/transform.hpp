@@ -4,23 +4,24 @@
 
 namespace rt {
 
-// Where the map takes a point: the linear part and the translation apply.
+// The point to which the map takes p: the linear part and the translation apply.
 inline Vec3 transform_point(const Mat4& m, Vec3 p) {
     return {m(0, 0) * p.x + m(0, 1) * p.y + m(0, 2) * p.z + m(0, 3),
             m(1, 0) * p.x + m(1, 1) * p.y + m(1, 2) * p.z + m(1, 3),
             m(2, 0) * p.x + m(2, 1) * p.y + m(2, 2) * p.z + m(2, 3)};
 }
 
-// Where the map takes a direction, which has no position: the linear part alone applies.
+// The direction to which the map takes v. A direction has no position, so the linear part alone
+// applies.
 inline Vec3 transform_vector(const Mat4& m, Vec3 v) {
     return {m(0, 0) * v.x + m(0, 1) * v.y + m(0, 2) * v.z,
             m(1, 0) * v.x + m(1, 1) * v.y + m(1, 2) * v.z,
             m(2, 0) * v.x + m(2, 1) * v.y + m(2, 2) * v.z};
 }
 
-// Where a map takes a surface's normal, given the INVERSE of that map: the inverse's linear part,
-// transposed, times n. The result is perpendicular to the transformed surface; its length may
-// differ from that of n.
+// The direction to which a map takes a surface's normal n, given the INVERSE of that map: the
+// inverse's linear part, transposed, times n. The result is perpendicular to the transformed
+// surface; its length may differ from that of n.
 inline Vec3 transform_normal(const Mat4& inverse, Vec3 n) {
     return {inverse(0, 0) * n.x + inverse(1, 0) * n.y + inverse(2, 0) * n.z,
             inverse(0, 1) * n.x + inverse(1, 1) * n.y + inverse(2, 1) * n.z,

@@ -6,8 +6,8 @@
 
 namespace rt {
 
-// How many samples a part of the picture needs so that the whole picture has a mean square
-// error of error^2 with the fewest samples: spread * mean_spread / error^2, rounded up and kept
+// How many samples a part of the picture gets if the whole picture is to reach a mean square error
+// of error^2 with as few samples as possible: spread * mean_spread / error^2, rounded up and kept
 // within the limits. spread is the standard deviation of the part's samples, and mean_spread the
 // mean of all parts' spreads; both are 0 or more. A spread of 0 gets limits.least, whatever the
 // mean is; otherwise an infinite spread or mean gets limits.most. error is greater than 0 and
