@@ -75,8 +75,8 @@ inline std::vector<Steps> model_steps() {
     return all;
 }
 
-// Nanoseconds for making and destroying an object of this many bytes, measured on a thousand of
-// them.
+// Nanoseconds for making and destroying an object of this many bytes, measured on a thousand
+// objects.
 struct Objects {
     int bytes = 0;
     double stack = 0, heap = 0, together = 0;  // ns

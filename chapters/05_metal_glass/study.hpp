@@ -138,7 +138,7 @@ inline void add_pixel_errors(study::Report& report) {
     }
 }
 
-// The way of most textbooks: like rt::refract, but without its second look near the critical angle.
+// What most textbooks do: like rt::refract, but without its second look near the critical angle.
 inline std::optional<Vec3> refract_without_doubt(Vec3 incoming, Vec3 normal, Real eta) {
     const Real cosine = -dot(incoming, normal);
     const Vec3 along = eta * (incoming + cosine * normal);

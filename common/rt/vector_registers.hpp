@@ -9,7 +9,7 @@
 #include <rt/compiler.hpp>
 #include <type_traits>
 
-// RT_VECTOR_OF: makes a type a vector of this many bytes.
+// RT_VECTOR_OF: turns a type into a vector of this many bytes.
 // RT_REGISTER_BYTES: the size of the widest register that this program is compiled for.
 // RT_VECTOR_BITS, below: a mask, which is a vector whose lanes are -1 or 0, as an integer with one
 // bit per lane.

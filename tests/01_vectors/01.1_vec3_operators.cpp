@@ -47,7 +47,7 @@ void check_over(Vec3 v, Real s) {
 
 }  // namespace
 
-TEST_CASE("01.1 a sum goes along both vectors", "[01.1]") {
+TEST_CASE("01.1 a sum leads along one vector and then along the other", "[01.1]") {
     check_plus({1, 2, 3}, {4, 6, 9});
     check_plus({1, 0, 0}, {0, 1, 0});
     check_plus({0, 0, 1}, {0, 0, 1});

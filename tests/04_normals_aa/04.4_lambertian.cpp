@@ -37,7 +37,7 @@ rt::Scatter bounce(const Lambertian& material, Vec3 incoming, const Hit& hit, au
     FAIL(
         "expected a Scatter, actual: none.\n"
         "Hint: a matte surface does not absorb whole paths at random: the attenuation already "
-        "holds what it absorbs");
+        "accounts for what it absorbs");
     return {};
 }
 

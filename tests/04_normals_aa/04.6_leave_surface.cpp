@@ -219,7 +219,7 @@ TEST_CASE("04.6 a ray into the sphere meets its far side", "[04.6][hard]") {
     CHECK(worst <= 1);
 }
 
-TEST_CASE("04.6 a ray starts inside a sphere whose radius is only 8 to 8000 coordinate steps",
+TEST_CASE("04.6 a ray starts inside a sphere whose radius is only 8 to 8000 ulp of its center",
           "[04.6][hard]") {
     rt::Rng rng{46, 9};
     bool meets_far_side = true;

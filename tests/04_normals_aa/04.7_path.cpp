@@ -558,7 +558,9 @@ TEST_CASE("04.7 a path in a closed room stays in it", "[04.7]") {
     for (int i = 0; i < 200; ++i) {
         const Color light = rt::path_radiance(Ray{{0, 0, 0}, any_direction(rng)}, room, white,
                                               rt::UniformSky{}, rt::BlackEnding{}, 100, rng);
-        INFO("this path left the room.\nHint: a ray that leaves the inner side must start inside");
+        INFO(
+            "this path left the room.\nHint: a ray from the inner side of the room must start "
+            "inside");
         REQUIRE(light == Color{});
     }
 }

@@ -73,7 +73,7 @@ TEST_CASE("05.1 reflection keeps the length and the angle", "[05.1]") {
         if (!is_right) {
             INFO("reflect(" << text(incoming) << ", " << text(normal) << ") = " << text(computed));
             {
-                INFO("Hint: the length must not change. The values are the difference, in epsilon");
+                INFO("Hint: the length must not change. The value is the difference, in epsilon");
                 REQUIRE(longer <= 64);
             }
             INFO(

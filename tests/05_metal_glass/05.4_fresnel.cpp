@@ -113,7 +113,7 @@ TEST_CASE("05.4 the cosine behind the surface follows from the law of refraction
     CHECK(!rt::refracted_cosine(real(0.5), real(1.5)).has_value());
 }
 
-TEST_CASE("05.4 head on both formulas give the square of the contrast", "[05.4]") {
+TEST_CASE("05.4 for head-on light both formulas give the square of the contrast", "[05.4]") {
     for (const double index : {1.1, 1.33, 1.5, 2.0, 2.5})
         for (const double ratio : {index, 1 / index}) {
             const double r = (1 - ratio) / (1 + ratio);

@@ -317,8 +317,8 @@ TEST_CASE("08.3 a light that faces the surface gives the irradiance of the textb
         const Real expected = rt::pi * radiance / distance / distance;
         INFO("a light of radius 1 and radiance 3 at distance " << text(distance));
         HINT(exact(expected), sum / 256,
-             "each sample counts radiance * cosine / density; so 1 / density must be the solid "
-             "angle, and the directions must be spread evenly in it");
+             "each sample adds radiance * cosine / density; so 1 / density must be the solid "
+             "angle, and the directions must be spread evenly over it");
         check_near(sum / 256, expected, rt::rounding_bound(400) * expected);
     }
 }

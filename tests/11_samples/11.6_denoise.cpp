@@ -348,7 +348,7 @@ TEST_CASE("11.6 light does not cross an edge", "[11.6]") {
     }
 }
 
-TEST_CASE("11.6 noise falls by the sum of the squared weights", "[11.6]") {
+TEST_CASE("11.6 the variance falls by the factor that the weights give", "[11.6]") {
     rt::Rng rng{116, 3};
     Scene scene{60, 40};
     for (int y = 0; y < 40; ++y)

@@ -95,7 +95,7 @@ TEST_CASE("12.6 beyond its edges the image repeats", "[12.6]") {
         for (const Vec2 away : {Vec2{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {3, -5}, {-7, 2}})
             check_color(
                 image, {place.x + away.x, place.y + away.y}, once,
-                "the color is the same one whole image farther on, also at negative coordinates",
+                "one whole image farther on, the color is the same, also at negative coordinates",
                 real(1e3) * rt::epsilon);
     }
 }

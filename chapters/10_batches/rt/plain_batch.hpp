@@ -9,9 +9,9 @@
 namespace rt {
 
 // A batch of paths that make each bounce together (given). It does what path_radiance of 04.7 does,
-// but each step for all paths before the next step. The paths are sorted by the kind of material
-// that they meet, and each kind has its own kernel. The paths that go on are written without gaps,
-// and their rays are made ready for the next search.
+// but finishes each step for all paths before the next step begins. The paths are sorted by the
+// kind of material that they meet, and each kind has its own kernel. The paths that go on are
+// written without gaps, and their rays are made ready for the next search.
 template <Effects effects, class Random = Rng>
 class PlainBatch {
   public:

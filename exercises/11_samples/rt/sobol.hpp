@@ -30,17 +30,16 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // so on. Whether a bit of the fraction is flipped thus depends on the seed and on all higher bits,
 // and on no lower bit. If two fractions agree in their first n bits and differ in the next bit, so
 // do their results.
-// Star: over all seeds, the seven flips of the first three bits have each of their 128 patterns
+// Star: over all seeds, each of the 128 patterns of the seven flips of the first three bits occurs
 // equally often. Each later flip happens half of the time, and any two agree about half of the
-// time. The seed has 32 bits, and all of them count: seed + 1 gives a different scrambling. (A
-// single flip may then always be the opposite, as the first flip is here.) Scrambling needs a hash,
-// and any good one will do. The one here works on x, the fraction with its bits reversed. In x, the
-// higher bits of the fraction are to the right, and a product or a sum carries only to the left.
-// The steps are: x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 & ~1), x ^= seed >> 8,
-// x ^= x * 0x53a22864.
-// Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and
-// Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the two factors: Vegdahl,
-// "Building a better LK hash", 2021.
+// time. The seed has 32 bits, and all of them count: seed + 1 gives a different scrambling. (One
+// flip alone may change nearly every time the seed increases by 1, as the first flip does here.)
+// Scrambling needs a hash, and any good one will do. The one here works on x, the fraction with its
+// bits reversed. In x, the higher bits of the fraction are to the right, and a product or a sum
+// carries only to the left. The steps are: x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 &
+// ~1), x ^= seed >> 8, x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted (t,m,s)-nets and
+// (t,s)-sequences", 1995; as a hash: Laine and Karras, "Stratified sampling for stochastic
+// transparency", EGSR 2011; the two factors: Vegdahl, "Building a better LK hash", 2021.
 inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     return rt::todo("11.4", fraction, seed);
 }

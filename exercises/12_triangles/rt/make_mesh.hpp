@@ -16,9 +16,9 @@ namespace rt {
 // rotation. All normals are scaled to length 1. Throws std::invalid_argument if a polygon has fewer
 // than three corners, or if an index has no entry in its list; the message contains "polygon 3" if
 // it is the third polygon. -1 is allowed and stands for no normal or no texture coordinates.
-// Star: a polygon with a notch is cut so that all triangles face the same way and have an area, if
-// a fan from some corner does that. A normal of length 0 does not count: its corner is left without
-// a normal.
+// Star: a polygon with a notch is cut into a fan from a corner for which all triangles face the
+// same way and have an area, if there is such a corner. A normal of length 0 does not count: its
+// corner is left without a normal.
 inline Mesh make_mesh(const Polygons& from) {
     return rt::todo("12.5", from);
 }

@@ -27,7 +27,7 @@ class Canvas {
 
     ~Canvas() { delete[] pixels_; }
 
-    // A copy: as many pixels of its own, with the same colors.
+    // A copy, with pixels of its own: as many as the other has, in the same colors.
     Canvas(const Canvas& other)
         : width_{other.width_}, height_{other.height_}, pixels_{new Pixel[other.size()]} {
         std::copy(other.begin(), other.end(), begin());

@@ -21,7 +21,7 @@ inline Ray lens_ray(const Camera& camera, const Lens& lens, int column, int row,
     const Real radius = lens.aperture / 2 * std::sqrt(place.x);
     const auto [sine, cosine] = sine_cosine_of_turn(place.y);
     const Real right = radius * cosine, up = radius * sine;
-    // From the lens to the point of the plane of focus, divided by the distance of focus.
+    // From the point on the lens to the point in the plane of focus, divided by focus_distance.
     const Vec3 direction = camera.basis.to_world(
         {p.x - right / lens.focus_distance, p.y - up / lens.focus_distance, -1});
     return {camera.eye + right * camera.basis.u + up * camera.basis.v, normalize(direction)};

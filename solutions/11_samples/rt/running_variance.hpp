@@ -6,8 +6,8 @@
 namespace rt {
 
 // Updates the count, mean and squares in `known` to include one more number. The numbers themselves
-// are not stored. The digits of squares survive even if the numbers are far from 0 and close
-// together (no cancellation). The number and its square are finite.
+// are not stored. `squares` keeps its digits even if the numbers are far from 0 and close together
+// (no cancellation). The number and its square are finite.
 // Source: Welford, "Note on a method for calculating corrected sums of squares and products",
 // Technometrics 1962.
 inline void add(RunningVariance& known, Real number) {

@@ -42,16 +42,16 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // two halves of the interval, two more bits decide whether to swap the two halves of each half, and
 // so on. Whether a bit of the fraction is flipped thus depends on the seed and on all higher bits,
 // and on no lower bit. If two fractions agree in their first n bits and differ in the next bit, so
-// do their results. Over all seeds, the seven flips of the first three bits have each of their 128
-// patterns equally often. Each later flip happens half of the time, and any two flips are
+// do their results. Over all seeds, each of the 128 patterns of the seven flips of the first three
+// bits occurs equally often. Each later flip happens half of the time, and any two flips are
 // unrelated; 32 bits of a seed cannot make all flips independent. All bits of the seed count: seed
-// + 1 gives a different scrambling. (A single flip may then always be the opposite, as the first
-// flip is here.)
+// + 1 gives a different scrambling. (One flip alone may change nearly every time the seed increases
+// by 1, as the first flip does here.)
 //
 // Scrambling needs a hash, and any good one will do. The one here works on x, the fraction with its
 // bits reversed. In x, the higher bits of the fraction are to the right, and a product or a sum
-// carries only to the left. The steps in their order:
-// x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 & ~1), x ^= seed >> 8, x ^= x * 0x53a22864.
+// carries only to the left. The steps in their order: x ^= x * 0x3d20adea, x += seed,
+// x ^= x * (seed >> 16 & ~1), x ^= seed >> 8, x ^= x * 0x53a22864.
 // Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and
 // Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the two factors: Vegdahl,
 // "Building a better LK hash", 2021.
