@@ -36,10 +36,11 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // flip alone may change nearly every time the seed increases by 1, as the first flip does here.)
 // Scrambling needs a hash, and any good one will do. The one here works on x, the fraction with its
 // bits reversed. In x, the higher bits of the fraction are to the right, and a product or a sum
-// carries only to the left. The steps are: x ^= x * 0x3d20adea, x += seed, x ^= x * (seed >> 16 &
-// ~1), x ^= seed >> 8, x ^= x * 0x53a22864. Sources: Owen, "Randomly permuted (t,m,s)-nets and
-// (t,s)-sequences", 1995; as a hash: Laine and Karras, "Stratified sampling for stochastic
-// transparency", EGSR 2011; the two factors: Vegdahl, "Building a better LK hash", 2021.
+// carries only to the left. The steps are: x ^= x * 0x3d20adea, x += seed,
+// x ^= x * (seed >> 16 & ~1), x ^= seed >> 8, x ^= x * 0x53a22864.
+// Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and
+// Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the two factors: Vegdahl,
+// "Building a better LK hash", 2021.
 inline std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed) {
     return rt::todo("11.4", fraction, seed);
 }
