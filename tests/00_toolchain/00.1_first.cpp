@@ -375,9 +375,20 @@ void expect(const Finding& finding) {
                                 << "\nHint: " << finding.hint);
 }
 
-Finding unreadable() {
+// The picture is read once. `trouble` says what is wrong with it; empty if nothing is.
+struct ReadPicture {
     std::string trouble = printed().trouble;
-    const Picture picture = trouble.empty() ? first::read_p3(printed().text, trouble) : Picture{};
+    Picture picture = trouble.empty() ? first::read_p3(printed().text, trouble) : Picture{};
+};
+
+const ReadPicture& read_picture() {
+    static const ReadPicture once;
+    return once;
+}
+
+Finding unreadable() {
+    const Picture& picture = read_picture().picture;
+    std::string trouble = read_picture().trouble;
     if (trouble.empty() && (picture.height < 60 || picture.width < picture.height ||
                             picture.width > 4 * picture.height))
         trouble = "it is " + number(picture.width) + " pixels wide and " + number(picture.height) +
@@ -395,12 +406,7 @@ Finding unreadable() {
 }
 
 const Drawn& drawn() {
-    static const Drawn once = [] {
-        std::string trouble;
-        const Finding finding = unreadable();
-        if (!finding.expected.empty()) return Drawn{Picture{}};
-        return Drawn{first::read_p3(printed().text, trouble)};
-    }();
+    static const Drawn once{unreadable().expected.empty() ? read_picture().picture : Picture{}};
     return once;
 }
 

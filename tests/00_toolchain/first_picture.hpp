@@ -72,8 +72,9 @@ inline Picture read_p3(const std::string& text, std::string& trouble) {
     picture.width = number(1);
     picture.height = number(2);
     for (std::size_t i = 4; i < all.size(); ++i) {
-        picture.numbers.push_back(number(i));
-        if (number(i) >= 0 && number(i) <= 255) continue;
+        const int value = number(i);
+        picture.numbers.push_back(value);
+        if (value >= 0 && value <= 255) continue;
         const std::size_t pixel = (i - 4) / 3, width = static_cast<std::size_t>(picture.width);
         trouble = "row " + std::to_string(pixel / width) + ", column " +
                   std::to_string(pixel % width) + " has the color value " + word(i) +
