@@ -4,8 +4,8 @@
 #include "catch.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <rt/real.hpp>
 #include <rt/vec3_of.hpp>
@@ -48,9 +48,10 @@ using study::error_in_ulp;
 // Numbers with all their digits, for messages.
 inline std::string text(Real value) {
     char buffer[64];
-    std::snprintf(buffer, sizeof buffer, "%.*g", std::numeric_limits<Real>::max_digits10,
-                  static_cast<double>(value));
-    return buffer;
+    const std::to_chars_result written =
+        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general,
+                      std::numeric_limits<Real>::max_digits10);
+    return {buffer, written.ptr};
 }
 inline std::string text(Vec3 v) {
     return '(' + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ')';
