@@ -8,8 +8,8 @@ namespace rt {
 // in between, the color changes evenly along every row and every column. This line is a
 // declaration: it ends in a semicolon and has no body. The definition, which has the body, is in
 // gradient.cpp.
-// Star: its error is at most a few roundings of the result, even beside a corner that is a million
-// times as bright, and at a corner it is exactly the corner's color.
+// Star: the error is at most a few roundings of the result, even if one corner is a million times
+// as bright as the result. At a corner, the result is exactly the corner's color.
 Color gradient(const Corners& corners, Real across, Real down);
 
 }  // namespace rt

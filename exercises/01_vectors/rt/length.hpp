@@ -9,10 +9,10 @@ namespace rt {
 
 // Exercise 01.4. The length of v.
 // Star: for any finite v, the result is within 2.5 units in the last place, and infinite only if
-// the true length exceeds the largest number. For both functions, <rt/vec3.hpp> provides
-// is_finite(v) and split_scale(v). The result of the latter, `scaled`, has a vector scaled.v, whose
-// largest component is near 1, and a whole number scaled.exponent: v is exactly scaled.v *
-// 2^scaled.exponent. std::scalbn(x, n) is x * 2^n.
+// the true length exceeds the largest number. For this function and normalize, <rt/vec3.hpp>
+// provides is_finite(v) and split_scale(v). Let `scaled` be the result of split_scale(v): the
+// largest component of scaled.v is near 1, scaled.exponent is a whole number, and v is exactly
+// scaled.v * 2^scaled.exponent. std::scalbn(x, n) is x * 2^n.
 inline Real length(Vec3 v) {
     return rt::todo("01.4", v);
 }

@@ -9,10 +9,10 @@
 namespace rt {
 
 // Exercise 04.5. The pixel is cut into n x n cells; cell 0 is the top left one, cell n the first of
-// the second row. `place` is a sample point within this cell, 0 <= x, y < 1. Returns the offset of
-// that point within the pixel. Cell k of a row extends from k / n, which belongs to it, to (k + 1)
-// / n, which does not.
-// Star: although the sum and the division are rounded, the quotient stays below (k + 1) / n.
+// the second row. `place` is a sample point within the cell with the number `cell`, 0 <= x, y < 1.
+// Returns the offset of that point within the pixel. Cell k of a row extends from k / n, which
+// belongs to it, to (k + 1) / n, which does not.
+// Star: the offset stays below (k + 1) / n, although the sum and the division are rounded.
 inline Vec2 jittered_offset(int cell, int n, Vec2 place) {
     return rt::todo("04.5", cell, n, place);
 }

@@ -10,8 +10,8 @@ namespace rt {
 // v points below, it is mirrored at the surface. v may have any length that is far from the
 // smallest and the largest numbers; the result has length 1.
 // Star: its computed dot product with the normal is greater than 0, whatever the rounding. To
-// ensure this, the height of v is lifted to rounding_bound(16) times the length of v, or a little
-// more. A zero v has no direction, so it gives the normal.
+// ensure this, any height below rounding_bound(16) times the length of v is raised to that bound,
+// or to a little more. A zero v has no direction, so it gives the normal.
 inline Vec3 above_horizon(Vec3 v, Vec3 normal) {
     return rt::todo("05.2", v, normal);
 }

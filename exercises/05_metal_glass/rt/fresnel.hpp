@@ -10,11 +10,10 @@ namespace rt {
 // Exercise 05.4. In all three functions, `cosine`, in [0, 1], is the cosine of the angle between
 // the normal and the light that arrives. eta, greater than 0, is the index of refraction on the
 // side that the light comes from, divided by the index on the other side.
-// Star: a cosine that rounding has put above 1 counts as 1. None of the functions loses digits,
-// however close eta is to 1. Digits may be lost only where the angle is close to the critical
-// angle: each result is off by at most rounding_bound(50) times 1 + (eta cosine / c)^2, where c is
-// the cosine of the refraction angle; Schlick's reflectance may be off by five times as much. For
-// eta = 1 nothing is reflected.
+// Star: a cosine that rounding has put above 1 counts as 1. No digits are lost, however close eta
+// is to 1, except close to the critical angle: each result is off by at most rounding_bound(50) *
+// (1 + (eta cosine / c)^2), where c is the cosine of the refraction angle; Schlick's reflectance
+// may be off by five times as much. For eta = 1 nothing is reflected.
 
 // The cosine of the refraction angle. None at total reflection.
 inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {

@@ -29,7 +29,7 @@ inline Real light_density(const Sphere& light, Vec3 from) {
 
 // Exercise 08.3. A direction of length 1 to a sphere that shines, the distance to its surface in
 // this direction, and light_density. `place` is a sample point, 0 <= x, y < 1. x says how far the
-// direction is from the center (0) toward the rim (1), measured in the cap's height; y is the
+// direction is from the center (0) toward the rim (1), as a fraction of cone_height; y is the
 // fraction of a turn around the center, counted from any direction. None if the point is not
 // outside the light.
 // Star: the point may also be inside or on the surface; then all directions must be equally likely.

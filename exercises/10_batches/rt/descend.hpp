@@ -9,13 +9,13 @@ namespace rt {
 
 // Exercise 10.2. Takes a list of rays down the tree, from a node that all of them meet. The list
 // has at least one ray. For each child, the rays that meet the child's box form a new list, in the
-// same order. If this list is not empty, pass it to tree.leaf, with the child's number, if the
-// child is a leaf, and otherwise take it down the tree in the same way. Visit the children in the
-// order of tree.order(node), nearest first, and finish each child before you begin the next.
+// same order. Skip a child with an empty list. Pass the list of a leaf to tree.leaf, with the
+// leaf's number, and take the list of a node down the tree in the same way. Visit the children in
+// the order of tree.order(node), nearest first, and finish each child before you begin the next.
 // Star: a node's list and masks must still be intact when its second child's turn comes, in chains
 // of a hundred nodes and for lists of a hundred thousand rays. So in the scratch memory, put a
-// child's list and masks after those of the node, and pass on the memory after them. The tree's
-// functions:
+// child's list after the node's list, and pass on only the memory after the child's list and after
+// the node's masks. The tree's functions:
 //   tree.test(node, list, masks)   writes a mask for each ray of the list: bit k is set if the ray
 //                                  meets the box of the child with index k. Returns the bits that
 //                                  are set in any mask. Call it once for a node, when the node's

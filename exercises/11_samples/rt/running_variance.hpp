@@ -9,8 +9,8 @@ namespace rt {
 // Exercise 11.1. Updates the count, mean and squares in `known` to include one more number. The
 // numbers themselves are not stored.
 // Star: `squares` keeps its digits even if the numbers are far from 0 and close together (no
-// cancellation). In units of the largest absolute value of a number, the mean is off by at most
-// (count + 4) epsilon / 2, and sqrt(squares / count) by at most 3 sqrt(count) epsilon. The number
+// cancellation). The mean is off by at most (count + 4) epsilon / 2, and sqrt(squares / count) by
+// at most 3 sqrt(count) epsilon, both in units of the numbers' largest absolute value. The number
 // and its square are finite.
 // Source: Welford, "Note on a method for calculating corrected sums of squares and products",
 // Technometrics 1962.

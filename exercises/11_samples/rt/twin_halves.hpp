@@ -20,9 +20,9 @@ inline int worth_of(Real spread, Real mean_spread, Real error, CountLimits limit
 }
 
 // How many samples of a part of the picture each half takes in all. What one half has seen, its
-// spread and mean_spread, decides for the other half: no sample decides when its own mean is good
-// enough, so both means stay unbiased. The mean of both halves should have this error. Each half
-// may then have sqrt(2) times that error, because the halves err almost independently.
+// spread and mean_spread, decides for the other half: neither half decides from its own samples how
+// many it takes, so both means stay unbiased. The mean of both halves should have this error. Each
+// half may then have sqrt(2) times that error, because the halves err almost independently.
 inline Halves<int> crossed_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error,
                                   CountLimits limits) {
     return rt::todo("11.3", spread, mean_spread, error, limits);
@@ -36,8 +36,8 @@ inline Real twin_mean(Halves<Real> mean) {
     return rt::todo("11.3", mean);
 }
 
-// An estimate of the mean square error of twin_mean: the square of half the difference of the
-// halves. It is unbiased if the halves err independently, and nearly so if their counts are
+// An estimate of the mean square error of twin_mean: the square of half the difference between the
+// halves' means. It is unbiased if the halves err independently, and nearly so if their counts are
 // crossed. For one part of the picture the estimate says little; its mean over many parts tells the
 // error of the picture.
 inline Real twin_square_error(Halves<Real> mean) {

@@ -22,8 +22,8 @@ inline std::optional<Real> hit_shape(const SceneTriangle& triangle, const Ray& r
     return rt::todo("12.2", triangle, ray, within);
 }
 
-// Exercise 12.2. The triangles of a mesh in their order, all of this material and with the numbers
-// first, first + 1, ...
+// Exercise 12.2. The triangles of a mesh in their order, all with this material, and numbered from
+// `first` on.
 inline std::vector<SceneTriangle> triangles_of(const Mesh& mesh, int material, int first) {
     return rt::todo("12.2", mesh, material, first);
 }

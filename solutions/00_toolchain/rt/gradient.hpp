@@ -6,8 +6,8 @@ namespace rt {
 // The color at one point of the picture: `across` runs from 0 at the left edge to 1 at the right
 // edge, `down` from 0 at the top to 1 at the bottom. At a corner, the result is exactly the
 // corner's color; in between, the color changes evenly along every row and every column. The error
-// is at most a few rounding errors of the result, even beside a corner that is a million times as
-// bright.
+// is at most a few rounding errors of the result, even if one corner is a million times as bright
+// as the result.
 //
 // This line is a declaration: it ends in a semicolon and has no body. The body, the definition, is
 // in gradient.cpp.

@@ -7,8 +7,8 @@
 
 namespace rt {
 
-// The map that undoes m. Throws std::domain_error if m flattens space (is singular), if it is so
-// nearly singular that rounding decides the result, or if a number in it is not finite. A number of
+// The map that undoes m. Throws std::domain_error if m flattens space (is singular), if m is so
+// nearly singular that rounding decides the result, or if a number in m is not finite. A number of
 // the inverse that is too large for Real becomes infinite. Each number of the linear part is
 // accurate to 4 + 6 k units in the last place, where k measures how much the determinant cancels.
 // Expand the determinant along a row or a column, and divide the sum of its terms' absolute values

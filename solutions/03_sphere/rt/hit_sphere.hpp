@@ -9,12 +9,13 @@
 namespace rt {
 
 // The smallest t within the interval at which the ray meets the sphere's surface, from outside or
-// from inside. None if the ray misses, and for a direction of length 0. The direction may have any
-// length, as long as the squares of |d|, |f|, r, |f| |d| and r |d| neither overflow nor underflow.
-// Let f lead from the center to the ray's origin, p be the distance of the line from the center,
-// and h half the chord. Then t |d| has an error of at most 6 epsilon (|f| + r) (1 + p / h), and hit
-// or miss is decided correctly unless the line passes within 3 epsilon (|f| + r) of the sphere's
-// rim. docs/03-sphere.md derives the formula and both bounds.
+// from inside. None if the ray misses, and for a direction of length 0. Let d be the ray's
+// direction, r the radius, f the vector from the center to the ray's origin, p the distance of the
+// ray's line from the center, and h half the chord. The direction may have any length, as long as
+// the squares of |d|, |f|, r, |f| |d| and r |d| neither overflow nor underflow. Then t |d| has an
+// error of at most 6 epsilon (|f| + r) (1 + p / h), and hit or miss is decided correctly unless the
+// line passes within 3 epsilon (|f| + r) of the sphere's rim. docs/03-sphere.md derives the formula
+// and both bounds.
 inline std::optional<Real> hit_sphere(const Sphere& sphere, const Ray& ray, Interval within) {
     // Points at distance r from the center: a t^2 + 2 b t + c = 0.
     const Vec3 f = ray.origin - sphere.center;

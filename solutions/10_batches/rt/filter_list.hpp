@@ -6,9 +6,9 @@
 
 namespace rt {
 
-// Copies to `to` those paths of a list whose mask has this bit, in the same order, and returns how
-// many there are. masks[i] is the mask of list[i]. `to` has room for the whole list. No mask
-// decides a branch, because no processor can predict whether a ray meets a box.
+// Copies to `to` those paths of a list whose mask has bit number `bit` set, in the same order, and
+// returns how many there are. masks[i] is the mask of list[i]. `to` has room for the whole list. No
+// mask decides a branch, because no processor can predict whether a ray meets a box.
 inline std::size_t filter_list(PathList list, const std::uint8_t* masks, unsigned bit,
                                std::uint32_t* to) {
     std::size_t count = 0, i = 0;

@@ -27,8 +27,7 @@ inline std::optional<Real> hit_shape(const SceneTriangle& triangle, const Ray& r
     return hit->t;
 }
 
-// The triangles of a mesh in their order, all of this material and with the numbers first, first +
-// 1, ...
+// The triangles of a mesh in their order, all with this material, and numbered from `first` on.
 inline std::vector<SceneTriangle> triangles_of(const Mesh& mesh, int material, int first) {
     std::vector<SceneTriangle> triangles;
     triangles.reserve(mesh.triangles.size());
