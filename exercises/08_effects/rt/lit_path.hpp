@@ -10,7 +10,7 @@ namespace rt {
 // Exercise 08.4. Next-event estimation: one sample of the light that comes straight from a light to
 // this place and goes on toward the eye, or black if none comes. The text has the steps. `ray` led
 // to this place, and its type may have more members than Ray: change its origin and direction, and
-// pass it on. Draw no random number of your own; call sees_light at most once.
+// pass it to sees_light. Draw no random number of your own; call sees_light at most once.
 // Star: multiply by place.fog.gets_through(ray, distance), the fraction that gets through the fog.
 // If the path goes on, also multiply by shared_weight(density of the sample, density of the place).
 // Here place.shared_density may replace place.density: it also covers rough metal.
