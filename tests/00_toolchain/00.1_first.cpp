@@ -431,28 +431,27 @@ TEST_CASE("00.1 the program prints a P3 picture", "[00.1]") {
     expect(unreadable());
 }
 
-TEST_CASE("00.1 step 1 a sky that changes from the top to the horizon", "[00.1]") {
+TEST_CASE("00.1 step 1 draws a sky whose color changes from the top to the horizon", "[00.1]") {
     check_picture(sky);
 }
 
-TEST_CASE("00.1 step 2 a round disk in the middle", "[00.1]") {
+TEST_CASE("00.1 step 2 draws a round disk in the middle", "[00.1]") {
     check_picture(disk);
 }
 
-TEST_CASE("00.1 step 3 the ball has the colors of its normals", "[00.1]") {
+TEST_CASE("00.1 step 3 colors the ball by its normals", "[00.1]") {
     check_picture(normals_above);
 }
 
-TEST_CASE("00.1 step 4 the ball stands in front of the ground", "[00.1]") {
+TEST_CASE("00.1 step 4 draws the ball in front of the ground", "[00.1]") {
     check_picture(ground);
 }
 
-TEST_CASE("00.1 step 5 the side away from the light and the ground behind the ball are dark",
-          "[00.1]") {
+TEST_CASE("00.1 step 5 draws the ball's dark side and its shadow on the ground", "[00.1]") {
     check_picture(shadow);
 }
 
-TEST_CASE("00.1 the disk is right to the pixel", "[00.1][hard]") {
+TEST_CASE("00.1 the disk covers exactly the pixels whose middle lies in it", "[00.1][hard]") {
     check_picture([](const Drawn& drawn) -> Finding {
         int wrong = 0, edge = 0;
         for (int row = 0; row <= drawn.last_of_sky(); ++row)
@@ -470,7 +469,7 @@ TEST_CASE("00.1 the disk is right to the pixel", "[00.1][hard]") {
     });
 }
 
-TEST_CASE("00.1 no specks in light and shadow", "[00.1][hard]") {
+TEST_CASE("00.1 light and shadow have no specks and the right edges", "[00.1][hard]") {
     check_picture([](const Drawn& drawn) -> Finding {
         for (const Place::Kind kind : {Place::ground, Place::ball}) {
             const Shadow shadow = shadow_on(drawn, kind);

@@ -44,7 +44,7 @@ constexpr Corners four{{1, 2, 3}, {5, 7, 11}, {13, 17, 19}, {23, 29, 31}};
 
 }  // namespace
 
-TEST_CASE("00.2 each corner has its own color", "[00.2]") {
+TEST_CASE("00.2 the color at each corner is the color of that corner", "[00.2]") {
     const char* const hint =
         "across = 0 is the left edge, across = 1 is the right edge, and down = 0 is the top. Mix "
         "by across along the top "
@@ -55,7 +55,7 @@ TEST_CASE("00.2 each corner has its own color", "[00.2]") {
     check_exactly(four, 1, 1, four.bottom_right, hint);
 }
 
-TEST_CASE("00.2 halfway is the mean of both ends", "[00.2]") {
+TEST_CASE("00.2 halfway between two corners the color is their mean", "[00.2]") {
     const char* const hint = "mix(a, b, t) goes evenly from a to b; note that 1 / 2 is 0 in C++";
     const Real half = Real(0.5);
     check_exactly(four, half, 0, {3, Real(4.5), 7}, hint);
@@ -65,14 +65,14 @@ TEST_CASE("00.2 halfway is the mean of both ends", "[00.2]") {
     check_exactly(four, half, half, {Real(10.5), Real(13.75), 16}, hint);
 }
 
-TEST_CASE("00.2 a quarter of the way down the color is a quarter mixed", "[00.2]") {
+TEST_CASE("00.2 between the corners their colors are mixed by across and down", "[00.2]") {
     const Corners corners{{0, 0, 0}, {16, 0, 0}, {0, 16, 0}, {0, 0, 16}};
     check_exactly(corners, Real(0.75), Real(0.25), {9, 1, 3},
                   "mix the two upper corners and the two lower corners by across, then mix the "
                   "results by down");
 }
 
-TEST_CASE("00.2 the ends are exact whatever the other colors are", "[00.2][hard]") {
+TEST_CASE("00.2 the color at a corner is exact whatever the other colors are", "[00.2][hard]") {
     const char* const hint =
         "(1 - t) a + t b is exactly b at t = 1; a + t (b - a) is not, because b - a is rounded";
     const Color sun{Real(1e6), Real(3e6), Real(7e6)}, dark{Real(0.1), Real(0.2), Real(0.7)};
@@ -83,7 +83,7 @@ TEST_CASE("00.2 the ends are exact whatever the other colors are", "[00.2][hard]
     check_exactly(corners, 0, 0, sun, hint);
 }
 
-TEST_CASE("00.2 every point is right to the last digits", "[00.2][hard]") {
+TEST_CASE("00.2 the color at every point is accurate to the last digits", "[00.2][hard]") {
     rt::Rng rng{1, 1};
     const auto one_in = [&](int n) { return rng.uniform() * static_cast<Real>(n) < 1; };
     // Near either end, at an end, the same number as before, or anywhere.

@@ -90,7 +90,7 @@ void check_memory() {
 
 }  // namespace
 
-TEST_CASE("00.3 a new canvas has its size and its color", "[00.3]") {
+TEST_CASE("00.3 a new canvas has the given size and color", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         const int before = Watch::live_objects();
@@ -116,7 +116,7 @@ TEST_CASE("00.3 a new canvas has its size and its color", "[00.3]") {
     CHECK(complaint(Canvas{2, 2}, 2, 2, [](int, int) { return 0; }) == "");
 }
 
-TEST_CASE("00.3 the pixels are released with the canvas", "[00.3]") {
+TEST_CASE("00.3 a canvas releases its pixels when it is destroyed", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         { const Canvas canvas{width, height, WatchedPixel{7}}; }
@@ -150,7 +150,7 @@ TEST_CASE("00.3 a copy has its own pixels", "[00.3]") {
     check_memory();
 }
 
-TEST_CASE("00.3 a move takes the pixels over", "[00.3]") {
+TEST_CASE("00.3 a move takes over the pixels of the other canvas", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : sizes) {
         Canvas original = numbered(width, height);
@@ -252,7 +252,7 @@ TEST_CASE("00.3 flipped returns the pixels of a canvas that is moved into it", "
     check_memory();
 }
 
-TEST_CASE("00.3 largest is a reference to the pixel itself", "[00.3]") {
+TEST_CASE("00.3 largest returns a reference to the pixel itself", "[00.3]") {
     const Watch watch;
     for (const auto& [width, height] : {std::pair{3, 2}, {1, 1}, {1, 6}, {4, 5}}) {
         Canvas canvas{width, height, WatchedPixel{}};
@@ -282,7 +282,7 @@ TEST_CASE("00.3 largest is a reference to the pixel itself", "[00.3]") {
     check_memory();
 }
 
-TEST_CASE("00.3 of several largest pixels the first is found", "[00.3][hard]") {
+TEST_CASE("00.3 largest returns the first of several equally large pixels", "[00.3][hard]") {
     const Watch watch;
     Canvas canvas{5, 4, WatchedPixel{-5}};
     // Catch2 would print addresses, which tell a person nothing.
@@ -403,7 +403,7 @@ TEST_CASE("00.3 a width or height below 1 is refused and no memory is lost", "[0
     check_memory();
 }
 
-TEST_CASE("00.3 no canvas is lost if there is no memory left", "[00.3][hard]") {
+TEST_CASE("00.3 the old canvas is kept if there is no memory for a new one", "[00.3][hard]") {
     const Watch watch;
     {
         Canvas canvas = numbered(3, 2);

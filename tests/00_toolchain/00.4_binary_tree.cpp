@@ -149,7 +149,7 @@ TEST_CASE("00.4 the nodes of small trees are counted", "[00.4]") {
     check_memory();
 }
 
-TEST_CASE("00.4 the depth of small trees", "[00.4]") {
+TEST_CASE("00.4 the depth of small trees is measured", "[00.4]") {
     const Watch watch;
     {
         INFO(
@@ -265,13 +265,13 @@ TEST_CASE("00.4 a tree a million nodes deep can be counted", "[00.4][hard]") {
     check_deep(deep_tree().count, [](const WatchedNode* root) { return rt::count_nodes(root); });
 }
 
-TEST_CASE("00.4 a tree a million nodes deep has its depth measured", "[00.4][hard]") {
+TEST_CASE("00.4 the depth of a tree a million nodes deep can be measured", "[00.4][hard]") {
     const Watch watch{Watch::destructors_only};
     rt::depth_of<WatchedNode>(nullptr);
     check_deep(million, [](const WatchedNode* root) { return rt::depth_of(root); });
 }
 
-TEST_CASE("00.4 a tree a million nodes deep is taken apart", "[00.4][hard]") {
+TEST_CASE("00.4 a tree a million nodes deep can be taken apart", "[00.4][hard]") {
     const Watch watch{Watch::destructors_only};
     rt::take_apart(Tree{});
     WatchedNode* const root = deep_tree().root;
@@ -305,7 +305,7 @@ TEST_CASE("00.4 things may be numbered up to the largest int", "[00.4][hard]") {
     }
 }
 
-TEST_CASE("00.4 the depth of a balanced tree is logarithmic", "[00.4][hard]") {
+TEST_CASE("00.4 the depth of a balanced tree grows as the logarithm of its size", "[00.4][hard]") {
     const Watch watch{Watch::destructors_only};
     for (const int count : {1, 2, 3, 4, 5, 8, 9, 1000, 1024, 1025, 100'000}) {
         const auto root = rt::make_tree<WatchedNode>(-count / 3, count - count / 3);

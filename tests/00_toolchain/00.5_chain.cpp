@@ -126,7 +126,7 @@ TEST_CASE("00.5 an empty chain has the sum 0 and gathers nothing", "[00.5]") {
     CHECK(rt::gathered(nullptr).size() == 0);
 }
 
-TEST_CASE("00.5 the gathered links come in the order of the chain", "[00.5]") {
+TEST_CASE("00.5 the gathered links keep the order of the chain", "[00.5]") {
     for (const int count : {1, 2, 3, 10, 50}) {
         const Scattered chain{count};
         const std::vector<Link> links = rt::gathered(chain.first);
@@ -175,7 +175,7 @@ TEST_CASE("00.5 chains of any length are gathered", "[00.5][hard]") {
     }
 }
 
-TEST_CASE("00.5 a chain of millions of links leads from each link to the next", "[00.5][hard]") {
+TEST_CASE("00.5 a chain of millions of links is gathered correctly", "[00.5][hard]") {
     // Code that reserves room for many links, and connects them while it fills, passes up
     // to that number.
     rt::gathered(nullptr);
