@@ -47,7 +47,7 @@ void check_over(Vec3 v, Real s) {
 
 }  // namespace
 
-TEST_CASE("01.1 a sum leads along one vector and then along the other", "[01.1]") {
+TEST_CASE("01.1 a sum adds each component of one vector to that of the other", "[01.1]") {
     check_plus({1, 2, 3}, {4, 6, 9});
     check_plus({1, 0, 0}, {0, 1, 0});
     check_plus({0, 0, 1}, {0, 0, 1});
@@ -55,7 +55,7 @@ TEST_CASE("01.1 a sum leads along one vector and then along the other", "[01.1]"
     check_plus({1, 2, 3}, {});
 }
 
-TEST_CASE("01.1 a difference leads from the second vector to the first", "[01.1]") {
+TEST_CASE("01.1 a difference subtracts the second vector's components from the first's", "[01.1]") {
     check_minus({4, 6, 9}, {1, 2, 3});
     check_minus({1, 2, 3}, {4, 6, 9});
     check_minus({0, 0, 0}, {1, 2, 3});
@@ -76,7 +76,7 @@ TEST_CASE("01.1 a quotient divides every component", "[01.1]") {
     check_over({1, 2, 3}, Real(0.5));
 }
 
-TEST_CASE("01.1 any vectors of ordinary size", "[01.1]") {
+TEST_CASE("01.1 the operators are correct for any vectors of ordinary size", "[01.1]") {
     rt::Rng rng{11, 1};
     for (int i = 0; i < 2000; ++i) {
         const Vec3 a = any_vector(rng, -3, 3), b = any_vector(rng, -3, 3);
@@ -87,7 +87,7 @@ TEST_CASE("01.1 any vectors of ordinary size", "[01.1]") {
     }
 }
 
-TEST_CASE("01.1 the other operators are made of these", "[01.1]") {
+TEST_CASE("01.1 the given operators work with your four operators", "[01.1]") {
     const Vec3 a{1, 2, 3}, b{4, 6, 9};
     check("2 * (1, 2, 3)", {2, 4, 6}, 2 * a,
           "this operator is given in <rt/vec3.hpp> and calls your v * s");

@@ -29,7 +29,7 @@ TEST_CASE("01.2 the dot product sums the products of all three components", "[01
     CHECK(computed == 3210);
 }
 
-TEST_CASE("01.2 the dot product takes any vectors", "[01.2]") {
+TEST_CASE("01.2 the dot product is correct for any vectors", "[01.2]") {
     rt::Rng rng{1, 1};
     for (int i = 0; i < 2000; ++i) {
         const Vec3 a = any_vector(rng, -2, 2), b = any_vector(rng, -2, 2);
@@ -39,7 +39,7 @@ TEST_CASE("01.2 the dot product takes any vectors", "[01.2]") {
     }
 }
 
-TEST_CASE("01.2 the dot product has the accuracy that three products allow", "[01.2][hard]") {
+TEST_CASE("01.2 the dot product is as accurate as three rounded products allow", "[01.2][hard]") {
     // Products near the largest and the smallest numbers, too.
     const Real apart = for_this_precision<Real>(7, 60), far = for_this_precision<Real>(8, 70);
     rt::Rng rng{1, 2};

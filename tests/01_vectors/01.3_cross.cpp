@@ -44,7 +44,8 @@ TEST_CASE("01.3 the cross product of a vector with itself is exactly zero", "[01
     CHECK(rt::cross(a, a) == Vec3{0, 0, 0});
 }
 
-TEST_CASE("01.3 the cross product is perpendicular to both and has the right length", "[01.3]") {
+TEST_CASE("01.3 the cross product is perpendicular to both factors and has the right length",
+          "[01.3]") {
     // Small whole numbers, with which nothing is rounded.
     rt::Rng rng{2, 1};
     const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };

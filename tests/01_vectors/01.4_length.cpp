@@ -128,7 +128,7 @@ TEST_CASE("01.4 normalize works on huge and tiny vectors", "[01.4][hard]") {
     for_huge_and_tiny_vectors(check_normalize);
 }
 
-TEST_CASE("01.4 vectors of any direction have a length", "[01.4]") {
+TEST_CASE("01.4 length and normalize are correct for vectors of any direction", "[01.4]") {
     rt::Rng rng{3, 1};
     for (int i = 0; i < 2000; ++i) check_both(any_scaled(rng, -10, 10));
     // Some already have a length of nearly 1.
@@ -138,7 +138,8 @@ TEST_CASE("01.4 vectors of any direction have a length", "[01.4]") {
              0});
 }
 
-TEST_CASE("01.4 the smallest and the largest numbers have a length", "[01.4][hard]") {
+TEST_CASE("01.4 length and normalize work for the smallest and the largest numbers",
+          "[01.4][hard]") {
     rt::Rng rng{3, 2};
     for (int i = 0; i < 2000; ++i) {
         check_both(any_scaled(rng, smallest_exponent, largest_exponent - 1));
@@ -163,7 +164,7 @@ TEST_CASE("01.4 the smallest and the largest numbers have a length", "[01.4][har
     CHECK(rt::length({largest, largest, -largest}) == rt::infinity);
 }
 
-TEST_CASE("01.4 a vector without direction is refused", "[01.4][hard]") {
+TEST_CASE("01.4 normalize refuses a vector without a direction", "[01.4][hard]") {
     INFO(
         "Hint: throw std::domain_error(\"why\") if the vector is zero, infinite or NaN; test it "
         "with is_finite(v)");

@@ -34,7 +34,7 @@ void check_side(Vec3 normal, Vec3 to_viewer, int exponent, int other_exponent) {
 
 }  // namespace
 
-TEST_CASE("01.5 facing is the sign of the cosine", "[01.5]") {
+TEST_CASE("01.5 facing returns the sign of the cosine", "[01.5]") {
     const Vec3 normal{0, 1, 0};
     INFO("Hint: the cosine of an angle is positive below 90 degrees and negative above");
     CHECK(rt::facing(normal, {real(0.5), 1, 0}) == 1);
@@ -49,12 +49,12 @@ TEST_CASE("01.5 the lengths of the vectors do not matter", "[01.5]") {
     CHECK(rt::facing({1, 2, 3}, {3, 0, -1}) == 0);
 }
 
-TEST_CASE("01.5 any two directions", "[01.5]") {
+TEST_CASE("01.5 facing is correct for any two directions", "[01.5]") {
     rt::Rng rng{4, 1};
     for (int i = 0; i < 2000; ++i) check_side(any_vector(rng, -2, 2), any_vector(rng, -2, 2), 0, 0);
 }
 
-TEST_CASE("01.5 nearly edge-on is not edge-on", "[01.5][hard]") {
+TEST_CASE("01.5 a vector that is nearly edge-on does not count as edge-on", "[01.5][hard]") {
     rt::Rng rng{4, 2};
     for (int i = 0; i < 4000; ++i) {
         const Vec3 a = any_vector(rng, -1, 1), b = any_vector(rng, -1, 1);
@@ -63,7 +63,7 @@ TEST_CASE("01.5 nearly edge-on is not edge-on", "[01.5][hard]") {
     }
 }
 
-TEST_CASE("01.5 exactly edge-on is 0 whatever the lengths", "[01.5][hard]") {
+TEST_CASE("01.5 facing returns 0 for edge-on vectors of any length", "[01.5][hard]") {
     INFO("Hint: scaling by a power of two, as split_scale does, loses no digit of these vectors");
     rt::Rng rng{4, 3};
     const auto whole = [&] { return std::floor(rng.uniform(-9, 10)); };
@@ -78,7 +78,7 @@ TEST_CASE("01.5 exactly edge-on is 0 whatever the lengths", "[01.5][hard]") {
     }
 }
 
-TEST_CASE("01.5 tiny and huge vectors are in front or behind too", "[01.5][hard]") {
+TEST_CASE("01.5 facing is correct for tiny and huge vectors", "[01.5][hard]") {
     constexpr int digits = std::numeric_limits<Real>::digits,
                   lowest = std::numeric_limits<Real>::min_exponent - digits,
                   highest = std::numeric_limits<Real>::max_exponent - 1;
@@ -101,7 +101,8 @@ TEST_CASE("01.5 tiny and huge vectors are in front or behind too", "[01.5][hard]
     }
 }
 
-TEST_CASE("01.5 no angle that can be told from 90 degrees is edge-on", "[01.5][hard]") {
+TEST_CASE("01.5 even angles extremely close to 90 degrees do not count as edge-on",
+          "[01.5][hard]") {
     INFO("Hint: use the sign of the dot product, because the angle itself is rounded");
     // The two vectors share one component, which is small: the cosine is its square.
     const int smallest = for_this_precision(-60, -500), far = for_this_precision(60, 500);
@@ -115,7 +116,7 @@ TEST_CASE("01.5 no angle that can be told from 90 degrees is edge-on", "[01.5][h
         }
 }
 
-TEST_CASE("01.5 a zero vector gives 0", "[01.5][hard]") {
+TEST_CASE("01.5 facing returns 0 for a zero vector", "[01.5][hard]") {
     const Real huge = std::numeric_limits<Real>::max();
     for (const Real zero : {Real(0), Real(-0.0)})
         for (const Vec3 other : {Vec3{1, 2, 3}, Vec3{-huge, huge, huge}, Vec3{0, 0, 0}}) {

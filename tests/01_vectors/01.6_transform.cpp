@@ -104,7 +104,7 @@ TEST_CASE("01.6 a normal stays perpendicular to its surface", "[01.6]") {
     CHECK(normal == Vec3{real(0.5), -1, 0});
 }
 
-TEST_CASE("01.6 a normal takes the columns of the inverse and does not move", "[01.6]") {
+TEST_CASE("01.6 transform_normal uses the columns of the inverse and no translation", "[01.6]") {
     const Vec3 computed = rt::transform_normal(inverse_of_map, {1, 2, 3});
     INFO("expected (0.5, -3, 2), actual "
          << text(computed)
@@ -123,7 +123,7 @@ TEST_CASE("01.6 the product of two maps applies the right-hand map first", "[01.
     CHECK(moved_first == Mat4{{{{2, 0, 0, 2}, {0, 3, 0, 0}, {0, 0, 4, 0}, {0, 0, 0, 1}}}});
 }
 
-TEST_CASE("01.6 any map and any point or vector or normal", "[01.6]") {
+TEST_CASE("01.6 points and vectors and normals are correct under any map", "[01.6]") {
     rt::Rng rng{5, 1};
     for (int i = 0; i < 300; ++i) check_maps(rng, -1, 1);
 }
@@ -145,7 +145,7 @@ TEST_CASE("01.6 a sheared and squeezed surface keeps its normal", "[01.6][hard]"
     CHECK(std::abs(normal.x) + std::abs(normal.y) > 0);
 }
 
-TEST_CASE("01.6 each number is within the bound of five roundings", "[01.6][hard]") {
+TEST_CASE("01.6 each number is accurate to within five roundings", "[01.6][hard]") {
     // Terms of very different sizes, which may cancel: the bound is on the size of the terms.
     const Real far = for_this_precision<Real>(15, 100);
     rt::Rng rng{5, 2};
