@@ -76,7 +76,7 @@ std::string suggestion(Vec2 p, Vec2 expected) {
 
 }  // namespace
 
-TEST_CASE("02.1 x grows to the right and y upward from the middle", "[02.1]") {
+TEST_CASE("02.1 x grows to the right and y grows upward from the middle", "[02.1]") {
     const struct {
         int column, row;
         Vec2 expected;
@@ -125,7 +125,7 @@ TEST_CASE("02.1 the pixels fill the viewport from edge to edge", "[02.1]") {
     }
 }
 
-TEST_CASE("02.1 images of 1x1 and 1x10000 pixels", "[02.1][hard]") {
+TEST_CASE("02.1 points are correct in images of 1x1 and 1x10000 pixels", "[02.1][hard]") {
     {
         const Vec2 middle = rt::pixel_to_viewport(camera(1, 1, 2, 2), 0, 0, {Real(0.5), Real(0.5)});
         INFO("the middle of a single pixel: expected (0, 0), actual "
@@ -145,7 +145,7 @@ TEST_CASE("02.1 images of 1x1 and 1x10000 pixels", "[02.1][hard]") {
     }
 }
 
-TEST_CASE("02.1 every pixel is within three units in the last place", "[02.1][hard]") {
+TEST_CASE("02.1 every point is accurate to three units in the last place", "[02.1][hard]") {
     // Offset, division, product: three roundings. Everything else in the formula can be exact.
     rt::Rng rng{21, 1};
     for (int i = 0; i < 2000; ++i) {

@@ -180,7 +180,7 @@ TEST_CASE("02.3 a camera that looks straight up or down has a basis", "[02.3]") 
     }
 }
 
-TEST_CASE("02.3 the vectors are perpendicular with length 1 and right-handed", "[02.3]") {
+TEST_CASE("02.3 the basis is orthonormal and right-handed", "[02.3]") {
     for (const View& view : views_well_apart()) {
         const Basis b = rt::look_at(view.from, view.at, view.up);
         INFO(text(view) << " gives " << text(b) << ".\nHint: " << suggestion(b));
@@ -188,7 +188,7 @@ TEST_CASE("02.3 the vectors are perpendicular with length 1 and right-handed", "
     }
 }
 
-TEST_CASE("02.3 any view and any up", "[02.3]") {
+TEST_CASE("02.3 the basis is correct for any view and any up", "[02.3]") {
     rt::Rng rng{23, 1};
     int tried = 0;
     for (int i = 0; i < 600; ++i) {
@@ -213,7 +213,8 @@ TEST_CASE("02.3 any view and any up", "[02.3]") {
     REQUIRE(tried > 300);
 }
 
-TEST_CASE("02.3 coordinates of any size and a camera a million units away", "[02.3][hard]") {
+TEST_CASE("02.3 the basis is accurate for coordinates of any size and distant cameras",
+          "[02.3][hard]") {
     for (const View& view : views_well_apart()) {
         const Basis b = rt::look_at(view.from, view.at, view.up);
         INFO(text(view));
@@ -237,7 +238,7 @@ TEST_CASE("02.3 coordinates of any size and a camera a million units away", "[02
     }
 }
 
-TEST_CASE("02.3 the smallest and the largest up still point up", "[02.3][hard]") {
+TEST_CASE("02.3 the basis is accurate for the smallest and the largest up", "[02.3][hard]") {
     constexpr int lowest =
                       std::numeric_limits<Real>::min_exponent - std::numeric_limits<Real>::digits,
                   highest = std::numeric_limits<Real>::max_exponent - 5;
@@ -321,7 +322,7 @@ TEST_CASE("02.3 a view parallel to up still has a basis", "[02.3][hard]") {
     }
 }
 
-TEST_CASE("02.3 a view nearly parallel to up keeps its digits", "[02.3][hard]") {
+TEST_CASE("02.3 the basis is accurate for a view nearly parallel to up", "[02.3][hard]") {
     for (const View& view : views_nearly_parallel()) {
         const Basis b = rt::look_at(view.from, view.at, view.up);
         INFO(text(view));
@@ -341,7 +342,7 @@ TEST_CASE("02.3 a view nearly parallel to up keeps its digits", "[02.3][hard]") 
     }
 }
 
-TEST_CASE("02.3 the smallest angle between view and up counts", "[02.3][hard]") {
+TEST_CASE("02.3 even the smallest angle between view and up determines the basis", "[02.3][hard]") {
     // Two whole numbers that differ by 1 make the smallest angle there is; scaling by a power of
     // two rounds nothing.
     rt::Rng rng{23, 3};
@@ -371,7 +372,7 @@ TEST_CASE("02.3 the smallest angle between view and up counts", "[02.3][hard]") 
     }
 }
 
-TEST_CASE("02.3 a view without a direction and one without an up are refused", "[02.3][hard]") {
+TEST_CASE("02.3 look_at refuses a view without a direction or without an up", "[02.3][hard]") {
     INFO(
         "look_at must throw std::domain_error.\nHint: normalize does that for from - at; check up "
         "before its cross product, and throw if up == Vec3{} or !is_finite(up)");

@@ -118,7 +118,7 @@ TEST_CASE("02.4 the ray starts at the eye", "[02.4]") {
     CHECK(ray.origin == Vec3{7, 8, 9});
 }
 
-TEST_CASE("02.4 the middle of the picture is straight ahead", "[02.4]") {
+TEST_CASE("02.4 the ray through the middle of the picture leads straight ahead", "[02.4]") {
     const Ray ray = rt::primary_ray(eastward(), 1, 1, middle);
     const Vec3 ahead{1, 0, 0};
     HINT(ahead, ray.direction,
@@ -145,7 +145,7 @@ TEST_CASE("02.4 u points right in the picture and v points up", "[02.4]") {
     CHECK(above.z == 0);
 }
 
-TEST_CASE("02.4 the corners of the picture are the corners of the viewport", "[02.4]") {
+TEST_CASE("02.4 rays at the picture's corners go through the viewport's corners", "[02.4]") {
     const struct {
         int column, row;
         Vec2 offset;
@@ -172,12 +172,12 @@ TEST_CASE("02.4 the direction has length 1", "[02.4]") {
     });
 }
 
-TEST_CASE("02.4 any pixel of any camera", "[02.4]") {
+TEST_CASE("02.4 the ray is correct for any pixel of any camera", "[02.4]") {
     rt::Rng rng{24, 1};
     for (int i = 0; i < 1000; ++i) check_any_ray(rng, 1, true);
 }
 
-TEST_CASE("02.4 fields of view from 0.001 to 179.9 degrees and images of one pixel",
+TEST_CASE("02.4 rays are accurate for extreme fields of view and images of one pixel",
           "[02.4][hard]") {
     for_rays_of_any_angle(
         [](double degrees, const Camera& camera, int column, int row, Vec2 offset) {

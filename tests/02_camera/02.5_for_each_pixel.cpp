@@ -69,13 +69,13 @@ void check(const Tile& tile) {
 
 }  // namespace
 
-TEST_CASE("02.5 a row runs from left and stops just before right", "[02.5]") {
+TEST_CASE("02.5 each row is visited from left to just before right", "[02.5]") {
     check({0, 0, 1, 1});
     check({0, 0, 5, 1});
     check({0, 0, 2, 1});
 }
 
-TEST_CASE("02.5 rows run from top and stop just before bottom", "[02.5]") {
+TEST_CASE("02.5 the rows are visited from top to just before bottom", "[02.5]") {
     check({0, 0, 1, 4});
     check({0, 0, 3, 2});
     check({0, 0, 2, 3});
@@ -91,14 +91,14 @@ TEST_CASE("02.5 a tile may begin anywhere", "[02.5]") {
     check({2, 100, 4, 103});
 }
 
-TEST_CASE("02.5 a whole picture is a tile", "[02.5]") {
+TEST_CASE("02.5 a tile may be the whole picture", "[02.5]") {
     check({0, 0, 96, 54});
     check({0, 0, 54, 96});
     check({0, 0, 1, 1000});
     check({0, 0, 1000, 1});
 }
 
-TEST_CASE("02.5 any tile of a picture", "[02.5]") {
+TEST_CASE("02.5 every pixel is visited in any tile of a picture", "[02.5]") {
     rt::Rng rng{25, 1};
     for (int i = 0; i < 500; ++i) {
         const auto place = [&] { return static_cast<int>(rng() % 2000); };
@@ -114,12 +114,12 @@ TEST_CASE("02.5 a tile without pixels makes no call", "[02.5][hard]") {
         check(tile);
 }
 
-TEST_CASE("02.5 very wide and very tall tiles", "[02.5][hard]") {
+TEST_CASE("02.5 every pixel is visited in very wide and very tall tiles", "[02.5][hard]") {
     check({0, 0, 70'000, 2});
     check({0, 0, 2, 70'000});
 }
 
-TEST_CASE("02.5 tiles at both ends of the range of int", "[02.5][hard]") {
+TEST_CASE("02.5 every pixel is visited at both ends of the range of int", "[02.5][hard]") {
     constexpr int most = std::numeric_limits<int>::max(), least = std::numeric_limits<int>::min();
     check({most - 3, most - 2, most, most});
     check({least, least, least + 3, least + 2});
@@ -140,7 +140,7 @@ TEST_CASE("02.5 an exception from visit ends the loop and reaches the caller", "
     CHECK(calls == 6);
 }
 
-TEST_CASE("02.5 one visit is called for all pixels", "[02.5][hard]") {
+TEST_CASE("02.5 the same visit is called for all pixels and never copied", "[02.5][hard]") {
     // It has a counter of its own, and cannot be copied.
     std::vector<int> counts;
     rt::for_each_pixel(Tile{0, 0, 3, 2}, [&counts, count = std::make_unique<int>(0)](
