@@ -81,7 +81,7 @@ void check_none(const std::optional<Roots>& roots, const char* what) {
 
 }  // namespace
 
-TEST_CASE("03.1 both solutions are found and in order", "[03.1]") {
+TEST_CASE("03.1 both solutions are found and the smaller one comes first", "[03.1]") {
     const char* const hint =
         "t^2 - 3 t + 2 = (t - 1)(t - 2); low is the smaller solution, whatever the signs";
     check_exactly(1, -3, 2, 1, 2, hint);
@@ -107,7 +107,7 @@ TEST_CASE("03.1 a discriminant of zero means one solution", "[03.1]") {
     check_exactly(1, 0, 0, 0, 0, "t^2 = 0 has the solution 0: here q is 0, and c / q is NaN");
 }
 
-TEST_CASE("03.1 any coefficients", "[03.1][hard]") {
+TEST_CASE("03.1 the solutions are correct for any coefficients", "[03.1][hard]") {
     rt::Rng rng{31, 1};
     for (int i = 0; i < 1000; ++i) {
         const Vec3 k = any_vector(rng, -2, 2);
@@ -117,7 +117,7 @@ TEST_CASE("03.1 any coefficients", "[03.1][hard]") {
     }
 }
 
-TEST_CASE("03.1 the given discriminant is used", "[03.1]") {
+TEST_CASE("03.1 roots_from_discriminant uses the given discriminant", "[03.1]") {
     // (t - m)^2 = s^2. The true c is m^2 - s^2, which is rounded: only the discriminant knows s.
     rt::Rng rng{31, 2};
     for (int i = 0; i < 500; ++i) {
@@ -136,20 +136,20 @@ TEST_CASE("03.1 the given discriminant is used", "[03.1]") {
     }
 }
 
-TEST_CASE("03.1 b is zero", "[03.1][hard]") {
+TEST_CASE("03.1 an equation with b = 0 is solved", "[03.1][hard]") {
     const char* const hint = "the sign of 0 must count as plus or minus, not as 0: std::copysign";
     check_exactly(1, 0, -4, -2, 2, hint);
     check_exactly(1, Real(-0.0), -4, -2, 2, hint);
     check_exactly(-4, 0, 1, Real(-0.5), Real(0.5), hint);
 }
 
-TEST_CASE("03.1 c is zero", "[03.1][hard]") {
+TEST_CASE("03.1 an equation with c = 0 is solved", "[03.1][hard]") {
     const char* const hint = "t (a t + b) = 0: one solution is 0, the other is -b / a";
     check_exactly(1, -5, 0, 0, 5, hint);
     check_exactly(2, 5, 0, Real(-2.5), 0, hint);
 }
 
-TEST_CASE("03.1 a is zero", "[03.1][hard]") {
+TEST_CASE("03.1 an equation with a = 0 is solved", "[03.1][hard]") {
     const char* const hint =
         "b t + c = 0 has the one solution -c / b, which is c / q; q / a divides by 0";
     check_exactly(0, 2, -6, 3, 3, hint);
@@ -159,7 +159,7 @@ TEST_CASE("03.1 a is zero", "[03.1][hard]") {
     check_none(rt::solve_quadratic(0, 0, 0), "solve_quadratic with a = b = 0, as documented");
 }
 
-TEST_CASE("03.1 tiny numbers are not zero", "[03.1][hard]") {
+TEST_CASE("03.1 tiny numbers are not treated as zero", "[03.1][hard]") {
     const char* const hint =
         "compare the discriminant, q and a with 0 exactly: no number is too small to count";
     const int far = for_this_precision(14, 140);
@@ -197,7 +197,7 @@ TEST_CASE("03.1 any equation is solved to four units in the last place", "[03.1]
                         "/ a and c / q. Then nothing cancels");
 }
 
-TEST_CASE("03.1 the small solution survives beside a large one", "[03.1][hard]") {
+TEST_CASE("03.1 a small solution keeps its digits beside a large one", "[03.1][hard]") {
     // b^2 is much larger than 4 a c.
     constexpr Real most = for_this_precision<Real>(8, 60);
     rt::Rng rng{31, 6};
@@ -241,7 +241,7 @@ TEST_CASE("03.1 a huge discriminant does not overflow", "[03.1][hard]") {
                         "other products must not overflow either");
 }
 
-TEST_CASE("03.1 a or c is close to the largest number", "[03.1][hard]") {
+TEST_CASE("03.1 an a or c close to the largest number does not overflow", "[03.1][hard]") {
     const char* const hint =
         "4 a c does not overflow here, but 4 * a or 4 * c does. Use b / 2, which is exact: "
         "difference_of_products then gives a quarter of the discriminant without the factor 4";

@@ -200,7 +200,7 @@ Sphere any_sphere(rt::Rng& rng) {
 
 }  // namespace
 
-TEST_CASE("03.2 from outside the near side is hit", "[03.2]") {
+TEST_CASE("03.2 a ray from outside hits the near side", "[03.2]") {
     check({{0, 0, -5}, 1}, forward, ahead, Real(4),
           "the line meets the sphere at t = 4 and 6. If you find -6 and -4, f has the wrong sign: "
           "it must lead from the center to the ray's origin");
@@ -208,13 +208,13 @@ TEST_CASE("03.2 from outside the near side is hit", "[03.2]") {
           "half of the chord is 4, because 3^2 + 4^2 = 5^2");
 }
 
-TEST_CASE("03.2 results need not be whole numbers", "[03.2]") {
+TEST_CASE("03.2 t need not be a whole number", "[03.2]") {
     const char* const hint = "a, b and c are of the type Real: an int drops the fraction";
     check({{0, 0, -2}, Real(1.5)}, forward, ahead, Real(0.5), hint);
     check({{0, 0, Real(-1.25)}, 1}, forward, ahead, Real(0.25), hint);
 }
 
-TEST_CASE("03.2 the center of the sphere counts", "[03.2]") {
+TEST_CASE("03.2 a hit depends on where the center of the sphere is", "[03.2]") {
     check({{10, 20, 30}, 2}, {{10, 20, 40}, {0, 0, -1}}, ahead, Real(8),
           "f is the ray's origin minus the sphere's center");
     check({{0, 10, -5}, 1}, forward, ahead, {}, "this sphere is far above the ray");
@@ -230,7 +230,7 @@ TEST_CASE("03.2 a sphere behind the ray is not hit", "[03.2]") {
           "the line meets the sphere at t = -6 and -4, but the interval starts at 0");
 }
 
-TEST_CASE("03.2 from inside the far side is hit", "[03.2]") {
+TEST_CASE("03.2 a ray from inside hits the far side", "[03.2]") {
     check({{0, 0, 0}, 3}, forward, ahead, Real(3),
           "the nearer solution, -3, is behind the origin: the farther one is the hit");
     check({{0, 0, -2}, 5}, forward, ahead, Real(7), "the solutions are -3 and 7");
@@ -266,7 +266,7 @@ TEST_CASE("03.2 a direction of length zero hits nothing", "[03.2][hard]") {
     check({{0, 0, 0}, 1}, {{0, 0, 1}, {0, 0, 0}}, whole_line, {}, hint);
 }
 
-TEST_CASE("03.2 any sphere and any ray and any interval", "[03.2][hard]") {
+TEST_CASE("03.2 hits are correct for any sphere and ray and interval", "[03.2][hard]") {
     rt::Rng rng{32, 1};
     for (int i = 0; i < 400; ++i) {
         const Real radius = rng.uniform(Real(0.5), 2), length = rng.uniform(Real(0.5), 2);
@@ -275,7 +275,7 @@ TEST_CASE("03.2 any sphere and any ray and any interval", "[03.2][hard]") {
     }
 }
 
-TEST_CASE("03.2 a ray that starts on the surface", "[03.2][hard]") {
+TEST_CASE("03.2 both hits are accurate for a ray that starts on the surface", "[03.2][hard]") {
     const Sphere sphere{{1, 1, 1}, 7};
     const Vec3 start{3, 4, 7};  // 2, 3, 6 from the center: 4 + 9 + 36 = 49
     check(sphere, {start, {2, 3, 6}}, {-9, Real(-0.5)}, Real(-2), "the other solution is -2");
@@ -292,7 +292,7 @@ TEST_CASE("03.2 a ray that starts on the surface", "[03.2][hard]") {
     }
 }
 
-TEST_CASE("03.2 near spheres are hit within the bound", "[03.2][hard]") {
+TEST_CASE("03.2 t is within its error bound for near spheres", "[03.2][hard]") {
     rt::Rng rng{32, 4};
     for (int i = 0; i < 300; ++i) {
         const Sphere sphere = any_sphere(rng);
@@ -308,7 +308,7 @@ const char* const cancels =
     "b^2 - 4 a c cancels when the sphere is far. 'The discriminant of a far sphere' in the text "
     "derives a form whose terms are as small as the sphere";
 
-TEST_CASE("03.2 a sphere a million radii away is hit where it should be", "[03.2][hard]") {
+TEST_CASE("03.2 a sphere a million radii away is hit at an accurate t", "[03.2][hard]") {
     rt::Rng rng{32, 5};
     for (int i = 0; i < 400; ++i) {
         const Sphere sphere = any_sphere(rng);
@@ -330,7 +330,7 @@ TEST_CASE("03.2 nearly tangent rays are decided correctly", "[03.2][hard]") {
     REQUIRE(decided > 400);
 }
 
-TEST_CASE("03.2 from inside both solutions are right", "[03.2][hard]") {
+TEST_CASE("03.2 both solutions are accurate for a ray from inside", "[03.2][hard]") {
     rt::Rng rng{32, 7};
     for (int i = 0; i < 200; ++i) {
         const Sphere sphere = any_sphere(rng);
@@ -355,7 +355,7 @@ TEST_CASE("03.2 tiny and huge spheres are hit", "[03.2][hard]") {
     }
 }
 
-TEST_CASE("03.2 directions of any length give the same points", "[03.2][hard]") {
+TEST_CASE("03.2 directions of any length lead to the same hit points", "[03.2][hard]") {
     rt::Rng rng{32, 9};
     for (int i = 0; i < 200; ++i) {
         const Sphere sphere = any_sphere(rng);
@@ -365,7 +365,7 @@ TEST_CASE("03.2 directions of any length give the same points", "[03.2][hard]") 
     }
 }
 
-TEST_CASE("03.2 the scene at any scale gives the same hits", "[03.2][hard]") {
+TEST_CASE("03.2 a scene gives the same hits at any scale", "[03.2][hard]") {
     constexpr Real far = for_this_precision<Real>(6, 40), longest = for_this_precision<Real>(3, 20);
     constexpr Real farthest = for_this_precision<Real>(5, 8);
     rt::Rng rng{32, 2};

@@ -106,7 +106,7 @@ void check_any(rt::Rng& rng, Real scale) {
 
 }  // namespace
 
-TEST_CASE("03.3 the nearest sphere counts in whatever order they are listed", "[03.3]") {
+TEST_CASE("03.3 the nearest sphere is found whatever the order of the list", "[03.3]") {
     check({sphere_at(2), sphere_at(6)}, forward, ahead, rt::NearestSphere{0, 2});
     check({sphere_at(6), sphere_at(2)}, forward, ahead, rt::NearestSphere{1, 2});
     check({sphere_at(6), sphere_at(2), sphere_at(10)}, forward, ahead, rt::NearestSphere{1, 2});
@@ -114,7 +114,7 @@ TEST_CASE("03.3 the nearest sphere counts in whatever order they are listed", "[
     check({sphere_at(2), sphere_at(10), sphere_at(6)}, forward, ahead, rt::NearestSphere{0, 2});
 }
 
-TEST_CASE("03.3 a ray that meets no sphere gives nothing", "[03.3]") {
+TEST_CASE("03.3 a ray that meets no sphere gives no hit", "[03.3]") {
     check({}, forward, ahead, {});
     check({beside}, forward, ahead, {});
     check({beside, beside, beside}, forward, ahead, {});
@@ -161,7 +161,7 @@ TEST_CASE("03.3 a sphere behind the ray never hides one in front of it", "[03.3]
     check({behind, sphere_at(6)}, forward, {-infinity, infinity}, rt::NearestSphere{0, -4});
 }
 
-TEST_CASE("03.3 t is what hit_sphere gives for this sphere", "[03.3]") {
+TEST_CASE("03.3 t is the value that hit_sphere gives for the nearest sphere", "[03.3]") {
     // Each list ends with a sphere that the ray misses, and one that is farther away.
     rt::Rng rng{33, 1};
     for (int i = 0; i < 1000; ++i) {
@@ -180,7 +180,7 @@ TEST_CASE("03.3 a call does not affect the next call", "[03.3]") {
     check({beside}, forward, ahead, {});
 }
 
-TEST_CASE("03.3 of equally near spheres the last counts", "[03.3][hard]") {
+TEST_CASE("03.3 of equally near spheres the last in the list counts", "[03.3][hard]") {
     check({sphere_at(2), sphere_at(2)}, forward, ahead, rt::NearestSphere{1, 2});
     check({sphere_at(2), sphere_at(6), sphere_at(2), beside}, forward, ahead,
           rt::NearestSphere{2, 2});
@@ -194,8 +194,7 @@ TEST_CASE("03.3 of equally near spheres the last counts", "[03.3][hard]") {
     check({sphere_at(2), sphere_at(2)}, forward, {2, 2}, rt::NearestSphere{1, 2});
 }
 
-TEST_CASE("03.3 a sphere around the origin of the ray counts with the t at which the ray leaves it",
-          "[03.3][hard]") {
+TEST_CASE("03.3 a sphere around the ray's origin is hit where the ray leaves it", "[03.3][hard]") {
     const auto around = [](Real radius) { return SceneSphere{{{0, 0, 0}, radius}, 0}; };
     check({around(5), around(3), around(8)}, forward, ahead, rt::NearestSphere{1, 3});
     check({around(5), sphere_at(2), around(8)}, forward, ahead, rt::NearestSphere{1, 2});
@@ -215,12 +214,12 @@ TEST_CASE("03.3 the last digit of t decides which sphere is nearer", "[03.3][har
     }
 }
 
-TEST_CASE("03.3 lists of any spheres in any order", "[03.3][hard]") {
+TEST_CASE("03.3 the nearest sphere is found in lists of any spheres", "[03.3][hard]") {
     rt::Rng rng{33, 3};
     for (int i = 0; i < 3000; ++i) check_any(rng, 1);
 }
 
-TEST_CASE("03.3 tiny scenes and huge ones", "[03.3][hard]") {
+TEST_CASE("03.3 the nearest sphere is found in tiny and huge scenes", "[03.3][hard]") {
     rt::Rng rng{33, 4};
     const Real most = for_this_precision<Real>(5, 30);
     for (int i = 0; i < 3000; ++i) check_any(rng, std::pow(Real(10), rng.uniform(-most, most)));

@@ -65,7 +65,7 @@ constexpr Color black{0, 0, 0}, red{1, 0, 0}, green{0, 1, 0}, blue{0, 0, 1}, whi
 
 }  // namespace
 
-TEST_CASE("03.4 the header has the format and the size and 255", "[03.4]") {
+TEST_CASE("03.4 the header contains the format and the size and 255", "[03.4]") {
     const std::string text = written(Image{3, 2});
     std::istringstream in{text};
     std::string format;
@@ -79,7 +79,7 @@ TEST_CASE("03.4 the header has the format and the size and 255", "[03.4]") {
     CHECK(full == 255);
 }
 
-TEST_CASE("03.4 bytes are written as numbers", "[03.4]") {
+TEST_CASE("03.4 bytes are written as numbers and not as characters", "[03.4]") {
     const std::string text = written(Image{2, 1, white});
     INFO("the text is " << begin_of(text)
                         << ".\nHint: a std::uint8_t is printed as a character; write + before it "
@@ -100,7 +100,7 @@ TEST_CASE("03.4 red comes before green and green before blue", "[03.4]") {
                 "write c.r, c.g and c.b in this order: red, green, blue");
 }
 
-TEST_CASE("03.4 rows run from the top and pixels from the left", "[03.4]") {
+TEST_CASE("03.4 rows are written from the top and pixels from the left", "[03.4]") {
     Image image{2, 3};
     image.at(0, 0) = red;
     image.at(1, 0) = green;
@@ -151,7 +151,7 @@ TEST_CASE("03.4 each of the 256 byte values is written and read back unchanged",
         "round to the nearest byte: if you cut off the digits, the byte may be one too small");
 }
 
-TEST_CASE("03.4 any image is written byte by byte", "[03.4][hard]") {
+TEST_CASE("03.4 every byte of any image is written correctly", "[03.4][hard]") {
     rt::Rng rng{33, 1};
     for (const int width : {1, 13, 64}) {
         Image image{width, 41};
