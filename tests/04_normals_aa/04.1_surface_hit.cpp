@@ -149,7 +149,7 @@ TEST_CASE("04.1 a hit from inside has the outward normal and is not in front", "
     CHECK_FALSE(hit.front);
 }
 
-TEST_CASE("04.1 the side is right for every ray", "[04.1]") {
+TEST_CASE("04.1 the member front is correct for every ray", "[04.1]") {
     for_shots(5000, 2, 100, [](const Shot& shot) {
         const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);
         if (hit.t != shot.t) {
@@ -165,7 +165,7 @@ TEST_CASE("04.1 the side is right for every ray", "[04.1]") {
     });
 }
 
-TEST_CASE("04.1 the side is right as long as rounding can tell", "[04.1][hard]") {
+TEST_CASE("04.1 the member front is correct unless rounding errors hide the side", "[04.1][hard]") {
     const Real far = 1 / (16 * rt::epsilon);
     for_shots(20000, 2, far, [](const Shot& shot) {
         check_side(shot, rt::surface_hit(shot.sphere, shot.ray, shot.t));
@@ -251,7 +251,7 @@ TEST_CASE("04.1 the point lies on the surface within its error bound", "[04.1][h
     });
 }
 
-TEST_CASE("04.1 the error bound is the one that the text derives", "[04.1][hard]") {
+TEST_CASE("04.1 the error bound is the bound that the text derives", "[04.1][hard]") {
     // Not far from the origin, where both parts of the bound count.
     for_shots(20000, 0, 1000, [](const Shot& shot) {
         const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);

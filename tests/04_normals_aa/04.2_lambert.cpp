@@ -59,7 +59,7 @@ TEST_CASE("04.2 the cosine is right for any two directions", "[04.2]") {
     }
 }
 
-TEST_CASE("04.2 the last light before sunset is not lost", "[04.2][hard]") {
+TEST_CASE("04.2 light from just above the horizon is not lost", "[04.2][hard]") {
     for (Real height = real(0.5); height > std::numeric_limits<Real>::min(); height /= 4) {
         const Real computed = light_on_floor(height);
         INFO("the light is " << text(height) << " above the horizon");

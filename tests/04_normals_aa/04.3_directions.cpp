@@ -46,7 +46,7 @@ TEST_CASE("04.3 uniform directions cover the sphere evenly", "[04.3]") {
     CHECK(statistic < chi_square_limit(turns * rings - 1));
 }
 
-TEST_CASE("04.3 bounces follow the cosine about any normal", "[04.3]") {
+TEST_CASE("04.3 bounces follow the cosine distribution around any normal", "[04.3]") {
     rt::Rng rng{43, 2};
     std::vector<Grid> grids{Grid{{0, 0, 1}}, Grid{{0, 0, -1}}};
     while (grids.size() < 20) grids.emplace_back(any_direction(rng));
@@ -122,7 +122,7 @@ TEST_CASE("04.3 equal parts of the square become equally likely directions", "[0
     }
 }
 
-TEST_CASE("04.3 the corners of the square give directions too", "[04.3][hard]") {
+TEST_CASE("04.3 sample points at the corners of the square give valid directions", "[04.3][hard]") {
     const auto check = [](Vec2 place) {
         const Vec3 d = rt::uniform_direction(place);
         INFO("place (" << text(place.x) << ", " << text(place.y) << ") gives " << text(d));

@@ -130,15 +130,15 @@ TEST_CASE("04.4 light is scattered to the side that the ray came from", "[04.4]"
     CHECK(lowest > 0);
 }
 
-TEST_CASE("04.4 bounces outside follow the cosine", "[04.4]") {
+TEST_CASE("04.4 bounces off the outer side follow the cosine distribution", "[04.4]") {
     check_distribution(true, 3);
 }
 
-TEST_CASE("04.4 bounces inside follow the cosine", "[04.4]") {
+TEST_CASE("04.4 bounces off the inner side follow the cosine distribution", "[04.4]") {
     check_distribution(false, 4);
 }
 
-TEST_CASE("04.4 the direction of the ray does not matter", "[04.4]") {
+TEST_CASE("04.4 the bounce does not depend on the direction of the ray", "[04.4]") {
     rt::Rng rng{44, 5};
     for (int i = 0; i < 2000; ++i) {
         const Hit hit = hit_with(any_direction(rng), rng() % 2 == 0);
@@ -223,7 +223,7 @@ TEST_CASE("04.4 equal parts of the square become directions with the density cos
     }
 }
 
-TEST_CASE("04.4 the position and distance of the hit do not matter", "[04.4]") {
+TEST_CASE("04.4 the bounce does not depend on the hit's position or distance", "[04.4]") {
     rt::Rng rng{44, 8};
     for (int i = 0; i < 1000; ++i) {
         Hit hit = hit_with(any_direction(rng), rng() % 2 == 0);

@@ -73,7 +73,7 @@ void check_offset(int cell, int n, Vec2 place) {
 
 }  // namespace
 
-TEST_CASE("04.5 each cell has one jittered offset", "[04.5]") {
+TEST_CASE("04.5 a place in the unit square becomes an offset in the cell", "[04.5]") {
     rt::Rng rng{44, 1};
     for (int n = 1; n <= 16; ++n)
         for (int cell = 0; cell < n * n; ++cell) check_offset(cell, n, rt::random_place(rng));
@@ -182,7 +182,7 @@ TEST_CASE("04.5 each sample is uniform in its cell and independent of the others
     CHECK(places.chi_square() < PairCounts::limit());
 }
 
-TEST_CASE("04.5 an edge pixel shows how much of it is covered", "[04.5]") {
+TEST_CASE("04.5 a pixel at an edge is as bright as its covered fraction", "[04.5]") {
     const Real cosine = real(0.8), sine = real(0.6), edge = real(0.55);
     const double covered = coverage(0.8, 0.6, 0.55);
     for (const int samples : {1, 4, 16, 20}) {
@@ -206,7 +206,7 @@ TEST_CASE("04.5 an edge pixel shows how much of it is covered", "[04.5]") {
     }
 }
 
-TEST_CASE("04.5 no rounding moves a sample into the next cell", "[04.5][hard]") {
+TEST_CASE("04.5 rounding never moves a sample into the next cell", "[04.5][hard]") {
     for (int n = 1; n <= 100; ++n)
         for (int k = 0; k < n; ++k)
             for (const Real x : {Real(0), rt::epsilon / 2, largest})
@@ -221,7 +221,7 @@ TEST_CASE("04.5 no rounding moves a sample into the next cell", "[04.5][hard]") 
     }
 }
 
-TEST_CASE("04.5 a million samples are accurate even in float", "[04.5][hard]") {
+TEST_CASE("04.5 the average of a million samples is accurate even in float", "[04.5][hard]") {
     rt::Rng rng{44, 6};
     for (const int samples : {1 << 18, 1'000'000}) {
         double red = 0, blue = 0;

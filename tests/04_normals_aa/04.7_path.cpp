@@ -427,7 +427,7 @@ TEST_CASE("04.7 the depth limit ends a path in the sky or in black", "[04.7]") {
     }
 }
 
-TEST_CASE("04.7 the ray keeps its other members", "[04.7]") {
+TEST_CASE("04.7 a bounce changes only the origin and the direction of the ray", "[04.7]") {
     rt::Rng rng{45, 6};
     const TimedRay ray{{0, 1, 0}, {0, -1, 0}, real(0.375)};
     const TimedGround world;
@@ -436,7 +436,7 @@ TEST_CASE("04.7 the ray keeps its other members", "[04.7]") {
     CHECK_FALSE(world.time_was_lost);
 }
 
-TEST_CASE("04.7 black darkens and the sky brightens as the series says", "[04.7]") {
+TEST_CASE("04.7 BlackEnding and SkyEnding give the light that the series predicts", "[04.7]") {
     const double albedo = 0.8, up = 0.25;
     for (const int depth : {1, 2, 4}) {
         // The paths that end by themselves: after k bounces, the last of which goes up.
@@ -467,7 +467,7 @@ TEST_CASE("04.7 Russian roulette is correct on average", "[04.7]") {
     }
 }
 
-TEST_CASE("04.7 the brightest channel says how likely a path goes on", "[04.7]") {
+TEST_CASE("04.7 the brightest channel is the probability that a path goes on", "[04.7]") {
     const Real bright = real(0.5), dim = real(0.125);
     for (const Color before :
          {Color{bright, dim, dim}, Color{dim, bright, dim}, Color{dim, dim, bright}}) {
@@ -565,7 +565,7 @@ TEST_CASE("04.7 a path in a closed room stays in it", "[04.7]") {
     }
 }
 
-TEST_CASE("04.7 roulette prefers bright paths to dark ones", "[04.7][hard]") {
+TEST_CASE("04.7 roulette ends dark paths more often than bright ones", "[04.7][hard]") {
     // Draws the same number again and again.
     struct Fixed {
         Real number;
@@ -625,7 +625,7 @@ TEST_CASE("04.7 roulette prefers bright paths to dark ones", "[04.7][hard]") {
     }
 }
 
-TEST_CASE("04.7 a black path ends whatever roulette draws", "[04.7][hard]") {
+TEST_CASE("04.7 roulette ends a black path whatever number it draws", "[04.7][hard]") {
     struct Always {
         Real number;
         Real uniform() const { return number; }
@@ -644,7 +644,7 @@ TEST_CASE("04.7 a black path ends whatever roulette draws", "[04.7][hard]") {
     }
 }
 
-TEST_CASE("04.7 even a path between white surfaces ends by roulette", "[04.7][hard]") {
+TEST_CASE("04.7 roulette ends even a path between white surfaces", "[04.7][hard]") {
     rt::Rng rng{45, 11};
     for (int i = 0; i < 1000; ++i) {
         const Ground world;
