@@ -37,7 +37,7 @@ void check_mirrored(Vec3 incoming, Vec3 normal, const char* hint) {
 
 }  // namespace
 
-TEST_CASE("05.1 a mirror reverses the part along the normal", "[05.1]") {
+TEST_CASE("05.1 a mirror reverses the direction's part along the normal", "[05.1]") {
     const auto check = [](Vec3 incoming, Vec3 normal, Vec3 expected) {
         const Vec3 computed = rt::reflect(incoming, normal);
         const double off = off_in_epsilons(computed, exact(expected));

@@ -85,7 +85,7 @@ rt::Hit floor_hit() {
 
 }  // namespace
 
-TEST_CASE("05.2 a direction that points below is mirrored at the surface", "[05.2]") {
+TEST_CASE("05.2 above_horizon mirrors a direction that points below the surface", "[05.2]") {
     const auto check = [](Vec3 v, Vec3 expected) {
         const Vec3 computed = rt::above_horizon(v, floor_normal);
         INFO("above_horizon(" << text(v) << ", (0, 1, 0))");
@@ -360,7 +360,8 @@ TEST_CASE("05.2 light along the surface is reflected above it for any fuzz", "[0
     }
 }
 
-TEST_CASE("05.2 vectors along an axis are lifted for any length and normal", "[05.2][hard]") {
+TEST_CASE("05.2 above_horizon lifts vectors along an axis for any length and normal",
+          "[05.2][hard]") {
     // Two components are 0 here, and the third must be enough to tell how far to lift.
     rt::Rng rng{52, 12};
     for (int i = 0; i < 600; ++i) {
@@ -383,7 +384,7 @@ TEST_CASE("05.2 vectors along an axis are lifted for any length and normal", "[0
     }
 }
 
-TEST_CASE("05.2 fuzz may cancel the mirror direction", "[05.2][hard]") {
+TEST_CASE("05.2 the normal is returned where fuzz cancels the mirror direction", "[05.2][hard]") {
     // In the reference, the place (0, 0) becomes the uniform direction +z; in other code another
     // place may. A zero vector must not reach normalize, and tiny ones must keep length 1.
     {

@@ -188,7 +188,7 @@ TEST_CASE("05.3 any ratio of indices bends light by the right amount", "[05.3][h
     }
 }
 
-TEST_CASE("05.3 light that enters and leaves a slab goes on parallel", "[05.3]") {
+TEST_CASE("05.3 light leaves a slab parallel to the direction in which it entered", "[05.3]") {
     rt::Rng rng{53, 3};
     for (int i = 0; i < 5000; ++i) {
         const auto [incoming, normal] = random_arrival(rng);
@@ -300,7 +300,7 @@ TEST_CASE("05.3 a large ratio of indices does not blur the critical angle", "[05
     }
 }
 
-TEST_CASE("05.3 equal indices leave the direction bit for bit", "[05.3][hard]") {
+TEST_CASE("05.3 equal indices leave the direction unchanged bit for bit", "[05.3][hard]") {
     rt::Rng rng{53, 4};
     for (int i = 0; i < 1000; ++i) {
         const auto [incoming, normal] = random_arrival(rng);
@@ -312,7 +312,7 @@ TEST_CASE("05.3 equal indices leave the direction bit for bit", "[05.3][hard]") 
     if (!(grazing == Vec3{1, 0, 0})) REQUIRE(text(grazing) == "(1, 0, 0)");
 }
 
-TEST_CASE("05.3 the smallest angles keep their digits", "[05.3][hard]") {
+TEST_CASE("05.3 even the smallest angles are refracted accurately", "[05.3][hard]") {
     for (const double ratio : {0.4, 1 / 1.5, 1.5, 2.5}) {
         const Real eta = real(ratio);
         for (Real s = real(0.3); s > std::numeric_limits<Real>::min() / rt::epsilon; s /= 7) {
@@ -327,7 +327,7 @@ TEST_CASE("05.3 the smallest angles keep their digits", "[05.3][hard]") {
     }
 }
 
-TEST_CASE("05.3 grazing light enters at the critical angle", "[05.3][hard]") {
+TEST_CASE("05.3 grazing light is refracted to the critical angle", "[05.3][hard]") {
     for (const double ratio : {0.4, 0.5, 1 / 1.5, 0.9}) {
         const Real eta = real(ratio);
         for (const Real height : {Real(0), std::numeric_limits<Real>::min(), rt::epsilon}) {

@@ -240,7 +240,7 @@ TEST_CASE("05.5 glass keeps all light", "[05.5]") {
             }
 }
 
-TEST_CASE("05.5 a ball turns light by twice the difference of the angles", "[05.5]") {
+TEST_CASE("05.5 a glass ball turns light by twice the difference of the two angles", "[05.5]") {
     // Light that meets the ball at `aside` of its radius arrives at an angle a with that sine, goes
     // on at b, and leaves at a again. Each time it turns by a - b, toward the middle.
     const rt::SphereList world{{{{{0, 0, 0}, 1}, 0}}};
@@ -318,7 +318,7 @@ TEST_CASE("05.5 grazing light is reflected to its own side", "[05.5][hard]") {
     }
 }
 
-TEST_CASE("05.5 a white furnace through glass stays white", "[05.5][hard]") {
+TEST_CASE("05.5 glass in a white furnace stays white", "[05.5][hard]") {
     // A ball of glass in a ball of glass, with a bubble in it, all at every scale.
     for (const double scale : {1e-9, 1.0, 1e9}) {
         const Real s = real(scale);
@@ -341,7 +341,7 @@ TEST_CASE("05.5 a white furnace through glass stays white", "[05.5][hard]") {
     }
 }
 
-TEST_CASE("05.5 light finds its way out of glass at every scale", "[05.5][hard]") {
+TEST_CASE("05.5 light leaves glass at every scale", "[05.5][hard]") {
     // Without chance: light that is never reflected where it may go through passes each of the
     // three balls' surfaces twice, so 6 bounces are enough whatever the scale. If rounding caught
     // it on a surface again, they would not be enough.

@@ -236,7 +236,7 @@ TEST_CASE("05.6 the same random numbers give the same result", "[05.6]") {
     }
 }
 
-TEST_CASE("05.6 a light color can be seen", "[05.6]") {
+TEST_CASE("05.6 a material of a light color returns visible light", "[05.6]") {
     double brightest = 0;
     for (const Real amount : amounts) brightest = std::max(brightest, visible_light(amount));
     INFO(
@@ -269,7 +269,7 @@ TEST_CASE("05.6 each channel of the color counts", "[05.6]") {
     }
 }
 
-TEST_CASE("05.6 it is not one of the given materials", "[05.6]") {
+TEST_CASE("05.6 the material differs from all given materials", "[05.6]") {
     const Given all[]{
         given("Lambertian", [](const OwnMaterial& m) { return rt::Lambertian{m.color}; }),
         given("Metal with fuzz = amount",
@@ -305,7 +305,7 @@ TEST_CASE("05.6 it is not one of the given materials", "[05.6]") {
         }
 }
 
-TEST_CASE("05.6 grazing light keeps the contract", "[05.6][hard]") {
+TEST_CASE("05.6 scatter keeps its contract for grazing light", "[05.6][hard]") {
     Rng rng{56, 8};
     for (int i = 0; i < 8000; ++i) {
         const ExactVec3 n = exact(random_unit(rng));
@@ -320,7 +320,7 @@ TEST_CASE("05.6 grazing light keeps the contract", "[05.6][hard]") {
     }
 }
 
-TEST_CASE("05.6 light along the normal keeps the contract", "[05.6][hard]") {
+TEST_CASE("05.6 scatter keeps its contract for light along the normal", "[05.6][hard]") {
     Rng rng{56, 9};
     for (int i = 0; i < 4000; ++i) {
         Vec3 normal = random_unit(rng);
@@ -331,7 +331,7 @@ TEST_CASE("05.6 light along the normal keeps the contract", "[05.6][hard]") {
     }
 }
 
-TEST_CASE("05.6 far and tiny hits keep the contract", "[05.6][hard]") {
+TEST_CASE("05.6 scatter keeps its contract for far and tiny hits", "[05.6][hard]") {
     Rng rng{56, 10};
     for (int i = 0; i < 4000; ++i) {
         Sample sample = any_sample(rng);
@@ -344,7 +344,8 @@ TEST_CASE("05.6 far and tiny hits keep the contract", "[05.6][hard]") {
     }
 }
 
-TEST_CASE("05.6 the smallest and the largest random numbers keep the contract", "[05.6][hard]") {
+TEST_CASE("05.6 scatter keeps its contract for the smallest and largest random numbers",
+          "[05.6][hard]") {
     Rng rng{56, 11};
     for (unsigned i = 0; i < 4000; ++i) {
         Sample sample = any_sample(rng);
