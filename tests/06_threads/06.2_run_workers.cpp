@@ -156,13 +156,13 @@ TEST_CASE("06.2 the work is done when run_workers returns", "[06.2]") {
     }
 }
 
-TEST_CASE("06.2 with 0 workers nothing is done", "[06.2]") {
+TEST_CASE("06.2 run_workers does nothing with 0 workers", "[06.2]") {
     int calls = 0;
     run_workers(0, [&](int) { ++calls; });
     CHECK(calls == 0);
 }
 
-TEST_CASE("06.2 every pixel is rendered once in slices", "[06.2]") {
+TEST_CASE("06.2 render_slices renders every pixel once", "[06.2]") {
     for (int workers = 1; workers <= 64; ++workers) {
         const TileGrid grid{5, 70};
         PixelCounts counts{grid, workers};
@@ -250,7 +250,8 @@ TEST_CASE("06.2 no thread is left running after an exception", "[06.2][hard]") {
     }
 }
 
-TEST_CASE("06.2 of several exceptions the first worker's is thrown", "[06.2][hard]") {
+TEST_CASE("06.2 of several exceptions the one of the lowest-numbered worker is rethrown",
+          "[06.2][hard]") {
     run_workers(0, [](int) {});
     const std::string actual = in_own_process([] {
         rt::Rng rng{6, 2};
@@ -345,7 +346,7 @@ TEST_CASE("06.2 several calls at the same time do not affect each other", "[06.2
     CHECK(actual == name_of(1) + "; no exception; no exception, 6 calls");
 }
 
-TEST_CASE("06.2 a thread that cannot be started leaves none behind", "[06.2][hard]") {
+TEST_CASE("06.2 if a thread cannot be started no other is left running", "[06.2][hard]") {
     run_workers(0, [](int) {});
     const std::string actual = in_own_process([]() -> std::string {
         if (!leave_room_for_few_threads()) return "std::system_error";  // cannot be tried here
@@ -362,7 +363,7 @@ TEST_CASE("06.2 a thread that cannot be started leaves none behind", "[06.2][har
     CHECK(actual == "std::system_error");
 }
 
-TEST_CASE("06.2 a picture with fewer rows than workers or no rows", "[06.2][hard]") {
+TEST_CASE("06.2 pictures with fewer rows than workers or no rows are rendered", "[06.2][hard]") {
     for (const TileGrid grid : {TileGrid{9, 3}, TileGrid{1, 1}, TileGrid{1, 1000}, TileGrid{0, 0},
                                 TileGrid{0, 5}, TileGrid{5, 0}})
         for (const int workers : {1, 2, 3, 7, 64}) {

@@ -34,7 +34,7 @@ TEST_CASE("06.3 the tiles cover the picture", "[06.3]") {
     }
 }
 
-TEST_CASE("06.3 the tiles are counted row by row", "[06.3]") {
+TEST_CASE("06.3 the tiles are numbered row by row", "[06.3]") {
     const TileGrid grid{50, 30, 20};  // 3 x 2 tiles
     const Tile expected[] = {{0, 0, 20, 20},  {20, 0, 40, 20},  {40, 0, 50, 20},
                              {0, 20, 20, 30}, {20, 20, 40, 30}, {40, 20, 50, 30}};
@@ -46,7 +46,7 @@ TEST_CASE("06.3 the tiles are counted row by row", "[06.3]") {
     }
 }
 
-TEST_CASE("06.3 tiles of any size in pictures of any size", "[06.3]") {
+TEST_CASE("06.3 tiles of any size cover pictures of any size", "[06.3]") {
     rt::Rng rng{6, 3};
     const auto any_to = [&](int most) {
         return 1 + static_cast<int>(rng() % static_cast<unsigned>(most));
@@ -72,7 +72,7 @@ TEST_CASE("06.3 tiles of any size in pictures of any size", "[06.3]") {
     }
 }
 
-TEST_CASE("06.3 every tile is taken once and no more tiles after the last", "[06.3]") {
+TEST_CASE("06.3 take_tile gives every tile once and none after the last", "[06.3]") {
     // Two pictures at the same time, each with a counter of its own.
     std::atomic<int> next = 0, next_of_other = 0;
     const auto words = [](std::optional<int> tile) {
@@ -90,7 +90,7 @@ TEST_CASE("06.3 every tile is taken once and no more tiles after the last", "[06
     CHECK(words(take_tile(of_none, 0)) == "none");
 }
 
-TEST_CASE("06.3 every pixel is rendered once in tiles", "[06.3]") {
+TEST_CASE("06.3 render_tiles renders every pixel once", "[06.3]") {
     const auto check = [](const TileGrid& grid, int workers, int tiles) {
         PixelCounts counts{grid, workers};
         rt::render_tiles(grid, workers, std::ref(counts));
@@ -150,7 +150,7 @@ TEST_CASE("06.3 a slow tile does not hold up the others", "[06.3]") {
     }
 }
 
-TEST_CASE("06.3 no other worker takes a tile between reading and adding", "[06.3]") {
+TEST_CASE("06.3 take_tile reads the counter and adds 1 in one step", "[06.3]") {
     constexpr int count = 100;
     for (unsigned seed = 0; seed < 20; ++seed) {
         HauntedCounter next{seed};
@@ -178,7 +178,7 @@ TEST_CASE("06.3 no other worker takes a tile between reading and adding", "[06.3
     }
 }
 
-TEST_CASE("06.3 pictures of few pixels or none", "[06.3][hard]") {
+TEST_CASE("06.3 pictures with few pixels or none are rendered", "[06.3][hard]") {
     for (const TileGrid grid :
          {TileGrid{0, 0, 16}, TileGrid{0, 5, 16}, TileGrid{5, 0, 16}, TileGrid{1, 1, 16},
           TileGrid{1, 1, 1}, TileGrid{1, 1000, 64}, TileGrid{1000, 1, 64}})
@@ -191,7 +191,7 @@ TEST_CASE("06.3 pictures of few pixels or none", "[06.3][hard]") {
         }
 }
 
-TEST_CASE("06.3 the largest tile size that fits into an int", "[06.3][hard]") {
+TEST_CASE("06.3 tiles may have the largest size that fits into an int", "[06.3][hard]") {
     constexpr int largest = std::numeric_limits<int>::max();
     struct Case {
         TileGrid grid;

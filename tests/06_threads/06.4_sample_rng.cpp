@@ -186,7 +186,7 @@ TEST_CASE("06.4 neighboring pixels and samples draw unrelated numbers", "[06.4]"
     check_unrelated({1, 0, 0, -1}, "samples one after the other, one seed apart");
 }
 
-TEST_CASE("06.4 the average has each sample once with its own generator", "[06.4]") {
+TEST_CASE("06.4 the average contains each sample once with its own generator", "[06.4]") {
     // One type for all calls: whatever one call remembers, the next one finds.
     using Draw = std::function<Color(int, Rng&)>;
     Rng rng{6, 4};
@@ -249,7 +249,7 @@ TEST_CASE("06.4 the average has each sample once with its own generator", "[06.4
     }
 }
 
-TEST_CASE("06.4 a picture is the same in any order of its pixels", "[06.4]") {
+TEST_CASE("06.4 a picture does not depend on the order of its pixels", "[06.4]") {
     const SmallScene scene;
     const Image in_order = rt::make_image(31, 19, scene);
     Image backwards{31, 19}, jumping{31, 19};

@@ -105,7 +105,7 @@ TEST_CASE("06.5 each job is called once", "[06.5]") {
     }
 }
 
-TEST_CASE("06.5 the standard algorithm calls work with the numbers in its list", "[06.5]") {
+TEST_CASE("06.5 the standard algorithm runs the jobs whose numbers are in its list", "[06.5]") {
 #ifdef RT_HAS_TBB
     std::vector<int> many(1000);
     for (std::size_t i = 0; i < many.size(); ++i) many[i] = static_cast<int>(7919 * i % 1000) - 300;
@@ -193,7 +193,7 @@ TEST_CASE("06.5 OpenMP uses the requested number of threads", "[06.5]") {
     }
 }
 
-TEST_CASE("06.5 both loops draw the picture of 06.3", "[06.5]") {
+TEST_CASE("06.5 both loops draw the same picture as 06.3", "[06.5]") {
     const rt::TileGrid grid{37, 23, 4};
     const auto shade = [](int x, int y, int) {
         return rt::Color{static_cast<rt::Real>(x), static_cast<rt::Real>(y), 1};
@@ -210,7 +210,7 @@ TEST_CASE("06.5 both loops draw the picture of 06.3", "[06.5]") {
     }
 }
 
-TEST_CASE("06.5 with OpenMP whichever thread is free takes the next job", "[06.5][hard]") {
+TEST_CASE("06.5 with OpenMP a free thread takes the next job", "[06.5][hard]") {
     if (!rt::spread_by_openmp()) {
         SUCCEED("there is no such loop");
         return;
