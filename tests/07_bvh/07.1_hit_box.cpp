@@ -57,7 +57,7 @@ TEST_CASE("07.1 a ray past the box misses it", "[07.1]") {
           "the box is behind the ray");
 }
 
-TEST_CASE("07.1 a ray may run backwards along each axis", "[07.1]") {
+TEST_CASE("07.1 a ray may run against the direction of each axis", "[07.1]") {
     for (int axis = 0; axis < 3; ++axis) {
         const char* const hint =
             "if a component of the direction is negative, the ray meets the high plane first";
@@ -80,7 +80,8 @@ TEST_CASE("07.1 only hits within the interval count", "[07.1]") {
     check(unit, {2, Real(0.5), Real(0.25)}, d, {-9, 0}, true, "an interval may begin below 0");
 }
 
-TEST_CASE("07.1 zero components of either sign", "[07.1][hard]") {
+TEST_CASE("07.1 directions with zero components of either sign are handled correctly",
+          "[07.1][hard]") {
     for (int axis = 0; axis < 3; ++axis)
         for (const Real a : {Real(0), -Real(0)})
             for (const Real b : {Real(0), -Real(0)})
@@ -122,7 +123,7 @@ TEST_CASE("07.1 rays in a face or an edge count as hits", "[07.1][hard]") {
                 }
 }
 
-TEST_CASE("07.1 flat boxes and corners count", "[07.1][hard]") {
+TEST_CASE("07.1 flat boxes and corners can be hit", "[07.1][hard]") {
     const Box flat{{0, 0, 0}, {1, 0, 1}};
     check(flat, {Real(0.5), 1, Real(0.5)}, {0, -1, 0}, ahead, true,
           "a box without height is entered and left at the same t");
@@ -166,7 +167,7 @@ TEST_CASE("07.1 the margin makes the box larger", "[07.1][hard]") {
 
 // Everything is a whole number times a power of two, so nothing is rounded: near misses from afar,
 // at all scales, with a different one for each axis.
-TEST_CASE("07.1 small whole numbers of all kinds give the exact result", "[07.1][hard]") {
+TEST_CASE("07.1 the result is exact for all combinations of small whole numbers", "[07.1][hard]") {
     rt::Rng rng{71, 1};
     const auto whole = [&](Whole low, Whole high) {
         return low + static_cast<Whole>(rng() % static_cast<std::uint64_t>(high - low + 1));
@@ -247,7 +248,7 @@ TEST_CASE("07.1 small whole numbers of all kinds give the exact result", "[07.1]
 
 // Rays in any direction that leave one slab just before or just after they enter another: they pass
 // an edge of the box, or just cut it.
-TEST_CASE("07.1 a near miss is a miss in any direction", "[07.1][hard]") {
+TEST_CASE("07.1 a near miss counts as a miss in any direction", "[07.1][hard]") {
     rt::Rng rng{71, 2};
     int right = 0;
     for (int i = 0; i < 4000; ++i) {

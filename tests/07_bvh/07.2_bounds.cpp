@@ -21,7 +21,7 @@ void check_join(const Box& a, const Box& b, const Box& expected, const char* hin
 
 }  // namespace
 
-TEST_CASE("07.2 the box around a sphere", "[07.2]") {
+TEST_CASE("07.2 the box extends from the sphere's center by the radius plus the margin", "[07.2]") {
     const Box box = bounds_of(Sphere{{1, 2, -3}, 4});
     INFO("your " << checkpoint::text(box));
     const Real near = rt::hit_margin * 16;
@@ -117,7 +117,7 @@ TEST_CASE("07.2 the union of boxes of all sizes is exact", "[07.2][hard]") {
     }
 }
 
-TEST_CASE("07.2 the empty box adds nothing", "[07.2][hard]") {
+TEST_CASE("07.2 the union with the empty box changes nothing", "[07.2][hard]") {
     const Box a{{-5, -6, -7}, {-2, -3, -4}};
     const char* const hint =
         "the empty box extends from infinity to -infinity; it needs no special case";

@@ -149,7 +149,7 @@ int largest_leaf(const rt::TreeNode& node) {
 
 }  // namespace
 
-TEST_CASE("07.3 a few spheres need no split", "[07.3]") {
+TEST_CASE("07.3 at most leaf_size spheres stay together", "[07.3]") {
     for (int count = 1; count <= 12; ++count) {
         const auto boxes = boxes_at(std::vector<Vec3>(static_cast<std::size_t>(count)));
         auto order = numbers(boxes.size());
@@ -185,7 +185,8 @@ TEST_CASE("07.3 half of the spheres go to the left", "[07.3]") {
 
 // At all scales and far from the origin, with other boxes in between. Often one axis is hardly
 // longer than the next, and often most of the centers are close together.
-TEST_CASE("07.3 numbers are sorted along the longest axis of their centers", "[07.3][hard]") {
+TEST_CASE("07.3 spheres are sorted along the axis on which their centers extend farthest",
+          "[07.3][hard]") {
     rt::Rng rng{73, 9};
     for (int i = 0; i < 1500; ++i) {
         const Real size = any_size(rng, -15, 15);
@@ -230,7 +231,7 @@ TEST_CASE("07.3 numbers are sorted along the longest axis of their centers", "[0
     }
 }
 
-TEST_CASE("07.3 centers decide and not corners", "[07.3]") {
+TEST_CASE("07.3 spheres are sorted by the centers of their boxes", "[07.3]") {
     // The corners are far apart along x, but all centers are at x = 0; they are apart along y.
     std::vector<Box> boxes;
     for (int i = 0; i < 8; ++i) {
@@ -256,7 +257,7 @@ TEST_CASE("07.3 centers decide and not corners", "[07.3]") {
     CHECK(first_sorted(order, 4) == std::vector<int>{0, 1, 2, 3});
 }
 
-TEST_CASE("07.3 equal centers are no trouble", "[07.3]") {
+TEST_CASE("07.3 no sphere is lost if the centers are equal", "[07.3]") {
     checkpoint::check_equal_centers(
         [](auto order, auto boxes) { rt::split_in_half(order, boxes); });
 }
@@ -279,7 +280,7 @@ TEST_CASE("07.3 the axis depends only on the boxes of the part that is split", "
     CHECK(first_sorted(std::span{order}.subspan(8), 4) == std::vector<int>{8, 10, 13, 15});
 }
 
-TEST_CASE("07.3 the box of a node is only around its own spheres", "[07.3]") {
+TEST_CASE("07.3 the box of a node encloses only its own spheres", "[07.3]") {
     std::vector<Vec3> middles;
     for (int i = 0; i < 9; ++i) middles.push_back({static_cast<Real>(10 * i), 5, 5});
     const auto boxes = boxes_at(middles);
@@ -309,7 +310,7 @@ TEST_CASE("07.3 every sphere is in exactly one leaf", "[07.3]") {
     }
 }
 
-TEST_CASE("07.3 trees of every shape follow their splits", "[07.3][hard]") {
+TEST_CASE("07.3 the tree follows the results of any split", "[07.3][hard]") {
     const auto boxes = rt::bounds_of(random_spheres(400));
     for (int shape = 0; shape < 6; ++shape)
         for (const int level : {0, 1, 40, 63, 64, 65, 100}) {
@@ -349,7 +350,7 @@ TEST_CASE("07.3 trees of every shape follow their splits", "[07.3][hard]") {
         }
 }
 
-TEST_CASE("07.3 the list is not copied", "[07.3]") {
+TEST_CASE("07.3 the order is not copied", "[07.3]") {
     const auto boxes = rt::bounds_of(random_spheres(2000));
     auto order = numbers(boxes.size());
     const std::size_t before = allocations, bytes_before = allocated_bytes;
@@ -364,7 +365,7 @@ TEST_CASE("07.3 the list is not copied", "[07.3]") {
     CHECK(bytes == nodes * sizeof(rt::TreeNode));
 }
 
-TEST_CASE("07.3 the root of a part of the order knows where the part begins", "[07.3]") {
+TEST_CASE("07.3 the member first of a leaf counts from the start of the order", "[07.3]") {
     const auto boxes = rt::bounds_of(random_spheres(9));
     std::vector<int> order = numbers(9);
     const auto root =

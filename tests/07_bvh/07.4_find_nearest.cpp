@@ -171,7 +171,7 @@ TEST_CASE("07.4 of equally near spheres the last in the list counts", "[07.4]") 
     check_winner(search, {0, 4}, "nothing was found before: the first hit counts");
 }
 
-TEST_CASE("07.4 near ties are decided by t and ties by number", "[07.4][hard]") {
+TEST_CASE("07.4 near ties are decided by t and exact ties by number", "[07.4][hard]") {
     rt::Rng rng{74, 3};
     for (int i = 0; i < 4000; ++i) {
         const Real size = any_size(rng, -9, 9);
@@ -227,7 +227,7 @@ TEST_CASE("07.4 a search of another type uses its own functions", "[07.4]") {
         "\"template <class AnySearch>\" as it is, and pass the search on as AnySearch&");
 }
 
-TEST_CASE("07.4 the same hits as the linear list", "[07.4]") {
+TEST_CASE("07.4 the tree gives the same hits as the linear list", "[07.4]") {
     for (const int count : {0, 1, 2, 3, 10, 300})
         check_scene(std::to_string(count) + " spheres", random_spheres(count), 4000);
 }
@@ -270,7 +270,7 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
     CHECK(tests > 20);
 }
 
-TEST_CASE("07.4 hits move the end of the search", "[07.4]") {
+TEST_CASE("07.4 each hit shortens the interval of the search", "[07.4]") {
     // 1024 spheres, one behind the other: behind the first hit there is nothing to look for.
     Spheres spheres;
     for (int i = 0; i < 1024; ++i) add(spheres, {static_cast<Real>(i), 0, 0}, Real(0.25));
@@ -286,7 +286,7 @@ TEST_CASE("07.4 hits move the end of the search", "[07.4]") {
     CHECK(search.box_tests <= 30);
 }
 
-TEST_CASE("07.4 each box that counts is tested once and left before right", "[07.4][hard]") {
+TEST_CASE("07.4 each necessary box is tested once and left before right", "[07.4][hard]") {
     rt::Rng rng{74, 5};
     for (int i = 0; i < 250; ++i) {
         const int count = 1 + static_cast<int>(rng() % 60),
@@ -361,7 +361,7 @@ TEST_CASE("07.4 a tree may have 84 levels", "[07.4][hard]") {
     }
 }
 
-TEST_CASE("07.4 many threads search one tree", "[07.4][hard]") {
+TEST_CASE("07.4 many threads can search one tree at the same time", "[07.4][hard]") {
     const Spheres spheres = random_spheres(300);
     const rt::SphereTree tree = rt::make_tree(spheres, rt::split_in_half);
     const auto ray = [&](int i) {
@@ -389,6 +389,6 @@ TEST_CASE("07.4 many threads search one tree", "[07.4][hard]") {
     CHECK(others == 0);
 }
 
-TEST_CASE("07.4 hard scenes give the same hits bit for bit", "[07.4][hard]") {
+TEST_CASE("07.4 tree and list give the same hits in hard scenes bit for bit", "[07.4][hard]") {
     for (const NamedScene& scene : hard_scenes()) check_scene(scene.name, scene.spheres, 6000);
 }

@@ -139,7 +139,7 @@ double seconds(const Work& work) {
 
 }  // namespace
 
-TEST_CASE("07.5 the surface of a box", "[07.5]") {
+TEST_CASE("07.5 the surface of a box is the sum of its six faces", "[07.5]") {
     {
         const Real two_three_four = surface_area(Box{{1, 1, 1}, {3, 4, 5}});
         HINT(Real(52), two_three_four, "add up the six faces: 2 (2 * 3 + 3 * 4 + 4 * 2)");
@@ -150,7 +150,7 @@ TEST_CASE("07.5 the surface of a box", "[07.5]") {
     CHECK(flat == 2);
 }
 
-TEST_CASE("07.5 the surface of boxes of all sizes", "[07.5][hard]") {
+TEST_CASE("07.5 the surface is accurate for boxes of all sizes", "[07.5][hard]") {
     rt::Rng rng{75, 3};
     for (int i = 0; i < 2000; ++i) {
         const Real size = any_size(rng, -15, 15);
@@ -209,7 +209,7 @@ TEST_CASE("07.5 the cheapest of all splits is found", "[07.5]") {
 
 // Few boxes at a time, because then a leaf often costs nearly as much as a split. They have all
 // sizes, some are in one place, and between them are other boxes, which do not count.
-TEST_CASE("07.5 the cheapest of all splits or a leaf for any part of a scene", "[07.5][hard]") {
+TEST_CASE("07.5 the cheapest split or a leaf is found for any part", "[07.5][hard]") {
     rt::Rng rng{75, 5};
     for (int i = 0; i < 4000; ++i) {
         const Real size = any_size(rng, -9, 9);
@@ -248,7 +248,7 @@ TEST_CASE("07.5 a split that is only a little cheaper is chosen", "[07.5][hard]"
             }
 }
 
-TEST_CASE("07.5 a split and a leaf that cost almost the same", "[07.5][hard]") {
+TEST_CASE("07.5 a split and a leaf of almost the same cost are told apart", "[07.5][hard]") {
     // Two cubes, one moved by 1.5 edges: the split costs as much as the leaf. A move that is larger
     // by next to nothing makes the split cheaper, a smaller one the leaf.
     const Real little = std::ldexp(rt::epsilon, 12);
@@ -269,7 +269,7 @@ TEST_CASE("07.5 a split and a leaf that cost almost the same", "[07.5][hard]") {
     }
 }
 
-TEST_CASE("07.5 a leaf where it is cheaper", "[07.5]") {
+TEST_CASE("07.5 a leaf is made unless a split is cheaper", "[07.5]") {
     const auto expect_leaf = [](const std::vector<Box>& boxes, const char* hint) {
         auto order = numbers(boxes.size());
         const int left = rt::split_by_area(order, boxes);
@@ -285,12 +285,12 @@ TEST_CASE("07.5 a leaf where it is cheaper", "[07.5]") {
         "the split costs 1 + (6 + 6) / 12 = 2, the same as a leaf; split only if that is cheaper");
 }
 
-TEST_CASE("07.5 equal centers are no trouble", "[07.5]") {
+TEST_CASE("07.5 no sphere is lost if the centers are equal", "[07.5]") {
     checkpoint::check_equal_centers(
         [](auto order, auto boxes) { rt::split_by_area(order, boxes); });
 }
 
-TEST_CASE("07.5 only the boxes of this part count", "[07.5]") {
+TEST_CASE("07.5 only the boxes of the part that is split count", "[07.5]") {
     // Numbers 0 to 5 are huge, and do not belong to this part.
     std::vector<Box> boxes(6, cube({0, 0, 0}, 1000));
     for (int i = 0; i < 6; ++i) boxes.push_back(cube({5, 0, 0}, Real(0.5)));
@@ -302,7 +302,7 @@ TEST_CASE("07.5 only the boxes of this part count", "[07.5]") {
     CHECK(left == 0);
 }
 
-TEST_CASE("07.5 rays make fewer tests in this tree", "[07.5]") {
+TEST_CASE("07.5 rays need fewer tests than in a tree split in half", "[07.5]") {
     // Many small spheres on a huge one.
     Spheres spheres;
     rt::Rng rng{75, 1};
@@ -325,13 +325,13 @@ TEST_CASE("07.5 rays make fewer tests in this tree", "[07.5]") {
     CHECK(4 * tests_area < 3 * tests_half);
 }
 
-TEST_CASE("07.5 the empty box has no surface", "[07.5][hard]") {
+TEST_CASE("07.5 the surface of the empty box is 0", "[07.5][hard]") {
     const Real empty = surface_area(Box{});
     HINT(Real(0), empty, "box.size() of the empty box is 0, but high - low is minus infinity");
     CHECK(empty == 0);
 }
 
-TEST_CASE("07.5 hard scenes are split well", "[07.5][hard]") {
+TEST_CASE("07.5 the cheapest splits are found in hard scenes", "[07.5][hard]") {
     for (const NamedScene& scene : hard_scenes()) {
         INFO(scene.name);
         check_split(rt::bounds_of(scene.spheres));
@@ -340,7 +340,7 @@ TEST_CASE("07.5 hard scenes are split well", "[07.5][hard]") {
     }
 }
 
-TEST_CASE("07.5 equal centers keep the order whose cost was computed", "[07.5][hard]") {
+TEST_CASE("07.5 boxes with equal centers keep the order whose cost was computed", "[07.5][hard]") {
     // All centers are in one place: sorting may leave the huge box anywhere.
     rt::Rng rng{75, 7};
     for (int i = 0; i < 60; ++i) {
@@ -364,7 +364,7 @@ TEST_CASE("07.5 equal centers keep the order whose cost was computed", "[07.5][h
     }
 }
 
-TEST_CASE("07.5 many spheres do not take long", "[07.5][hard]") {
+TEST_CASE("07.5 splitting many spheres takes little more time than sorting them", "[07.5][hard]") {
     const auto boxes = rt::bounds_of(random_spheres(8000));
     // Compared with the time of sorting, which any solution needs: little more than that, but more
     // than 40 times as much if the boxes of one side are computed again for each k.
@@ -390,7 +390,7 @@ TEST_CASE("07.5 many spheres do not take long", "[07.5][hard]") {
     CHECK(left < 5350);
 }
 
-TEST_CASE("07.5 as many spheres as fit into memory", "[07.5][hard]") {
+TEST_CASE("07.5 as many spheres as fit into memory can be split", "[07.5][hard]") {
     constexpr int count = 200'000;
     std::vector<Box> boxes;
     for (int i = 0; i < count; ++i) boxes.push_back(cube({static_cast<Real>(i), 0, 0}, 1));
