@@ -47,7 +47,7 @@ TEST_CASE("08.1 each material calls for its effect", "[08.1]") {
           "a light that shines in only one channel is a light");
 }
 
-TEST_CASE("08.1 lens and fog and motion are found", "[08.1]") {
+TEST_CASE("08.1 lens and fog and motion each call for an effect", "[08.1]") {
     SceneDescription scene = ball_of(matte);
     scene.camera.lens.aperture = Real(0.1);
     check(scene, {.lens = true}, "the aperture is 0.1");
@@ -76,7 +76,7 @@ TEST_CASE("08.1 a sphere with a map is an instance", "[08.1]") {
     }
 }
 
-TEST_CASE("08.1 the effects of all spheres count", "[08.1]") {
+TEST_CASE("08.1 a scene calls for the effects of all its spheres", "[08.1]") {
     SceneDescription scene = ball_of(rt::Dielectric{});
     scene.materials.push_back(rt::Metal{{1, 1, 1}, 0});
     scene.materials.push_back(rt::Metal{{1, 1, 1}, 1});
@@ -115,7 +115,7 @@ TEST_CASE("08.1 a light whose radiance is black does not count as a light", "[08
           "even the faintest light is a light");
 }
 
-TEST_CASE("08.1 a closed shutter stops all motion", "[08.1][hard]") {
+TEST_CASE("08.1 motion does not count if the shutter is closed", "[08.1][hard]") {
     SceneDescription scene = ball_of(matte);
     scene.spheres[0].velocity = {0, -1, 0};
     check(scene, {}, "the sphere moves, but the shutter time is 0");

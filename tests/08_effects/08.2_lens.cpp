@@ -162,7 +162,7 @@ std::string in_camera(Vec3 v) {
 
 }  // namespace
 
-TEST_CASE("08.2 the ray from the center of the lens is the same as through a pinhole", "[08.2]") {
+TEST_CASE("08.2 the ray from the lens's center is the pinhole camera's ray", "[08.2]") {
     const Lens lens{Real(0.5), 4};
     for (const int column : {0, 31, 80, 159})
         for (const int row : {0, 45, 89}) {
@@ -270,7 +270,7 @@ TEST_CASE("08.2 each offset in a pixel has its own rays", "[08.2]") {
     }
 }
 
-TEST_CASE("08.2 lenses of all sizes and focus distances", "[08.2][hard]") {
+TEST_CASE("08.2 rays are accurate for lenses of all sizes and focus distances", "[08.2][hard]") {
     rt::Rng rng{82, 3};
     const Real smallest = for_this_precision(Real(-4), Real(-11));
     for (int i = 0; i < 400; ++i) {
@@ -285,7 +285,7 @@ TEST_CASE("08.2 lenses of all sizes and focus distances", "[08.2][hard]") {
                 "a lens of aperture 0 is a pinhole: the ray starts at the eye");
 }
 
-TEST_CASE("08.2 far from the origin no digits are lost", "[08.2][hard]") {
+TEST_CASE("08.2 directions are accurate far from the scene's origin", "[08.2][hard]") {
     // A pixel's position in the world has few digits left here, but its direction has them all.
     const Real far = for_this_precision(Real(3e4), Real(3e12));
     const Lens lens{Real(0.01), 1};
@@ -302,7 +302,7 @@ TEST_CASE("08.2 far from the origin no digits are lost", "[08.2][hard]") {
     });
 }
 
-TEST_CASE("08.2 at any scale the directions are the same", "[08.2][hard]") {
+TEST_CASE("08.2 the directions are the same at any scale", "[08.2][hard]") {
     const Lens lens{Real(0.5), 4};
     for (const Real scale : {Real(1e-9), Real(1e9)}) {
         const Camera scaled = camera_at({1, 2, 3}, {Real(-0.6), Real(-0.2), -1}, scale);
@@ -319,7 +319,7 @@ TEST_CASE("08.2 at any scale the directions are the same", "[08.2][hard]") {
     }
 }
 
-TEST_CASE("08.2 all rays are parallel if the focus is at the largest distances", "[08.2][hard]") {
+TEST_CASE("08.2 all rays are parallel at the largest focus distances", "[08.2][hard]") {
     // Compared with the distance, the lens is nothing: all rays of a pixel are parallel.
     const Lens lens{Real(0.5), std::numeric_limits<Real>::max() / 8};
     const Vec3 expected = rt::primary_ray(usual, 12, 70, middle).direction;

@@ -202,7 +202,7 @@ void check_cone(const Sphere& light, Vec3 from, rt::Rng& rng) {
 
 }  // namespace
 
-TEST_CASE("08.3 the height of the cap in which a light is seen", "[08.3]") {
+TEST_CASE("08.3 cone_height returns the height of the cap that a light covers", "[08.3]") {
     // A light as far away as its diameter is seen at 30 degrees to each side.
     {
         HINT(Exact(1) - sqrt(Exact(3)) / Exact(2), rt::cone_height(1, 2),
@@ -238,7 +238,7 @@ TEST_CASE("08.3 each sample leads to the light", "[08.3]") {
     }
 }
 
-TEST_CASE("08.3 place.x is the height in the cap and place.y the turn", "[08.3]") {
+TEST_CASE("08.3 place.x determines the height in the cap and place.y the turn", "[08.3]") {
     for (const Vec3 from : {Vec3{0, 0, 0}, Vec3{2, 3, 0}, Vec3{2, Real(2.2), -1}}) {
         const Vec3 apart = usual.center - from;
         const Real distance = rt::length(apart);
@@ -257,7 +257,7 @@ TEST_CASE("08.3 place.x is the height in the cap and place.y the turn", "[08.3]"
     }
 }
 
-TEST_CASE("08.3 lights of all sizes at all distances", "[08.3][hard]") {
+TEST_CASE("08.3 samples are accurate for lights of all sizes and distances", "[08.3][hard]") {
     rt::Rng rng{83, 1};
     const Real smallest = for_this_precision(Real(-17), Real(-140));
     for (int i = 0; i < 4000; ++i) {
@@ -278,7 +278,7 @@ TEST_CASE("08.3 lights of all sizes at all distances", "[08.3][hard]") {
     }
 }
 
-TEST_CASE("08.3 the samples are spread evenly over the light as it is seen", "[08.3]") {
+TEST_CASE("08.3 samples are spread evenly over the solid angle of the light", "[08.3]") {
     // Seen from the origin, straight above: rings of equal height of the cap, and sixths of a turn.
     const Sphere light{{0, 5, 0}, 4};
     const double height = exact_height(4, 5).high;
@@ -323,7 +323,7 @@ TEST_CASE("08.3 a light that faces the surface gives the irradiance of the textb
     }
 }
 
-TEST_CASE("08.3 no digits are lost for small and distant lights", "[08.3][hard]") {
+TEST_CASE("08.3 samples and density are accurate for small and distant lights", "[08.3][hard]") {
     for (Real distance = 2; distance < for_this_precision(Real(1e15), Real(1e100)); distance *= 7)
         check_height(1, distance);
     // The sun in its true size, seen from its true distance.
@@ -335,7 +335,7 @@ TEST_CASE("08.3 no digits are lost for small and distant lights", "[08.3][hard]"
     check_near(angle, expected, Real(1e-4) * expected);
 }
 
-TEST_CASE("08.3 just above the surface of a light nothing cancels", "[08.3][hard]") {
+TEST_CASE("08.3 samples are accurate from points just above the light's surface", "[08.3][hard]") {
     for (Real gap = Real(0.5); 1 + gap > 1; gap /= 3) check_height(1, 1 + gap);
     const Sphere light{{0, 0, 0}, 1};
     for (const Real gap : {Real(0.01), 64 * rt::epsilon}) {

@@ -263,7 +263,7 @@ TEST_CASE("08.4 direct light comes through the fog", "[08.4][hard]") {
                  "to the light");
 }
 
-TEST_CASE("08.4 light that was collected is never lost", "[08.4]") {
+TEST_CASE("08.4 a path never loses the light that it has collected", "[08.4]") {
     // One bounce on a white floor, far below a light: what it gets is the same for every ending.
     Lit lit;
     lit.add(floor_ball, white);
@@ -326,7 +326,7 @@ TEST_CASE("08.4 a matte bounce draws random numbers to sample a light and a mirr
     // Rough metal may ask for a light: with weights that is right, too.
 }
 
-TEST_CASE("08.4 without lights and fog it is the loop of 04.7 bit for bit", "[08.4]") {
+TEST_CASE("08.4 without lights and fog the result equals that of 04.7 exactly", "[08.4]") {
     Lit lit;
     lit.add({{0, -100, 0}, 100}, gray_matte);
     lit.add({{0, 1, 0}, 1}, rt::Metal{{1, Real(0.9), Real(0.8)}, Real(0.2)});

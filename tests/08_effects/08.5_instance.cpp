@@ -101,7 +101,7 @@ TEST_CASE("08.5 the ray is transformed to the object's space", "[08.5]") {
     CHECK(ray.direction == Vec3{-2, 0, 6});
 }
 
-TEST_CASE("08.5 the hit of an ellipsoid", "[08.5]") {
+TEST_CASE("08.5 a ray hits an ellipsoid at the correct t", "[08.5]") {
     const Instance instance = rt::make_instance(egg, 0);
     const auto check = [&](const Ray& ray, std::optional<Real> expected, const char* hint,
                            Interval within = {}) {
@@ -277,7 +277,7 @@ TEST_CASE("08.5 a ray that leaves the surface does not meet it again", "[08.5][h
     CHECK(again == 0);
 }
 
-TEST_CASE("08.5 the box around an ellipsoid", "[08.5]") {
+TEST_CASE("08.5 the box extends from the center by the row lengths plus the margin", "[08.5]") {
     const auto check = [](const Mat4& map, Vec3 half, const char* hint) {
         const Instance instance = rt::make_instance(map, 0);
         const Vec3 center{map(0, 3), map(1, 3), map(2, 3)};

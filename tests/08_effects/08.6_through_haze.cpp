@@ -58,7 +58,7 @@ TEST_CASE("08.6 haze dims what is behind it", "[08.6]") {
           "exp(-0.25 * 8) = 0.135");
 }
 
-TEST_CASE("08.6 the color of haze makes up the rest", "[08.6]") {
+TEST_CASE("08.6 the color of the haze replaces the light that is lost", "[08.6]") {
     const Real half = real(0.69314718055994530942);
     check({half, blue}, {}, 1, Real(0.5) * blue,
           "behind the haze it is black: you see half of the haze's own color");
@@ -77,7 +77,7 @@ TEST_CASE("08.6 at distance 0 there is no haze and at infinity only haze", "[08.
           "exception");
 }
 
-TEST_CASE("08.6 at density 0 the color stays and the distance is not asked for", "[08.6]") {
+TEST_CASE("08.6 at density 0 the color stays and distance is not called", "[08.6]") {
     for (const Real distance : {Real(0), Real(3), far_away}) {
         int asked = 0;
         check_same(
@@ -89,7 +89,7 @@ TEST_CASE("08.6 at density 0 the color stays and the distance is not asked for",
     }
 }
 
-TEST_CASE("08.6 without the effect the color stays and the distance is not asked for", "[08.6]") {
+TEST_CASE("08.6 without the effect the color stays and distance is not called", "[08.6]") {
     for (const Real distance : {Real(0), Real(3), far_away}) {
         int asked = 0;
         check_same(seen(rt::NoHaze{}, orange, distance, &asked), orange,
@@ -101,7 +101,7 @@ TEST_CASE("08.6 without the effect the color stays and the distance is not asked
     }
 }
 
-TEST_CASE("08.6 the distance is asked for once", "[08.6]") {
+TEST_CASE("08.6 distance is called only once", "[08.6]") {
     int asked = 0;
     seen(Haze{Real(0.5), blue}, orange, 2, &asked);
     INFO("Hint: distance() is a whole search: call it once, and keep what it gives");
@@ -122,7 +122,8 @@ TEST_CASE("08.6 nothing is left of a bright lamp behind dense haze", "[08.6][har
         hint);
 }
 
-TEST_CASE("08.6 nothing overflows", "[08.6][hard]") {
+TEST_CASE("08.6 the largest and smallest densities and distances give correct colors",
+          "[08.6][hard]") {
     const Real most = std::numeric_limits<Real>::max(), least = std::numeric_limits<Real>::min();
     const char* const dense = "the haze is so dense that nothing gets through";
     check_same(seen(Haze{most, blue}, orange, most), blue, dense);
