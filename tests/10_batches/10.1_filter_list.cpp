@@ -92,7 +92,7 @@ TEST_CASE("10.1 the paths whose mask has the bit keep their order", "[10.1]") {
     check_filter({5, 6}, {0b0100, 0b1000}, 3);
 }
 
-TEST_CASE("10.1 every bit of every list", "[10.1]") {
+TEST_CASE("10.1 lists are filtered correctly by every bit", "[10.1]") {
     rt::Rng rng{101, 1};
     for (std::size_t size = 1; size < 140; ++size)
         for (int round = 0; round < 4; ++round) {
@@ -105,7 +105,7 @@ TEST_CASE("10.1 every bit of every list", "[10.1]") {
         }
 }
 
-TEST_CASE("10.1 empty lists and lists where all or no paths go on", "[10.1][hard]") {
+TEST_CASE("10.1 empty lists and lists where all or no paths go on are filtered", "[10.1][hard]") {
     check_filter({}, {}, 0);
     check_filter({}, {}, 7);
     for (const std::size_t size : {1, 2, 3, 8, 255, 256, 257, 5000, 65'537}) {
@@ -122,7 +122,7 @@ TEST_CASE("10.1 empty lists and lists where all or no paths go on", "[10.1][hard
     }
 }
 
-TEST_CASE("10.1 a hundred thousand paths", "[10.1][hard]") {
+TEST_CASE("10.1 a list of a hundred thousand paths is filtered correctly", "[10.1][hard]") {
     rt::Rng rng{101, 2};
     Paths list(100'000);
     for (std::uint32_t& path : list) path = rng();

@@ -168,7 +168,7 @@ void check_descend(int levels, std::uint64_t seed, std::size_t rays, bool is_cha
 
 }  // namespace
 
-TEST_CASE("10.2 a node whose children are leaves", "[10.2]") {
+TEST_CASE("10.2 each leaf of a node gets the rays that meet the leaf's box", "[10.2]") {
     for (std::uint64_t seed = 0; seed < 50; ++seed) check_descend(0, seed, 1 + seed % 7);
 }
 
@@ -176,7 +176,7 @@ TEST_CASE("10.2 every leaf gets the rays that meet all boxes above it", "[10.2]"
     for (std::uint64_t seed = 0; seed < 60; ++seed) check_descend(3, 1000 + seed, 40);
 }
 
-TEST_CASE("10.2 deep trees and lists where one ray or none goes on", "[10.2][hard]") {
+TEST_CASE("10.2 rays descend deep trees even where one or none goes on", "[10.2][hard]") {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         check_descend(5, 2000 + seed, 1);
         check_descend(5, 3000 + seed, 3);
@@ -187,7 +187,7 @@ TEST_CASE("10.2 deep trees and lists where one ray or none goes on", "[10.2][har
     }
 }
 
-TEST_CASE("10.2 a hundred thousand rays", "[10.2][hard]") {
+TEST_CASE("10.2 a hundred thousand rays reach the right leaves", "[10.2][hard]") {
     check_descend(1, 6000, 100'000, true);
 }
 

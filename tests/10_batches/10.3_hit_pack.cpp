@@ -116,7 +116,7 @@ void check_ties(rt::Rng& rng, PackInteger number, PackInteger lowest, PackIntege
 
 }  // namespace
 
-TEST_CASE("10.3 rays from all sides", "[10.3]") {
+TEST_CASE("10.3 rays from all sides give the hits of hit_sphere", "[10.3]") {
     rt::Rng rng{103, 1};
     for (int round = 0; round < 5000; ++round) {
         const Real radius = any_size(rng, -3, 3);
@@ -128,7 +128,7 @@ TEST_CASE("10.3 rays from all sides", "[10.3]") {
     }
 }
 
-TEST_CASE("10.3 rays from inside", "[10.3]") {
+TEST_CASE("10.3 rays from inside hit the far side", "[10.3]") {
     rt::Rng rng{103, 9};
     for (int round = 0; round < 1000; ++round) {
         const Sphere sphere{5 * in_cube(rng), rng.uniform(Real(0.5), 3)};
@@ -180,7 +180,7 @@ TEST_CASE("10.3 the same sphere at the same t counts as met", "[10.3]") {
                    "the ray keeps its old hit only if the sphere of that hit has a higher number");
 }
 
-TEST_CASE("10.3 one ray of a pack hits or misses unlike the others", "[10.3]") {
+TEST_CASE("10.3 each ray of a pack hits or misses independently", "[10.3]") {
     const Sphere sphere{{1, 2, 3}, 1};
     const OneRay meets{{{1, 2, -3}, {0, 0, 2}}, 1000, 4}, misses{{{4, 2, -3}, {0, 0, 2}}, 1000, 4};
     for (std::size_t k = 0; k < pack_size; ++k)
@@ -193,7 +193,7 @@ TEST_CASE("10.3 one ray of a pack hits or misses unlike the others", "[10.3]") {
         }
 }
 
-TEST_CASE("10.3 distant and small spheres and rays that graze or touch", "[10.3][hard]") {
+TEST_CASE("10.3 hits are exact for distant spheres and grazing rays", "[10.3][hard]") {
     rt::Rng rng{103, 4};
     for (int round = 0; round < 20'000; ++round) {
         const Real radius = any_size(rng, -6, 6);
@@ -233,7 +233,7 @@ TEST_CASE("10.3 distant and small spheres and rays that graze or touch", "[10.3]
     }
 }
 
-TEST_CASE("10.3 high numbers of spheres", "[10.3][hard]") {
+TEST_CASE("10.3 high sphere numbers are compared exactly", "[10.3][hard]") {
     rt::Rng rng{103, 6};
     for (const PackInteger number : {0, 1, 70'000, 16'777'217, 2'000'000'001})
         for (int round = 0; round < 300; ++round)

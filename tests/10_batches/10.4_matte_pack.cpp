@@ -58,7 +58,7 @@ Lot any_lot(rt::Rng& rng) {
 
 }  // namespace
 
-TEST_CASE("10.4 each lane has the bits of the single direction", "[10.4]") {
+TEST_CASE("10.4 each lane equals the result of cosine_direction bit for bit", "[10.4]") {
     rt::Rng rng{104, 1};
     for (int round = 0; round < 20'000; ++round) {
         Lots lots;
@@ -69,7 +69,7 @@ TEST_CASE("10.4 each lane has the bits of the single direction", "[10.4]") {
     }
 }
 
-TEST_CASE("10.4 the circle goes all the way around", "[10.4]") {
+TEST_CASE("10.4 place.y turns the direction through a full circle", "[10.4]") {
     Lots lots;
     for (int step = 0; step < 1000; ++step) {
         for (std::size_t i = 0; i < pack_size; ++i)
@@ -78,7 +78,8 @@ TEST_CASE("10.4 the circle goes all the way around", "[10.4]") {
     }
 }
 
-TEST_CASE("10.4 normals along the axes and sample points at the edge", "[10.4][hard]") {
+TEST_CASE("10.4 normals along axes and sample points at edges give correct directions",
+          "[10.4][hard]") {
     rt::Rng rng{104, 2};
     const Real least = std::numeric_limits<Real>::min();
     const Vec3 axes[]{{1, 0, 0},      {0, 1, 0},     {0, 0, 1},          {-1, 0, 0},
