@@ -126,7 +126,7 @@ Numbers some_numbers(rt::Rng& rng, std::size_t size, Real scale) {
 
 }  // namespace
 
-TEST_CASE("11.1 count mean and squares of a few numbers", "[11.1]") {
+TEST_CASE("11.1 count and mean and squares are correct for a few numbers", "[11.1]") {
     // 4, 7, 13, 16: means 4, 5.5, 8, 10, and squares 0, 4.5, 42, 90.
     const std::vector<Numbers> lists{{4, 7, 13, 16},
                                      {3, 5},
@@ -153,7 +153,7 @@ TEST_CASE("11.1 count mean and squares of a few numbers", "[11.1]") {
     }
 }
 
-TEST_CASE("11.1 one more number after others", "[11.1]") {
+TEST_CASE("11.1 one more number updates count and mean and squares", "[11.1]") {
     struct Case {
         RunningVariance before;
         Real number;
@@ -214,7 +214,7 @@ TEST_CASE("11.1 the variance of two throws of a die is right on average", "[11.1
     }
 }
 
-TEST_CASE("11.1 fewer than two numbers say nothing about the variance", "[11.1]") {
+TEST_CASE("11.1 the variance of fewer than two numbers is infinite", "[11.1]") {
     const auto check = [](const RunningVariance& known) {
         const Real actual = rt::variance(known);
         INFO(text(known));
@@ -230,7 +230,7 @@ TEST_CASE("11.1 fewer than two numbers say nothing about the variance", "[11.1]"
     check({1, 0, 3});
 }
 
-TEST_CASE("11.1 many kinds of numbers", "[11.1]") {
+TEST_CASE("11.1 mean and variance are correct for many kinds of numbers", "[11.1]") {
     rt::Rng rng{111, 2};
     for (int i = 0; i < 300; ++i) {
         const std::size_t size = i < 100 ? 1 + rng() % 9 : 1 + rng() % 1000;
@@ -244,7 +244,7 @@ TEST_CASE("11.1 many kinds of numbers", "[11.1]") {
     }
 }
 
-TEST_CASE("11.1 several running variances do not mix", "[11.1]") {
+TEST_CASE("11.1 several running variances do not affect each other", "[11.1]") {
     rt::Rng rng{111, 3};
     std::vector<Numbers> numbers(20);
     std::vector<RunningVariance> known(20);
@@ -258,7 +258,7 @@ TEST_CASE("11.1 several running variances do not mix", "[11.1]") {
         check_known(known[i], numbers[i], "keep everything in `known`: use no static variable");
 }
 
-TEST_CASE("11.1 far from zero no digits of the spread are lost", "[11.1][hard]") {
+TEST_CASE("11.1 the variance is accurate for numbers far from zero", "[11.1][hard]") {
     rt::Rng rng{111, 4};
     const Real most = for_this_precision(Real(3), Real(9));
     for (int i = 0; i < 200; ++i) {
@@ -274,7 +274,7 @@ TEST_CASE("11.1 far from zero no digits of the spread are lost", "[11.1][hard]")
     check_known(known_of({-far, -far - 2}), {-far, -far - 2}, cancels_hint);
 }
 
-TEST_CASE("11.1 equal numbers have no variance", "[11.1][hard]") {
+TEST_CASE("11.1 the variance of equal numbers is 0", "[11.1][hard]") {
     rt::Rng rng{111, 5};
     for (int i = 0; i < 200; ++i) {
         const std::size_t size = 2 + rng() % 200;
@@ -283,7 +283,7 @@ TEST_CASE("11.1 equal numbers have no variance", "[11.1][hard]") {
     }
 }
 
-TEST_CASE("11.1 a million numbers", "[11.1][hard]") {
+TEST_CASE("11.1 the variance is accurate for a million numbers", "[11.1][hard]") {
     // 1000 + 1, 1000 - 1 and so on: each is 1 off the mean, but for the last of an odd count.
     RunningVariance known;
     for (int count = 1; count <= 1'000'000; ++count) {
@@ -299,7 +299,7 @@ TEST_CASE("11.1 a million numbers", "[11.1][hard]") {
     }
 }
 
-TEST_CASE("11.1 numbers of all sizes", "[11.1][hard]") {
+TEST_CASE("11.1 the variance is accurate for numbers of all sizes", "[11.1][hard]") {
     rt::Rng rng{111, 6};
     const Real most = for_this_precision(Real(16), Real(150));
     for (int i = 0; i < 300; ++i) {
@@ -322,7 +322,7 @@ TEST_CASE("11.1 numbers of all sizes", "[11.1][hard]") {
     check_known(known_of(numbers), numbers, plain_hint);
 }
 
-TEST_CASE("11.1 more numbers than an int can count", "[11.1][hard]") {
+TEST_CASE("11.1 the count may exceed the largest int", "[11.1][hard]") {
     const char* const hint =
         "the count is a std::int64_t: convert it to a Real, not to an int or a float";
     for (const std::int64_t count :

@@ -111,7 +111,7 @@ const char* const overflow_hint =
 
 }  // namespace
 
-TEST_CASE("11.2 the standard error of the mean", "[11.2]") {
+TEST_CASE("11.2 the standard error is the square root of variance over count", "[11.2]") {
     const char* const hint =
         "the variance of a mean is the variance of one number divided by the count: four times as "
         "many numbers halve the error. variance() already divides by count - 1; for the mean, "
@@ -139,7 +139,7 @@ TEST_CASE("11.2 fewer than two numbers have an infinite error", "[11.2]") {
     }
 }
 
-TEST_CASE("11.2 the probability that the mean is near the true mean", "[11.2]") {
+TEST_CASE("11.2 the probability follows the normal distribution", "[11.2]") {
     check_chance(1, 1, exact_chance(1), chance_hint);
     check_chance(2, 1, exact_chance(2), chance_hint);
     check_chance(3, 1, exact_chance(3), chance_hint);
@@ -154,7 +154,7 @@ TEST_CASE("11.2 the probability that the mean is near the true mean", "[11.2]") 
     }
 }
 
-TEST_CASE("11.2 how many numbers are needed for an error", "[11.2]") {
+TEST_CASE("11.2 the smallest count that reaches the requested error is returned", "[11.2]") {
     const std::int64_t most = 1'000'000;
     check_count(4, 1, most, 4, count_hint);
     check_count(4, Real(0.5), most, 16, count_hint);
@@ -177,7 +177,7 @@ TEST_CASE("11.2 how many numbers are needed for an error", "[11.2]") {
     }
 }
 
-TEST_CASE("11.2 the error of billions of numbers", "[11.2][hard]") {
+TEST_CASE("11.2 the error is accurate for billions of numbers", "[11.2][hard]") {
     const char* const hint =
         "the count is a std::int64_t: convert it to a Real, not to an int or a float, before you "
         "multiply";
@@ -203,7 +203,8 @@ TEST_CASE("11.2 with an error of 0 the probability is 1", "[11.2][hard]") {
                      "0 at any distance");
 }
 
-TEST_CASE("11.2 small probabilities and errors of all sizes", "[11.2][hard]") {
+TEST_CASE("11.2 probabilities are accurate for small distances and errors of all sizes",
+          "[11.2][hard]") {
     rt::Rng rng{112, 5};
     const Real low = for_this_precision(Real(-12), Real(-100));
     for (int i = 0; i < 300; ++i) {
@@ -230,7 +231,7 @@ TEST_CASE("11.2 small probabilities and errors of all sizes", "[11.2][hard]") {
     REQUIRE(tiny <= smallest);
 }
 
-TEST_CASE("11.2 no variance and no error", "[11.2][hard]") {
+TEST_CASE("11.2 the count is correct even if the variance or the error is 0", "[11.2][hard]") {
     for (const std::int64_t most :
          {std::int64_t{1}, std::int64_t{1000}, std::numeric_limits<std::int64_t>::max()}) {
         const char* const none = "0 / 0 is NaN. Without variance, one number is enough";
@@ -245,7 +246,7 @@ TEST_CASE("11.2 no variance and no error", "[11.2][hard]") {
     }
 }
 
-TEST_CASE("11.2 counts of all sizes", "[11.2][hard]") {
+TEST_CASE("11.2 counts of all sizes are correct", "[11.2][hard]") {
     rt::Rng rng{112, 6};
     const Real low = for_this_precision(Real(-36), Real(-300));
     const std::int64_t any = std::numeric_limits<std::int64_t>::max();

@@ -207,7 +207,7 @@ TEST_CASE("11.3 no part gets fewer or more samples than the limits allow", "[11.
     }
 }
 
-TEST_CASE("11.3 each half decides for the other", "[11.3]") {
+TEST_CASE("11.3 each half decides how many samples the other half takes", "[11.3]") {
     const CountLimits any{1, 1'000'000};
     check_counts({3, 0}, {5, 5}, 1, any, crossed_hint);  // 7.5 for the second half
     check_counts({0, 3}, {5, 5}, 1, any, crossed_hint);
@@ -226,7 +226,7 @@ TEST_CASE("11.3 each half decides for the other", "[11.3]") {
     }
 }
 
-TEST_CASE("11.3 both halves together have the error that is asked for", "[11.3]") {
+TEST_CASE("11.3 both halves together reach the requested error", "[11.3]") {
     const CountLimits any{1, 1'000'000'000};
     check_counts({3, 3}, {5, 5}, 1, any, each_hint);
     check_counts({3, 3}, {5, 5}, Real(0.125), any, each_hint);
@@ -258,7 +258,7 @@ TEST_CASE("11.3 both halves together have the error that is asked for", "[11.3]"
     }
 }
 
-TEST_CASE("11.3 rare light is neither lost nor gained", "[11.3]") {
+TEST_CASE("11.3 rare light is correct on average", "[11.3]") {
     // Right code fails with two seeds in a million: three times 5 standard errors. Halves that
     // decide for themselves are off by 80 or more.
     for (const int pilot : {2, 3, 4}) {
@@ -278,7 +278,7 @@ TEST_CASE("11.3 rare light is neither lost nor gained", "[11.3]") {
     }
 }
 
-TEST_CASE("11.3 the mean of both halves and its error", "[11.3]") {
+TEST_CASE("11.3 the mean of both halves and its error are correct", "[11.3]") {
     const auto check_mean = [](Halves<Real> mean, Real expected) {
         const Real actual = rt::twin_mean(mean);
         const Real size = std::max(std::abs(mean.first), std::abs(mean.second));
@@ -327,7 +327,7 @@ TEST_CASE("11.3 the mean of both halves and its error", "[11.3]") {
     REQUIRE(text(estimate) == text(square_error));
 }
 
-TEST_CASE("11.3 unknown spreads and spreads of 0", "[11.3][hard]") {
+TEST_CASE("11.3 unknown spreads get the most samples and spreads of 0 the fewest", "[11.3][hard]") {
     const char* const hint =
         "an unknown spread is infinite, and such a part gets the most samples. A spread of 0 gets "
         "the fewest, even if the mean spread is infinite";
@@ -362,7 +362,7 @@ TEST_CASE("11.3 unknown spreads and spreads of 0", "[11.3][hard]") {
     check({unknown, unknown}, {unknown, unknown}, {50, 50});
 }
 
-TEST_CASE("11.3 errors and spreads of all sizes", "[11.3][hard]") {
+TEST_CASE("11.3 sample counts are correct for errors and spreads of all sizes", "[11.3][hard]") {
     rt::Rng rng{113, 6};
     const Real size = for_this_precision(Real(34), Real(290));
     const CountLimits any{1, most_of_all};
@@ -390,7 +390,7 @@ TEST_CASE("11.3 errors and spreads of all sizes", "[11.3][hard]") {
     check_worth(smallest, smallest, largest, {3, 9}, {3, 3}, overflow_hint);
 }
 
-TEST_CASE("11.3 means far from zero and means of all sizes", "[11.3][hard]") {
+TEST_CASE("11.3 mean and error are accurate for means of all sizes", "[11.3][hard]") {
     const auto check = [](const char* what, Halves<Real> mean, Real actual, Real expected,
                           const char* hint) {
         const bool is_right = std::abs(actual - expected) <= 4 * rt::epsilon * std::abs(expected);

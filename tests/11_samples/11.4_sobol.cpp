@@ -151,17 +151,17 @@ bool is_one_half(int count, int of) {
 
 }  // namespace
 
-TEST_CASE("11.4 bits in reverse order", "[11.4]") {
+TEST_CASE("11.4 reversed_bits reverses the order of all 32 bits", "[11.4]") {
     for (int i = 0; i < 32; ++i) check_mirrored(1u << i);
     rt::Rng random{114, 1};
     for (int i = 0; i < 100; ++i) check_mirrored(random());
 }
 
-TEST_CASE("11.4 the first points of the sequence", "[11.4]") {
+TEST_CASE("11.4 the first points of the sequence are correct", "[11.4]") {
     for (std::uint32_t index = 0; index < 300; ++index) check_point(index);
 }
 
-TEST_CASE("11.4 scrambled fractions have as many bits in common as before", "[11.4]") {
+TEST_CASE("11.4 scrambled fractions have as many first bits in common as before", "[11.4]") {
     rt::Rng random{114, 2};
     for (int length = 0; length < 32; ++length)
         for (int i = 0; i < 60; ++i) {
@@ -243,7 +243,7 @@ TEST_CASE("11.4 every box has one scrambled point of each block", "[11.4]") {
         }
 }
 
-TEST_CASE("11.4 points late in the sequence", "[11.4][hard]") {
+TEST_CASE("11.4 points late in the sequence are correct", "[11.4][hard]") {
     for (int i = 0; i < 32; ++i) {
         check_point(1u << i);
         check_point(0xffffffffu >> i);
@@ -407,7 +407,7 @@ TEST_CASE("11.4 three flips do not determine a fourth", "[11.4][hard]") {
     }
 }
 
-TEST_CASE("11.4 each bit of the seed counts", "[11.4][hard]") {
+TEST_CASE("11.4 each bit of the seed changes the scrambling", "[11.4][hard]") {
     rt::Rng random{114, 8};
     for (int bit = 0; bit < 32; ++bit) {
         int different = 0;

@@ -175,7 +175,7 @@ TEST_CASE("11.5 each stop doubles the light", "[11.5]") {
     for (int i = 0; i < 200; ++i) check_exposed(any_color(rng), rng.uniform(-10, 10));
 }
 
-TEST_CASE("11.5 the eye sees green best", "[11.5]") {
+TEST_CASE("11.5 green has the largest weight in the luminance", "[11.5]") {
     check_luminance({1, 0, 0});
     check_luminance({0, 1, 0});
     check_luminance({0, 0, 1});
@@ -185,7 +185,7 @@ TEST_CASE("11.5 the eye sees green best", "[11.5]") {
     for (int i = 0; i < 200; ++i) check_luminance(any_color(rng) * any_size(rng, -3, 3));
 }
 
-TEST_CASE("11.5 the curve keeps dark tones and sends white to 1", "[11.5]") {
+TEST_CASE("11.5 the curve keeps dark tones and maps white to 1", "[11.5]") {
     for (const double white : {0.5, 1.0, 1.5, 4.0, 100.0}) {
         check_curve(0, real(white), few_digits);
         check_curve(real(white), real(white), few_digits);
@@ -216,12 +216,12 @@ TEST_CASE("11.5 black stays black", "[11.5][hard]") {
     for (const Real stops : {-100, -1, 0, 1, 100}) check_exposed({0, 0, 0}, stops);
 }
 
-TEST_CASE("11.5 a hundred stops up and down", "[11.5][hard]") {
+TEST_CASE("11.5 exposure is correct for a hundred stops up and down", "[11.5][hard]") {
     for (const Real stops : {-100, -64, -40, -31, 31, 32, 40, 63, 64, 100})
         check_exposed({1, real(0.5), real(0.001)}, stops);
 }
 
-TEST_CASE("11.5 light that is far too bright or too dark", "[11.5][hard]") {
+TEST_CASE("11.5 extremely bright and extremely dark light is mapped accurately", "[11.5][hard]") {
     const auto huge = real(for_this_precision(1e30, 1e200));
     const auto bright = real(for_this_precision(1e20, 1e160));
     for (const Real light : {huge, bright, real(1e10), real(1e-10), 1 / bright, 1 / huge}) {
@@ -251,7 +251,7 @@ TEST_CASE("11.5 with an infinite white the curve is L / (1 + L)", "[11.5][hard]"
     }
 }
 
-TEST_CASE("11.5 a dark picture whose white is as dark", "[11.5][hard]") {
+TEST_CASE("11.5 a dark picture with an equally dark white is mapped accurately", "[11.5][hard]") {
     // Where 1 + luminance is 1, the curve is L + (L / white)^2.
     const auto tiny = real(for_this_precision(1e-25, 1e-170));
     for (const Real white : {real(0.001), real(1e-9), real(1e-17), tiny})

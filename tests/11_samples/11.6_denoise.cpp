@@ -274,7 +274,7 @@ Scene any_scene(rt::Rng& rng, int width, int height) {
 
 }  // namespace
 
-TEST_CASE("11.6 the weight of a pixel", "[11.6]") {
+TEST_CASE("11.6 a pixel's weight depends on position and albedo and normal", "[11.6]") {
     const Features surface{{real(0.5), real(0.3), real(0.2)}, {0, 0, 1}};
     const DenoiseWidths widths{5, 2, real(0.25), real(0.5)};
     check_weight(0, 0, surface, surface, widths);
@@ -308,13 +308,13 @@ TEST_CASE("11.6 one bright pixel spreads over its neighbors", "[11.6]") {
     }
 }
 
-TEST_CASE("11.6 a flat picture stays as it is", "[11.6]") {
+TEST_CASE("11.6 a picture of a single color does not change", "[11.6]") {
     Scene scene{5, 8, {{real(0.5), real(0.25), real(0.75)}, {0, 1, 0}}};
     scene.picture = Image(5, 8, {3, 2, 1});
     check_denoised(scene, {3, 2}, general_hint);
 }
 
-TEST_CASE("11.6 a texture stays as sharp as it is", "[11.6]") {
+TEST_CASE("11.6 a texture stays sharp", "[11.6]") {
     rt::Rng rng{116, 2};
     Scene scene{8, 5};
     for (int y = 0; y < 5; ++y)
@@ -380,7 +380,7 @@ TEST_CASE("11.6 the variance falls by the factor that the weights give", "[11.6]
     CHECK(std::abs(mean.variance() / expected - 1) < 0.3);
 }
 
-TEST_CASE("11.6 any picture", "[11.6]") {
+TEST_CASE("11.6 any picture is filtered correctly", "[11.6]") {
     rt::Rng rng{116, 4};
     for (const auto& [width, height] : {std::pair{7, 5}, {4, 9}, {11, 2}, {3, 3}, {2, 8}})
         for (int radius = 1; radius <= 3; ++radius) {
@@ -388,7 +388,7 @@ TEST_CASE("11.6 any picture", "[11.6]") {
         }
 }
 
-TEST_CASE("11.6 one pixel or one row and a radius of any size", "[11.6][hard]") {
+TEST_CASE("11.6 pictures of one pixel or row work with any radius", "[11.6][hard]") {
     rt::Rng rng{116, 5};
     for (const auto& [width, height] : {std::pair{1, 1}, {20, 1}, {1, 17}, {3, 4}})
         for (const int radius : {0, 1, 9, 1000, std::numeric_limits<int>::max()})
@@ -398,7 +398,7 @@ TEST_CASE("11.6 one pixel or one row and a radius of any size", "[11.6][hard]") 
                 "with the distance to the border, width - 1 - x: x + radius may overflow");
 }
 
-TEST_CASE("11.6 surfaces that reflect no light", "[11.6][hard]") {
+TEST_CASE("11.6 no light is lost where the albedo is 0", "[11.6][hard]") {
     const char* const hint =
         "a channel of the albedo may be 0: do not divide by it, and do not lose its light";
     rt::Rng rng{116, 6};
@@ -428,7 +428,7 @@ TEST_CASE("11.6 an albedo of more than 1 is used as it is", "[11.6][hard]") {
     }
 }
 
-TEST_CASE("11.6 very bright and very dark light", "[11.6][hard]") {
+TEST_CASE("11.6 very bright and very dark light is filtered correctly", "[11.6][hard]") {
     rt::Rng rng{116, 7};
     const Real power = for_this_precision(30, 200);
     for (const Real size : {-power, power}) {
@@ -441,7 +441,7 @@ TEST_CASE("11.6 very bright and very dark light", "[11.6][hard]") {
     }
 }
 
-TEST_CASE("11.6 narrow and infinite widths and pixels far away", "[11.6][hard]") {
+TEST_CASE("11.6 weights are accurate for extreme widths and distant pixels", "[11.6][hard]") {
     const Features surface{{real(0.5), real(0.3), real(0.2)}, {0, 0, 1}};
     const Features other{{real(0.4), real(0.3), real(0.2)}, {0, 1, 0}};
     const Real narrow = for_this_precision(1e-30, 1e-200), off = rt::infinity;
