@@ -71,7 +71,7 @@ int count_hits(const std::vector<Triangle>& surface, const Ray& ray) {
 
 }  // namespace
 
-TEST_CASE("12.1 a small example on paper", "[12.1]") {
+TEST_CASE("12.1 the hit agrees with a small example on paper", "[12.1]") {
     const Triangle triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     check_hit(triangle, {{1, 2, 6}, {0, 0, -2}}, {}, {3, real(0.25), real(0.5)},
               "u is the weight of b, v is the weight of c, and the hit is at o + t d");
@@ -211,7 +211,7 @@ TEST_CASE("12.1 rays from straight above hit a grid once at corners and edges", 
     SUCCEED();
 }
 
-TEST_CASE("12.1 no ray leaves a closed surface", "[12.1][hard]") {
+TEST_CASE("12.1 no ray leaves a closed surface without a hit", "[12.1][hard]") {
     rt::Rng rng{121, 6};
     const rt::Mesh mesh = ball(2);
     const std::vector<Triangle> surface = shapes_of(mesh);
@@ -251,7 +251,7 @@ TEST_CASE("12.1 a ray enters a closed surface as often as it leaves it", "[12.1]
     SUCCEED();
 }
 
-TEST_CASE("12.1 the corners in another order give the same decision", "[12.1][hard]") {
+TEST_CASE("12.1 the order of the corners does not change the decision", "[12.1][hard]") {
     rt::Rng rng{121, 8};
     for (int i = 0; i < 50'000; ++i) {
         const auto& [a, b, c] = plain_triangle(rng);
@@ -271,7 +271,7 @@ TEST_CASE("12.1 the corners in another order give the same decision", "[12.1][ha
     SUCCEED();
 }
 
-TEST_CASE("12.1 the point at t is on the plane", "[12.1][hard]") {
+TEST_CASE("12.1 the point at t lies on the triangle's plane", "[12.1][hard]") {
     rt::Rng rng{121, 9};
     double worst = 0;
     for (int i = 0; i < 300'000; ++i) {
@@ -336,7 +336,7 @@ TEST_CASE("12.1 the weights are right far from the scene's origin", "[12.1][hard
     SUCCEED();
 }
 
-TEST_CASE("12.1 a triangle without area is never met", "[12.1][hard]") {
+TEST_CASE("12.1 a triangle without area is never hit", "[12.1][hard]") {
     rt::Rng rng{121, 11};
     for (int i = 0; i < 300'000; ++i) {
         // Three points on a line, at whole numbers; sometimes two or all three coincide.
@@ -366,7 +366,7 @@ TEST_CASE("12.1 a ray or a triangle that contains NaN gives no hit", "[12.1][har
     }
 }
 
-TEST_CASE("12.1 a scene 2^30 times larger or smaller is met at the same t", "[12.1][hard]") {
+TEST_CASE("12.1 a scene 2^30 times larger or smaller is hit at the same t", "[12.1][hard]") {
     rt::Rng rng{121, 12};
     for (int i = 0; i < 20'000; ++i) {
         const auto [triangle, ray] = aimed(rng, real(0.3), rng.uniform(), 1);

@@ -59,7 +59,7 @@ void check_tree(const std::vector<SceneTriangle>& all, const Ray& ray) {
 
 }  // namespace
 
-TEST_CASE("12.2 the box around a triangle", "[12.2]") {
+TEST_CASE("12.2 the box encloses the triangle", "[12.2]") {
     const Box box = rt::bounds_of(SceneTriangle{{{1, -7, 3}, {-4, 5, 9}, {2, 6, -8}}});
     INFO("the triangle is (1, -7, 3), (-4, 5, 9), (2, 6, -8), and your result is " << text_of(box));
     INFO("Hint: find the smallest and the largest x, y and z of the three corners");
@@ -72,7 +72,7 @@ TEST_CASE("12.2 the box around a triangle", "[12.2]") {
     check(box.high, {2, 6, 9});
 }
 
-TEST_CASE("12.2 each corner is in the box whatever their order", "[12.2]") {
+TEST_CASE("12.2 the box encloses the corners in whatever order they come", "[12.2]") {
     rt::Rng rng{122, 1};
     for (int i = 0; i < 5000; ++i) {
         const Triangle shape = plain_triangle(rng);
@@ -122,7 +122,7 @@ TEST_CASE("12.2 a shape is hit where its triangle is hit", "[12.2]") {
     SUCCEED();
 }
 
-TEST_CASE("12.2 the triangles of a mesh in their order", "[12.2]") {
+TEST_CASE("12.2 the triangles of a mesh keep their order and get consecutive numbers", "[12.2]") {
     rt::Mesh mesh;
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     mesh.triangles = {{rt::Corner{0}, {1}, {2}}, {rt::Corner{3}, {2}, {1}}};

@@ -45,7 +45,7 @@ TEST_CASE("12.3 at a corner the normal is that of the corner", "[12.3]") {
     check_near(smooth_normal(normals, 0, 1, up), normals[2], hint);
 }
 
-TEST_CASE("12.3 between two corners the normal is halfway and of length 1", "[12.3]") {
+TEST_CASE("12.3 halfway between two corners the normal is their normalized mean", "[12.3]") {
     const std::array<Vec3, 3> normals{
         Vec3{real(0.6), 0, real(0.8)}, {real(-0.6), 0, real(0.8)}, {0, real(0.6), real(0.8)}};
     check_near(smooth_normal(normals, real(0.5), 0, up), up,
@@ -118,7 +118,7 @@ TEST_CASE("12.3 a normal that mirrors light upward is not bent", "[12.3]") {
     SUCCEED();
 }
 
-TEST_CASE("12.3 light from below is handled as well", "[12.3]") {
+TEST_CASE("12.3 light from below is treated like light from above", "[12.3]") {
     const Vec3 smooth{real(0.6), 0, real(0.8)};
     // From inside of a closed surface, as through glass.
     const Vec3 incoming{0, real(0.6), real(0.8)};
@@ -149,7 +149,7 @@ TEST_CASE("12.3 normals that point into the surface are turned around", "[12.3][
     SUCCEED();
 }
 
-TEST_CASE("12.3 normals that cancel give the flat one", "[12.3][hard]") {
+TEST_CASE("12.3 where normals cancel the flat normal is returned", "[12.3][hard]") {
     const Vec3 right{1, 0, 0};
     for (const Vec3 flat : {up, -up, Vec3{real(0.6), real(0.8), 0}})
         check_near(smooth_normal({right, -right, right}, real(0.5), 0, flat), flat,

@@ -61,7 +61,7 @@ std::string describe(const Place& place) {
 
 }  // namespace
 
-TEST_CASE("12.4 a small example on paper", "[12.4]") {
+TEST_CASE("12.4 the point agrees with a small example on paper", "[12.4]") {
     const SceneTriangle triangle{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, 3, 8};
     const Ray ray{{1, 2, 6}, {0, 0, -2}};
     const auto met = rt::hit_triangle(triangle.shape, ray, {});
@@ -84,7 +84,7 @@ TEST_CASE("12.4 a small example on paper", "[12.4]") {
     CHECK(hit.light == rt::kept_as_light(8));
 }
 
-TEST_CASE("12.4 point and normal of any triangle from either side", "[12.4]") {
+TEST_CASE("12.4 point and normal are correct for any triangle from either side", "[12.4]") {
     rt::Rng rng{124, 1};
     for (int i = 0; i < 20'000; ++i) {
         const SceneTriangle triangle{placed(plain_triangle(rng), 1, in_cube(rng)), 2, 5};
@@ -116,7 +116,7 @@ TEST_CASE("12.4 point and normal of any triangle from either side", "[12.4]") {
     SUCCEED();
 }
 
-TEST_CASE("12.4 a ray leaves a triangle of ordinary size", "[12.4]") {
+TEST_CASE("12.4 a ray that leaves an ordinary triangle does not meet it again", "[12.4]") {
     rt::Rng rng{124, 2};
     for (int i = 0; i < 50'000; ++i) {
         const SceneTriangle triangle{placed(plain_triangle(rng), 3, 2 * in_cube(rng))};
@@ -183,7 +183,7 @@ TEST_CASE("12.4 a million rays never meet the triangle that they leave", "[12.4]
     SUCCEED();
 }
 
-TEST_CASE("12.4 the error is no larger than it need be", "[12.4][hard]") {
+TEST_CASE("12.4 the point_error is no larger than necessary", "[12.4][hard]") {
     rt::Rng rng{124, 5};
     for (int i = 0; i < 200'000; ++i) {
         const Place place = any_place(rng);

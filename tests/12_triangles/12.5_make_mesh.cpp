@@ -77,7 +77,7 @@ TEST_CASE("12.5 a square becomes two triangles", "[12.5]") {
     }
 }
 
-TEST_CASE("12.5 polygons with any number of corners keep their order", "[12.5]") {
+TEST_CASE("12.5 polygons with any number of corners keep the order of their corners", "[12.5]") {
     for (int n = 3; n <= 9; ++n) {
         Polygons all;
         double area = 0;
@@ -184,7 +184,7 @@ TEST_CASE("12.5 the normals of a ball point outward", "[12.5]") {
             }
 }
 
-TEST_CASE("12.5 normals of the file are kept", "[12.5]") {
+TEST_CASE("12.5 normals given in the file are kept", "[12.5]") {
     Polygons all = square();
     all.normals = {{1, 0, 0}, {0, 1, 0}};
     all.polygons = {{{0, 1}, {1}, {2, 0}, {3}}};
@@ -205,7 +205,7 @@ TEST_CASE("12.5 normals of the file are kept", "[12.5]") {
         }
 }
 
-TEST_CASE("12.5 a polygon with a notch is cut inside", "[12.5][hard]") {
+TEST_CASE("12.5 a polygon with a notch gets no triangle outside of it", "[12.5][hard]") {
     Polygons all;
     // An arrowhead, whose third corner points inward.
     all.points = {{0, 0, 0}, {4, 4, 0}, {0, 2, 0}, {-4, 4, 0}};
@@ -257,7 +257,7 @@ TEST_CASE("12.5 a corner in the middle of a side makes no triangle of area 0", "
     }
 }
 
-TEST_CASE("12.5 normals of length 0 do not count", "[12.5][hard]") {
+TEST_CASE("12.5 normals of length 0 count as missing", "[12.5][hard]") {
     Polygons all = square();
     all.normals = {{0, 0, 0}, {0, 0, 1}};
     all.polygons = {{{0, 0}, {1, 1}, {2, 0}, {3, 1}}};

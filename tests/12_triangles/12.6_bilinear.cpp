@@ -44,7 +44,7 @@ Vec2 middle(const Image& image, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("12.6 in the middle of a pixel the color is that of the pixel", "[12.6]") {
+TEST_CASE("12.6 the color in the middle of a pixel is the pixel's color", "[12.6]") {
     const Image image = numbered(8, 4);
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 8; ++x)
@@ -65,7 +65,7 @@ TEST_CASE("12.6 between the middles of pixels their colors are mixed", "[12.6]")
     }
 }
 
-TEST_CASE("12.6 four pixels on paper", "[12.6]") {
+TEST_CASE("12.6 the colors agree with an example of four pixels on paper", "[12.6]") {
     Image image{2, 2};
     image.at(0, 0) = {1, 0, 0};
     image.at(1, 0) = {0, 1, 0};
@@ -108,7 +108,7 @@ TEST_CASE("12.6 an image of one pixel has one color", "[12.6]") {
                     "the image has one pixel, which is its own neighbor");
 }
 
-TEST_CASE("12.6 just below a whole number", "[12.6][hard]") {
+TEST_CASE("12.6 coordinates just below a whole number give the correct color", "[12.6][hard]") {
     const Image image = numbered(8, 4);
     const Real tiny = std::numeric_limits<Real>::min();
     for (const Real x : {-tiny, -std::numeric_limits<Real>::denorm_min(), -rt::epsilon / 8,
