@@ -79,7 +79,7 @@ TEST_CASE("13.1 ranks without rows take part", "[13.1]") {
     });
 }
 
-TEST_CASE("13.1 more pixels than an int can count", "[13.1][hard]") {
+TEST_CASE("13.1 a picture may have more pixels than an int can count", "[13.1][hard]") {
     on_ranks(2, [](MPI_Comm ranks) {
         if (rt::rank_of(ranks) == 0) return std::string{};
         // Nobody looks at the pixels: there is only one.

@@ -80,7 +80,7 @@ int MPI_Win_flush_local(int rank, MPI_Win window) {
     return done;
 }
 
-TEST_CASE("13.2 it starts at 0 and returns the number before", "[13.2]") {
+TEST_CASE("13.2 the counter starts at 0 and returns its value before adding", "[13.2]") {
     for (const int count : {1, 2, 4})
         on_ranks(count, [](MPI_Comm ranks) {
             TileCounter counter{ranks};
@@ -105,7 +105,7 @@ TEST_CASE("13.2 it starts at 0 and returns the number before", "[13.2]") {
         });
 }
 
-TEST_CASE("13.2 the number is in the memory of rank 0", "[13.2]") {
+TEST_CASE("13.2 the counter is in the memory of rank 0", "[13.2]") {
     for (const int count : {1, 3})
         on_ranks(count, [](MPI_Comm ranks) {
             MPI_Win window = rt::open_counter(ranks);
@@ -132,7 +132,7 @@ TEST_CASE("13.2 the number is in the memory of rank 0", "[13.2]") {
         });
 }
 
-TEST_CASE("13.2 no rank counts before the number is 0", "[13.2]") {
+TEST_CASE("13.2 no rank adds before the counter has been set to 0", "[13.2]") {
     on_ranks(3, [](MPI_Comm ranks) {
         TileCounter counter{ranks};
         const int before = counter.fetch_add(1);
@@ -165,7 +165,7 @@ TEST_CASE("13.2 every tile is taken once", "[13.2]") {
     });
 }
 
-TEST_CASE("13.2 two counters at a time", "[13.2][hard]") {
+TEST_CASE("13.2 two counters at a time do not affect each other", "[13.2][hard]") {
     on_ranks(3, [](MPI_Comm ranks) {
         TileCounter up{ranks}, down{ranks};
         int last_up = -1, last_down = 1;

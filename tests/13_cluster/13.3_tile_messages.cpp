@@ -129,7 +129,7 @@ TEST_CASE("13.3 messages keep their pixels until they are sent", "[13.3]") {
     });
 }
 
-TEST_CASE("13.3 finish waits until all is sent", "[13.3]") {
+TEST_CASE("13.3 finish waits until all messages have been sent", "[13.3]") {
     for (const int count : {1, 2})
         on_ranks(2, [count](MPI_Comm ranks) {
             if (rt::rank_of(ranks) == 0) {

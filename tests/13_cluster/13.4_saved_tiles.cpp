@@ -74,7 +74,7 @@ TEST_CASE("13.4 a tile is read as it was written", "[13.4]") {
     }
 }
 
-TEST_CASE("13.4 a new version takes the place of an older one", "[13.4]") {
+TEST_CASE("13.4 a new version of a tile replaces the older one", "[13.4]") {
     const TemporaryFolder folder;
     for (const unsigned version : {1, 2, 3}) {
         const std::vector<Color> pixels = some_pixels(version, static_cast<int>(100 / version));
@@ -86,7 +86,7 @@ TEST_CASE("13.4 a new version takes the place of an older one", "[13.4]") {
     }
 }
 
-TEST_CASE("13.4 tiles without a file are missing", "[13.4]") {
+TEST_CASE("13.4 tiles without a file are reported as missing", "[13.4]") {
     const TemporaryFolder folder;
     CHECK(rt::missing_tiles(folder.path(), 4) == std::vector{0, 1, 2, 3});
     for (const int tile : {0, 2, 3, 11}) rt::save_tile(folder.path(), tile, some_pixels(1, 4));
@@ -122,7 +122,7 @@ TEST_CASE("13.4 a program that dies leaves a whole file or none", "[13.4]") {
     }
 }
 
-TEST_CASE("13.4 a full disk is an error", "[13.4][hard]") {
+TEST_CASE("13.4 a full disk causes an exception", "[13.4][hard]") {
     const std::vector<Color> older = some_pixels(2, 100);
     const TemporaryFolder folder;
     rt::save_tile(folder.path(), 1, older);

@@ -27,7 +27,7 @@ View some_view(rt::Rng& random) {
 
 }  // namespace
 
-TEST_CASE("13.5 a quarter of a turn", "[13.5]") {
+TEST_CASE("13.5 one frame of four turns the camera by a quarter turn", "[13.5]") {
     const View view{{3, 1, 0}, {1, 0, 0}, {0, 1, 0}, 1};
     const Vec3 expected[] = {{3, 1, 0}, {1, 1, -2}, {-1, 1, 0}, {1, 1, 2}};
     for (int frame = 0; frame < 4; ++frame) {
@@ -50,7 +50,7 @@ TEST_CASE("13.5 only the camera moves", "[13.5]") {
     }
 }
 
-TEST_CASE("13.5 height and distance stay", "[13.5]") {
+TEST_CASE("13.5 the camera keeps its height and distance", "[13.5]") {
     rt::Rng random{135, 2};
     for (int i = 0; i < 300; ++i) {
         const View view = some_view(random);
@@ -72,7 +72,7 @@ TEST_CASE("13.5 height and distance stay", "[13.5]") {
     }
 }
 
-TEST_CASE("13.5 a whole turn changes nothing", "[13.5][hard]") {
+TEST_CASE("13.5 a whole turn gives exactly the original view", "[13.5][hard]") {
     rt::Rng random{135, 3};
     for (int i = 0; i < 100; ++i) {
         const View view = some_view(random);
