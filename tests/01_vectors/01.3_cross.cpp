@@ -54,7 +54,8 @@ TEST_CASE("01.3 the cross product is perpendicular to both factors and has the r
         const ExactVec3 expected = cross(exact_vector(a), exact_vector(b));
         const Vec3 computed = rt::cross(a, b);
         INFO("cross(" << text(a) << ", " << text(b) << ")");
-        HINT(expected, computed, "no component uses its own letter: x is ay bz - az by");
+        HINT(expected, computed,
+             "each component uses only the two other letters: x is ay bz - az by");
         REQUIRE(error_in_ulp(computed, expected) <= 1.5);
     }
 }

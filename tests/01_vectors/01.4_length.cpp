@@ -56,8 +56,8 @@ void check_length(const Scaled& scaled) {
     INFO("length(" << text(v) << ")");
     HINT(std::scalbn(static_cast<Real>(exact.high), scaled.exponent), computed,
          scaled.is_ordinary() ? "the length is the square root of v . v"
-                              : "v . v overflows or loses digits to underflow here: scale v first "
-                                "by split_scale, and scale the result back by std::scalbn");
+                              : "v . v overflows or loses digits to underflow here: first scale v "
+                                "with split_scale, then scale the result back with std::scalbn");
     REQUIRE(times_allowed(scaled_back, exact, ulp) <= 2.5);
 }
 
@@ -69,8 +69,8 @@ void check_normalize(const Scaled& scaled) {
     INFO("normalize(" << text(v) << ")");
     HINT(exact, computed,
          scaled.is_ordinary() ? "divide each component by the length, once"
-                              : "v . v overflows or underflows here: scale v first by split_scale; "
-                                "its direction stays the same");
+                              : "v . v overflows or underflows here: first scale v with "
+                                "split_scale, which keeps the direction of v");
     REQUIRE(error_in_ulp(computed, exact) <= 3.5);
 }
 

@@ -90,10 +90,11 @@ void check_inverse(const Exactly& exact, Vec3 point, Accuracy accuracy = Accurac
     const Mat4 m = exact.map();
     INFO("the matrix:\n"
          << m
-         << (is_any_way ? ""
-                        : "Hint: build the rows from your cross product, which keeps its digits on "
-                          "nearly parallel columns, and split_scale the columns so that nothing "
-                          "overflows"));
+         << (is_any_way
+                 ? ""
+                 : "Hint: build the rows from your cross product, which keeps its digits for "
+                   "nearly parallel columns, and scale the columns with split_scale so "
+                   "that nothing overflows"));
     const Mat4 inverse = rt::inverse(m);
     const Real translations[] = {inverse(0, 3), inverse(1, 3), inverse(2, 3)};
     const ExactVec3 origin = exact_vector(exact.origin), p = exact_vector(point);
@@ -300,7 +301,8 @@ TEST_CASE("01.7 a map with a tiny or huge determinant is not refused", "[01.7][h
     // shape is ordinary.
     INFO(
         "Hint: compare the determinant with its own rounding error, not with a constant; and "
-        "split_scale the columns, so that no product of three overflows or underflows");
+        "scale the columns with split_scale, so that no product of three numbers overflows or "
+        "underflows");
     const int far = for_this_precision(50, 480), apart = for_this_precision(16, 100);
     rt::Rng rng{16, 3};
     const auto any = [&] { return any_vector(rng, -1, 1); };

@@ -290,7 +290,7 @@ TEST_CASE("02.3 the distance from camera to target may exceed the largest number
             HINT(exact.w, b.w, "if from - at is not finite, use normalize(from / 2 - at / 2)");
             REQUIRE(error_in_ulp_of_1(b.w, exact.w) <= 6);
         }
-        HINT(exact.u, b.u, "scale up and the difference, and take their cross product");
+        HINT(exact.u, b.u, "scale both `up` and the difference, and then take their cross product");
         REQUIRE(error_in_ulp_of_1(b.u, exact.u) <= 12);
         REQUIRE(flaw_in_ulp(b) <= allowed_flaw);
     }
@@ -374,8 +374,9 @@ TEST_CASE("02.3 even the smallest angle between view and up determines the basis
 
 TEST_CASE("02.3 look_at refuses a view without a direction or without an up", "[02.3][hard]") {
     INFO(
-        "look_at must throw std::domain_error.\nHint: normalize does that for from - at; check up "
-        "before its cross product, and throw if up == Vec3{} or !is_finite(up)");
+        "look_at must throw std::domain_error.\nHint: normalize throws it for from - at; check "
+        "`up` "
+        "yourself before the cross product, and throw if up == Vec3{} or !is_finite(up)");
     const Vec3 from{1, 2, 3}, at{4, -5, 6}, up{0, 1, 0};
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const Real huge = for_this_precision<Real>(Real(1e30), Real(1e300));

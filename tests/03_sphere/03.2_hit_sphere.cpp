@@ -278,9 +278,10 @@ TEST_CASE("03.2 hits are correct for any sphere and ray and interval", "[03.2][h
 TEST_CASE("03.2 both hits are accurate for a ray that starts on the surface", "[03.2][hard]") {
     const Sphere sphere{{1, 1, 1}, 7};
     const Vec3 start{3, 4, 7};  // 2, 3, 6 from the center: 4 + 9 + 36 = 49
-    check(sphere, {start, {2, 3, 6}}, {-9, Real(-0.5)}, Real(-2), "the other solution is -2");
+    check(sphere, {start, {2, 3, 6}}, {-9, Real(-0.5)}, Real(-2),
+          "one solution is 0, which is not within the interval, and the other is -2");
     check(sphere, {start, {-2, -3, -6}}, {Real(0.5), infinity}, Real(2),
-          "an interval that begins after 0 leaves the other solution, 2");
+          "one solution is 0, which is not within the interval, and the other is 2");
     rt::Rng rng{32, 3};
     for (int i = 0; i < 200; ++i) {
         // Just outside, just inside, or on it.

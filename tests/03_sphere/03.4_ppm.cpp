@@ -178,8 +178,8 @@ TEST_CASE("03.4 every byte of any image is written correctly", "[03.4][hard]") {
                                : i % 3 == 1 ? "green"
                                             : "blue")
                            << ": expected " << expected[i] << ", actual " << bytes[i]
-                           << ".\nHint: write every pixel in its place, each channel by "
-                              "rt::to_byte");
+                           << ".\nHint: write every pixel in its place, and convert each channel "
+                              "with rt::to_byte");
             REQUIRE(bytes[i] == expected[i]);
         }
     }

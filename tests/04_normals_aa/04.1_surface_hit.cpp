@@ -107,7 +107,7 @@ void check_side(const Shot& shot, const Hit& hit) {
     if (hit.front != (cosine.high < 0)) {
         UNSCOPED_INFO(text(shot));
         UNSCOPED_INFO(
-            "the cosine of direction and outward normal is "
+            "the cosine of the angle between the direction and the outward normal is "
             << cosine.high
             << ".\nHint: the hit is in front if the ray's direction points against the outward "
                "normal, however slightly");

@@ -67,8 +67,8 @@ TEST_CASE("04.3 bounces follow the cosine distribution around any normal", "[04.
              << " of " << samples << " directions point below the surface.\nHint: "
              << (below == samples
                      ? "the directions are upside down: the height along the normal is +sqrt(1 - x)"
-                     : "x, y and z of the hemisphere are those of the normal's basis: "
-                       "orthonormal_basis(normal).to_world({...}) turns them"));
+                     : "x, y and z are components in the normal's basis: turn the direction with "
+                       "orthonormal_basis(normal).to_world({...})"));
         REQUIRE(below == 0);
     }
     {

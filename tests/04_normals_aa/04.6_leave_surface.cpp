@@ -155,10 +155,10 @@ TEST_CASE("04.6 a million rays never meet the surface that they leave", "[04.6][
                 "Hint: " << (moved < 0 ? "the ray starts on the wrong side"
                              : moved < 2 * error
                                  ? "the sum point + distance * normal is rounded, too, which may "
-                                   "take back a part of the move: add that to the distance"
+                                   "undo a part of the move: add the rounding error to the distance"
                                  : "the distance must come from the error bound: a fixed one, "
-                                   "such as 0.001, or a fixed smallest t, is right for one size "
-                                   "only"));
+                                   "such as 0.001, or a fixed smallest t, is right for scenes of "
+                                   "one size only"));
         }
     }
     REQUIRE(!t);
@@ -249,7 +249,9 @@ TEST_CASE("04.6 a ray into a tiny sphere far from the origin starts inside it", 
                       << " times the step from one coordinate to the next, and the cosine is "
                       << cosine);
         UNSCOPED_INFO(
-            "Hint: start inside, along the normal, by the error of the point and of the sum alone");
+            "Hint: move the start inward along the normal, by no more than the errors of the point "
+            "and "
+            "the sum");
     }
     REQUIRE(meets_far_side);
 }

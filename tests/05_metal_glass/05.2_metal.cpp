@@ -350,9 +350,9 @@ TEST_CASE("05.2 light along the surface is reflected above it for any fuzz", "[0
             INFO(
                 "metal of fuzz " << text(fuzz) << ", light along " << text(incoming)
                                  << " on the side of the normal " << text(normal)
-                                 << " leaves along " << text(d) << ": its dot product with the "
+                                 << " leaves along " << text(d) << ", whose dot product with the "
                                  << "normal is " << text(rt::dot(d, normal))
-                                 << ", and its length is off by " << longer
+                                 << ", and whose length is off by " << longer
                                  << " epsilon\nHint: above_horizon lifts and normalizes any "
                                     "direction: also call it for the mirror direction with fuzz 0");
             REQUIRE(is_right);

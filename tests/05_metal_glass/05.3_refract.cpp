@@ -47,8 +47,9 @@ TEST_CASE("05.3 light that enters glass bends toward the normal", "[05.3]") {
         const Vec3 expected{real(sine_out), -real(std::sqrt(1 - sine_out * sine_out)), 0};
         const Vec3 computed = refract_or_fail(incoming, floor_normal, real(eta));
         INFO("light along " << text(incoming) << " meets a surface with the normal "
-                            << text(floor_normal) << ", eta = " << eta << ": its sine is "
-                            << sine_in << ", and the sine of the refraction angle is " << sine_out);
+                            << text(floor_normal) << ", eta = " << eta
+                            << ": the sine of the incoming angle is " << sine_in
+                            << ", and the sine of the refraction angle is " << sine_out);
         const char* hint =
             "the sine of the refraction angle is eta times the sine of the incoming angle; the "
             "part along the surface is scaled by eta, and the part along the normal follows from "

@@ -225,8 +225,8 @@ TEST_CASE("05.4 cosine and reflectance are accurate at any ratio and angle", "[0
             "cancels; difference_of_products(eta c, eta c, eta - 1, eta + 1) keeps the digits");
         const Real fresnel = rt::fresnel_reflectance(cosine, eta);
         check_error(fresnel, surface.reflectance(), allowed(surface), eta, cosine,
-                    "r_s = (eta - 1) (eta + 1) / (eta c + c')^2 and the ratio of the text do not "
-                    "cancel");
+                    "r_s = (eta - 1) (eta + 1) / (eta c + c')^2 and the ratio r_p / r_s from the "
+                    "text do not cancel");
         if (!(0 <= fresnel && fresnel <= 1)) {
             INFO("cosine " << text(cosine) << ", eta " << text(eta)
                            << ".\nHint: rounding may put the reflectance above 1; it is a "

@@ -380,8 +380,9 @@ TEST_CASE("05.6 a ball of the material in a white furnace is nowhere brighter th
             if (!is_right) {
                 INFO("ball of radius "
                      << scale << ", ray from " << (inside ? "inside" : "outside") << " at "
-                     << text(aside) << " of it, color " << text_of(material.materials[0].color)
-                     << ", amount " << text(material.materials[0].amount)
+                     << text(aside) << " of the radius, color "
+                     << text_of(material.materials[0].color) << ", amount "
+                     << text(material.materials[0].amount)
                      << "\nHint: the attenuation of a bounce must not exceed 1 in any channel");
                 REQUIRE("expected at most 1 in each channel, actual: " + text_of(light) == "");
             }

@@ -112,7 +112,7 @@ TEST_CASE("06.3 render_tiles renders every pixel once", "[06.3]") {
         "400x300 tiles of one pixel, 4 workers: the values are the number of tiles that were "
         "rendered exactly once.\nHint: the counter that all workers share is a std::atomic<int>, "
         "and take_tile "
-        "takes from it");
+        "takes the tile's number from it");
     CHECK(std::count(counts.begin(), counts.end(), 1) == 120'000);
 }
 

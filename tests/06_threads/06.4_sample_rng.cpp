@@ -337,9 +337,10 @@ TEST_CASE("06.4 every bit of the four numbers counts", "[06.4][hard]") {
     const auto check = [&](const char* what, int bit, auto changed) {
         int sum = 0;
         for (const Key& key : keys) sum += distance(key, changed(key));
-        INFO("bit " << bit << " of " << what
-                    << " changes: of the first 64 bits that are drawn, how many change; "
-                    << "half of them should");
+        INFO("if bit "
+             << bit << " of " << what
+             << " changes, about half of the first 64 drawn bits should change; the values "
+             << "are the number of bits that change, on average");
         const double mean = sum / 16.0;  // 32, give or take 1
         REQUIRE(mean > 25.5);
         REQUIRE(mean < 38.5);

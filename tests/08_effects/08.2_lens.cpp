@@ -115,10 +115,11 @@ void check_places(const Case& any, rt::Rng& rng) {
         }
         const auto pair = [](Vec2 v) { return '(' + text(v.x) + ", " + text(v.y) + ')'; };
         INFO(
-            "the ray's origin, seen from the eye, to the right and up, in halves of the aperture; "
-            "with place.y = 0 it is "
-            << pair(on_lens(any, {x, 0})) << "; expected " << pair(expected) << ", actual "
-            << pair(at) << ".\nHint: place.y is the fraction of a turn, and a full turn is 2 pi");
+            "the ray's origin relative to the eye, along u and v, in halves of the aperture (your "
+            "code gives "
+            << pair(on_lens(any, {x, 0})) << " for place.y = 0): expected " << pair(expected)
+            << ", actual " << pair(at)
+            << ".\nHint: place.y is the fraction of a turn, and a full turn is 2 pi");
         const bool is_close = apart(at, expected) <= rounding;
         REQUIRE(is_close);
     }
@@ -226,11 +227,11 @@ TEST_CASE("08.2 the lens is a disk that faces the direction of view", "[08.2]") 
         const Vec3 off = rt::lens_ray(usual, lens, 20, 70, middle, place).origin - usual.eye;
         sum += off;
         farthest = std::max(farthest, rt::length(off));
-        INFO("the ray's origin is off the eye by " << text(off));
+        INFO("the vector from the eye to the ray's origin is " << text(off));
         {
             const Real tilt = std::abs(rt::dot(off, usual.basis.w));
-            INFO("and " << text(tilt)
-                        << " of it in front of the lens or behind it: use the camera's u and v");
+            INFO("the origin lies "
+                 << text(tilt) << " in front of the lens or behind it: move it along u and v only");
             if (tilt > rt::rounding_bound(30) * 4) CHECK(text(tilt) == "0");
         }
         INFO(

@@ -190,10 +190,11 @@ void check_cone(const Sphere& light, Vec3 from, rt::Rng& rng) {
         if (!(gap(at, expected) <= 2 * rounding)) {
             const auto pair = [](Vec2 v) { return '(' + text(v.x) + ", " + text(v.y) + ')'; };
             INFO(
-                "the direction's two components perpendicular to the way to the light's center; "
-                "with place.y = 0 they are "
+                "the direction's two components perpendicular to the way to the light's center "
+                "(your code gives "
                 << pair(beside(x, 0))
-                << ".\nHint: place.y is the fraction of a turn, and a full turn is 2 pi");
+                << " for place.y = 0).\nHint: place.y is the fraction of a turn, and a full turn "
+                   "is 2 pi");
             REQUIRE(pair(at) == pair(expected));
         }
         check_sample(light, from, {x, y});
@@ -407,13 +408,13 @@ TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]")
     {
         INFO("200 parts of equal solid angle should get "
              << expected[0] << " of " << count
-             << " directions each: chi-square by height.\nHint: "
+             << " directions each; the chi-square is that of the heights.\nHint: call "
                 "uniform_direction of 04.3");
         CHECK(by_zones < limit);
     }
     INFO("200 parts of equal solid angle should get "
          << expected[0] << " of " << count
-         << " directions each: chi-square by the angle around z."
+         << " directions each; the chi-square is that of the angles around z."
             "\nHint: a full turn is 2 pi");
     CHECK(by_parts < limit);
 }

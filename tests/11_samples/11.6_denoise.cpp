@@ -73,8 +73,8 @@ void check_weight(int across, int down, const Features& a, const Features& b,
         const Features floored_b{floored(b.albedo, widths.darkest), b.normal};
         if (!(actual >= 0))
             hint =
-                "0 / 0 or infinity - infinity: divide a difference by its width, and then square "
-                "it; the square of a small width is 0";
+                "your result is NaN, from 0 / 0 or infinity - infinity: divide each difference by "
+                "its width first, and then square the quotient; the square of a small width is 0";
         else if (is(d.sum()))
             hint = "the factor of a half is missing: the weight is exp(-d / 2)";
         else if (hint == weight_hint && is((d.albedo + d.normal) / 2))
